@@ -1,0 +1,11 @@
+# Options that every target of this project is compiled with, as the interface target ljmd_options.
+add_library(ljmd_options INTERFACE)
+target_compile_features(ljmd_options INTERFACE cxx_std_20)
+target_compile_options(ljmd_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+    # Floating point: contraction would make results depend on the compiler's mood; the two others change no result and
+    # are what vectorisation needs. -ffast-math is never used.
+    -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(LJMD_WARNINGS_AS_ERRORS)
+    target_compile_options(ljmd_options INTERFACE -Werror)
+endif()

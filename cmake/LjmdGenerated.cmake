@@ -1,0 +1,27 @@
+# ljmd/core/version.hpp, written by every build: the commit can change without a new configuration. The file is touched
+# only when its text changes, and only src/core/build_info.cpp includes it, so that a new commit recompiles one file.
+set(ljmd_version_include ${PROJECT_BINARY_DIR}/generated/private)
+
+# The flags that can change numbers; warnings cannot.
+get_target_property(ljmd_flags ljmd_options INTERFACE_COMPILE_OPTIONS)
+list(FILTER ljmd_flags EXCLUDE REGEX "^-W")
+list(JOIN ljmd_flags " " ljmd_flags)
+string(TOUPPER "${CMAKE_BUILD_TYPE}" ljmd_build_type)
+set(ljmd_flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${ljmd_build_type}} ${ljmd_flags}")
+string(REGEX REPLACE " +" " " ljmd_flags "${ljmd_flags}")
+string(STRIP "${ljmd_flags}" ljmd_flags)
+
+add_custom_target(ljmd_version_header ALL
+    COMMAND ${CMAKE_COMMAND}
+            -D "source_dir=${PROJECT_SOURCE_DIR}"
+            -D "template=${PROJECT_SOURCE_DIR}/cmake/version.hpp.in"
+            -D "output=${ljmd_version_include}/ljmd/core/version.hpp"
+            -D "version=${PROJECT_VERSION}"
+            -D "compiler=${CMAKE_CXX_COMPILER_ID}"
+            -D "compiler_version=${CMAKE_CXX_COMPILER_VERSION}"
+            -D "build_type=${CMAKE_BUILD_TYPE}"
+            -D "flags=${ljmd_flags}"
+            -P ${PROJECT_SOURCE_DIR}/cmake/WriteVersionHeader.cmake
+    BYPRODUCTS ${ljmd_version_include}/ljmd/core/version.hpp
+    COMMENT "Asking git for the commit"
+    VERBATIM)

@@ -1,0 +1,23 @@
+# The library ljmd::ljmd and the program ljmd.
+file(GLOB_RECURSE ljmd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
+list(REMOVE_ITEM ljmd_sources ${PROJECT_SOURCE_DIR}/src/app/main.cpp)
+
+add_library(ljmd_library STATIC ${ljmd_sources} ${ljmd_generated_sources})
+add_library(ljmd::ljmd ALIAS ljmd_library)
+add_dependencies(ljmd_library ljmd_version_header)
+set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
+target_compile_features(ljmd_library PUBLIC cxx_std_20)
+target_include_directories(ljmd_library
+    PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+           $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated/include>
+           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${ljmd_version_include})
+target_include_directories(ljmd_library SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
+# Libraries of headers alone, and this project's own options, are no business of who links an installed ljmd.
+target_link_libraries(ljmd_library
+    PUBLIC Eigen3::Eigen
+    PRIVATE $<BUILD_INTERFACE:ljmd_options> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
+            GSL::gsl fmt::fmt PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5)
+
+add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/app/main.cpp)
+target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)

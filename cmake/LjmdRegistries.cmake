@@ -1,0 +1,70 @@
+# Plug-ins register themselves by lying in a folder: adding one is adding one file. This module writes the lists.
+
+# ljmd_type_list(<folder of headers> <list name>): a header with `using All<list>s = <list>List<Type, ...>` that includes
+# every header of the folder; lennard_jones.hpp declares LennardJones.
+function(ljmd_formula_list folder output)
+    file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/include/${folder}/*.hpp)
+    list(SORT headers)
+    set(includes "")
+    set(types "")
+    foreach(header IN LISTS headers)
+        string(APPEND includes "#include \"${header}\"\n")
+        get_filename_component(stem ${header} NAME_WE)
+        string(REPLACE "_" ";" words ${stem})
+        set(type "")
+        foreach(word IN LISTS words)
+            string(SUBSTRING ${word} 0 1 first)
+            string(SUBSTRING ${word} 1 -1 rest)
+            string(TOUPPER ${first} first)
+            string(APPEND type ${first}${rest})
+        endforeach()
+        list(APPEND types ${type})
+    endforeach()
+    list(JOIN types ", " types)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/include/${output} CONTENT
+"#pragma once
+// Written by cmake/LjmdRegistries.cmake from the headers in include/${folder}.
+@includes@
+namespace ljmd {
+
+template <class... Formulas>
+struct FormulaList {};
+
+using AllFormulas = FormulaList<@types@>;
+
+}  // namespace ljmd
+" @ONLY)
+endfunction()
+
+# ljmd_plugin_list(<folder of sources> <plug-in type> <header> <function> <variable>): a source file that defines
+# `std::vector<Type> function()`; every x.cpp in the folder defines `Type x();`. Its path is appended to variable.
+function(ljmd_plugin_list folder type header function variable)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp)
+    list(SORT sources)
+    set(declarations "")
+    set(calls "")
+    foreach(source IN LISTS sources)
+        get_filename_component(stem ${source} NAME_WE)
+        string(APPEND declarations "${type} ${stem}();\n")
+        list(APPEND calls "${stem}()")
+    endforeach()
+    list(JOIN calls ", " calls)
+    set(path ${PROJECT_BINARY_DIR}/generated/src/${function}.cpp)
+    file(CONFIGURE OUTPUT ${path} CONTENT
+"// Written by cmake/LjmdRegistries.cmake from the files in src/${folder}.
+#include \"${header}\"
+
+namespace ljmd {
+
+@declarations@
+std::vector<${type}> ${function}() { return {@calls@}; }
+
+}  // namespace ljmd
+" @ONLY)
+    set(${variable} ${${variable}} ${path} PARENT_SCOPE)
+endfunction()
+
+ljmd_formula_list(ljmd/potentials/formulas ljmd/potentials/formula_list.hpp)
+ljmd_plugin_list(integrators/methods IntegratorMethod ljmd/integrators/integrator.hpp all_integrators ljmd_generated_sources)
+ljmd_plugin_list(integrators/thermostats ThermostatMethod ljmd/integrators/thermostat.hpp all_thermostats ljmd_generated_sources)
+ljmd_plugin_list(observables/analyses AnalysisMethod ljmd/observables/analysis.hpp all_analyses ljmd_generated_sources)

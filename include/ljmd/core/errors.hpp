@@ -1,0 +1,45 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace ljmd {
+
+/// Base of every error that the library reports to its caller. The library never exits; the application maps each
+/// type to an exit code.
+class Error : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The command line or the deck is wrong: nothing was run. The text holds every mistake found.
+class InputError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// A data file (a configuration to start from) cannot be used. The text names file, line and frame.
+class DataError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// An output could not be written.
+class FileError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// The run left the domain of physics: atoms at non-finite positions, a time step too large.
+class PhysicsError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// A precondition was broken: a mistake in the program, not in its input.
+class ContractViolation : public std::logic_error {
+  public:
+    using std::logic_error::logic_error;
+};
+
+}  // namespace ljmd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "ljmd/core/types.hpp"
+
+namespace ljmd {
+
+/// What random numbers are drawn for. Streams never share a number; the values are written in checkpoints and must not
+/// change.
+enum class RandomStream : std::uint64_t { positions = 1, velocities = 2 };
+
+/// Counter-based random numbers (Philox-4x64-10): a pure function of seed, stream, step and atom id. Nothing is carried
+/// along, so the order of atoms, the number of threads and restarts cannot change a number.
+/// Source: Salmon et al., Parallel random numbers: as easy as 1, 2, 3 (2011), doi:10.1145/2063384.2063405.
+class Random {
+  public:
+    Random(std::uint64_t seed, RandomStream stream) : seed_(seed), stream_(stream) {}
+
+    /// Three independent numbers, uniform in [0, 1), with 53 random bits.
+    [[nodiscard]] Vec3 uniform(Index step, Index atom) const;
+
+    /// Three independent numbers from the normal distribution of mean 0 and variance 1 (Box and Muller 1958,
+    /// doi:10.1214/aoms/1177706645).
+    [[nodiscard]] Vec3 normal(Index step, Index atom) const;
+
+  private:
+    std::uint64_t seed_;
+    RandomStream stream_;
+};
+
+}  // namespace ljmd

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+/// The names of a list of plug-ins (anything with a `name`).
+template <class Plugin>
+std::vector<std::string> plugin_names(const std::vector<Plugin>& plugins) {
+    std::vector<std::string> names;
+    for (const Plugin& plugin : plugins) {
+        names.push_back(plugin.name);
+    }
+    return names;
+}
+
+/// The plug-in of that name.
+/// @param what  how the message calls it, e.g. "integrator"
+/// @throws InputError, naming those there are
+template <class Plugin>
+Plugin find_plugin(const std::vector<Plugin>& plugins, const std::string& name, const std::string& what) {
+    for (const Plugin& plugin : plugins) {
+        if (plugin.name == name) {
+            return plugin;
+        }
+    }
+    throw InputError(fmt::format("unknown {} '{}', allowed: {}", what, name, fmt::join(plugin_names(plugins), ", ")));
+}
+
+}  // namespace ljmd

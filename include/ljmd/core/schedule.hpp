@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/types.hpp"
+
+namespace ljmd {
+
+/// Every n-th step: due at steps 0, n, 2 n, ... Cannot be made with n < 1.
+class Every {
+  public:
+    /// @throws ContractViolation if steps < 1
+    explicit Every(Index steps) : steps_(steps) {
+        if (steps < 1) {
+            throw ContractViolation("a schedule needs at least one step between events");
+        }
+    }
+
+    [[nodiscard]] bool due(Index step) const { return step % steps_ == 0; }
+    [[nodiscard]] Index steps() const { return steps_; }
+
+  private:
+    Index steps_;
+};
+
+}  // namespace ljmd

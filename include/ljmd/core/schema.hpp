@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ljmd/core/units.hpp"
+#include "ljmd/core/value.hpp"
+
+namespace ljmd {
+
+class Schema;
+
+/// What kind of value a key takes.
+enum class Kind {
+    flag,      ///< true or false
+    integer,   ///< 64-bit integer
+    number,    ///< float or integer; with a dimension also a string with a unit, "119.8 K", when [argon] is there
+    text,      ///< any string
+    choice,    ///< one of the strings in `choices`
+    quantity,  ///< always a string with a unit: the keys of [argon]
+    table,     ///< a table with a schema of its own
+    tables,    ///< an array of tables, [[stage]]
+};
+
+/// One key of a deck: everything that validates it and everything that its line in the reference page says.
+/// Built fluently: `Key::number("density").unit("sigma^-3").above(0.0).at_most(1.5).meaning("N/V")`.
+class Key {
+  public:
+    static Key flag(std::string name);
+    static Key integer(std::string name);
+    static Key number(std::string name);
+    static Key text(std::string name);
+    static Key choice(std::string name, std::vector<std::string> choices);
+    static Key quantity(std::string name, Dimension dimension);
+    static Key table(std::string name, Schema schema);
+    static Key tables(std::string name, Schema schema);
+
+    Key& meaning(std::string text);
+    Key& unit(std::string reduced_unit);          ///< shown in the reference page, e.g. "sigma"
+    Key& dimension(Dimension dimension);          ///< accepts unit strings of this dimension
+    Key& at_least(double low);                    ///< value >= low
+    Key& above(double low);                       ///< value > low
+    Key& at_most(double high);                    ///< value <= high
+    Key& below(double high);                      ///< value < high
+    Key& optional(std::string when_absent = {});  ///< may be missing; the text says what happens then
+    Key& defaults_to(std::variant<bool, std::int64_t, double, std::string> value);  ///< implies optional
+
+    std::string name;
+    Kind kind = Kind::text;
+    std::string meaning_text;
+    std::string reduced_unit;
+    Dimension physical_dimension = Dimension::none;
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_open = false;   ///< low itself is not allowed
+    bool high_open = false;  ///< high itself is not allowed
+    std::vector<std::string> choices;
+    bool required = true;
+    std::string absent_text;  ///< for optional keys without a default
+    std::optional<std::variant<bool, std::int64_t, double, std::string>> default_value;
+    std::vector<Schema> inner;  ///< one element for Kind::table and Kind::tables, else empty
+
+    /// The allowed range in words: "> 0, <= 1.5"; "one of 'cut', 'shifted'"; empty when anything goes.
+    [[nodiscard]] std::string allowed() const;
+
+  private:
+    Key(std::string name, Kind kind);
+};
+
+/// The keys of one table of a deck.
+class Schema {
+  public:
+    /// @param title  how messages name the table: "[system]", "[[stage]]", "lattice"
+    explicit Schema(std::string title, std::vector<Key> keys = {});
+
+    /// This schema and more keys. @throws ContractViolation when a name occurs twice
+    [[nodiscard]] Schema with(const std::vector<Key>& more) const;
+
+    /// Keys that exist only for one choice of another key: the parameters of a plug-in selected by its name.
+    /// @param key    a Kind::choice of this schema
+    /// @param cases  for each choice the keys that come with it
+    Schema& select(const std::string& key, std::map<std::string, std::vector<Key>> cases);
+
+    /// The keys of one choice, and which choice they belong to.
+    struct Selection {
+        std::string key;
+        std::map<std::string, std::vector<Key>> cases;
+    };
+    [[nodiscard]] const std::vector<Selection>& selections() const { return selections_; }
+
+    /// This schema with the keys that the choices in `table` bring; an unknown choice brings none.
+    [[nodiscard]] Schema resolved_for(const Table& table) const;
+
+    [[nodiscard]] const Key* find(const std::string& name) const;
+    [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
+    [[nodiscard]] const std::string& title() const { return title_; }
+
+  private:
+    std::string title_;
+    std::vector<Key> keys_;
+    std::vector<Selection> selections_;
+};
+
+}  // namespace ljmd

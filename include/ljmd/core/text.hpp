@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ljmd {
+
+/// Bytes of the UTF-8 character that `text` begins with: 1 to 4; 0 when it begins with none (invalid, cut off,
+/// overlong, a surrogate, empty).
+[[nodiscard]] std::size_t utf8_length(std::string_view text);
+
+/// Where `text` stops being UTF-8: the index of the first byte that begins no character, or npos.
+[[nodiscard]] std::size_t find_invalid_utf8(std::string_view text);
+
+/// The characters of `text` as a terminal may show them: a tab as a space, other control characters and bytes that are
+/// no UTF-8 as '?'.
+[[nodiscard]] std::vector<std::string> printable_characters(std::string_view text);
+
+/// The same, joined; after `limit` characters it is cut and ends in "...".
+[[nodiscard]] std::string printable(std::string_view text, std::size_t limit);
+
+/// Line number `line` (from 1) of `text` without its line end ("\n" or "\r\n"); empty when there is no such line.
+[[nodiscard]] std::string_view line_of(std::string_view text, int line);
+
+}  // namespace ljmd

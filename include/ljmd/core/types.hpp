@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace ljmd {
+
+/// Counts and indices of atoms, pairs and steps: 64 bits, because 3 N and the number of pairs overflow 32.
+using Index = std::int64_t;
+
+/// One vector of space: position [sigma], velocity [sigma/tau], force [epsilon/sigma].
+using Vec3 = Eigen::Vector3d;
+
+/// A second-rank tensor of space: virial [epsilon], pressure [epsilon/sigma^3].
+using Mat3 = Eigen::Matrix3d;
+
+}  // namespace ljmd

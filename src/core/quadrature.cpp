@@ -1,0 +1,44 @@
+#include "ljmd/core/quadrature.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include <cmath>
+#include <memory>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::size_t most_intervals = 1000;
+constexpr double absolute_error = 1e-15;
+constexpr double relative_error = 1e-12;
+
+double call(double x, void* f) { return (*static_cast<const std::function<double(double)>*>(f))(x); }
+
+}  // namespace
+
+double integrate(const std::function<double(double)>& f, double a, double b) {
+    gsl_set_error_handler_off();  // errors come back as codes; GSL's own handler would abort the program
+    const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> workspace(
+        gsl_integration_workspace_alloc(most_intervals), gsl_integration_workspace_free);
+    auto copy = f;
+    gsl_function function{&call, &copy};
+    double result = 0.0;
+    double error = 0.0;
+    const int status = std::isinf(b)
+                           ? gsl_integration_qagiu(&function, a, absolute_error, relative_error, most_intervals,
+                                                   workspace.get(), &result, &error)
+                           : gsl_integration_qag(&function, a, b, absolute_error, relative_error, most_intervals,
+                                                 GSL_INTEG_GAUSS31, workspace.get(), &result, &error);
+    // GSL reports round-off when it has reached machine precision but not the requested error: that is good enough.
+    if ((status != GSL_SUCCESS && status != GSL_EROUND) || !std::isfinite(result)) {
+        throw PhysicsError(fmt::format("an integral from {} to {} does not converge: {}", a, b, gsl_strerror(status)));
+    }
+    return result;
+}
+
+}  // namespace ljmd

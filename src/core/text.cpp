@@ -1,0 +1,71 @@
+#include "ljmd/core/text.hpp"
+
+namespace ljmd {
+
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const auto continues = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
+    const unsigned first = byte(0);
+    if (text.empty()) return 0;
+    if (first < 0x80u) return 1;
+    if (first >= 0xC2u && first <= 0xDFu) return continues(1) ? 2 : 0;
+    if (first >= 0xE0u && first <= 0xEFu) {
+        const bool overlong = first == 0xE0u && byte(1) < 0xA0u;
+        const bool surrogate = first == 0xEDu && byte(1) > 0x9Fu;
+        return continues(1) && continues(2) && !overlong && !surrogate ? 3 : 0;
+    }
+    if (first >= 0xF0u && first <= 0xF4u) {
+        const bool overlong = first == 0xF0u && byte(1) < 0x90u;
+        const bool beyond_unicode = first == 0xF4u && byte(1) > 0x8Fu;
+        return continues(1) && continues(2) && continues(3) && !overlong && !beyond_unicode ? 4 : 0;
+    }
+    return 0;
+}
+
+std::size_t find_invalid_utf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = utf8_length(text.substr(i));
+        if (length == 0) return i;
+        i += length;
+    }
+    return std::string_view::npos;
+}
+
+std::vector<std::string> printable_characters(std::string_view text) {
+    std::vector<std::string> characters;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const auto first = static_cast<unsigned char>(text[0]);
+        const bool c1_control = length == 2 && first == 0xC2u && static_cast<unsigned char>(text[1]) < 0xA0u;
+        if (text[0] == '\t') {
+            characters.emplace_back(" ");
+        } else if (length == 0 || c1_control || first < 0x20u || first == 0x7Fu) {
+            characters.emplace_back("?");
+        } else {
+            characters.emplace_back(text.substr(0, length));
+        }
+        text.remove_prefix(length == 0 ? 1 : length);
+    }
+    return characters;
+}
+
+std::string printable(std::string_view text, std::size_t limit) {
+    // A character has at most four bytes: a megabyte need not be split to show its beginning.
+    const auto characters = printable_characters(text.substr(0, 4 * (limit + 1)));
+    std::string shown;
+    for (std::size_t i = 0; i < characters.size() && i < limit; ++i) shown += characters[i];
+    return characters.size() > limit ? shown + "..." : shown;
+}
+
+std::string_view line_of(std::string_view text, int line) {
+    for (int skipped = 1; skipped < line; ++skipped) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    if (text.ends_with('\r')) text.remove_suffix(1);
+    return text;
+}
+
+}  // namespace ljmd
