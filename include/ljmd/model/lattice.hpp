@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ljmd/core/types.hpp"
+#include "ljmd/model/box.hpp"
+
+namespace ljmd {
+
+/// Crystals that a cubic box can be filled with.
+enum class Lattice { fcc, simple_cubic };
+
+/// Sites of one cubic cell: 4 for fcc, 1 for simple cubic.
+[[nodiscard]] Index sites_per_cell(Lattice lattice);
+
+/// Number of atoms of cells^3 cubic cells. @throws ContractViolation if it exceeds 2^62
+[[nodiscard]] Index lattice_atoms(Lattice lattice, Index cells);
+
+/// The number of cells along an edge whose crystal is nearest to `atoms` from below and from above (equal when atoms
+/// fits exactly).
+struct NearestCells {
+    Index below;  ///< at least 1
+    Index above;
+};
+[[nodiscard]] NearestCells nearest_cells(Lattice lattice, Index atoms);
+
+/// Edge of a cubic box of N atoms at number density rho: L = (N / rho)^(1/3).
+/// @pre atoms > 0, density > 0
+[[nodiscard]] Box cubic_box(Index atoms, double density);
+
+/// Sites of cells^3 cubic cells that fill the box; the first lies at the origin.
+/// @param cells  cells along each edge, at least 1
+/// @return positions [sigma] inside the box, on its grid
+[[nodiscard]] std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box);
+
+/// Positions drawn uniformly in the box; atoms may overlap. Depends on seed and atom id only.
+[[nodiscard]] std::vector<Vec3> random_positions(Index atoms, const Box& box, std::uint64_t seed);
+
+}  // namespace ljmd

@@ -1,0 +1,76 @@
+#include "ljmd/model/lattice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/random.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Sites in units of the cubic cell's edge.
+std::vector<Vec3> basis(Lattice lattice) {
+    if (lattice == Lattice::fcc) {
+        return {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}, {0.5, 0.0, 0.5}, {0.0, 0.5, 0.5}};
+    }
+    return {{0.0, 0.0, 0.0}};
+}
+
+}  // namespace
+
+Index sites_per_cell(Lattice lattice) { return static_cast<Index>(basis(lattice).size()); }
+
+Index lattice_atoms(Lattice lattice, Index cells) {
+    constexpr Index most_cells = Index{1} << 20;  // 4 * 2^60 sites still fit
+    if (cells < 0 || cells > most_cells) {
+        throw ContractViolation(fmt::format("a crystal of {} cells along each edge", cells));
+    }
+    return sites_per_cell(lattice) * cells * cells * cells;
+}
+
+NearestCells nearest_cells(Lattice lattice, Index atoms) {
+    const double exact = std::cbrt(static_cast<double>(atoms) / static_cast<double>(sites_per_cell(lattice)));
+    Index below = std::max<Index>(1, static_cast<Index>(std::floor(exact)));
+    while (lattice_atoms(lattice, below + 1) <= atoms) {  // cbrt may round a whole number down
+        ++below;
+    }
+    return {below, lattice_atoms(lattice, below) >= atoms ? below : below + 1};
+}
+
+Box cubic_box(Index atoms, double density) {
+    return Box(Vec3::Constant(std::cbrt(static_cast<double>(atoms) / density)));
+}
+
+std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box) {
+    const Vec3 cell = box.edges() / static_cast<double>(cells);
+    std::vector<Vec3> sites;
+    sites.reserve(static_cast<std::size_t>(lattice_atoms(lattice, cells)));
+    for (Index z = 0; z < cells; ++z) {
+        for (Index y = 0; y < cells; ++y) {
+            for (Index x = 0; x < cells; ++x) {
+                const Vec3 corner(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+                for (const Vec3& site : basis(lattice)) {
+                    sites.push_back(box.snap((corner + site).cwiseProduct(cell)));
+                }
+            }
+        }
+    }
+    return sites;
+}
+
+std::vector<Vec3> random_positions(Index atoms, const Box& box, std::uint64_t seed) {
+    const Random random(seed, RandomStream::positions);
+    std::vector<Vec3> positions;
+    positions.reserve(static_cast<std::size_t>(atoms));
+    for (Index id = 0; id < atoms; ++id) {
+        const Vec3 r = box.snap(random.uniform(0, id).cwiseProduct(box.edges()));
+        positions.push_back(r - box.crossings(r).cwiseProduct(box.edges()));
+    }
+    return positions;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,159 @@
+#include "ljmd/model/state.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::size_t stride = 4;
+
+/// An atom this many edges away from its box has not diffused there.
+constexpr double most_crossings = 1e6;
+
+VectorView view(std::vector<double>& data, Index first, Index count) {
+    return {data.data() + stride * static_cast<std::size_t>(first), 3, count};
+}
+
+ConstVectorView view(const std::vector<double>& data, Index count) { return {data.data(), 3, count}; }
+
+template <class T>
+std::vector<T> permuted(const std::vector<T>& old, const std::vector<Index>& order) {
+    std::vector<T> result(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        result[k] = old[static_cast<std::size_t>(order[k])];
+    }
+    return result;
+}
+
+std::vector<double> permuted_vectors(const std::vector<double>& old, const std::vector<Index>& order) {
+    std::vector<double> result(stride * order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        for (std::size_t a = 0; a < stride; ++a) {
+            result[stride * k + a] = old[stride * static_cast<std::size_t>(order[k]) + a];
+        }
+    }
+    return result;
+}
+
+std::size_t checked(Index count) {
+    if (count < 0) {
+        throw ContractViolation(fmt::format("a state of {} atoms", count));
+    }
+    return static_cast<std::size_t>(count);
+}
+
+}  // namespace
+
+State::State(Index count, std::optional<Box> box)
+    : count_(count),
+      box_(std::move(box)),
+      positions_(stride * checked(count)),
+      velocities_(stride * checked(count)),
+      forces_(stride * checked(count)),
+      masses_(checked(count), 1.0),
+      ids_(checked(count)),
+      images_(checked(count), Eigen::Vector3i::Zero()) {
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        ids_[i] = static_cast<Index>(i);
+    }
+}
+
+const Box& State::box() const {
+    if (!box_) {
+        throw ContractViolation("this system has no box");
+    }
+    return *box_;
+}
+
+void State::rescale_to(const Box& box) {
+    const Vec3 factor = box.edges().array() / this->box().edges().array();
+    wrap();
+    set_ghost_count(0);
+    box_ = box;
+    auto r = write_positions();
+    for (Index i = 0; i < count_; ++i) {
+        r.col(i) = box.snap(r.col(i).cwiseProduct(factor));
+    }
+}
+
+ConstVectorView State::positions() const { return view(positions_, count_); }
+ConstVectorView State::positions_and_ghosts() const { return view(positions_, count_ + ghost_count_); }
+ConstVectorView State::velocities() const { return view(velocities_, count_); }
+ConstVectorView State::forces() const { return view(forces_, count_); }
+
+VectorView State::write_positions() {
+    forces_current_ = false;
+    return view(positions_, 0, count_);
+}
+VectorView State::write_velocities() { return view(velocities_, 0, count_); }
+VectorView State::write_forces() { return view(forces_, 0, count_); }
+VectorView State::write_ghosts() { return view(positions_, count_, ghost_count_); }
+
+void State::wrap() {
+    auto r = view(positions_, 0, count_);
+    for (Index i = 0; i < count_; ++i) {
+        const Vec3 n = box().crossings(r.col(i));
+        if (!(n.cwiseAbs().maxCoeff() < most_crossings)) {  // true for NaN as well
+            throw PhysicsError(fmt::format("atom {} is at ({}, {}, {}), far outside its box: the run has blown up. Is the "
+                                           "time step too large, or do atoms overlap at the start?",
+                                           ids_[static_cast<std::size_t>(i)] + 1, r(0, i), r(1, i), r(2, i)));
+        }
+        r.col(i) -= n.cwiseProduct(box().edges());
+        images_[static_cast<std::size_t>(i)] += n.cast<int>();
+    }
+}
+
+Vec3 State::unwrapped(Index i) const {
+    return positions().col(i) + image(i).cast<double>().cwiseProduct(box_ ? box_->edges() : Vec3::Zero());
+}
+
+void State::reorder(const std::vector<Index>& order) {
+    if (static_cast<Index>(order.size()) != count_) {
+        throw ContractViolation("a new order must name every atom once");
+    }
+    set_ghost_count(0);
+    ++order_version_;
+    positions_ = permuted_vectors(positions_, order);
+    velocities_ = permuted_vectors(velocities_, order);
+    forces_ = permuted_vectors(forces_, order);
+    masses_ = permuted(masses_, order);
+    ids_ = permuted(ids_, order);
+    images_ = permuted(images_, order);
+    for (auto& extra : registered_) {
+        extra.data = permuted_vectors(extra.data, order);
+    }
+}
+
+void State::set_ghost_count(Index count) {
+    ghost_count_ = count;
+    positions_.resize(stride * (checked(count_) + checked(count)));
+}
+
+std::vector<Index> State::index_of() const {
+    std::vector<Index> index(ids_.size());
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        index[static_cast<std::size_t>(ids_[i])] = static_cast<Index>(i);
+    }
+    return index;
+}
+
+std::size_t State::register_vectors(const std::string& name) {
+    for (std::size_t k = 0; k < registered_.size(); ++k) {
+        if (registered_[k].name == name) {
+            return k;
+        }
+    }
+    registered_.push_back({name, std::vector<double>(stride * checked(count_))});
+    return registered_.size() - 1;
+}
+
+VectorView State::registered(std::size_t handle) { return view(registered_.at(handle).data, 0, count_); }
+ConstVectorView State::registered(std::size_t handle) const { return view(registered_.at(handle).data, count_); }
+
+}  // namespace ljmd
