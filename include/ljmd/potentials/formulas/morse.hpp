@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "ljmd/core/section.hpp"
+#include "ljmd/potentials/pair_term.hpp"
+
+namespace ljmd {
+
+/// Morse: u(r) = D ((1 - e)^2 - 1) = D (e^2 - 2 e) with e = exp(-a (r - r0)); w(r) = 2 D a (e^2 - e) / r.
+/// Untruncated: truncation is a wrapper, see truncation.hpp.
+/// Source: P. M. Morse (1929), doi:10.1103/PhysRev.34.57
+class Morse {
+  public:
+    static constexpr std::string_view name = "morse";
+    static constexpr std::string_view meaning = "D (e^2 - 2 e), e = exp(-a (r - r0))";
+
+    static std::vector<Key> keys() {
+        return {Key::number("well_depth").dimension(Dimension::energy).unit("epsilon").above(0.0).defaults_to(1.0).meaning(
+                    "D, depth of the minimum"),
+                Key::number("steepness").unit("1/sigma").above(0.0).defaults_to(6.0).meaning(
+                    "a; 6 gives the curvature of the Lennard-Jones minimum"),
+                Key::number("minimum").dimension(Dimension::length).unit("sigma").above(0.0).defaults_to(1.122462048309373).meaning(
+                    "r0, position of the minimum; 2^(1/6) is that of Lennard-Jones")};
+    }
+    static Morse from(const Section& section) {
+        return {section.number("well_depth"), section.number("steepness"), section.number("minimum")};
+    }
+
+    /// @param depth D [epsilon], @param steepness a [1/sigma], @param minimum r0 [sigma]; all positive
+    Morse(double depth, double steepness, double minimum) : depth_(depth), steepness_(steepness), minimum_(minimum) {}
+
+    /// @param r2  squared separation [sigma^2]; r2 > 0, unchecked (hot path)
+    template <class Real>
+    PairTerm<Real> operator()(Real r2) const {
+        using std::exp;
+        using std::sqrt;
+        const Real r = sqrt(r2);
+        const Real e = exp(Real(-steepness_) * (r - Real(minimum_)));
+        return {Real(depth_) * e * (e - Real(2)), Real(2 * depth_ * steepness_) * e * (e - Real(1)) / r};
+    }
+
+  private:
+    double depth_;
+    double steepness_;
+    double minimum_;
+};
+
+}  // namespace ljmd

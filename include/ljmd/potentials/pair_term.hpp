@@ -1,0 +1,19 @@
+#pragma once
+
+namespace ljmd {
+
+/// What one pair contributes: energy u(r) and w(r) = -u'(r)/r, so that the force on atom i is w (r_i - r_j) and the
+/// pair's virial r . f is w r^2.
+template <class Real>
+struct PairTerm {
+    Real u;  ///< [epsilon]
+    Real w;  ///< [epsilon/sigma^2]
+};
+
+/// What is missing beyond a radius R when g(r) = 1: the integrals behind tail corrections.
+struct TailIntegrals {
+    double energy;  ///< integral of u(r) r^2 dr from R to infinity [epsilon sigma^3]
+    double virial;  ///< integral of w(r) r^4 dr from R to infinity [epsilon sigma^3]
+};
+
+}  // namespace ljmd
