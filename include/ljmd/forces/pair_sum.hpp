@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "ljmd/forces/force_field.hpp"
+
+namespace ljmd {
+
+/// Sum one pair term over all neighbours of all atoms: the readable reference that faster paths are held against.
+///
+/// @param pair    PairTerm<double> operator()(double r2) const, valid for r < cutoff
+/// @param search  prepared pair search (see PairSearch)
+/// @post state.forces() hold the forces; a pair counts if r < cutoff
+template <Request what, class Pair, class Search>
+Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, State& state) {
+    constexpr Index block_length = 256;
+    const double cutoff2 = cutoff * cutoff;
+    auto forces = state.write_forces();
+    const State& atoms = state;
+
+    Evaluation total;
+    for (Index first = 0; first < state.count(); first += block_length) {
+        double u = 0.0;
+        std::array<double, 6> virial{};  // xx yy zz xy xz yz
+        for (Index i = first; i < std::min(first + block_length, state.count()); ++i) {
+            double fx = 0.0;
+            double fy = 0.0;
+            double fz = 0.0;
+            search.for_each_candidate(atoms, i, [&](Index, double dx, double dy, double dz) {
+                const double r2 = dx * dx + dy * dy + dz * dz;
+                if (!(r2 < cutoff2)) {
+                    return;
+                }
+                const auto term = pair(r2);
+                fx += term.w * dx;
+                fy += term.w * dy;
+                fz += term.w * dz;
+                if constexpr (what == Request::forces_and_energy) {
+                    u += term.u;
+                    virial[0] += term.w * dx * dx;
+                    virial[1] += term.w * dy * dy;
+                    virial[2] += term.w * dz * dz;
+                    virial[3] += term.w * dx * dy;
+                    virial[4] += term.w * dx * dz;
+                    virial[5] += term.w * dy * dz;
+                }
+            });
+            forces.col(i) << fx, fy, fz;
+        }
+        if constexpr (what == Request::forces_and_energy) {
+            total.potential_energy += 0.5 * u;  // every pair was seen from both sides
+            Mat3 block;
+            block << virial[0], virial[3], virial[4], virial[3], virial[1], virial[5], virial[4], virial[5], virial[2];
+            total.virial += 0.5 * block;
+        }
+    }
+    return total;
+}
+
+}  // namespace ljmd

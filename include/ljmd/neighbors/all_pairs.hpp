@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string_view>
+
+#include "ljmd/model/state.hpp"
+#include "ljmd/neighbors/search_statistics.hpp"
+
+namespace ljmd {
+
+/// Every atom against every other by minimum image: O(N^2), no cells, no ghosts. The oracle that the other searches are
+/// held against, and the fastest one for a few dozen atoms. See PairSearch for the contract.
+class AllPairs {
+  public:
+    static constexpr std::string_view name = "all-pairs";
+
+    void prepare(State& state, double /*cutoff*/) {
+        state.wrap();
+        ++statistics_.preparations;
+    }
+
+    template <class Visit>
+    void for_each_candidate(const State& state, Index i, Visit&& visit) const {
+        const auto r = state.positions();
+        for (Index j = 0; j < state.count(); ++j) {
+            if (j != i) {
+                const Vec3 d = state.box().minimum_image(r.col(i) - r.col(j));
+                visit(j, d[0], d[1], d[2]);
+            }
+        }
+    }
+
+    [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
+
+  private:
+    SearchStatistics statistics_;
+};
+
+}  // namespace ljmd
