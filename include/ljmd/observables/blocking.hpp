@@ -1,0 +1,96 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ljmd/core/types.hpp"
+
+namespace ljmd {
+
+/// What a correlated series tells about a mean.
+struct Estimate {
+    double mean;                 ///< NaN without samples
+    double standard_error;       ///< one standard deviation of the mean; NaN with fewer than 4 samples
+    double independent_samples;  ///< variance of the series / standard_error^2, at most `samples`; NaN like the error
+    Index samples;
+    bool converged;  ///< false: the series is too short for its correlations, the error is a guess (see below)
+};
+
+/// One point of the blocking curve: the error of the mean if blocks of this length are taken as independent.
+struct BlockLevel {
+    Index length;                 ///< samples a block, a power of two
+    Index blocks;                 ///< complete blocks of that length, at least 2
+    double standard_error;        ///< of the mean of all samples
+    double relative_uncertainty;  ///< of standard_error itself: 1 / sqrt(2 (blocks - 1))
+};
+
+/// What is kept of each level: the variances of the components, or also how they vary together.
+enum class Covariance { diagonal, full };
+
+/// Streaming block averages of a vector-valued, time-correlated series: mean and standard error of each component, and
+/// of functions of the means, without storing the series.
+///
+/// Level k averages the series over consecutive blocks of B = 2^k samples. From the variance s_k^2 of its complete
+/// blocks, the standard error of the mean of all n samples is
+///
+///     e_k = s_k sqrt(B / n)
+///
+/// It grows with k until blocks are longer than the correlation time. The error reported is e_k of the shortest blocks
+/// with B^3 > 2 n (e_k / e_0)^4, which balances what short blocks miss against the scatter of few blocks, among the
+/// levels with at least 16 blocks (the error is then known to 18 %). When none satisfies it, `converged` is false and
+/// the error is the largest e_k of the levels with at least 4 blocks (known to 41 %). A constant series has the error
+/// 0.
+///
+/// Memory: O(width log n), or O(width^2 log n) with Covariance::full. Means are pairwise sums: their round-off grows
+/// like log n. A sample that is not finite makes mean and error of its component NaN. Sources: Flyvbjerg and Petersen
+/// (1989), doi:10.1063/1.457480; choice of the level: Lee et al. (2011), doi:10.1103/PhysRevE.83.066706.
+class BlockingAccumulator {
+  public:
+    /// @param width  components of a sample
+    /// @throws ContractViolation if width < 1
+    BlockingAccumulator(Index width, Covariance covariance);
+
+    /// Add the next sample of the series. @throws ContractViolation unless it has `width` components
+    void add(const Eigen::VectorXd& sample);
+
+    [[nodiscard]] Index width() const { return width_; }
+    [[nodiscard]] Index samples() const;
+
+    /// Means of all components: NaN without samples.
+    [[nodiscard]] Eigen::VectorXd mean() const;
+
+    /// Mean and error of one component. @throws ContractViolation unless 0 <= component < width
+    [[nodiscard]] Estimate estimate(Index component) const;
+
+    /// Estimate of a function f of the means by the delta method: error of the series g . x, g = df/dmean at the means.
+    /// For ratios such as Z = p / (rho T). f must be smooth over a few standard errors.
+    ///
+    /// @param value     f(mean)
+    /// @param gradient  df/dmean, `width` components
+    /// @throws ContractViolation with Covariance::diagonal, or for another number of components
+    [[nodiscard]] Estimate estimate(double value, const Eigen::VectorXd& gradient) const;
+
+    /// The blocking curve of one component: its levels with at least 2 blocks, shortest blocks first.
+    /// @throws ContractViolation unless 0 <= component < width
+    [[nodiscard]] std::vector<BlockLevel> levels(Index component) const;
+
+  private:
+    struct Level {
+        Index blocks = 0;
+        Eigen::VectorXd mean;  // running mean of the blocks
+        Eigen::MatrixXd
+            deviation;            // running sum of their squared deviations: (width, width), or (width, 1) if diagonal
+        Eigen::VectorXd pending;  // the block that waits for its partner, when `blocks` is odd
+    };
+
+    void accumulate(Level& level, const Eigen::VectorXd& block) const;
+    void check(Index component) const;
+    template <class Deviation>
+    [[nodiscard]] std::vector<BlockLevel> curve(Deviation deviation) const;
+
+    Index width_;
+    Covariance covariance_;
+    std::vector<Level> levels_;
+};
+
+}  // namespace ljmd

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "ljmd/core/types.hpp"
+
+namespace ljmd {
+
+/// Streaming least-squares slope of y against t: the drift of the energy [epsilon/tau] over a stage.
+///
+///     slope = sum (t - <t>)(y - <y>) / sum (t - <t>)^2
+///
+/// The sums are kept about the running means (Welford), so that large offsets of t and y cost no digits of the slope.
+/// Source: B. P. Welford (1962), doi:10.1080/00401706.1962.10490022
+class LinearTrend {
+  public:
+    /// Add one point. @pre both finite
+    void add(double t, double y);
+
+    [[nodiscard]] Index samples() const { return samples_; }
+
+    /// Empty when no line is defined: fewer than 2 points, or all at the same t.
+    [[nodiscard]] std::optional<double> slope() const;
+
+  private:
+    Index samples_ = 0;
+    double mean_t_ = 0.0;
+    double mean_y_ = 0.0;
+    double deviation_tt_ = 0.0;
+    double deviation_ty_ = 0.0;
+};
+
+}  // namespace ljmd

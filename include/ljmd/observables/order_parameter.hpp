@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ljmd/model/lattice.hpp"
+#include "ljmd/model/state.hpp"
+
+namespace ljmd {
+
+/// Verlet's translational order parameter: how much is left of the crystal that a run started from.
+///
+///     lambda = (1/3N) sum_i [cos(k_x x_i) + cos(k_y y_i) + cos(k_z z_i)],  k_a = 2 pi n_a / L_a
+///
+/// with n_a the lattice planes along edge a: 2 for each fcc cell (k = 4 pi / a), 1 for each simple-cubic cell. 1 on the
+/// lattice sites; in a fluid it fluctuates about 0 by (6N)^(-1/2).
+/// Source: Verlet (1967), doi:10.1103/PhysRev.159.98
+class TranslationalOrder {
+  public:
+    /// @param cells  cubic cells along each edge of the box
+    TranslationalOrder(Lattice lattice, Index cells);
+
+    /// @pre the state's box is the one that was filled with the lattice, or that box scaled
+    [[nodiscard]] double operator()(const State& state) const;
+
+  private:
+    double planes_;
+};
+
+}  // namespace ljmd

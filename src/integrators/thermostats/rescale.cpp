@@ -1,0 +1,38 @@
+#include "ljmd/core/schedule.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+class Rescale : public Thermostat {
+  public:
+    Rescale(Every every, double temperature) : every_(every), temperature_(temperature) {}
+
+    void apply(State& state, Index step_of_stage) override {
+        if (every_.due(step_of_stage)) {
+            rescale_velocities(state, temperature_);
+        }
+    }
+
+  private:
+    Every every_;
+    double temperature_;
+};
+
+}  // namespace
+
+/// Verlet's velocity rescaling: v *= sqrt(T / T_now) every n steps. Sets the kinetic temperature exactly; samples no
+/// ensemble, so it is for equilibration only.
+/// Source: Verlet (1967), doi:10.1103/PhysRev.159.98
+ThermostatMethod rescale() {
+    return {.name = "rescale",
+            .meaning = "scale all velocities to the temperature every n steps (Verlet 1967); for equilibration only",
+            .keys = {Key::integer("every").at_least(1).meaning("steps between rescalings").defaults_to(std::int64_t{20})},
+            .make = [](const Section& section, double temperature) -> std::unique_ptr<Thermostat> {
+                return std::make_unique<Rescale>(Every(section.integer("every")), temperature);
+            }};
+}
+
+}  // namespace ljmd

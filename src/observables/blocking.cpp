@@ -1,0 +1,157 @@
+#include "ljmd/observables/blocking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+namespace {
+
+constexpr Index converged_blocks = 16;  // below, the scatter of the error (18 %) hides whether the curve is flat
+constexpr Index fallback_blocks = 4;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool blocks_are_long_enough(const BlockLevel& level, double samples, double shortest_error) {
+    const double length = static_cast<double>(level.length);
+    return length * length * length > 2.0 * samples * std::pow(level.standard_error / shortest_error, 4);
+}
+
+Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>& curve) {
+    if (samples < fallback_blocks || !std::isfinite(curve.front().standard_error)) {
+        return {mean, nan, nan, samples, false};
+    }
+    const double n = static_cast<double>(samples);
+    const double shortest_error = curve.front().standard_error;
+    if (shortest_error == 0.0) {
+        return {mean, 0.0, n, samples, true};
+    }
+    const auto chosen = std::find_if(curve.begin(), curve.end(), [&](const BlockLevel& level) {
+        return level.blocks >= converged_blocks && blocks_are_long_enough(level, n, shortest_error);
+    });
+    const bool converged = chosen != curve.end();
+    double error = converged ? chosen->standard_error : 0.0;
+    if (!converged) {
+        for (const BlockLevel& level : curve) {
+            error = level.blocks >= fallback_blocks ? std::max(error, level.standard_error) : error;
+        }
+    }
+    const double ratio = shortest_error / error;  // infinite when blocks of an alternating series are all equal
+    return {mean, error, n * std::min(1.0, ratio * ratio), samples, converged};
+}
+
+}  // namespace
+
+BlockingAccumulator::BlockingAccumulator(Index width, Covariance covariance) : width_(width), covariance_(covariance) {
+    if (width < 1) {
+        throw ContractViolation(fmt::format("block averages need at least one component, not {}", width));
+    }
+}
+
+void BlockingAccumulator::add(const Eigen::VectorXd& sample) {
+    if (sample.size() != width_) {
+        throw ContractViolation(
+            fmt::format("a sample of {} components was added to block averages of {}", sample.size(), width_));
+    }
+    Eigen::VectorXd block = sample;
+    for (std::size_t k = 0;; ++k) {
+        if (k == levels_.size()) {
+            const Index columns = covariance_ == Covariance::full ? width_ : 1;
+            levels_.push_back({0, Eigen::VectorXd::Zero(width_), Eigen::MatrixXd::Zero(width_, columns), {}});
+        }
+        Level& level = levels_[k];
+        accumulate(level, block);
+        if (level.blocks % 2 == 1) {
+            level.pending = block;
+            return;
+        }
+        block = 0.5 * (level.pending + block);
+    }
+}
+
+void BlockingAccumulator::accumulate(Level& level, const Eigen::VectorXd& block) const {
+    level.blocks += 1;
+    const double n = static_cast<double>(level.blocks);
+    const Eigen::VectorXd step = block - level.mean;
+    level.mean += step / n;
+    if (covariance_ == Covariance::full) {
+        level.deviation.noalias() += ((n - 1.0) / n * step) * step.transpose();
+    } else {
+        level.deviation.col(0) += (n - 1.0) / n * step.cwiseAbs2();
+    }
+}
+
+Index BlockingAccumulator::samples() const {
+    return levels_.empty() ? 0 : levels_.front().blocks;
+}
+
+Eigen::VectorXd BlockingAccumulator::mean() const {
+    if (levels_.empty()) {
+        return Eigen::VectorXd::Constant(width_, nan);
+    }
+    // Every sample is in exactly one pending block: their lengths are the binary digits of the number of samples.
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(width_);
+    double length = 1.0;
+    for (const Level& level : levels_) {
+        if (level.blocks % 2 == 1) {
+            sum += length * level.pending;
+        }
+        length *= 2.0;
+    }
+    return sum / static_cast<double>(samples());
+}
+
+template <class Deviation>
+std::vector<BlockLevel> BlockingAccumulator::curve(Deviation deviation) const {
+    std::vector<BlockLevel> result;
+    Index length = 1;
+    for (const Level& level : levels_) {
+        if (level.blocks < 2) {
+            break;
+        }
+        const double freedom = static_cast<double>(level.blocks - 1);
+        const double variance = deviation(level.deviation) / freedom;
+        const double share = static_cast<double>(length) / static_cast<double>(samples());
+        result.push_back({length, level.blocks, std::sqrt(variance * share), 1.0 / std::sqrt(2.0 * freedom)});
+        length *= 2;
+    }
+    return result;
+}
+
+void BlockingAccumulator::check(Index component) const {
+    if (component < 0 || component >= width_) {
+        throw ContractViolation(fmt::format("component {} was asked of block averages of {}", component, width_));
+    }
+}
+
+std::vector<BlockLevel> BlockingAccumulator::levels(Index component) const {
+    check(component);
+    const Index column = covariance_ == Covariance::full ? component : 0;
+    return curve([&](const Eigen::MatrixXd& deviation) { return deviation(component, column); });
+}
+
+Estimate BlockingAccumulator::estimate(Index component) const {
+    check(component);
+    return choose_level(mean()(component), samples(), levels(component));
+}
+
+Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& gradient) const {
+    if (covariance_ != Covariance::full) {
+        throw ContractViolation("the error of a function of means needs block averages with Covariance::full");
+    }
+    if (gradient.size() != width_) {
+        throw ContractViolation(
+            fmt::format("a gradient of {} components was given to block averages of {}", gradient.size(), width_));
+    }
+    // Round-off may leave a combination that does not vary at all slightly below zero; NaN passes through.
+    const auto along_gradient = [&](const Eigen::MatrixXd& deviation) {
+        const double sum = gradient.dot(deviation * gradient);
+        return sum < 0.0 ? 0.0 : sum;
+    };
+    return choose_level(value, samples(), curve(along_gradient));
+}
+
+}  // namespace ljmd

@@ -1,0 +1,20 @@
+#include "ljmd/observables/order_parameter.hpp"
+
+#include <numbers>
+
+namespace ljmd {
+
+TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells)
+    : planes_(static_cast<double>(cells) * (lattice == Lattice::fcc ? 2.0 : 1.0)) {}
+
+double TranslationalOrder::operator()(const State& state) const {
+    const Vec3 wave_vector = 2.0 * std::numbers::pi * planes_ * state.box().edges().cwiseInverse();
+    const auto r = state.positions();
+    double sum = 0.0;
+    for (Index i = 0; i < state.count(); ++i) {
+        sum += wave_vector.cwiseProduct(r.col(i)).array().cos().sum();
+    }
+    return sum / (3.0 * static_cast<double>(state.count()));
+}
+
+}  // namespace ljmd

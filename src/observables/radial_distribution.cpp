@@ -1,0 +1,56 @@
+#include "ljmd/observables/radial_distribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ljmd {
+
+namespace {
+double sphere(double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r; }
+}  // namespace
+
+RadialDistribution::RadialDistribution(Index bins, double radius, Every every)
+    : bins_(bins), radius_(radius), every_(every), histogram_(bins, Covariance::diagonal) {}
+
+void RadialDistribution::sample(const State& state) {
+    // The search sorts and wraps atoms, which must not happen to the running state.
+    State scratch(state.count(), state.box());
+    scratch.write_positions() = state.positions();
+    search_.prepare(scratch, radius_);
+
+    const double per_length = static_cast<double>(bins_) / radius_;
+    Eigen::VectorXd pairs = Eigen::VectorXd::Zero(bins_);
+    for (Index i = 0; i < scratch.count(); ++i) {
+        search_.for_each_candidate(scratch, i, [&](Index, double dx, double dy, double dz) {
+            const double r2 = dx * dx + dy * dy + dz * dz;
+            if (r2 < radius_ * radius_) {
+                pairs[std::min(static_cast<Index>(std::sqrt(r2) * per_length), bins_ - 1)] += 1.0;
+            }
+        });
+    }
+    atoms_ = state.count();
+    ideal_pairs_per_volume_ = static_cast<double>(atoms_) * static_cast<double>(atoms_ - 1) / state.box().volume();
+    const double width = radius_ / static_cast<double>(bins_);
+    for (Index k = 0; k < bins_; ++k) {
+        const double shell = sphere(width * static_cast<double>(k + 1)) - sphere(width * static_cast<double>(k));
+        pairs[k] = ideal_pairs_per_volume_ > 0.0 ? pairs[k] / (shell * ideal_pairs_per_volume_) : 0.0;
+    }
+    histogram_.add(pairs);
+}
+
+DataTable RadialDistribution::result() const {
+    DataTable table{"rdf", {"r", "g", "g_standard_error", "coordination_number"}, {}};
+    const double width = radius_ / static_cast<double>(bins_);
+    double neighbors = 0.0;
+    for (Index k = 0; k < bins_; ++k) {
+        const Estimate g = histogram_.estimate(k);
+        const double inner = width * static_cast<double>(k);
+        const double shell = sphere(inner + width) - sphere(inner);
+        neighbors += g.mean * shell * ideal_pairs_per_volume_ / static_cast<double>(atoms_);
+        table.rows.push_back({inner + 0.5 * width, g.mean, g.standard_error, neighbors});
+    }
+    return table;
+}
+
+}  // namespace ljmd

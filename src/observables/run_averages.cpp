@@ -1,0 +1,78 @@
+#include "ljmd/observables/run_averages.hpp"
+
+#include <array>
+
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+struct Column {
+    const char* name;
+    const char* symbol;
+    const char* unit;
+};
+
+constexpr Index temperature_column = 0;
+constexpr Index pressure_column = 4;
+constexpr std::array<Column, 12> columns{{{"temperature", "T", "epsilon/k_B"},
+                                          {"potential_energy", "U/N", "epsilon"},
+                                          {"kinetic_energy", "K/N", "epsilon"},
+                                          {"total_energy", "E/N", "epsilon"},
+                                          {"pressure", "p", "epsilon/sigma^3"},
+                                          {"pressure_xx", "p_xx", "epsilon/sigma^3"},
+                                          {"pressure_yy", "p_yy", "epsilon/sigma^3"},
+                                          {"pressure_zz", "p_zz", "epsilon/sigma^3"},
+                                          {"pressure_xy", "p_xy", "epsilon/sigma^3"},
+                                          {"pressure_xz", "p_xz", "epsilon/sigma^3"},
+                                          {"pressure_yz", "p_yz", "epsilon/sigma^3"},
+                                          {"virial", "W", "epsilon"}}};
+
+}  // namespace
+
+RunAverages::RunAverages(Index atoms, double density)
+    : density_(density),
+      has_temperature_(degrees_of_freedom(atoms) > 0),
+      series_(static_cast<Index>(columns.size()), Covariance::full) {}
+
+void RunAverages::add(const Thermodynamics& s) {
+    const Mat3& p = s.pressure_tensor;
+    Eigen::VectorXd row(static_cast<Index>(columns.size()));
+    row << s.temperature.value_or(0.0), s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure, p(0, 0),
+        p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial;
+    series_.add(row);
+}
+
+std::optional<Estimate> RunAverages::compressibility_factor() const {
+    const Eigen::VectorXd mean = series_.mean();
+    const double t = mean[temperature_column];
+    const double p = mean[pressure_column];
+    if (!has_temperature_ || !(t > 0.0)) {
+        return std::nullopt;
+    }
+    const double z = p / (density_ * t);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
+    gradient[pressure_column] = 1.0 / (density_ * t);
+    gradient[temperature_column] = -z / t;
+    return series_.estimate(z, gradient);
+}
+
+std::vector<ObservableAverage> RunAverages::averages() const {
+    std::vector<ObservableAverage> result;
+    if (samples() == 0) {
+        return result;
+    }
+    for (Index k = 0; k < static_cast<Index>(columns.size()); ++k) {
+        const Column& column = columns[static_cast<std::size_t>(k)];
+        const bool defined = k != temperature_column || has_temperature_;
+        result.push_back({column.name, column.symbol, column.unit,
+                          defined ? std::optional(series_.estimate(k)) : std::nullopt});
+        if (k == pressure_column) {
+            result.push_back({"compressibility_factor", "Z", "1", compressibility_factor()});
+        }
+    }
+    return result;
+}
+
+}  // namespace ljmd
