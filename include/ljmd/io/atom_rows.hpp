@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "ljmd/io/text_file.hpp"
+#include "ljmd/model/configuration.hpp"
+
+namespace ljmd {
+
+/// What the readers of all formats do alike with a block of lines that holds one atom each.
+
+/// The number of atoms that the current line announces.
+/// @throws DataError unless it is an integer of at least 1 for which the file has room
+[[nodiscard]] Index read_atom_count(TextFile& file, std::string_view field);
+
+/// For how many of `count` atoms to reserve memory: no more than the rest of the file can hold.
+[[nodiscard]] std::size_t expected_atoms(const TextFile& file, Index count);
+
+/// Go to the line of the next atom, number `row` (from 0) of `count`.
+/// @throws DataError when the file ends or the line is blank
+void next_atom_line(TextFile& file, Index row, Index count);
+
+/// Three numbers that stand in `fields` from `first` on.
+[[nodiscard]] Vec3 read_vector(const TextFile& file, const std::vector<std::string_view>& fields, std::size_t first);
+
+/// Where the atoms stand in a block of lines: atom k (from 0) in the line first_line + rows[k].
+struct AtomOrder {
+    Index first_id = 1;  ///< 0 when the file counts from 0
+    std::vector<Index> rows;
+    Index first_line = 0;
+
+    [[nodiscard]] Index id(Index k) const { return first_id + k; }
+    [[nodiscard]] Index line(Index k) const { return first_line + rows[static_cast<std::size_t>(k)]; }
+};
+
+/// The order in which the file lists its atoms, for files without ids.
+[[nodiscard]] AtomOrder file_order(Index count, Index first_line);
+
+/// Sort by id. The ids of N atoms are 1 ... N, or 0 ... N-1 when one of them is 0.
+/// @param ids  as written, one a line from first_line on
+/// @throws DataError with its line for a negative, repeated or too large id; a gap shows as one of these
+[[nodiscard]] AtomOrder order_by_id(const TextFile& file, const std::vector<Index>& ids, Index first_line);
+
+/// Values as read, line by line, in the order of the atoms.
+template <class T>
+[[nodiscard]] std::vector<T> arranged(const std::vector<T>& values, const AtomOrder& order) {
+    std::vector<T> sorted;
+    if (values.empty()) return sorted;
+    sorted.reserve(order.rows.size());
+    for (const Index row : order.rows) sorted.push_back(values[static_cast<std::size_t>(row)]);
+    return sorted;
+}
+
+/// Checks on a whole configuration in reduced units, O(N log N): a box that can be computed with, all numbers finite,
+/// masses positive, no atom more than 10^6 edges away (its place in the box would be lost to rounding), no two atoms
+/// at the same place modulo the box.
+/// @param header_line  where the box stands
+/// @throws DataError that names the atoms by their ids
+void check_configuration(const TextFile& file, const Configuration& configuration, const AtomOrder& order,
+                         Index header_line);
+
+}  // namespace ljmd

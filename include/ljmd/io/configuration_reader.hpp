@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "ljmd/core/units.hpp"
+#include "ljmd/model/configuration.hpp"
+
+namespace ljmd {
+
+/// Read a configuration from any supported format; the format is recognised by content, not by name:
+///
+/// - NIST sample configuration: the first line is three numbers, see nist_format.hpp;
+/// - extended XYZ: the first line is one number, see extended_xyz_reader.hpp;
+/// - LAMMPS data: one of the first lines after the first is "N atoms", see lammps_data_reader.hpp.
+///
+/// The result keeps the promises of Configuration; positions are not wrapped into the box, and no two atoms are at the
+/// same place modulo the box. Memory is bounded by the size of the file, whatever its header claims.
+///
+/// @param units  of the substance, for files in SI units; empty when the deck has no [argon]
+/// @throws DataError with file, line and frame when the file is missing, not a regular file, of unknown format or wrong
+[[nodiscard]] Configuration read_configuration(const std::filesystem::path& path,
+                                               const std::optional<SubstanceUnits>& units);
+
+}  // namespace ljmd

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "ljmd/core/diagnostics.hpp"
+#include "ljmd/core/value.hpp"
+
+namespace ljmd {
+
+/// A deck as it was read: its text, and what the text holds.
+struct DeckFile {
+    std::shared_ptr<const Source> source;  ///< never null; the text without a byte order mark
+    Table table;                           ///< empty after an error
+};
+
+/// Read a deck (TOML 1.0, UTF-8, at most 1 MiB; a byte order mark and CRLF are accepted).
+///
+/// Nothing is thrown. A path that is missing, a directory, a device or unreadable, a text that is too large, binary, no
+/// UTF-8, nested deeper than 32 levels, no TOML, or without any key gives one error, with line and column where there
+/// is one. Report errors before validating the table: after one it is empty.
+///
+/// @param path  shown in messages as it stands
+[[nodiscard]] DeckFile read_deck(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+/// The same for a text that is already in memory.
+[[nodiscard]] DeckFile parse_deck(std::string name, std::string text, Diagnostics& diagnostics);
+
+/// Apply one `--set`: "system.density=0.8" gives `density` in the table `system` the value 0.8, whether the key was
+/// there or not.
+///
+/// Tables on the way are made when they are missing. An element of an array of tables is reached by its `name`:
+/// "stage.production.steps=1000". A part of a key that holds a dot stands in quotes. The value is read as TOML; what is
+/// no TOML is taken as a string, so that "potential.truncation=cut" and "system.temperature=86 K" need no quotes.
+///
+/// What was set is located in a source named "--set system.density=0.8". A setting that cannot be applied gives one
+/// error and leaves the table as it was.
+void apply_setting(Table& table, const std::string& assignment, Diagnostics& diagnostics);
+
+}  // namespace ljmd

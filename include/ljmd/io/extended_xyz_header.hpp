@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "ljmd/core/types.hpp"
+#include "ljmd/io/text_file.hpp"
+
+namespace ljmd {
+
+/// In which column of an atom's line each property starts (from 0).
+struct ExtendedXyzColumns {
+    std::size_t position = 0;
+    std::optional<std::size_t> species;
+    std::optional<std::size_t> velocity;
+    std::optional<std::size_t> id;
+    std::optional<std::size_t> mass;
+    std::size_t count = 0;  ///< columns in all
+};
+
+/// What the comment line of an extended XYZ frame says, in the units of the file.
+struct ExtendedXyzHeader {
+    Vec3 edges = Vec3::Zero();
+    ExtendedXyzColumns columns;
+    double time = 0.0;
+    Index step = 0;
+    bool si = false;  ///< units=si: angstrom, angstrom/ps, ps, u; else reduced units
+};
+
+/// Parse a comment line: key=value pairs, values bare or in double quotes, keys in any case, unknown keys skipped.
+///
+///     Lattice="10 0 0 0 10 0 0 0 10" Properties=species:S:1:pos:R:3:velo:R:3:id:I:1 pbc="T T T" Time=0 step=0 units=si
+///
+/// Lattice is required, orthorhombic with positive diagonal. Without Properties: species and position.
+/// @param file  at the comment line, for messages
+/// @throws DataError for a value that cannot be used, or a key given twice
+[[nodiscard]] ExtendedXyzHeader parse_extended_xyz_header(const TextFile& file);
+
+}  // namespace ljmd

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "ljmd/core/units.hpp"
+#include "ljmd/io/text_file.hpp"
+#include "ljmd/model/configuration.hpp"
+
+namespace ljmd {
+
+/// Read the last frame of an extended XYZ file:
+///
+///     N
+///     comment line, see extended_xyz_header.hpp
+///     one line an atom, columns as Properties says; unknown columns are skipped
+///
+/// Read are the columns species (one kind only), pos, velo (or vel), id and mass (or masses). Without ids, the order in
+/// the file counts. Every frame must be complete and well-formed, the last one most of all: a cut is an error.
+/// A file that says units=si (angstrom, angstrom/ps, ps, u) is converted to reduced units.
+///
+/// @param file   at its start
+/// @param units  of the substance; needed for SI files
+/// @throws DataError with file, line and frame
+[[nodiscard]] Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units);
+
+}  // namespace ljmd

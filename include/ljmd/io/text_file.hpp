@@ -1,0 +1,77 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ljmd/core/types.hpp"
+
+namespace ljmd {
+
+/// A text file that is read line by line, and that words every complaint about itself: "start.xyz:17: frame 2: ...".
+///
+/// Lines end in LF or CRLF, the last one possibly in nothing; a UTF-8 byte order mark at the start is dropped.
+/// One line is in memory at a time; lines of more than `longest_line` bytes are refused.
+class TextFile {
+  public:
+    static constexpr std::size_t longest_line = 65536;
+
+    /// Open a regular file. Nothing else is opened, so that a pipe or a device cannot block.
+    /// @throws DataError when it is missing, a directory, a pipe, a device, or cannot be opened
+    explicit TextFile(const std::filesystem::path& path);
+
+    /// Go to the next line. @return false at the end of the file; line_number() then stays.
+    /// @throws DataError when the line is too long or the file cannot be read
+    bool next_line();
+
+    /// Back to the start: the next line is line 1.
+    void rewind();
+
+    [[nodiscard]] std::string_view line() const { return line_; }     ///< without its end; valid until next_line()
+    [[nodiscard]] Index line_number() const { return line_number_; }  ///< from 1; 0 before the first line
+
+    /// What stands between line number and message from now on, "frame 2: ".
+    void set_context(std::string context) { context_ = std::move(context); }
+
+    [[nodiscard]] Index bytes_left() const { return bytes_left_; }  ///< behind the current line
+
+    /// Refuse a number of atoms, one a line, for which the rest of the file is too short whatever it holds.
+    /// @throws DataError with the count and the number of lines, not counting blank ones, that follow
+    void require_room(Index atoms);
+
+    /// @throws DataError always: at the current line, or at the given one (0: the file as a whole)
+    [[noreturn]] void fail(const std::string& message) const { fail_at(line_number_, message); }
+    [[noreturn]] void fail_at(Index line, const std::string& message) const;
+
+    /// The number that a field holds, all of it. `what` names it in the message: "x must be a finite number, found
+    /// 'a'".
+    /// @throws DataError when it is no number, not finite, or beyond the range of the type
+    [[nodiscard]] double number(std::string_view field, std::string_view what) const;
+    [[nodiscard]] Index integer(std::string_view field, std::string_view what) const;
+
+  private:
+    std::string name_;
+    std::ifstream stream_;
+    std::vector<char> buffer_;
+    std::string_view line_;
+    std::string context_;
+    Index line_number_ = 0;
+    Index bytes_left_ = 0;
+    Index size_ = 0;
+};
+
+/// Split at spaces and tabs; `fields` is overwritten (and reused, so that reading a line allocates nothing).
+void split_fields(std::string_view text, std::vector<std::string_view>& fields);
+
+/// True when there is nothing but spaces and tabs.
+[[nodiscard]] bool is_blank(std::string_view text);
+
+/// True when the whole field is a number, finite or not, in range or not.
+[[nodiscard]] bool is_number(std::string_view field);
+
+/// A piece of a file as messages show it: in quotes, bytes that do not print as \xNN, cut after 40 bytes.
+[[nodiscard]] std::string shown(std::string_view text);
+
+}  // namespace ljmd

@@ -1,0 +1,79 @@
+#include "ljmd/io/extended_xyz_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+#include "unit_scale.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double angstrom_per_nanometre = 10.0;
+
+std::string header(const State& state, bool velocities, bool si, const UnitScale& scale) {
+    std::string text = fmt::format("{}\n", state.count());
+    if (state.has_box()) {
+        const Vec3 edges = scale.length * state.box().edges();
+        text += fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" ", edges[0], edges[1], edges[2]);
+    }
+    text += fmt::format("Properties=species:S:1:pos:R:3{}:id:I:1 pbc=\"{}\" Time={} step={} units={}\n",
+                        velocities ? ":velo:R:3" : "", state.has_box() ? "T T T" : "F F F", scale.time * state.time,
+                        state.step, si ? "si" : "reduced");
+    return text;
+}
+
+}  // namespace
+
+void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocities,
+                              const std::optional<SubstanceUnits>& si) {
+    const UnitScale scale = unit_scale(si, angstrom_per_nanometre);
+    file.write(header(state, velocities, si.has_value(), scale));
+    const char* species = si ? "Ar" : "X";
+    const std::vector<Index> index_of = state.index_of();
+    std::string line;
+    for (std::size_t id = 0; id < index_of.size(); ++id) {
+        const Index i = index_of[id];
+        const Vec3 r = scale.length * state.unwrapped(i);
+        line.clear();
+        fmt::format_to(std::back_inserter(line), "{} {} {} {}", species, r[0], r[1], r[2]);
+        if (velocities) {
+            const Vec3 v = scale.velocity * state.velocities().col(i);
+            fmt::format_to(std::back_inserter(line), " {} {} {}", v[0], v[1], v[2]);
+        }
+        fmt::format_to(std::back_inserter(line), " {}\n", id + 1);
+        file.write(line);
+    }
+}
+
+ExtendedXyzWriter::ExtendedXyzWriter(const State& first, const TrajectoryOptions& options)
+    : file_(options.path),
+      velocities_(options.velocities),
+      si_(options.si),
+      count_(first.count()),
+      has_box_(first.has_box()) {
+    sync_folder_of(options.path);
+}
+
+void ExtendedXyzWriter::write(const State& state) {
+    if (state.count() != count_ || state.has_box() != has_box_) {
+        throw ContractViolation("a trajectory keeps its number of atoms and its kind of box");
+    }
+    write_extended_xyz_frame(file_, state, velocities_, si_);
+    file_.sync();
+}
+
+void ExtendedXyzWriter::close() {
+    file_.close();
+}
+
+void write_configuration(const std::filesystem::path& path, const State& state, bool velocities) {
+    write_file_atomically(path,
+                          [&](OutputFile& file) { write_extended_xyz_frame(file, state, velocities, std::nullopt); });
+}
+
+}  // namespace ljmd

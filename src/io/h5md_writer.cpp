@@ -1,0 +1,181 @@
+#include "h5md_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+const std::string particles = "particles/trajectory";
+
+/// Chunks of the arrays with one small entry a frame: this many frames, a few kilobytes.
+constexpr hsize_t frames_per_chunk = 64;
+
+/// One frame a chunk; a frame above a mebibyte is divided into equal pieces below it.
+std::vector<hsize_t> frame_chunk(Index atoms) {
+    constexpr Index bytes_per_atom = 3 * sizeof(double);
+    constexpr Index most_bytes = Index{1} << 20;
+    const Index pieces = std::max<Index>(1, (atoms * bytes_per_atom + most_bytes - 1) / most_bytes);
+    const Index atoms_per_chunk = std::max<Index>(1, (atoms + pieces - 1) / pieces);
+    return {1, static_cast<hsize_t>(atoms_per_chunk), 3};
+}
+
+/// Vectors in the order of ids, (N, 3) by rows.
+template <class VectorOf>
+std::vector<double> gathered(const State& state, double scale, VectorOf vector_of) {
+    std::vector<double> result;
+    result.reserve(3 * static_cast<std::size_t>(state.count()));
+    for (const Index i : state.index_of()) {
+        const Vec3 v = scale * vector_of(i);
+        result.insert(result.end(), {v[0], v[1], v[2]});
+    }
+    return result;
+}
+
+}  // namespace
+
+H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
+    : count_(first.count()),
+      has_box_(first.has_box()),
+      has_velocities_(options.velocities),
+      scale_(unit_scale(options.si, 1.0)),
+      file_(options.path),
+      step_{particles + "/position/step", {}, H5T_NATIVE_INT64},
+      time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
+      edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
+      velocity_{particles + "/velocity/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE},
+      position_{particles + "/position/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE} {
+    create_metadata(options);
+    create_parameters(options);
+    create_particles(first, options.si.has_value());
+    create_box(options.si.has_value());
+    file_.start_appending();
+}
+
+void H5mdWriter::create_metadata(const TrajectoryOptions& options) {
+    file_.create_group("h5md");
+    file_.set_attribute("h5md", "version", std::vector<int>{1, 1});
+    file_.create_group("h5md/author");
+    file_.set_fixed_text("h5md/author", "name", options.author.empty() ? "unknown" : options.author);
+    file_.create_group("h5md/creator");
+    file_.set_fixed_text("h5md/creator", "name", "ljmd");
+    file_.set_fixed_text("h5md/creator", "version", options.creator_version);
+}
+
+void H5mdWriter::create_parameters(const TrajectoryOptions& options) {
+    const bool si = options.si.has_value();
+    file_.create_group("parameters");
+    if (!options.title.empty()) {
+        file_.set_variable_text("parameters", "title", options.title);
+    }
+    const std::string units = "parameters/units";
+    file_.create_group(units);
+    // An unbounded system is not made of sigma and tau: its deck chose the units and did not name them.
+    file_.set_variable_text(units, "length", si ? "nm" : has_box_ ? "sigma" : "unit of the deck");
+    file_.set_variable_text(units, "time", si ? "ps" : has_box_ ? "tau" : "unit of the deck");
+    file_.set_variable_text(units, "velocity", si ? "nm ps-1" : has_box_ ? "sigma/tau" : "unit of the deck");
+
+    const std::string vmd = "parameters/vmd_structure";
+    file_.create_group(vmd);
+    file_.write_numbers(vmd + "/indexOfSpecies", std::vector<std::int64_t>{0});
+    file_.write_texts(vmd + "/name", {si ? "Ar" : "X"});
+    file_.write_texts(vmd + "/type", {si ? "Ar" : "X"});
+    constexpr std::int64_t argon = 18;
+    file_.write_numbers(vmd + "/atomicnumber", std::vector<std::int64_t>{si ? argon : 0});
+    file_.write_numbers(vmd + "/mass", std::vector<double>{si ? options.si->dalton() : 1.0});
+    file_.write_numbers(vmd + "/radius", std::vector<double>{0.5 * scale_.length});  // half a sigma
+}
+
+void H5mdWriter::create_particles(const State& first, bool si) {
+    file_.create_group("particles");
+    file_.create_group(particles);
+    file_.create_group(particles + "/position");
+    file_.create_series(step_, {frames_per_chunk});
+    file_.create_series(time_, {frames_per_chunk});
+    file_.create_series(position_, frame_chunk(count_));
+    if (has_velocities_) {
+        file_.create_group(particles + "/velocity");
+        file_.create_series(velocity_, frame_chunk(count_));
+        file_.link(step_.name, particles + "/velocity/step");
+        file_.link(time_.name, particles + "/velocity/time");
+    }
+    if (si) {
+        file_.set_variable_text(position_.name, "unit", "nm");
+        file_.set_variable_text(time_.name, "unit", "ps");
+        if (has_velocities_) {
+            file_.set_variable_text(velocity_.name, "unit", "nm ps-1");
+        }
+    }
+    std::vector<std::int64_t> ids;
+    std::vector<double> masses;
+    for (const Index i : first.index_of()) {
+        ids.push_back(std::ssize(ids) + 1);
+        masses.push_back(first.masses()[static_cast<std::size_t>(i)]);
+    }
+    file_.write_numbers(particles + "/species", std::vector<std::int64_t>(ids.size(), 0));
+    file_.write_numbers(particles + "/id", ids);
+    if (!si) {
+        file_.write_numbers(particles + "/mass", masses);
+    }
+}
+
+void H5mdWriter::create_box(bool si) {
+    const std::string box = particles + "/box";
+    file_.create_group(box);
+    file_.set_attribute(box, "dimension", 3);
+    file_.set_fixed_texts(box, "boundary", std::vector<std::string>(3, has_box_ ? "periodic" : "none"));
+    if (has_box_) {
+        file_.create_group(box + "/edges");
+        file_.create_series(edges_, {frames_per_chunk, 3, 3});
+        file_.link(step_.name, box + "/edges/step");
+        file_.link(time_.name, box + "/edges/time");
+        if (si) {
+            file_.set_variable_text(edges_.name, "unit", "nm");
+        }
+    }
+}
+
+void H5mdWriter::write(const State& state) {
+    if (state.count() != count_ || state.has_box() != has_box_) {
+        throw ContractViolation("a trajectory keeps its number of atoms and its kind of box");
+    }
+    if (failed_) {
+        throw FileError(fmt::format("cannot write '{}': an earlier write failed", file_.path().string()));
+    }
+    failed_ = true;  // until the frame is complete
+    append(state);
+    file_.commit();
+    failed_ = false;
+}
+
+void H5mdWriter::append(const State& state) {
+    const double time = scale_.time * state.time;
+    file_.append(step_, &state.step);
+    file_.append(time_, &time);
+    if (has_box_) {
+        const Mat3 edges = (scale_.length * state.box().edges()).asDiagonal();
+        file_.append(edges_, edges.data());
+    }
+    if (has_velocities_) {
+        const auto v = state.velocities();
+        file_.append(velocity_, gathered(state, scale_.velocity, [&v](Index i) -> Vec3 { return v.col(i); }).data());
+    }
+    // Positions go last: readers take the number of frames from them, so a frame that they count is complete.
+    file_.append(position_, gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); }).data());
+}
+
+void H5mdWriter::close() {
+    file_.close();
+    if (failed_) {
+        throw FileError(fmt::format("cannot write '{}': an earlier write failed", file_.path().string()));
+    }
+}
+
+}  // namespace ljmd

@@ -1,0 +1,236 @@
+#include "hdf5_output.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/output_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Texts end to end, each padded with zeros to the same length.
+std::string padded(const std::vector<std::string>& texts, std::size_t length) {
+    std::string block(texts.size() * length, '\0');
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        texts[i].copy(block.data() + i * length, length);
+    }
+    return block;
+}
+
+}  // namespace
+
+template <class Result>
+Result Hdf5Output::checked(Result result, const std::string& doing) {
+    if (result < 0) {
+        fail(doing, hdf5_error_text());
+    }
+    return result;
+}
+
+void Hdf5Output::fail(const std::string& doing, const std::string& cause) {
+    for (Hdf5Handle& dataset : datasets_) {
+        dataset.abandon();
+    }
+    file_.abandon();
+    throw FileError(fmt::format("cannot write '{}': {}: {}", path_.string(), doing, cause));
+}
+
+Hdf5Output::Hdf5Output(std::filesystem::path path) : path_(std::move(path)) {
+    const Hdf5Silence silence;
+    const std::string doing = "creating the file";
+    const Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), doing), H5Pclose);
+    // The format of HDF5 1.10: the first that can be appended to safely, and readable by all later versions.
+    checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), doing);
+    checked(H5Pset_fapl_sec2(access.get()), doing);
+    file_ = Hdf5Handle(checked(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), doing), H5Fclose);
+}
+
+Hdf5Output::~Hdf5Output() {
+    try {
+        close();
+    } catch (const FileError&) {  // a destructor has nobody to tell
+    }
+}
+
+void Hdf5Output::create_group(const std::string& name) {
+    const Hdf5Silence silence;
+    const Hdf5Handle group(
+        checked(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "creating group " + name),
+        H5Gclose);
+}
+
+Hdf5Handle Hdf5Output::axis(std::size_t length) {
+    const hsize_t extent = length;
+    return {checked(H5Screate_simple(1, &extent, nullptr), "describing an array"), H5Sclose};
+}
+
+Hdf5Handle Hdf5Output::fixed_text_type(const std::vector<std::string>& texts) {
+    std::size_t length = 0;
+    for (const auto& text : texts) {
+        length = std::max(length, text.size());
+    }
+    Hdf5Handle type(checked(H5Tcopy(H5T_C_S1), "describing a text"), H5Tclose);
+    checked(H5Tset_size(type.get(), length + 1), "describing a text");  // readers in C expect the closing zero
+    checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), "describing a text");
+    return type;
+}
+
+void Hdf5Output::write_attribute(const std::string& object, const std::string& name, hid_t type, hid_t space,
+                                 const void* data) {
+    const std::string doing = fmt::format("writing attribute {} of {}", name, object);
+    const Hdf5Handle attribute(checked(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space,
+                                                         H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                       doing),
+                               H5Aclose);
+    checked(H5Awrite(attribute.get(), type, data), doing);
+}
+
+void Hdf5Output::set_attribute(const std::string& object, const std::string& name, const std::vector<int>& values) {
+    const Hdf5Silence silence;
+    write_attribute(object, name, H5T_NATIVE_INT, axis(values.size()).get(), values.data());
+}
+
+void Hdf5Output::set_attribute(const std::string& object, const std::string& name, int value) {
+    const Hdf5Silence silence;
+    const Hdf5Handle scalar(checked(H5Screate(H5S_SCALAR), "describing a number"), H5Sclose);
+    write_attribute(object, name, H5T_NATIVE_INT, scalar.get(), &value);
+}
+
+void Hdf5Output::set_fixed_text(const std::string& object, const std::string& name, const std::string& text) {
+    const Hdf5Silence silence;
+    const Hdf5Handle scalar(checked(H5Screate(H5S_SCALAR), "describing a text"), H5Sclose);
+    write_attribute(object, name, fixed_text_type({text}).get(), scalar.get(), text.c_str());
+}
+
+void Hdf5Output::set_fixed_texts(const std::string& object, const std::string& name,
+                                 const std::vector<std::string>& texts) {
+    const Hdf5Silence silence;
+    const Hdf5Handle type = fixed_text_type(texts);
+    write_attribute(object, name, type.get(), axis(texts.size()).get(), padded(texts, H5Tget_size(type.get())).data());
+}
+
+void Hdf5Output::set_variable_text(const std::string& object, const std::string& name, const std::string& text) {
+    const Hdf5Silence silence;
+    const Hdf5Handle type(checked(H5Tcopy(H5T_C_S1), "describing a text"), H5Tclose);
+    checked(H5Tset_size(type.get(), H5T_VARIABLE), "describing a text");
+    checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), "describing a text");
+    const Hdf5Handle scalar(checked(H5Screate(H5S_SCALAR), "describing a text"), H5Sclose);
+    const char* characters = text.c_str();
+    write_attribute(object, name, type.get(), scalar.get(), &characters);
+}
+
+void Hdf5Output::write_dataset(const std::string& name, hid_t file_type, hid_t memory_type, std::size_t length,
+                               const void* data) {
+    const std::string doing = "writing " + name;
+    const Hdf5Handle space = axis(length);
+    const Hdf5Handle dataset(
+        checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                doing),
+        H5Dclose);
+    checked(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), doing);
+}
+
+void Hdf5Output::write_numbers(const std::string& name, const std::vector<double>& values) {
+    const Hdf5Silence silence;
+    write_dataset(name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.size(), values.data());
+}
+
+void Hdf5Output::write_numbers(const std::string& name, const std::vector<std::int64_t>& values) {
+    const Hdf5Silence silence;
+    write_dataset(name, H5T_STD_I64LE, H5T_NATIVE_INT64, values.size(), values.data());
+}
+
+void Hdf5Output::write_texts(const std::string& name, const std::vector<std::string>& texts) {
+    const Hdf5Silence silence;
+    const Hdf5Handle type = fixed_text_type(texts);
+    write_dataset(name, type.get(), type.get(), texts.size(), padded(texts, H5Tget_size(type.get())).data());
+}
+
+void Hdf5Output::create_series(const Series& series, const std::vector<hsize_t>& chunk) {
+    const Hdf5Silence silence;
+    const std::string doing = "creating " + series.name;
+    std::vector<hsize_t> extent{0};
+    extent.insert(extent.end(), series.entry.begin(), series.entry.end());
+    std::vector<hsize_t> limit = extent;
+    limit[0] = H5S_UNLIMITED;
+    const int rank = static_cast<int>(extent.size());
+    const Hdf5Handle space(checked(H5Screate_simple(rank, extent.data(), limit.data()), doing), H5Sclose);
+    const Hdf5Handle creation(checked(H5Pcreate(H5P_DATASET_CREATE), doing), H5Pclose);
+    checked(H5Pset_chunk(creation.get(), rank, chunk.data()), doing);
+    const hid_t file_type = series.type == H5T_NATIVE_DOUBLE ? H5T_IEEE_F64LE : H5T_STD_I64LE;
+    const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), series.name.c_str(), file_type, space.get(), H5P_DEFAULT,
+                                                creation.get(), H5P_DEFAULT),
+                                     doing),
+                             H5Dclose);
+}
+
+void Hdf5Output::link(const std::string& existing, const std::string& name) {
+    const Hdf5Silence silence;
+    checked(H5Lcreate_hard(file_.get(), existing.c_str(), H5L_SAME_LOC, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+            "linking " + name);
+}
+
+void Hdf5Output::start_appending() {
+    const Hdf5Silence silence;
+    checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flushing");
+    checked(H5Fstart_swmr_write(file_.get()), "switching to appending");
+    commit();
+    sync_folder_of(path_);
+}
+
+void Hdf5Output::append(Series& series, const void* data) {
+    const Hdf5Silence silence;
+    const std::string doing = fmt::format("appending entry {} to {}", series.length + 1, series.name);
+    if (series.dataset < 0) {
+        series.dataset = checked(H5Dopen2(file_.get(), series.name.c_str(), H5P_DEFAULT), doing);
+        datasets_.emplace_back(series.dataset, H5Dclose);
+    }
+    std::vector<hsize_t> extent{series.length + 1};
+    std::vector<hsize_t> start{series.length};
+    std::vector<hsize_t> count{1};
+    for (const hsize_t n : series.entry) {
+        extent.push_back(n);
+        start.push_back(0);
+        count.push_back(n);
+    }
+    checked(H5Dset_extent(series.dataset, extent.data()), doing);
+    const Hdf5Handle where(checked(H5Dget_space(series.dataset), doing), H5Sclose);
+    checked(H5Sselect_hyperslab(where.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), doing);
+    const Hdf5Handle what(checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), doing),
+                          H5Sclose);
+    checked(H5Dwrite(series.dataset, series.type, what.get(), where.get(), H5P_DEFAULT, data), doing);
+    checked(H5Dflush(series.dataset), doing);
+    ++series.length;
+}
+
+void Hdf5Output::commit() {
+    const Hdf5Silence silence;
+    void* descriptor = nullptr;
+    checked(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), "asking for the descriptor");
+    if (::fsync(*static_cast<int*>(descriptor)) != 0) {
+        fail("waiting for the disk", std::generic_category().message(errno));
+    }
+}
+
+void Hdf5Output::close() {
+    if (!file_) {
+        return;
+    }
+    const Hdf5Silence silence;
+    const std::string doing = "closing the file";
+    checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), doing);
+    for (Hdf5Handle& dataset : datasets_) {
+        checked(dataset.close(), doing);
+    }
+    checked(file_.close(), doing);
+    sync_path(path_);
+}
+
+}  // namespace ljmd

@@ -1,0 +1,168 @@
+#include "ljmd/io/output_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 16;
+
+FileError file_error(const char* doing, const std::filesystem::path& path, int error) {
+    return FileError(fmt::format("cannot {} '{}': {}", doing, path.string(), std::generic_category().message(error)));
+}
+
+/// fsync; 0 or the error number. Pipes and devices cannot be synced, which is no failure.
+int sync_descriptor(int descriptor) {
+    if (::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP) {
+        return 0;
+    }
+    return errno;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
+    constexpr mode_t permissions = 0666;  // less what the user's umask takes away
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions);
+    if (descriptor_ < 0) {
+        throw file_error("create", path_, errno);
+    }
+    buffer_.reserve(buffer_size);
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      buffer_(std::exchange(other.buffer_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      failed_(other.failed_),
+      written_(other.written_),
+      committed_(other.committed_) {}
+
+OutputFile::~OutputFile() {
+    try {
+        close();
+    } catch (const FileError&) {  // a destructor has nobody to tell
+    }
+}
+
+void OutputFile::require_usable() const {
+    if (failed_) {
+        throw FileError(fmt::format("cannot write '{}': an earlier write failed", path_.string()));
+    }
+    if (descriptor_ < 0) {
+        throw ContractViolation(fmt::format("'{}' is closed", path_.string()));
+    }
+}
+
+void OutputFile::fail(const char* doing, int error) {
+    failed_ = true;
+    buffer_.clear();
+    // Best effort: a device has no length to cut, and the first error is the one worth telling.
+    [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, committed_);
+    throw file_error(doing, path_, error);
+}
+
+void OutputFile::spill() {
+    std::string_view rest = buffer_;
+    while (!rest.empty()) {
+        const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
+        if (count >= 0) {
+            rest.remove_prefix(static_cast<std::size_t>(count));
+            written_ += count;
+        } else if (errno != EINTR) {
+            fail("write", errno);
+        }
+    }
+    buffer_.clear();
+}
+
+void OutputFile::write(std::string_view text) {
+    require_usable();
+    buffer_.append(text);
+    if (buffer_.size() >= buffer_size) {
+        spill();
+    }
+}
+
+void OutputFile::flush() {
+    require_usable();
+    spill();
+    committed_ = written_;
+}
+
+void OutputFile::sync() {
+    flush();
+    if (const int error = sync_descriptor(descriptor_); error != 0) {
+        fail("write", error);
+    }
+}
+
+void OutputFile::close() {
+    if (descriptor_ < 0) {
+        return;
+    }
+    try {
+        flush();
+    } catch (const FileError&) {
+        ::close(std::exchange(descriptor_, -1));
+        throw;
+    }
+    // After EINTR the descriptor is gone on Linux: closing again could hit another file.
+    if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) {
+        failed_ = true;
+        throw file_error("close", path_, errno);
+    }
+}
+
+void write_file_atomically(const std::filesystem::path& path, const std::function<void(OutputFile&)>& fill) {
+    // A fixed name: what a killed program left behind is replaced by the next write. It is removed first, so that a
+    // link of that name is never followed.
+    std::filesystem::path temporary = path;
+    temporary += ".tmp";
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    try {
+        OutputFile file(temporary);
+        fill(file);
+        file.sync();
+        file.close();
+        if (::rename(temporary.c_str(), path.c_str()) != 0) {
+            throw file_error("replace", path, errno);
+        }
+    } catch (...) {
+        std::filesystem::remove(temporary, ignored);
+        throw;
+    }
+    sync_folder_of(path);
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
+    write_file_atomically(path, [text](OutputFile& file) { file.write(text); });
+}
+
+void sync_path(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        throw file_error("open", path, errno);
+    }
+    const int error = sync_descriptor(descriptor);
+    ::close(descriptor);
+    if (error != 0) {
+        throw file_error("write", path, error);
+    }
+}
+
+void sync_folder_of(const std::filesystem::path& path) {
+    sync_path(path.has_parent_path() ? path.parent_path() : ".");
+}
+
+}  // namespace ljmd

@@ -1,0 +1,164 @@
+#include "ljmd/io/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Why a path cannot be a data file; empty when it can.
+std::string complaint_about(const fs::path& path) {
+    std::error_code code;
+    switch (fs::status(path, code).type()) {
+        case fs::file_type::regular:
+            return {};
+        case fs::file_type::not_found:
+            return "no such file";
+        case fs::file_type::directory:
+            return "is a directory; a configuration is read from a regular file";
+        case fs::file_type::fifo:
+            return "is a pipe; a configuration is read from a regular file";
+        case fs::file_type::none:
+            return "cannot be opened: " + code.message();
+        default:
+            return "is a device or a socket; a configuration is read from a regular file";
+    }
+}
+
+bool separates(char c) {
+    return c == ' ' || c == '\t';
+}
+
+/// from_chars knows no leading plus sign; files do.
+std::string_view without_plus(std::string_view field) {
+    const bool plus = field.size() > 1 && field[0] == '+' && field[1] != '-' && field[1] != '+';
+    return plus ? field.substr(1) : field;
+}
+
+template <class T>
+std::errc parse(std::string_view field, T& value) {
+    const std::string_view digits = without_plus(field);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return end == digits.data() + digits.size() ? error : std::errc::invalid_argument;
+}
+
+}  // namespace
+
+TextFile::TextFile(const fs::path& path) : name_(path.string()), buffer_(longest_line + 1) {
+    const std::string complaint = complaint_about(path);
+    if (!complaint.empty()) fail_at(0, complaint);
+    std::error_code code;
+    size_ = static_cast<Index>(fs::file_size(path, code));
+    if (code) fail_at(0, "cannot be opened: " + code.message());
+    errno = 0;
+    stream_.open(path, std::ios::binary);
+    if (!stream_) fail_at(0, "cannot be opened: " + std::generic_category().message(errno));
+    bytes_left_ = size_;
+}
+
+bool TextFile::next_line() {
+    stream_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    const auto taken = static_cast<Index>(stream_.gcount());
+    if (stream_.bad()) fail("cannot be read to its end");
+    if (taken == 0 && stream_.eof()) return false;
+    ++line_number_;
+    if (stream_.fail()) fail(fmt::format("the line is longer than {} bytes", longest_line));
+    bytes_left_ = std::max<Index>(0, bytes_left_ - taken);
+
+    const auto length = static_cast<std::size_t>(stream_.eof() ? taken : taken - 1);
+    line_ = std::string_view(buffer_.data(), length);
+    if (line_number_ == 1 && line_.starts_with(byte_order_mark)) line_.remove_prefix(byte_order_mark.size());
+    if (line_.ends_with('\r')) line_.remove_suffix(1);
+    return true;
+}
+
+void TextFile::rewind() {
+    stream_.clear();
+    stream_.seekg(0);
+    line_ = {};
+    line_number_ = 0;
+    bytes_left_ = size_;
+}
+
+void TextFile::require_room(Index atoms) {
+    constexpr Index shortest_line = 2;                       // one character and the line's end
+    if (atoms <= (bytes_left_ + 1) / shortest_line) return;  // + 1: the last line may lack its end
+    const Index announced_in = line_number_;
+    Index lines = 0;
+    while (next_line()) lines += is_blank(line_) ? 0 : 1;
+    fail_at(announced_in, fmt::format("the file announces {} atoms, but only {} {}", atoms, lines,
+                                      lines == 1 ? "line follows" : "lines follow"));
+}
+
+void TextFile::fail_at(Index line, const std::string& message) const {
+    if (line == 0) throw DataError(fmt::format("{}: {}", name_, message));
+    throw DataError(fmt::format("{}:{}: {}{}", name_, line, context_, message));
+}
+
+double TextFile::number(std::string_view field, std::string_view what) const {
+    double value = 0.0;
+    const std::errc error = parse(field, value);
+    if (error == std::errc::result_out_of_range) {
+        fail(fmt::format("{} is outside the range of double precision: {}", what, shown(field)));
+    }
+    if (error != std::errc{} || !std::isfinite(value)) {
+        fail(fmt::format("{} must be a finite number, found {}", what, shown(field)));
+    }
+    return value;
+}
+
+Index TextFile::integer(std::string_view field, std::string_view what) const {
+    Index value = 0;
+    const std::errc error = parse(field, value);
+    if (error == std::errc::result_out_of_range) {
+        fail(fmt::format("{} is outside the range of 64-bit integers: {}", what, shown(field)));
+    }
+    if (error != std::errc{}) fail(fmt::format("{} must be an integer, found {}", what, shown(field)));
+    return value;
+}
+
+void split_fields(std::string_view text, std::vector<std::string_view>& fields) {
+    // Character by character: the searches of string_view for sets of characters are several times slower.
+    fields.clear();
+    std::size_t end = 0;
+    while (true) {
+        std::size_t begin = end;
+        while (begin < text.size() && separates(text[begin])) ++begin;
+        if (begin == text.size()) return;
+        end = begin;
+        while (end < text.size() && !separates(text[end])) ++end;
+        fields.push_back(text.substr(begin, end - begin));
+    }
+}
+
+bool is_blank(std::string_view text) {
+    return std::all_of(text.begin(), text.end(), separates);
+}
+
+bool is_number(std::string_view field) {
+    double value = 0.0;
+    return parse(field, value) != std::errc::invalid_argument;
+}
+
+std::string shown(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    std::string text_in_quotes = "'";
+    for (const char c : text.substr(0, longest)) {
+        const bool prints = c >= ' ' && c <= '~';
+        text_in_quotes += prints ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    }
+    return text_in_quotes + (text.size() > longest ? "...'" : "'");
+}
+
+}  // namespace ljmd

@@ -1,0 +1,47 @@
+#include "ljmd/io/thermo_csv.hpp"
+
+#include <fmt/format.h>
+
+namespace ljmd {
+
+namespace {
+std::string field(std::optional<double> value) {
+    return value ? fmt::format("{}", *value) : std::string();
+}
+}  // namespace
+
+ThermoCsv::ThermoCsv(const std::filesystem::path& path, bool order_parameter, std::optional<SubstanceUnits> units)
+    : file_(path), order_parameter_(order_parameter), units_(units) {
+    file_.write(
+        "step,time,temperature,potential_energy,kinetic_energy,total_energy,pressure,"
+        "pressure_xx,pressure_yy,pressure_zz,pressure_xy,pressure_xz,pressure_yz");
+    if (order_parameter_) {
+        file_.write(",order_parameter");
+    }
+    if (units_) {
+        file_.write(
+            ",time_ps,temperature_K,potential_energy_kJ_per_mol,kinetic_energy_kJ_per_mol,total_energy_kJ_per_mol,"
+            "pressure_bar");
+    }
+    file_.write("\n");
+}
+
+void ThermoCsv::write(Index step, double time, const Thermodynamics& row, std::optional<double> order_parameter) {
+    const Mat3& p = row.pressure_tensor;
+    std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", step, time, field(row.temperature),
+                                   row.potential_energy, row.kinetic_energy, row.total_energy, row.pressure, p(0, 0),
+                                   p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2));
+    if (order_parameter_) {
+        line += ',' + field(order_parameter);
+    }
+    if (units_) {
+        const auto kelvin = row.temperature ? std::optional(*row.temperature * units_->kelvin()) : std::nullopt;
+        const double kilojoule = units_->kilojoule_per_mole();
+        line += fmt::format(",{},{},{},{},{},{}", time * units_->picosecond(), field(kelvin),
+                            row.potential_energy * kilojoule, row.kinetic_energy * kilojoule,
+                            row.total_energy * kilojoule, row.pressure * units_->bar());
+    }
+    file_.write(line + '\n');
+}
+
+}  // namespace ljmd
