@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ljmd {
+
+/// What the commands that take a deck have in common.
+struct DeckOptions {
+    std::string deck;
+    std::vector<std::string> settings;  ///< of --set
+    bool force = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+// Each command prints results to stdout and talk to stderr, and throws the typed errors of core/errors.hpp.
+
+/// ljmd run DECK @param out  replaces the deck's output directory unless empty
+void run_command(const DeckOptions& options, const std::string& out);
+
+/// ljmd check DECK
+void check_command(const DeckOptions& options);
+
+/// ljmd info @param keys  print the reference page of all deck keys instead
+void info_command(bool keys);
+
+/// The exit code for the exception that is being handled, after its message has been printed to stderr:
+/// 1 internal, 2 usage or deck, 3 input data, 4 output, 5 physics, 7 memory.
+[[nodiscard]] int report_current_exception();
+
+}  // namespace ljmd

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ljmd/app/simulation.hpp"
+#include "ljmd/observables/run_averages.hpp"
+
+namespace ljmd {
+
+/// How one stage went.
+struct StageResult {
+    std::string name;
+    std::string integrator;
+    Index first_step;  ///< step of the run before its first one
+    Index last_step;
+    double time_step;  ///< [tau]
+    bool sampled;
+    bool thermostatted;
+    std::optional<double> energy_drift;  ///< least-squares slope of the total energy per atom [epsilon/tau]; NVE only
+};
+
+/// What a run found.
+struct RunResult {
+    Index atoms;
+    double density;  ///< [sigma^-3]
+    Vec3 edges;      ///< [sigma]
+    std::vector<ObservableAverage> averages;
+    std::optional<double> order_at_sampling;  ///< translational order when sampling began
+    std::vector<StageResult> stages;
+    std::vector<DataTable> tables;      ///< of the analyses
+    std::vector<std::string> warnings;  ///< about the results
+    SearchStatistics search;
+    double seconds;  ///< wall time of the time loop
+};
+
+/// Receives what happens during a run. The default ignores it all.
+class RunListener {
+  public:
+    virtual ~RunListener() = default;
+    virtual void stage_begins(const Stage&) {}
+    virtual void step_done(Index /*step*/) {}
+    virtual void warning(const std::string& /*text*/) {}
+
+  protected:
+    RunListener() = default;
+    RunListener(const RunListener&) = default;
+    RunListener& operator=(const RunListener&) = default;
+};
+
+/// Run all stages of a deck and write its output directory (see docs/files.md): run.json when the run begins and when
+/// it ends, thermo.csv and the trajectory while it goes, final.xyz, the analyses' tables and results.json at the end.
+///
+/// @pre  the output directory exists and is empty of earlier outputs (see prepare_directory)
+/// @throws PhysicsError, FileError; what was written until then stays
+RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener);
+
+}  // namespace ljmd

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ljmd/app/deck.hpp"
+#include "ljmd/forces/pair_force_field.hpp"
+#include "ljmd/model/configuration.hpp"
+#include "ljmd/model/state.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/observables/order_parameter.hpp"
+#include "ljmd/potentials/tail_correction.hpp"
+
+namespace ljmd {
+
+/// What a deck starts from, before atoms are placed: enough to tell N, L and what a run will cost.
+struct Start {
+    Index atoms;
+    Box box;
+    std::optional<Configuration> configuration;  ///< when the start is a file
+};
+
+/// Work out the start of a deck; reads its file, places nothing.
+/// @throws DataError when the file cannot be used
+[[nodiscard]] Start find_start(const Deck& deck);
+
+/// Everything that moves and is moved in a run.
+struct Simulation {
+    State state;
+    PairForceField force_field;
+    TailCorrection tail;
+    std::optional<TranslationalOrder> order;  ///< when the start is a lattice
+    std::vector<std::unique_ptr<Analysis>> analyses;
+    Index relaxation_iterations = 0;  ///< of a random start
+};
+
+/// Place the atoms, draw or take velocities, and set up forces and analyses.
+/// @param warn  receives one line for each thing a user should know
+/// @pre the deck has been checked against the start's box
+[[nodiscard]] Simulation make_simulation(const Deck& deck, Start start,
+                                         const std::function<void(const std::string&)>& warn);
+
+}  // namespace ljmd

@@ -1,0 +1,104 @@
+#include "ljmd/app/deck.hpp"
+
+#include <algorithm>
+
+#include "ljmd/app/deck_sense.hpp"
+#include "ljmd/io/deck_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// [argon] is read before the rest, because the rest may be written in its units. Its mistakes are reported when the
+/// whole deck is validated.
+std::optional<SubstanceUnits> substance_units(const Table& table) {
+    const Entry* argon = find(table, "argon");
+    if (argon == nullptr || !std::holds_alternative<Table>(argon->value.data)) {
+        return std::nullopt;
+    }
+    Diagnostics ignored;
+    const Schema schema = deck_schema().find("argon")->inner.front();
+    const Section section =
+        validate(std::get<Table>(argon->value.data), argon->key_location, schema, std::nullopt, ignored);
+    if (ignored.has_errors()) {
+        return SubstanceUnits(1.0, 1.0, 1.0);  // lets the other units be checked; the deck is refused anyway
+    }
+    return SubstanceUnits(section.number("sigma"), section.number("epsilon"), section.number("mass"));
+}
+
+/// Tables with nothing but optional keys may be left out: they then exist with their defaults.
+void add_optional_tables(Table& table, const Location& where) {
+    for (const char* name : {"neighbors", "output", "analysis"}) {
+        if (find(table, name) == nullptr) {
+            table.push_back({name, where, Value{Table{}, where}});
+        }
+    }
+}
+
+Stage to_stage(const Section& section, const Section& system) {
+    const double temperature = section.has("temperature")  ? section.number("temperature")
+                               : system.has("temperature") ? system.number("temperature")
+                                                           : 0.0;
+    return {section.text("name"),      section.text("integrator"), section.number("time_step"),
+            section.integer("steps"), temperature,                section.flag("sample"),
+            section};
+}
+
+std::filesystem::path default_directory(const std::filesystem::path& deck) {
+    return std::filesystem::path("runs") / deck.stem();
+}
+
+Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std::vector<std::string>& settings,
+             const std::optional<SubstanceUnits>& units, const Section& root) {
+    Deck deck{path.string(), file.source->text, settings, root.text("title"), units, root, {}, {}, 10, std::nullopt};
+    if (root.has("stage") && root.has("system")) {
+        for (const Section& stage : root.sections("stage")) {
+            deck.stages.push_back(to_stage(stage, root.section("system")));
+        }
+    }
+    const Section& output = root.section("output");
+    deck.directory = output.has("directory") ? std::filesystem::path(output.text("directory")) : default_directory(path);
+    if (output.has("thermo")) {
+        deck.thermo_every = output.section("thermo").integer("every");
+    }
+    if (output.has("trajectory")) {
+        const Section& t = output.section("trajectory");
+        deck.trajectory = {t.text("format"), t.integer("every"), t.flag("velocities"), t.text("units") == "si"};
+    }
+    return deck;
+}
+
+}  // namespace
+
+Index Deck::total_steps() const {
+    Index sum = 0;
+    for (const Stage& stage : stages) {
+        sum += stage.steps;
+    }
+    return sum;
+}
+
+std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vector<std::string>& settings, bool force,
+                              Diagnostics& diagnostics) {
+    DeckFile file = read_deck(path, diagnostics);
+    if (diagnostics.has_errors()) {
+        return std::nullopt;
+    }
+    for (const std::string& setting : settings) {
+        apply_setting(file.table, setting, diagnostics);
+    }
+    const Location whole{file.source, 0, 0, 1};
+    add_optional_tables(file.table, whole);
+    const auto units = substance_units(file.table);
+    const Section root = validate(file.table, whole, deck_schema(), units, diagnostics);
+    // Sense is checked even when single values are wrong, as long as there is something to check.
+    if (root.has("system") && root.has("potential") && root.has("stage")) {
+        check_sense(root, units.has_value(), force, diagnostics);
+    }
+    if (diagnostics.has_errors()) {
+        return std::nullopt;
+    }
+    return to_deck(path, file, settings, units, root);
+}
+
+}  // namespace ljmd

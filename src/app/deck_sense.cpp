@@ -1,0 +1,218 @@
+#include "ljmd/app/deck_sense.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "ljmd/model/lattice.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/potentials/pair_potential.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double unlikely_time_step = 0.02;  // [tau]; Lennard-Jones is unstable a little above
+constexpr double unlikely_density = 1.5;     // [sigma^-3]; half again as dense as the crystal at its melting point
+constexpr double unlikely_temperature = 50;  // [epsilon/k_B]; argon would be at 6000 K
+constexpr Index most_atoms = Index{1} << 30;  // a process indexes atoms and images with 32 bits
+
+/// An error that --force turns into a warning.
+void unlikely(bool force, const Location& where, const std::string& message, const std::string& hint,
+              Diagnostics& diagnostics) {
+    if (force) {
+        diagnostics.warning(where, message);
+    } else {
+        diagnostics.error(where, message, hint + "; --force runs it as it is");
+    }
+}
+
+Lattice lattice_of(const std::string& type) { return type == "fcc" ? Lattice::fcc : Lattice::simple_cubic; }
+
+void check_lattice(const Section& lattice, Diagnostics& diagnostics) {
+    const std::string& type = lattice.text("type");
+    const bool cells = lattice.has("cells");
+    const bool atoms = lattice.has("atoms");
+    if (type == "random") {
+        if (cells) {
+            diagnostics.error(lattice.location("cells"), "'cells' in lattice has no meaning for a random start",
+                              "give 'atoms'");
+        } else if (!atoms) {
+            diagnostics.error(lattice.location(), "missing key 'atoms' in lattice", "a random start needs it");
+        }
+    } else if (cells && atoms) {
+        diagnostics.error(lattice.location("atoms"), "'cells' and 'atoms' in lattice say the same", "give one of them");
+    } else if (!cells && !atoms) {
+        diagnostics.error(lattice.location(), "missing key 'cells' in lattice", "or give 'atoms'");
+    } else if (atoms) {
+        const Index wanted = lattice.integer("atoms");
+        const auto near = nearest_cells(lattice_of(type), wanted);
+        if (near.below != near.above) {
+            diagnostics.error(lattice.location("atoms"),
+                              fmt::format("'atoms' in lattice is {}, which does not fill a {} crystal", wanted, type),
+                              fmt::format("nearest: {} or {}", lattice_atoms(lattice_of(type), near.below),
+                                          lattice_atoms(lattice_of(type), near.above)));
+        }
+    } else if (lattice_atoms(lattice_of(type), lattice.integer("cells")) > most_atoms) {
+        diagnostics.error(lattice.location("cells"), fmt::format("'cells' in lattice makes {} atoms, more than {}",
+                                                                 lattice_atoms(lattice_of(type), lattice.integer("cells")),
+                                                                 most_atoms));
+    }
+}
+
+void check_system(const Section& system, bool force, Diagnostics& diagnostics) {
+    if (system.has("lattice") == system.has("file")) {
+        diagnostics.error(system.location("file"), "[system] needs one of 'lattice' and 'file'",
+                          system.has("file") ? "remove one of them" : "e.g. lattice = { type = \"fcc\", cells = 6 }");
+    }
+    if (system.has("lattice")) {
+        check_lattice(system.section("lattice"), diagnostics);
+        for (const char* key : {"density", "temperature"}) {
+            if (!system.has(key)) {
+                diagnostics.error(system.location(), fmt::format("missing key '{}' in [system]", key),
+                                  "a start from a lattice needs it");
+            }
+        }
+        if (system.has("velocities") && system.text("velocities") == "file") {
+            diagnostics.error(system.location("velocities"), "'velocities' in [system] is 'file', but there is no file",
+                              "use 'maxwell'");
+        }
+    }
+    if (system.has("velocities") && system.text("velocities") == "maxwell" && !system.has("temperature")) {
+        diagnostics.error(system.location("velocities"), "missing key 'temperature' in [system]",
+                          "Maxwell's distribution needs it");
+    }
+    if (system.has("density") && system.number("density") > unlikely_density) {
+        unlikely(force, system.location("density"),
+                 fmt::format("'density' in [system] is {:.6g}, above {}", system.number("density"), unlikely_density),
+                 "liquid argon has 0.84, its crystal 1.0", diagnostics);
+    }
+}
+
+void check_temperature(const Section& section, bool force, Diagnostics& diagnostics) {
+    if (section.has("temperature") && section.number("temperature") > unlikely_temperature) {
+        unlikely(force, section.location("temperature"),
+                 fmt::format("'temperature' in {} is {:.6g} epsilon/k_B, above {}", section.title(),
+                             section.number("temperature"), unlikely_temperature),
+                 "for kelvin, give [argon] and write \"86.5 K\"", diagnostics);
+    }
+}
+
+void check_potential(const Section& potential, Diagnostics& diagnostics) {
+    const std::string& truncation = potential.text("truncation");
+    const bool takes_tail = PairPotential::takes_tail(truncation);
+    if (takes_tail && !potential.has("tail")) {
+        diagnostics.error(potential.location(), "missing key 'tail' in [potential]",
+                          fmt::format("true or false: truncation = \"{}\" leaves the choice", truncation));
+    }
+    if (!takes_tail && potential.has("tail") && potential.flag("tail")) {
+        diagnostics.error(potential.location("tail"),
+                          fmt::format("'tail' in [potential] has no meaning for truncation = \"{}\"", truncation),
+                          "a shifted potential is another potential: no tail makes it the full one");
+    }
+    if (truncation == "switched" && !(potential.number("switch_start") < potential.number("cutoff"))) {
+        diagnostics.error(potential.location("switch_start"),
+                          fmt::format("'switch_start' in [potential] is {}, not below the cutoff {}",
+                                      potential.number("switch_start"), potential.number("cutoff")));
+    }
+}
+
+void check_stages(const std::vector<Section>& stages, bool force, Diagnostics& diagnostics) {
+    std::set<std::string> names;
+    double sum = 0.0;
+    for (const Section& stage : stages) {
+        if (!names.insert(stage.text("name")).second) {
+            diagnostics.error(stage.location("name"), fmt::format("two stages are called '{}'", stage.text("name")));
+        }
+        if (stage.number("time_step") >= unlikely_time_step) {
+            unlikely(force, stage.location("time_step"),
+                     fmt::format("'time_step' in [[stage]] is {:.6g} tau, allowed: < {}", stage.number("time_step"),
+                                 unlikely_time_step),
+                     "0.004 is usual; energy is not conserved", diagnostics);
+        }
+        check_temperature(stage, force, diagnostics);
+        if (stage.has("temperature") && !stage.has("thermostat")) {
+            diagnostics.warning(stage.location("temperature"),
+                                "'temperature' in [[stage]] has no effect without a thermostat");
+        }
+        if (stage.has("thermostat") && stage.flag("sample")) {
+            diagnostics.warning(stage.location("sample"),
+                                "this stage is sampled under a thermostat that samples no ensemble");
+        }
+        sum += static_cast<double>(stage.integer("steps"));
+    }
+    if (sum > 0x1p62) {
+        diagnostics.error(stages.front().location("steps"), "the steps of all stages add up to more than 2^62");
+    }
+}
+
+void check_output(const Section& output, bool has_units, Diagnostics& diagnostics) {
+    if (output.has("directory") && output.text("directory").empty()) {
+        diagnostics.error(output.location("directory"), "'directory' in [output] is empty");
+    }
+    if (output.has("trajectory")) {
+        const Section& trajectory = output.section("trajectory");
+        if (trajectory.text("units") == "si" && !has_units) {
+            diagnostics.error(trajectory.location("units"), "'units' in trajectory is 'si', which needs an [argon] table");
+        }
+    }
+}
+
+/// The box of a lattice start; nothing when the deck is too wrong to tell.
+std::optional<Box> lattice_box(const Section& system) {
+    if (!system.has("lattice") || !system.has("density")) {
+        return std::nullopt;
+    }
+    const Section& lattice = system.section("lattice");
+    const std::string& type = lattice.text("type");
+    Index atoms = 0;
+    if (lattice.has("atoms")) {
+        atoms = lattice.integer("atoms");
+    } else if (type != "random" && lattice.has("cells")) {
+        atoms = lattice_atoms(lattice_of(type), lattice.integer("cells"));
+    }
+    const double density = system.number("density");
+    if (atoms < 1 || !(density > 0.0)) {
+        return std::nullopt;
+    }
+    const double edge = std::cbrt(static_cast<double>(atoms) / density);
+    return std::isfinite(edge) ? std::optional(cubic_box(atoms, density)) : std::nullopt;
+}
+
+}  // namespace
+
+void check_sense(const Section& root, bool has_units, bool force, Diagnostics& diagnostics) {
+    const Section& system = root.section("system");
+    check_system(system, force, diagnostics);
+    check_temperature(system, force, diagnostics);
+    check_potential(root.section("potential"), diagnostics);
+    check_stages(root.sections("stage"), force, diagnostics);
+    check_output(root.section("output"), has_units, diagnostics);
+    if (const auto box = lattice_box(system)) {
+        check_box(root, *box, diagnostics);
+    }
+}
+
+void check_box(const Section& root, const Box& box, Diagnostics& diagnostics) {
+    const Section& potential = root.section("potential");
+    const double largest = 0.5 * box.shortest_edge();
+    if (potential.number("cutoff") > largest) {
+        diagnostics.error(potential.location("cutoff"),
+                          fmt::format("'cutoff' in [potential] is {}, more than half the box (L = {:.6g})",
+                                      potential.number("cutoff"), box.shortest_edge()),
+                          fmt::format("largest allowed: {}", largest));
+    }
+    const Section& analysis = root.section("analysis");
+    for (const auto& method : all_analyses()) {
+        if (analysis.has(method.name)) {
+            const Section& section = analysis.section(method.name);
+            for (const auto& [key, message] : method.check(section, box)) {
+                diagnostics.error(section.location(key), message);
+            }
+        }
+    }
+}
+
+}  // namespace ljmd

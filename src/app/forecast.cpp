@@ -1,0 +1,124 @@
+#include "ljmd/app/forecast.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/model/lattice.hpp"
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double trial_seconds = 0.3;
+constexpr Index stand_in_atoms = 4000;
+constexpr double usual_time_step = 0.004;
+
+// Bytes a row of thermo.csv takes, without and with SI columns.
+constexpr double thermo_row = 240.0;
+constexpr double thermo_row_si = 350.0;
+
+double density_of(const Start& start) { return static_cast<double>(start.atoms) / start.box.volume(); }
+
+double skin_of(const Deck& deck) {
+    return deck.neighbors().text("method") == "verlet-list" ? deck.neighbors().number("skin") : 0.0;
+}
+
+/// Seconds an atom and step take here, pair search and integration included.
+double seconds_per_atom_step(const Deck& deck, const Start& start) {
+    const double density = density_of(start);
+    const double cutoff = deck.potential().number("cutoff");
+    Index cells = nearest_cells(Lattice::fcc, std::min(start.atoms, stand_in_atoms)).above;
+    while (2.0 * cutoff > cubic_box(lattice_atoms(Lattice::fcc, cells), density).shortest_edge()) {
+        ++cells;
+    }
+    const Index atoms = lattice_atoms(Lattice::fcc, cells);
+    const Box box = cubic_box(atoms, density);
+    State state(atoms, box);
+    const auto sites = lattice_sites(Lattice::fcc, cells, box);
+    auto r = state.write_positions();
+    for (Index i = 0; i < atoms; ++i) {
+        r.col(i) = sites[static_cast<std::size_t>(i)];
+    }
+    draw_velocities(state, deck.system().has("temperature") ? deck.system().number("temperature") : 1.0, 1);
+    PairForceField force_field(PairPotential::from(deck.potential()),
+                               make_pair_search(deck.neighbors().text("method"), deck.neighbors().number("skin")));
+    const auto operators = find_integrator("velocity-verlet").step(usual_time_step);
+    force_field.evaluate(state, Request::forces);
+    const auto began = std::chrono::steady_clock::now();
+    std::chrono::duration<double> took{};
+    Index steps = 0;
+    do {
+        apply(operators, state, force_field, Request::forces);
+        ++steps;
+        took = std::chrono::steady_clock::now() - began;
+    } while (took.count() < trial_seconds);
+    return took.count() / static_cast<double>(steps * atoms);
+}
+
+double memory(const Deck& deck, const Start& start) {
+    const double range = deck.potential().number("cutoff") + skin_of(deck);
+    const double neighbors = density_of(start) * 4.0 / 3.0 * std::numbers::pi * range * range * range;
+    const double with_ghosts = (start.box.edges().array() + 2.0 * range).prod() / start.box.volume();
+    const bool cells = deck.neighbors().text("method") != "all-pairs";
+    const bool list = deck.neighbors().text("method") == "verlet-list";
+    const double vectors = 4.0 * 32.0 + 28.0;  // velocity, force, reference; mass, id, image
+    const double per_atom = vectors + (cells ? with_ghosts * (32.0 + 32.0 + 40.0 + 16.0) : 32.0) + (list ? 4.0 * neighbors : 0.0);
+    return per_atom * static_cast<double>(start.atoms);
+}
+
+double disk(const Deck& deck, const Start& start) {
+    const auto steps = static_cast<double>(deck.total_steps());
+    const auto atoms = static_cast<double>(start.atoms);
+    double bytes = (1.0 + steps / static_cast<double>(deck.thermo_every)) * (deck.units ? thermo_row_si : thermo_row);
+    const double text_atom = 3.0 * 20.0 + 10.0;
+    if (deck.trajectory) {
+        const double vectors = deck.trajectory->velocities ? 2.0 : 1.0;
+        const double atom = deck.trajectory->format == "h5md" ? 24.0 * vectors : text_atom * vectors;
+        bytes += (1.0 + steps / static_cast<double>(deck.trajectory->every)) * atoms * atom;
+    }
+    return bytes + atoms * 2.0 * text_atom;  // final.xyz
+}
+
+std::string bytes(double n) {
+    return n < 1e6 ? fmt::format("{:.0f} kB", n / 1e3) : n < 1e9 ? fmt::format("{:.1f} MB", n / 1e6) : fmt::format("{:.1f} GB", n / 1e9);
+}
+
+std::string duration(double seconds) {
+    return seconds < 120.0    ? fmt::format("{:.0f} s", std::ceil(seconds))
+           : seconds < 7200.0 ? fmt::format("{:.0f} min", seconds / 60.0)
+                              : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+}  // namespace
+
+Forecast forecast(const Deck& deck, const Start& start) {
+    const double steps = static_cast<double>(deck.total_steps()) + 1.0;
+    return {memory(deck, start), disk(deck, start),
+            steps * static_cast<double>(start.atoms) * seconds_per_atom_step(deck, start)};
+}
+
+std::string check_report(const Deck& deck, const Start& start, const Forecast& forecast) {
+    const Vec3& edges = start.box.edges();
+    const double cutoff = deck.potential().number("cutoff");
+    std::string text = fmt::format("{}: the deck is good. Nothing was run.\n", deck.path);
+    text += fmt::format("  atoms     {}\n", start.atoms);
+    text += fmt::format("  box       {:.6g} x {:.6g} x {:.6g} sigma^3, density {:.6g} sigma^-3\n", edges[0], edges[1], edges[2],
+                        density_of(start));
+    text += fmt::format("  cutoff    {:.6g} sigma, at most L/2 = {:.6g}\n", cutoff, 0.5 * start.box.shortest_edge());
+    for (const Stage& stage : deck.stages) {
+        text += fmt::format("  stage     '{}': {} steps of {:.6g} tau = {:.6g} tau{}\n", stage.name, stage.steps, stage.time_step,
+                            static_cast<double>(stage.steps) * stage.time_step, stage.sample ? ", sampled" : "");
+    }
+    text += fmt::format("  memory    about {}\n", bytes(forecast.memory_bytes));
+    text += fmt::format("  disk      about {} in {}\n", bytes(forecast.disk_bytes), deck.directory.string());
+    text += fmt::format("  time      about {} on one core of this machine, analyses not counted\n", duration(forecast.seconds));
+    return text;
+}
+
+}  // namespace ljmd

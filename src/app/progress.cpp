@@ -1,0 +1,89 @@
+#include "ljmd/app/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ljmd {
+
+namespace {
+
+constexpr double seconds_between_lines = 0.2;
+constexpr double window_seconds = 5.0;
+
+std::string duration(double seconds) {
+    if (!std::isfinite(seconds)) {
+        return "?";
+    }
+    const auto s = static_cast<Index>(std::ceil(seconds));
+    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60) : fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+}  // namespace
+
+Progress::Progress(Index atoms, Index total_steps, bool quiet)
+    : atoms_(atoms), total_steps_(total_steps), quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
+    window_.push_back({Clock::now(), 0});
+}
+
+Progress::~Progress() { clear_line(); }
+
+void Progress::stage_begins(const Stage& stage) {
+    stage_ = stage.name;
+    if (!quiet_) {
+        clear_line();
+        fmt::print(stderr, "stage '{}': {} steps of {:.6g} tau\n", stage.name, stage.steps, stage.time_step);
+    }
+}
+
+void Progress::step_done(Index step) {
+    if (quiet_ || step < next_look_) {
+        return;
+    }
+    const Mark now{Clock::now(), step};
+    const double rate = windowed_rate(now);
+    next_look_ = step + std::max<Index>(1, static_cast<Index>(0.5 * seconds_between_lines * rate));
+    if (terminal_) {
+        fmt::print(stderr, "\r{}\033[K", line(step, rate));
+        std::fflush(stderr);
+        line_is_open_ = true;
+    } else if (10.0 * static_cast<double>(step) >= static_cast<double>(next_tenth_) * static_cast<double>(total_steps_)) {
+        fmt::print(stderr, "{}\n", line(step, rate));
+        next_tenth_ = 1 + static_cast<Index>(10.0 * static_cast<double>(step) / static_cast<double>(total_steps_));
+    }
+}
+
+double Progress::windowed_rate(const Mark& now) {
+    window_.push_back(now);
+    const auto seconds_since = [&](const Mark& mark) {
+        return std::chrono::duration<double>(now.time - mark.time).count();
+    };
+    while (window_.size() > 2 && seconds_since(window_[1]) > window_seconds) {
+        window_.pop_front();
+    }
+    const double seconds = seconds_since(window_.front());
+    return seconds > 0.0 ? static_cast<double>(now.step - window_.front().step) / seconds : 0.0;
+}
+
+std::string Progress::line(Index step, double steps_per_second) const {
+    const double done = total_steps_ > 0 ? static_cast<double>(step) / static_cast<double>(total_steps_) : 1.0;
+    return fmt::format("[{}] {:3.0f} % step {}/{}  {:.3g} steps/s  {:.3g} atom-steps/s  ETA {}", stage_, 100.0 * done, step,
+                       total_steps_, steps_per_second, steps_per_second * static_cast<double>(atoms_),
+                       duration(static_cast<double>(total_steps_ - step) / steps_per_second));
+}
+
+void Progress::warning(const std::string& text) {
+    clear_line();
+    fmt::print(stderr, "warning: {}\n", text);
+}
+
+void Progress::clear_line() {
+    if (line_is_open_) {
+        fmt::print(stderr, "\r\033[K");
+        line_is_open_ = false;
+    }
+}
+
+}  // namespace ljmd

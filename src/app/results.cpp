@@ -1,0 +1,164 @@
+#include "ljmd/app/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace ljmd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How an observable is reported for a substance.
+struct SiUnit {
+    double factor;
+    std::string name;
+};
+
+std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<SubstanceUnits>& units) {
+    if (!units) {
+        return std::nullopt;
+    }
+    if (reduced == "epsilon/k_B") {
+        return SiUnit{units->kelvin(), "K"};
+    }
+    if (reduced == "epsilon") {
+        return SiUnit{units->kilojoule_per_mole(), "kJ/mol"};
+    }
+    if (reduced == "epsilon/sigma^3") {
+        return SiUnit{units->bar(), "bar"};
+    }
+    return std::nullopt;
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json observable_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+    if (!average.estimate) {
+        return {{"mean", nullptr}, {"standard_error", nullptr}, {"independent_samples", nullptr}, {"unit", average.unit}};
+    }
+    const Estimate& e = *average.estimate;
+    Json json = {{"mean", number_or_null(e.mean)},
+                 {"standard_error", number_or_null(e.standard_error)},
+                 {"independent_samples", number_or_null(e.independent_samples)},
+                 {"samples", e.samples},
+                 {"error_is_converged", e.converged},
+                 {"unit", average.unit}};
+    if (const auto si = si_unit(average.unit, units)) {
+        json["si"] = {{"mean", number_or_null(e.mean * si->factor)},
+                      {"standard_error", number_or_null(e.standard_error * si->factor)},
+                      {"unit", si->name}};
+    }
+    return json;
+}
+
+Json stage_json(const StageResult& stage) {
+    return {{"name", stage.name},
+            {"integrator", stage.integrator},
+            {"first_step", stage.first_step},
+            {"last_step", stage.last_step},
+            {"steps", stage.last_step - stage.first_step},
+            {"time_step", stage.time_step},
+            {"sampled", stage.sampled},
+            {"thermostat", stage.thermostatted},
+            {"energy_drift", stage.energy_drift ? Json(*stage.energy_drift) : Json(nullptr)}};
+}
+
+/// "-6.0871 +- 0.0012": the error to two digits, the mean to the same decimals.
+std::string with_error(double mean, double error) {
+    if (!(error > 0.0) || !std::isfinite(error)) {
+        return fmt::format("{:.6g}", mean);
+    }
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
+    return fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals);
+}
+
+std::string table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+    if (!average.estimate) {
+        return fmt::format("  {:<24}{:<6}not defined\n", average.name, average.symbol);
+    }
+    const Estimate& e = *average.estimate;
+    std::string line = fmt::format("  {:<24}{:<6}{:>22}  {:<16}{:>8}", average.name, average.symbol,
+                                   with_error(e.mean, e.standard_error), average.unit,
+                                   std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-");
+    if (const auto si = si_unit(average.unit, units)) {
+        line += fmt::format("{:>26} {}", with_error(e.mean * si->factor, e.standard_error * si->factor), si->name);
+    }
+    return line + '\n';
+}
+
+/// Lines for people: the tensor and the virial are in results.json.
+constexpr std::array<const char*, 6> shown{"temperature", "potential_energy", "kinetic_energy",
+                                           "total_energy", "pressure",        "compressibility_factor"};
+
+}  // namespace
+
+std::string results_json(const Deck& deck, const RunResult& result) {
+    Json observables = Json::object();
+    for (const ObservableAverage& average : result.averages) {
+        observables[average.name] = observable_json(average, deck.units);
+    }
+    Json stages = Json::array();
+    for (const StageResult& stage : result.stages) {
+        stages.push_back(stage_json(stage));
+    }
+    Json json = {{"title", deck.title},
+                 {"system",
+                  {{"atoms", result.atoms},
+                   {"density", result.density},
+                   {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
+                 {"observables", observables},
+                 {"translational_order_at_sampling",
+                  result.order_at_sampling ? Json(*result.order_at_sampling) : Json(nullptr)},
+                 {"stages", stages},
+                 {"neighbor_list_rebuilds", result.search.rebuilds},
+                 {"warnings", result.warnings}};
+    if (deck.units) {
+        json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();
+    }
+    return json.dump(2);
+}
+
+std::string results_table(const Deck& deck, const RunResult& result) {
+    std::string text = fmt::format("{}\n{} atoms, density {:.6g} sigma^-3", deck.title.empty() ? deck.path : deck.title,
+                                   result.atoms, result.density);
+    if (deck.units) {
+        text += fmt::format(" ({:.4f} g/cm3)", result.density * deck.units->gram_per_cm3());
+    }
+    text += fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
+    text += fmt::format("  {:<24}{:<6}{:>22}  {:<16}{:>8}{:>26}\n", "observable", "", "mean +- standard error", "unit",
+                        "samples*", deck.units ? "SI" : "");
+    for (const ObservableAverage& average : result.averages) {
+        if (std::find(shown.begin(), shown.end(), average.name) != shown.end()) {
+            text += table_line(average, deck.units);
+        }
+    }
+    for (const StageResult& stage : result.stages) {
+        if (stage.energy_drift) {
+            text += fmt::format("  energy drift in stage '{}': {:.2g} epsilon per atom and tau\n", stage.name,
+                                *stage.energy_drift);
+        }
+    }
+    text += "  * independent samples: variance of the series over the squared standard error\n";
+    text += fmt::format("\nfiles: {}\n", deck.directory.string());
+    return text;
+}
+
+DataTable with_si_columns(DataTable table, const std::optional<SubstanceUnits>& units) {
+    const auto r = std::find(table.columns.begin(), table.columns.end(), "r");
+    if (!units || r == table.columns.end()) {
+        return table;
+    }
+    const auto column = static_cast<std::size_t>(r - table.columns.begin());
+    table.columns.emplace_back("r_nm");
+    for (auto& row : table.rows) {
+        row.push_back(row[column] * units->nanometre());
+    }
+    return table;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,151 @@
+#include "ljmd/app/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/integrators/relaxation.hpp"
+#include "ljmd/io/configuration_reader.hpp"
+#include "ljmd/model/lattice.hpp"
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double noticeable_drift = 1e-6;  // velocity of the centre of mass [sigma/tau]
+
+Lattice lattice_type(const Section& lattice) {
+    return lattice.text("type") == "fcc" ? Lattice::fcc : Lattice::simple_cubic;
+}
+
+bool is_random(const Section& lattice) { return lattice.text("type") == "random"; }
+
+/// A directory stands for the last configuration of the run in it.
+std::filesystem::path configuration_file(const std::string& file) {
+    const std::filesystem::path path(file);
+    return std::filesystem::is_directory(path) ? path / "final.xyz" : path;
+}
+
+Index lattice_cells(const Section& lattice) {
+    return lattice.has("cells") ? lattice.integer("cells")
+                                : nearest_cells(lattice_type(lattice), lattice.integer("atoms")).below;
+}
+
+Start start_from_file(const Section& system, const std::optional<SubstanceUnits>& units) {
+    Configuration configuration = read_configuration(configuration_file(system.text("file")), units);
+    const auto atoms = static_cast<Index>(configuration.positions.size());
+    Vec3 edges = configuration.edges;
+    if (system.has("density")) {
+        const double factor = std::cbrt(static_cast<double>(atoms) / (edges.prod() * system.number("density")));
+        edges *= factor;
+        for (Vec3& r : configuration.positions) {
+            r *= factor;
+        }
+    }
+    return {atoms, Box(edges), std::move(configuration)};
+}
+
+void place(State& state, const std::vector<Vec3>& positions) {
+    auto r = state.write_positions();
+    for (Index i = 0; i < state.count(); ++i) {
+        r.col(i) = positions[static_cast<std::size_t>(i)];
+    }
+}
+
+/// Positions of a file may lie anywhere. Edges crossed are counted, so that displacements continue from there.
+void place_from_file(State& state, const Configuration& configuration) {
+    const Box& box = state.box();
+    auto r = state.write_positions();
+    auto v = state.write_velocities();
+    for (Index i = 0; i < state.count(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Vec3 n = box.crossings(configuration.positions[k]);
+        if (!(n.cwiseAbs().maxCoeff() < 1e6)) {
+            throw DataError(fmt::format("atom {} is more than a million edges away from its box", i + 1));
+        }
+        r.col(i) = box.snap(configuration.positions[k] - n.cwiseProduct(box.edges()));
+        state.set_image(i, n.cast<int>());
+        if (!configuration.velocities.empty()) {
+            v.col(i) = configuration.velocities[k];
+        }
+    }
+    state.wrap();  // rounding to the grid may have put an atom onto the far wall
+    for (const double mass : configuration.masses) {
+        if (std::abs(mass - 1.0) > 1e-6) {
+            throw DataError(fmt::format("the file has an atom of mass {}; in reduced units all atoms have mass 1", mass));
+        }
+    }
+}
+
+void set_velocities(State& state, const Deck& deck, const Start& start,
+                    const std::function<void(const std::string&)>& warn) {
+    const Section& system = deck.system();
+    const bool file_has_them = start.configuration && !start.configuration->velocities.empty();
+    const std::string wanted = system.has("velocities") ? system.text("velocities") : file_has_them ? "file" : "maxwell";
+    if (wanted == "file") {
+        if (!file_has_them) {
+            throw DataError(fmt::format("{} has no velocities; set velocities = \"maxwell\" and a temperature",
+                                        system.text("file")));
+        }
+        const double drift = (total_momentum(state) / static_cast<double>(state.count())).norm();
+        if (drift > noticeable_drift) {
+            warn(fmt::format("the centre of mass moved with {:.3g} sigma/tau; its motion was removed", drift));
+        }
+        remove_momentum(state);
+        return;
+    }
+    if (!system.has("temperature")) {
+        throw DataError(fmt::format("{} has no velocities; give 'temperature' in [system] to draw them",
+                                    system.text("file")));
+    }
+    draw_velocities(state, system.number("temperature"), static_cast<std::uint64_t>(system.integer("seed")));
+}
+
+}  // namespace
+
+Start find_start(const Deck& deck) {
+    const Section& system = deck.system();
+    if (system.has("file")) {
+        return start_from_file(system, deck.units);
+    }
+    const Section& lattice = system.section("lattice");
+    const Index atoms = is_random(lattice) ? lattice.integer("atoms")
+                                           : lattice_atoms(lattice_type(lattice), lattice_cells(lattice));
+    return {atoms, cubic_box(atoms, system.number("density")), std::nullopt};
+}
+
+Simulation make_simulation(const Deck& deck, Start start, const std::function<void(const std::string&)>& warn) {
+    const Section& system = deck.system();
+    const PairPotential potential = PairPotential::from(deck.potential());
+    const bool tail = deck.potential().has("tail") && deck.potential().flag("tail");
+    Simulation simulation{
+        State(start.atoms, start.box),
+        PairForceField(potential, make_pair_search(deck.neighbors().text("method"), deck.neighbors().number("skin"))),
+        tail ? TailCorrection(potential) : TailCorrection(),
+        std::nullopt,
+        {}};
+
+    if (start.configuration) {
+        place_from_file(simulation.state, *start.configuration);
+    } else if (const Section& lattice = system.section("lattice"); is_random(lattice)) {
+        place(simulation.state,
+              random_positions(start.atoms, start.box, static_cast<std::uint64_t>(system.integer("seed"))));
+        simulation.relaxation_iterations = relax(simulation.state, simulation.force_field).iterations;
+    } else {
+        place(simulation.state, lattice_sites(lattice_type(lattice), lattice_cells(lattice), start.box));
+        simulation.order.emplace(lattice_type(lattice), lattice_cells(lattice));
+    }
+    set_velocities(simulation.state, deck, start, warn);
+
+    const Section& analysis = deck.root.section("analysis");
+    for (const auto& method : all_analyses()) {
+        if (analysis.has(method.name)) {
+            simulation.analyses.push_back(method.make(analysis.section(method.name), simulation.state));
+        }
+    }
+    return simulation;
+}
+
+}  // namespace ljmd
