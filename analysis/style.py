@@ -1,0 +1,79 @@
+"""The look that all pictures of ljmd share, and how quantities are named on their axes."""
+
+from __future__ import annotations
+
+import math
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+
+DPI = 200
+
+# Okabe and Ito's palette: distinguishable with every common colour vision.
+BLUE = "#0072B2"
+ORANGE = "#E69F00"
+GREEN = "#009E73"
+VERMILION = "#D55E00"
+PURPLE = "#CC79A7"
+SKY = "#56B4E9"
+BLACK = "#000000"
+GREY = "#999999"
+
+LABELS = {
+    "time": r"$t$ / $\tau$",
+    "temperature": r"$T$ / ($\epsilon/k_\mathrm{B}$)",
+    "potential_energy": r"$U/N$ / $\epsilon$",
+    "kinetic_energy": r"$K/N$ / $\epsilon$",
+    "total_energy": r"$E/N$ / $\epsilon$",
+    "pressure": r"$p$ / ($\epsilon/\sigma^3$)",
+    "r": r"$r$ / $\sigma$",
+    "g": r"$g(r)$",
+    "time_ps": r"$t$ / ps",
+    "temperature_K": r"$T$ / K",
+    "pressure_bar": r"$p$ / bar",
+    "r_nm": r"$r$ / nm",
+}
+
+
+def use() -> None:
+    """Apply the style to all pictures made from here on."""
+    plt.rcParams.update(
+        {
+            "font.size": 10,
+            "axes.labelsize": 11,
+            "axes.titlesize": 11,
+            "axes.linewidth": 0.8,
+            "axes.grid": True,
+            "axes.axisbelow": True,
+            "axes.formatter.useoffset": False,
+            "grid.color": "#DDDDDD",
+            "grid.linewidth": 0.6,
+            "xtick.direction": "in",
+            "ytick.direction": "in",
+            "legend.frameon": False,
+            "legend.fontsize": 9,
+            "lines.linewidth": 1.2,
+            "savefig.dpi": DPI,
+            "mathtext.fontset": "dejavusans",
+        }
+    )
+
+
+def plain(text: str) -> str:
+    """Text that matplotlib shows as it is: without this, a pair of dollar signs starts a formula."""
+    return text.replace("$", r"\$")
+
+
+def with_uncertainty(mean: float, standard_error: float) -> str:
+    """A number with two digits of its standard error behind it: 0.7218(12) means 0.7218 +- 0.0012."""
+    if not 1e-12 * abs(mean) < standard_error < math.inf:  # none, unknown, or round-off
+        return f"{mean:.6g}"
+    decimals = 1 - math.floor(math.log10(standard_error))
+    digits = round(standard_error * 10**decimals)
+    if digits == 100:  # 0.0996 rounds up to 0.10: one decimal less
+        decimals, digits = decimals - 1, 10
+    if decimals <= 0:
+        return f"{round(mean, decimals):.0f}({digits * 10**-decimals})"
+    return f"{mean:.{decimals}f}({digits})"
