@@ -57,6 +57,11 @@ std::string printable(std::string_view text, std::size_t limit) {
     return characters.size() > limit ? shown + "..." : shown;
 }
 
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t most_characters = 60;
+    return "'" + printable(text, most_characters) + "'";
+}
+
 std::string_view line_of(std::string_view text, int line) {
     for (int skipped = 1; skipped < line; ++skipped) {
         const std::size_t end = text.find('\n');

@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::size_t max_bytes = std::size_t{1} << 20;
 constexpr std::size_t max_keys = 32;
-constexpr std::size_t max_quoted = 60;
-
-std::string quoted(const std::string& text) {
-    return "'" + printable(text, max_quoted) + "'";
-}
 
 /// The parts of a dotted key; a part in quotes may hold dots. Empty when a part is empty or a quote is left open.
 std::vector<std::string> split_key(const std::string& text) {
@@ -87,7 +82,7 @@ Table* named_element(Array& array, const std::string& key, const std::string& na
     }
     const std::string nearest = nearest_name(name, names);
     const std::string known = names.empty() ? "" : fmt::format("known names: {}", fmt::join(names, ", "));
-    diagnostics.error(where, fmt::format("no {} is named {}", quoted(key), quoted(name)),
+    diagnostics.error(where, fmt::format("no {} is named {}", in_quotes(key), in_quotes(name)),
                       nearest.empty() ? known : fmt::format("did you mean '{}'? {}", nearest, known));
     return nullptr;
 }
@@ -107,7 +102,7 @@ Table* descend(Table& root, const std::vector<std::string>& keys, const Location
             here = named_element(*array, keys[i], keys[i + 1], where, diagnostics);
             ++i;
         } else {
-            diagnostics.error(where, fmt::format("{} is {}, not a table", quoted(keys[i]), kind_name(entry->value)),
+            diagnostics.error(where, fmt::format("{} is {}, not a table", in_quotes(keys[i]), kind_name(entry->value)),
                               array ? fmt::format("its elements are reached by name: {}.NAME.KEY=VALUE", keys[i]) : "");
             return nullptr;
         }

@@ -186,6 +186,9 @@ void Hdf5Output::start_appending() {
 }
 
 void Hdf5Output::append(Series& series, const void* data) {
+    if (!file_) {
+        throw ContractViolation(fmt::format("'{}' is closed", path_.string()));
+    }
     const Hdf5Silence silence;
     const std::string doing = fmt::format("appending entry {} to {}", series.length + 1, series.name);
     if (series.dataset < 0) {

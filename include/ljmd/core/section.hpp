@@ -27,6 +27,10 @@ class Section {
     /// True when the key was given or has a default.
     [[nodiscard]] bool has(const std::string& key) const;
 
+    /// False when validation found the key missing, misspelled or its value wrong (reported by then): what the Section
+    /// holds is a stand-in, which says nothing about the deck. The table of a key is sound though keys in it are not.
+    [[nodiscard]] bool sound(const std::string& key) const;
+
     /// Where the value stands (the table itself when the key is absent, defaulted or not of the schema).
     [[nodiscard]] Location location(const std::string& key) const;
     [[nodiscard]] const Location& location() const { return location_; }
@@ -43,6 +47,7 @@ class Section {
         std::vector<Section> sections;
         Location location;
         bool present = false;
+        bool sound = true;
     };
     [[nodiscard]] const Item& item(const std::string& key, Kind kind) const;
 

@@ -21,6 +21,9 @@ namespace ljmd {
 /// The same, joined; after `limit` characters it is cut and ends in "...".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t limit);
 
+/// A name or value as messages show it: printable, in single quotes, at most 60 characters.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
 /// Line number `line` (from 1) of `text` without its line end ("\n" or "\r\n"); empty when there is no such line.
 [[nodiscard]] std::string_view line_of(std::string_view text, int line);
 

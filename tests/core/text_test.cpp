@@ -1,0 +1,49 @@
+#include "ljmd/core/text.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace ljmd;
+
+TEST_CASE("utf8_length tells characters from stray bytes") {
+    CHECK(utf8_length("a") == 1);
+    CHECK(utf8_length("\xC3\x85x") == 2);
+    CHECK(utf8_length("\xE2\x84\xAB") == 3);
+    CHECK(utf8_length("\xED\x9F\xBF") == 3);
+    CHECK(utf8_length("\xF0\x9F\x98\x80") == 4);
+    CHECK(utf8_length("\xF4\x8F\xBF\xBF") == 4);
+    for (const char* bad :
+         {"", "\x80", "\xC3", "\xC3x", "\xC0\x80", "\xC1\xBF", "\xE0\x80\x80", "\xE2\x84", "\xED\xA0\x80",
+          "\xF0\x80\x80\x80", "\xF0\x9F\x98", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF"}) {
+        CHECK(utf8_length(bad) == 0);
+    }
+}
+
+TEST_CASE("find_invalid_utf8 points at the byte") {
+    CHECK(find_invalid_utf8("a \xC3\x85 \xE2\x84\xAB") == std::string_view::npos);
+    CHECK(find_invalid_utf8("a \xC3\x85 \xE2\x84") == 5);
+    CHECK(find_invalid_utf8("") == std::string_view::npos);
+}
+
+TEST_CASE("printable text moves no cursor and ends in time") {
+    CHECK(printable("a\tb\x1B[31m\x7F\r\n", 80) == "a b?[31m???");
+    CHECK(printable("\xC2\x9B"
+                    "2J \xC3\x85 \xFF",
+                    80) == "?2J \xC3\x85 ?");
+    CHECK(printable("\xC3\x85\xC3\x85\xC3\x85", 3) == "\xC3\x85\xC3\x85\xC3\x85");
+    CHECK(printable("\xC3\x85\xC3\x85\xC3\x85", 2) == "\xC3\x85\xC3\x85...");
+    CHECK(printable(std::string(100000, 'x'), 4) == "xxxx...");
+}
+
+TEST_CASE("quoted text is short and in quotes") {
+    CHECK(in_quotes("densty") == "'densty'");
+    CHECK(in_quotes(std::string(61, 'x')) == "'" + std::string(60, 'x') + "...'");
+}
+
+TEST_CASE("line_of finds a line without its end") {
+    const std::string text = "one\r\n\ntwo\nlast";
+    CHECK(line_of(text, 1) == "one");
+    CHECK(line_of(text, 2).empty());
+    CHECK(line_of(text, 3) == "two");
+    CHECK(line_of(text, 4) == "last");
+    CHECK(line_of(text, 5).empty());
+}

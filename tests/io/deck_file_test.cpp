@@ -1,0 +1,398 @@
+#include "ljmd/io/deck_file.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "ljmd/core/section.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for the files of one test.
+struct Folder {
+    Folder() { REQUIRE(mkdtemp(name.data())); }
+    ~Folder() { fs::remove_all(name); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] fs::path file(const std::string& base, const std::string& content) const {
+        std::ofstream(fs::path(name) / base, std::ios::binary) << content;
+        return fs::path(name) / base;
+    }
+    std::string name = (fs::temp_directory_path() / "ljmd-deck-XXXXXX").string();
+};
+
+const std::string good_deck = R"(title = "Liquid argon"   # Å
+units = "reduced"
+
+[argon]
+sigma = "3.405 Å"
+epsilon = '119.8 K'
+
+[system]
+lattice = { type = "fcc", cells = 6 }
+density = 0.8442
+temperature = "86.5 K"
+
+[[stage]]
+name = "equilibrate"
+steps = 5_000
+start = [0.0, -1.5e-3,
+         0x10]
+
+[[stage]]
+name = "production"
+steps = 20000
+sample = true
+)";
+
+Schema deck_schema() {
+    const Schema argon("[argon]", {Key::quantity("sigma", Dimension::length).above(0.0),
+                                   Key::quantity("epsilon", Dimension::energy).above(0.0)});
+    const Schema lattice("lattice", {Key::choice("type", {"fcc", "sc"}), Key::integer("cells").at_least(1)});
+    const Schema system("[system]", {Key::table("lattice", lattice), Key::number("density").above(0.0).at_most(1.5),
+                                     Key::number("temperature").at_least(0.0).dimension(Dimension::temperature)});
+    const Schema stage("[[stage]]",
+                       {Key::text("name"), Key::integer("steps").at_least(0), Key::flag("sample").defaults_to(false)});
+    return Schema("the deck", {Key::text("title").optional(), Key::text("units"), Key::table("argon", argon).optional(),
+                               Key::table("system", system), Key::tables("stage", stage)});
+}
+
+std::vector<std::string> formatted(const Diagnostics& diagnostics) {
+    std::vector<std::string> all;
+    for (const Diagnostic& diagnostic : diagnostics.entries()) all.push_back(format(diagnostic));
+    return all;
+}
+
+/// The one error that a text gives, without "error: ".
+std::string mistake(const std::string& text) {
+    Diagnostics diagnostics;
+    const DeckFile deck = parse_deck("d", text, diagnostics);
+    REQUIRE(diagnostics.entries().size() == 1);
+    CHECK(deck.table.empty());
+    return format(diagnostics.entries().front()).substr(7);
+}
+
+/// The same for a file.
+std::string read_mistake(const fs::path& path) {
+    Diagnostics diagnostics;
+    const DeckFile deck = read_deck(path, diagnostics);
+    REQUIRE(diagnostics.entries().size() == 1);
+    CHECK(deck.source->name == path.string());
+    return diagnostics.entries().front().message;
+}
+
+Table parsed(const std::string& text) {
+    Diagnostics diagnostics;
+    Table table = parse_deck("d", text, diagnostics).table;
+    CHECK(formatted(diagnostics).empty());
+    return table;
+}
+
+const Value& at(const Table& table, const std::string& key) {
+    const Entry* entry = find(table, key);
+    REQUIRE(entry);
+    return entry->value;
+}
+
+const Table& inner(const Table& table, const std::string& key) {
+    return std::get<Table>(at(table, key).data);
+}
+
+/// A table after settings that must succeed.
+Table with_settings(const std::vector<std::string>& settings) {
+    Table table = parsed(good_deck);
+    Diagnostics diagnostics;
+    for (const std::string& setting : settings) apply_setting(table, setting, diagnostics);
+    CHECK(formatted(diagnostics).empty());
+    return table;
+}
+
+/// The error of a setting that must fail, without "error: ".
+std::string bad_setting(const std::string& setting) {
+    Table table = parsed(good_deck);
+    Diagnostics diagnostics;
+    apply_setting(table, setting, diagnostics);
+    REQUIRE(diagnostics.entries().size() == 1);
+    CHECK(table.size() == 5);
+    return format(diagnostics.entries().front()).substr(7);
+}
+
+}  // namespace
+
+TEST_CASE("a deck is read in the order of its text, every part with its place") {
+    Diagnostics diagnostics;
+    const DeckFile deck = parse_deck("argon.toml", good_deck, diagnostics);
+    CHECK(formatted(diagnostics).empty());
+    CHECK(deck.source->name == "argon.toml");
+    CHECK(deck.source->text == good_deck);
+    std::string keys;
+    for (const Entry& entry : deck.table) keys += entry.key + " ";
+    CHECK(keys == "title units argon system stage ");
+
+    const Table& system = inner(deck.table, "system");
+    CHECK(at(deck.table, "system").location.line == 8);
+    CHECK(at(deck.table, "system").location.length == 8);
+    const Entry& density = *find(system, "density");
+    CHECK(std::get<double>(density.value.data) == 0.8442);
+    CHECK(density.key_location.line == 10);
+    CHECK(density.key_location.column == 1);
+    CHECK(density.key_location.length == 7);
+    CHECK(density.value.location.column == 11);
+    CHECK(density.value.location.length == 6);
+    CHECK(at(inner(deck.table, "argon"), "sigma").location.length == 9);  // characters, not bytes
+    CHECK(std::get<std::int64_t>(at(inner(system, "lattice"), "cells").data) == 6);
+    CHECK(at(inner(system, "lattice"), "cells").location.column == 35);
+
+    const auto& stages = std::get<Array>(at(deck.table, "stage").data);
+    REQUIRE(stages.size() == 2);
+    CHECK(stages[1].location.line == 19);
+    const Table& first = std::get<Table>(stages[0].data);
+    CHECK(std::get<std::int64_t>(at(first, "steps").data) == 5000);
+    const auto& start = std::get<Array>(at(first, "start").data);
+    CHECK(std::get<double>(start[1].data) == -1.5e-3);
+    CHECK(std::get<std::int64_t>(start[2].data) == 16);
+    CHECK(start[2].location.line == 17);
+    CHECK(std::get<bool>(at(std::get<Table>(stages[1].data), "sample").data));
+}
+
+TEST_CASE("dates of every kind are kept as text; dotted and quoted keys work") {
+    const Table table = parsed("a = 1967-07-05\nb = 07:32:00\nc = 1967-07-05T07:32:00Z\nd.e.\"f g\" = 1\n");
+    CHECK(std::get<Date>(at(table, "a").data).text == "1967-07-05");
+    CHECK(std::get<Date>(at(table, "b").data).text == "07:32:00");
+    CHECK(std::get<Date>(at(table, "c").data).text == "1967-07-05T07:32:00Z");
+    CHECK(std::get<std::int64_t>(at(inner(inner(table, "d"), "e"), "f g").data) == 1);
+}
+
+TEST_CASE("a byte order mark and CRLF change nothing") {
+    const Folder folder;
+    Diagnostics diagnostics;
+    const DeckFile deck = read_deck(folder.file("bom.toml",
+                                                "\xEF\xBB\xBF"
+                                                "a = 1\r\n[b]\r\nc = 'x'\r\n"),
+                                    diagnostics);
+    CHECK(formatted(diagnostics).empty());
+    CHECK(find(deck.table, "a")->key_location.column == 1);
+    CHECK(deck.source->text.starts_with("a = 1\r\n"));
+    CHECK(std::get<std::string>(at(inner(deck.table, "b"), "c").data) == "x");
+}
+
+TEST_CASE("what is no deck file is refused by name") {
+    const Folder folder;
+    CHECK(read_mistake(fs::path(folder.name) / "none.toml") == "no such file");
+    CHECK(read_mistake(fs::path(folder.name) / std::string(1000, 'x')) == "cannot be read: File name too long");
+    CHECK(read_mistake(folder.name) == "a directory, not a deck");
+    CHECK(read_mistake("/dev/zero") == "not a regular file");
+    const fs::path fifo = fs::path(folder.name) / "fifo";
+    REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
+    CHECK(read_mistake(fifo) == "not a regular file");
+    CHECK(read_mistake(folder.file("empty.toml", "")) == "the deck is empty");
+    CHECK(read_mistake(folder.file("comment.toml", "# nothing\n\n")) == "the deck is empty");
+    CHECK(read_mistake(folder.file("binary.toml", std::string("a = 1\n\0\0", 8))) == "binary data (a NUL byte)");
+    const std::size_t mebibyte = std::size_t{1} << 20;
+    CHECK(read_mistake(folder.file("large.toml", std::string(mebibyte + 1, '#'))) ==
+          "larger than 1 MiB, which no deck is");
+    const fs::path sparse = folder.file("huge.toml", "a = 1\n");
+    fs::resize_file(sparse, std::uintmax_t{1} << 30);
+    CHECK(read_mistake(sparse) == "larger than 1 MiB, which no deck is");
+    const fs::path locked = folder.file("locked.toml", "a = 1\n");
+    fs::permissions(locked, fs::perms::none);
+    if (geteuid() != 0) CHECK(read_mistake(locked) == "cannot be read: Permission denied");
+
+    Diagnostics diagnostics;
+    static_cast<void>(read_deck(folder.file("full.toml", "a = 1\n#" + std::string(mebibyte - 7, 'x')), diagnostics));
+    CHECK(formatted(diagnostics).empty());
+}
+
+TEST_CASE("one mistake of the TOML gives one error with its place") {
+    CHECK(mistake("[system]\ndensity 0.8\n") ==
+          "d:2:9: not valid TOML: expected '=', saw '0'\n  2 | density 0.8\n    |         ^");
+    CHECK(mistake("a =\nb = 1") ==
+          "d:1:4: not valid TOML: expected value, saw the end of the line\n  1 | a =\n    |    ^");
+    CHECK(mistake("a = cut") ==
+          "d:1:5: not valid TOML: this is no value\n  1 | a = cut\n    |     ^ text needs quotes");
+    CHECK(mistake("T = 86.5 K # \xC3\x85") ==
+          "d:1:10: not valid TOML: expected the end of the line, saw 'K'\n  1 | T = 86.5 K # \xC3\x85\n"
+          "    |          ^ text and units need quotes");
+    CHECK(mistake("[a]]").find("d:1:4: not valid TOML: expected the end of the line, saw ']'\n") == 0);
+    CHECK(mistake("[a").find("d:1:3: not valid TOML: the text ends within this table header") == 0);
+    CHECK(mistake("= 1").find("d:1:1: not valid TOML: expected a key or a [table], saw '='") == 0);
+    CHECK(mistake("a = \"x\nb = 1").find("d:1:7: not valid TOML: a string must end on its line") == 0);
+    CHECK(mistake("a = \"\x01\"").find("d:1:6: not valid TOML: control characters are not allowed") == 0);
+    CHECK(mistake("a = 1.").find("within this number") != std::string::npos);
+    CHECK(mistake("a = \"\\q\"").find("unknown escape sequence '\\q'") != std::string::npos);
+}
+
+TEST_CASE("a key given twice and a number that does not fit are named") {
+    CHECK(mistake("steps = 1\nx = { \xC3\x85 = 2 }").find("d:2:7: not valid TOML") == 0);
+    CHECK(mistake("steps = 1\n steps = 2\n") == "d:2:2: key 'steps' is given twice\n  2 |  steps = 2\n    |  ^^^^^");
+    CHECK(mistake("x = { \"\xC3\x85\" = 1, b = 2, b = 3 }").find("d:1:23: key 'b' is given twice") == 0);
+    CHECK(mistake("[a]\nb = 1\n[a]\n") == "d:3:2: table 'a' is given twice\n  3 | [a]\n    |  ^");
+    CHECK(mistake("[a]\nb = 1\n[a.b]").find("d:3:1: not valid TOML: cannot redefine existing integer 'a.b' as table") ==
+          0);
+    CHECK(mistake("n = 9223372036854775808\n") ==
+          "d:1:5: '9223372036854775808' does not fit in 64 bits\n  1 | n = 9223372036854775808\n"
+          "    |     ^^^^^^^^^^^^^^^^^^^");
+    CHECK(mistake("x = -1e400").find("d:1:6: '1e400' is too large for a number") == 0);
+    CHECK(std::get<std::int64_t>(at(parsed("n = -9223372036854775808"), "n").data) ==
+          std::numeric_limits<std::int64_t>::min());
+}
+
+TEST_CASE("bytes that are no UTF-8 are found exactly") {
+    CHECK(mistake("# \xC3\x85\n\xC3\x85 = \xFF") ==
+          "d:2:5: invalid UTF-8\n  2 | \xC3\x85 = ?\n    |     ^ a deck is plain text in UTF-8");
+    CHECK(mistake("a = \"\xC3").find("d:1:6: invalid UTF-8") == 0);
+    CHECK(mistake(std::string("a = 1\0", 6)).find("d:1:6: binary data (a NUL byte)") == 0);
+}
+
+TEST_CASE("depth is bounded, whatever hides it") {
+    const std::string many(10000, '[');
+    const std::string braces = [] {
+        std::string text = "a = ";
+        for (int i = 0; i < 10000; ++i) text += "{ a = ";
+        return text;
+    }();
+    std::string dotted = "a";
+    for (int i = 0; i < 100000; ++i) dotted += ".a";
+    for (const std::string& text :
+         {many, "a = " + many, braces, dotted + " = 1", "[" + dotted + "]", "a = [ \"\"\"x\"\"\"\", " + many,
+          "a = '[' # '\nb = " + many, "a = '''\n''''', " + many, "a = \"\\\"\"\nb = " + many}) {
+        CHECK(mistake(text).find("nested deeper than 32 levels") != std::string::npos);
+    }
+    const std::string dots(1000, '.');
+    CHECK(
+        parsed("a = '" + many + dots + "' # " + many + dots + "\nb = \"\"\"\n\"" + many + dots + "\\\"\"\"\"").size() ==
+        2);
+    CHECK(parsed("a = " + std::string(32, '[') + std::string(32, ']')).size() == 1);
+    CHECK(mistake("a = " + std::string(33, '[') + std::string(33, ']')).find("d:1:37: nested") == 0);
+}
+
+TEST_CASE("all mistakes of a deck, as a user reads them") {
+    std::string text = good_deck;
+    text.replace(text.find("density"), 7, "densty");
+    text.replace(text.find("cells = 6"), 9, "cells = 0");
+    text.replace(text.find("5_000"), 5, "5.5");
+    Diagnostics diagnostics;
+    const DeckFile deck = parse_deck("argon.toml", text, diagnostics);
+    const SubstanceUnits argon(3.405e-10, 1.65e-21, 6.63e-26);
+    static_cast<void>(validate(deck.table, {deck.source}, deck_schema(), argon, diagnostics));
+    CHECK_THROWS_WITH(diagnostics.throw_if_errors(),
+                      "error: argon.toml:9:35: 'cells' in lattice is 0, allowed: >= 1\n"
+                      "  9 | lattice = { type = \"fcc\", cells = 0 }\n"
+                      "    |                                   ^\n"
+                      "error: argon.toml:10:1: unknown key 'densty' in [system]\n"
+                      "  10 | densty = 0.8442\n"
+                      "     | ^^^^^^ did you mean 'density'?\n"
+                      "error: argon.toml:15:9: 'steps' in [[stage]] must be an integer, found a float\n"
+                      "  15 | steps = 5.5\n"
+                      "     |         ^^^ allowed: >= 0\n"
+                      "error: argon.toml:16:1: unknown key 'start' in [[stage]]\n"
+                      "  16 | start = [0.0, -1.5e-3,\n"
+                      "     | ^^^^^ known keys: name, steps, sample\n"
+                      "4 errors. Nothing was run.");
+}
+
+TEST_CASE("a setting replaces or adds a value") {
+    const Table table =
+        with_settings({"system.density=0.5", "system.temperature=86 K", "units=real # no comment",
+                       " output . directory = \"runs/a=b\"", "analysis.msd.origins=50", "stage.production.steps=7",
+                       "stage.\"equilibrate\".sample=true", "system.lattice={ type = \"sc\", cells = [1] }", "title="});
+    CHECK(std::get<double>(at(inner(table, "system"), "density").data) == 0.5);
+    CHECK(std::get<std::string>(at(inner(table, "system"), "temperature").data) == "86 K");
+    CHECK(std::get<std::string>(at(table, "units").data) == "real # no comment");
+    CHECK(std::get<std::string>(at(inner(table, "output"), "directory").data) == "runs/a=b");
+    CHECK(std::get<std::int64_t>(at(inner(inner(table, "analysis"), "msd"), "origins").data) == 50);
+    CHECK(std::get<std::string>(at(table, "title").data).empty());
+    const auto& stages = std::get<Array>(at(table, "stage").data);
+    CHECK(std::get<std::int64_t>(at(std::get<Table>(stages[0].data), "steps").data) == 5000);
+    CHECK(std::get<std::int64_t>(at(std::get<Table>(stages[1].data), "steps").data) == 7);
+    CHECK(std::get<bool>(at(std::get<Table>(stages[0].data), "sample").data));
+    const Table& lattice = inner(inner(table, "system"), "lattice");
+    CHECK(lattice[0].key_location.line == 0);
+    CHECK(std::get<Array>(lattice[1].value.data)[0].location.source->name.find("--set system.lattice=") == 0);
+    // Text that only looks like TOML at its start is text.
+    const Table lines = with_settings({"title=1\nb = 2", "units=[1, 2"});
+    CHECK(std::get<std::string>(at(lines, "title").data) == "1\nb = 2");
+    CHECK(std::get<std::string>(at(lines, "units").data) == "[1, 2");
+}
+
+TEST_CASE("a setting that cannot be applied is one error") {
+    CHECK(bad_setting("system.density") == "--set system.density: a setting has the form KEY=VALUE");
+    CHECK(bad_setting("=5") == "--set =5: the key, or a part of it, is empty");
+    for (const char* key : {" =5", "a..b=5", ".a=5", "a.=5", "\"a=5"}) {
+        CHECK(bad_setting(key).find("the key, or a part of it, is empty") != std::string::npos);
+    }
+    std::string deep = "a";
+    for (int i = 0; i < 100; ++i) deep += ".a";
+    CHECK(bad_setting(deep + "=1").find("the key has too many parts") != std::string::npos);
+    CHECK(bad_setting("system.density.x=1") == "--set system.density.x=1: 'density' is a float, not a table");
+    CHECK(bad_setting("stage.production=1") ==
+          "--set stage.production=1: 'stage' is an array, not a table\n"
+          "  its elements are reached by name: stage.NAME.KEY=VALUE");
+    CHECK(bad_setting("stage.prodution.steps=1") ==
+          "--set stage.prodution.steps=1: no 'stage' is named 'prodution'\n"
+          "  did you mean 'production'? known names: equilibrate, production");
+    CHECK(bad_setting("stage.x.steps=1") ==
+          "--set stage.x.steps=1: no 'stage' is named 'x'\n  known names: equilibrate, production");
+    CHECK(bad_setting("system.seed=99999999999999999999").find(": '99999999999999999999' does not fit in 64 bits") !=
+          std::string::npos);
+    CHECK(bad_setting("system.x=1e400").find("too large for a number") != std::string::npos);
+    CHECK(bad_setting("title=\xFF") == "--set title=?: invalid UTF-8");
+    CHECK(bad_setting("\xFF=1").find("invalid UTF-8") != std::string::npos);
+    CHECK(bad_setting("title=" + std::string(10000, '[')).find("nested deeper than 32 levels") != std::string::npos);
+
+    Table numbers = parsed("a = [1, 2]");
+    Diagnostics diagnostics;
+    apply_setting(numbers, "a.first.x=1", diagnostics);
+    CHECK(formatted(diagnostics) == std::vector<std::string>{"error: --set a.first.x=1: no 'a' is named 'first'"});
+}
+
+TEST_CASE("a mistake in a setting is told as one of the setting") {
+    Table table = parsed(good_deck);
+    Diagnostics diagnostics;
+    apply_setting(table, "system.densty=0.8", diagnostics);
+    apply_setting(table, "stage.production.steps=-1", diagnostics);
+    static_cast<void>(validate(table, {}, deck_schema(), SubstanceUnits(1.0, 1.0, 1.0), diagnostics));
+    const auto all = formatted(diagnostics);
+    CHECK(std::count(all.begin(), all.end(),
+                     "error: --set system.densty=0.8: unknown key 'densty' in [system]\n"
+                     "  did you mean 'density'?") == 1);
+    CHECK(std::count(all.begin(), all.end(),
+                     "error: --set stage.production.steps=-1: 'steps' in [[stage]] is -1, allowed: >= 0") == 1);
+}
+
+TEST_CASE("no damage to a deck crashes: it is read, or there is a message") {
+    const auto survives = [](const std::string& text) {
+        Diagnostics diagnostics;
+        const DeckFile deck = parse_deck("damaged.toml", text, diagnostics);
+        if (!diagnostics.has_errors()) {
+            const Section section = validate(deck.table, {deck.source}, deck_schema(), std::nullopt, diagnostics);
+            // Usable even after mistakes.
+            const double density = section.section("system").number("density");
+            if (!(density > 0.0 && density <= 1.5)) return false;
+        }
+        for (const Diagnostic& diagnostic : diagnostics.entries()) {
+            const std::string shown = format(diagnostic);
+            if (diagnostic.message.empty() || std::count(shown.begin(), shown.end(), '\n') > 2) return false;
+        }
+        return diagnostics.has_errors() || !deck.table.empty();
+    };
+    for (std::size_t length = 0; length <= good_deck.size(); ++length) REQUIRE(survives(good_deck.substr(0, length)));
+    for (std::size_t i = 0; i < good_deck.size(); ++i) {
+        for (const char byte :
+             {'\0', '\n', '\r', '"', '\'', '[', ']', '{', '.', '=', '-', '_', 'e', '\\', '\x1B', '\xFF'}) {
+            std::string damaged = good_deck;
+            damaged[i] = byte;
+            REQUIRE(survives(damaged));
+        }
+        std::string flipped = good_deck;
+        flipped[i] = static_cast<char>(flipped[i] ^ 0x10);
+        REQUIRE(survives(flipped));
+        REQUIRE(survives(good_deck.substr(0, i) + good_deck.substr(i + 1)));
+    }
+}

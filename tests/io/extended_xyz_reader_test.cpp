@@ -1,0 +1,141 @@
+#include "ljmd/io/extended_xyz_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+#include "io/written_file.hpp"
+#include "ljmd/io/extended_xyz_writer.hpp"
+
+using namespace ljmd;
+using ljmd::test::data_error;
+using ljmd::test::Malformed;
+using ljmd::test::WrittenFile;
+
+namespace {
+
+Configuration read_text(const std::string& text, const std::optional<SubstanceUnits>& units = std::nullopt) {
+    const WrittenFile written(text);
+    TextFile file(written.path());
+    return read_extended_xyz(file, units);
+}
+
+const std::string lattice = "Lattice=\"4 0 0 0 5 0 0 0 6\" ";
+const std::string frame = "2\n" + lattice + "\nX 1 0 0\nX 2 0 0\n";
+
+}  // namespace
+
+TEST_CASE("an extended XYZ file with everything in it") {
+    const Configuration configuration =
+        read_text("3\n" + lattice +
+                  "Properties=species:S:1:pos:R:3:charge:R:1:velo:R:3:id:I:1:mass:R:1 pbc=\"T T T\" Time=1.5 step=30 "
+                  "units=reduced\nX 3 0 -9 0.1 0 0 3 3 1\nX 1 0 0 0.1 1 0 0 1 2.5\nX 2 77 0 0.1 0 2 0 2 1\n");
+    CHECK(configuration.edges == Vec3(4, 5, 6));
+    CHECK(configuration.positions == std::vector<Vec3>{{1, 0, 0}, {2, 77, 0}, {3, 0, -9}});
+    CHECK(configuration.velocities == std::vector<Vec3>{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}});
+    CHECK(configuration.masses == std::vector<double>{2.5, 1, 1});
+    CHECK(configuration.time == 1.5);
+    CHECK(configuration.step == 30);
+}
+
+TEST_CASE("without ids the order in the file counts, and absent columns stay empty") {
+    const Configuration configuration = read_text(
+        "\xEF\xBB\xBF"
+        "2\r\n" +
+        lattice + "\r\nX 2 0 0\r\nX 1 0 0");
+    CHECK(configuration.positions == std::vector<Vec3>{{2, 0, 0}, {1, 0, 0}});
+    CHECK(configuration.velocities.empty());
+    CHECK(configuration.masses.empty());
+    CHECK(configuration.time == 0.0);
+    CHECK(configuration.step == 0);
+}
+
+TEST_CASE("the last of several frames is read, whatever the number of atoms in the others") {
+    const Configuration configuration =
+        read_text(frame + frame + "\n1\nLattice=\"7 0 0 0 7 0 0 0 7\" step=9\nX 5 6 7\n\n");
+    CHECK(configuration.edges == Vec3(7, 7, 7));
+    CHECK(configuration.positions == std::vector<Vec3>{{5, 6, 7}});
+    CHECK(configuration.step == 9);
+}
+
+TEST_CASE("an extended XYZ file in SI units is converted through the substance") {
+    const double dalton = 1.66053906660e-27;
+    const SubstanceUnits argon(3.405e-10, 119.8 * 1.380649e-23, 39.948 * dalton);
+    const std::string text =
+        "2\nLattice=\"34.05 0 0 0 34.05 0 0 0 68.1\" Properties=species:S:1:pos:R:3:velo:R:3:mass:R:1 Time=2.0 step=3 "
+        "units=si\nAr 3.405 0 0 0 1.5 0 39.948\nAr 0 -6.81 0 0 0 0 79.896\n";
+    const Configuration configuration = read_text(text, argon);
+    const double tau = 3.405e-10 * std::sqrt(39.948 * dalton / (119.8 * 1.380649e-23));  // [s]
+    CHECK(configuration.edges[0] == Approx(10.0).epsilon(1e-14));
+    CHECK(configuration.edges[2] == Approx(20.0).epsilon(1e-14));
+    CHECK(configuration.positions[0][0] == Approx(1.0).epsilon(1e-14));
+    CHECK(configuration.positions[1][1] == Approx(-2.0).epsilon(1e-14));
+    CHECK(configuration.velocities[0][1] ==
+          Approx(150.0 * tau / 3.405e-10).epsilon(1e-13));  // 1.5 angstrom/ps = 150 m/s
+    CHECK(configuration.masses[0] == Approx(1.0).epsilon(1e-9));
+    CHECK(configuration.masses[1] == Approx(2.0).epsilon(1e-9));
+    CHECK(configuration.time == Approx(2e-12 / tau).epsilon(1e-13));
+    CHECK(configuration.step == 3);
+    CHECK_THAT(data_error([&] { (void)read_text(text); }),
+               Catch::Contains("start.txt:2: frame 1: ") && Catch::Contains("the deck needs [argon]"));
+}
+
+TEST_CASE("a configuration that ljmd wrote is read back to the last bit") {
+    State state(50, Box(Vec3(7.1, 8.2, 9.3)));
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> inside(0.0, 7.0);
+    std::uniform_int_distribution<int> image(-3, 3);
+    for (Index i = 0; i < state.count(); ++i) {
+        state.write_positions().col(i) = state.snapped({inside(random), inside(random), inside(random)});
+        state.write_velocities().col(i) = Vec3(inside(random), -inside(random), 1e-9 * inside(random));
+        state.set_image(i, {image(random), image(random), image(random)});
+    }
+    state.time = 0.1 + 0.2;
+    state.step = 4321;
+    const WrittenFile written("");
+    write_configuration(written.path(), state, true);
+    TextFile file(written.path());
+    const Configuration configuration = read_extended_xyz(file, std::nullopt);
+    CHECK(configuration.edges == state.box().edges());
+    CHECK(configuration.time == state.time);
+    CHECK(configuration.step == state.step);
+    REQUIRE(configuration.positions.size() == 50);
+    REQUIRE(configuration.velocities.size() == 50);
+    for (Index i = 0; i < state.count(); ++i) {
+        CHECK(configuration.positions[static_cast<std::size_t>(i)] == state.unwrapped(i));
+        CHECK(configuration.velocities[static_cast<std::size_t>(i)] == Vec3(state.velocities().col(i)));
+    }
+}
+
+TEST_CASE("malformed extended XYZ files are refused with line and frame") {
+    const std::string ids = "2\n" + lattice + "Properties=species:S:1:pos:R:3:id:I:1\n";
+    const std::vector<Malformed> cases{
+        {1, "frame 1: the number of atoms must be an integer, found '2.5'", "2.5\n"},
+        {1, "frame 1: the number of atoms must be at least 1, found 0", "0\n" + lattice + "\n"},
+        {1, "frame 1: the file announces 1000000000000 atoms, but only 2 lines follow",
+         "1000000000000\n" + lattice + "\nX 1 0 0\n"},
+        {1, "frame 1: the file announces 1 atoms, but only 0 lines follow", "1"},
+        {2, "frame 1: no Lattice", "1\nargon\nX 1 0 0\n"},
+        {3, "frame 1: the file ends after 1 of 2 atoms", "2\n" + lattice + "\nX 1 0 0\n"},
+        {8, "frame 2: the file ends after 2 of 3 atoms", frame + "3\n" + lattice + "\nX 1 0 0\nX 2 0 0\n"},
+        {8, "frame 2: 3 columns, but Properties has 4", frame + "2\n" + lattice + "\nX 1 0 0\nX 2 0\n"},
+        {4, "frame 1: blank line where atom 2 of 2 should stand", "2\n" + lattice + "\nX 1 0 0\n\nX 2 0 0\n"},
+        {5, "frame 2: expected the number of atoms, found 'X 3 0 0'", frame + "X 3 0 0\n"},
+        {5, "frame 2: the number of atoms must be an integer, found 'end'", frame + "end\n"},
+        {3, "frame 1: 5 columns, but Properties has 4", "1\n" + lattice + "\nX 1 0 0 0\n"},
+        {3, "frame 1: a coordinate must be a finite number, found 'nan'", "1\n" + lattice + "\nX 1 nan 0\n"},
+        {4, "frame 1: species 'Y' beside 'X', but ljmd has one kind of atom", "2\n" + lattice + "\nX 1 0 0\nY 2 0 0\n"},
+        {4, "frame 1: id 1 occurs twice, first in line 3", ids + "X 1 0 0 1\nX 2 0 0 1\n"},
+        {4, "frame 1: id 3 is not among the ids of 2 atoms, 1 to 2", ids + "X 1 0 0 1\nX 2 0 0 3\n"},
+        {4, "frame 1: id 2 is not among the ids of 2 atoms, 0 to 1", ids + "X 1 0 0 0\nX 2 0 0 2\n"},
+        {3, "frame 1: id -7 is not among", ids + "X 1 0 0 -7\nX 2 0 0 2\n"},
+        {8, "frame 2: atoms 1 and 2 are at the same place", frame + "2\n" + lattice + "\nX 1 0 0\nX 5 0 0\n"},
+        {3, "frame 1: atom 1 has the mass -1; masses must be positive",
+         "1\n" + lattice + "Properties=pos:R:3:mass:R:1\n1 0 0 -1\n"}};
+    for (const Malformed& wrong : cases) {
+        CAPTURE(wrong.text);
+        const std::string message = data_error([&] { (void)read_text(wrong.text); });
+        CHECK_THAT(message, Catch::Contains("start.txt:" + std::to_string(wrong.line) + ": "));
+        CHECK_THAT(message, Catch::Contains(wrong.fragment));
+    }
+}

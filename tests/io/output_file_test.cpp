@@ -1,0 +1,145 @@
+#include "ljmd/io/output_file.hpp"
+
+#include "io/output_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("an output file holds what was written, in order") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.txt";
+    std::string expected;
+    OutputFile file(path);
+    for (int i = 0; i < 20000; ++i) {  // several buffers
+        const std::string line = "line " + std::to_string(i) + "\n";
+        file.write(line);
+        expected += line;
+    }
+    file.close();
+    file.close();
+    CHECK(content_of(path) == expected);
+}
+
+TEST_CASE("flushed text is in the file at once, and a destroyed file is complete") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.txt";
+    {
+        OutputFile file(path);
+        file.write("first\n");
+        CHECK(content_of(path).empty());
+        file.flush();
+        CHECK(content_of(path) == "first\n");
+        file.write("second\n");
+        file.sync();
+        CHECK(content_of(path) == "first\nsecond\n");
+        OutputFile moved(std::move(file));
+        moved.write("third\n");
+    }
+    CHECK(content_of(path) == "first\nsecond\nthird\n");
+}
+
+TEST_CASE("an existing file is replaced") {
+    const TemporaryFolder folder;
+    OutputFile(folder / "a.txt").write("something long\n");
+    OutputFile(folder / "a.txt").write("short\n");
+    CHECK(content_of(folder / "a.txt") == "short\n");
+}
+
+TEST_CASE("a file that cannot be created is an error that names it and the cause") {
+    const TemporaryFolder folder;
+    const auto missing = folder / "no/a.txt";
+    CHECK_THROWS_AS(OutputFile(missing), FileError);
+    CHECK_THROWS_WITH(OutputFile(missing), "cannot create '" + missing.string() + "': No such file or directory");
+    CHECK_THROWS_WITH(OutputFile(folder / ""), Contains("Is a directory"));
+}
+
+TEST_CASE("a device that takes nothing fails at flush and at close, by name") {
+    OutputFile file("/dev/full");
+    file.write("text");
+    CHECK_THROWS_WITH(file.flush(), "cannot write '/dev/full': No space left on device");
+    CHECK_THROWS_AS(file.write("more"), FileError);
+    CHECK_THROWS_AS(file.close(), FileError);
+
+    OutputFile late("/dev/full");
+    late.write("text");
+    CHECK_THROWS_WITH(late.close(), "cannot write '/dev/full': No space left on device");
+    CHECK_NOTHROW(late.close());
+}
+
+TEST_CASE("a failed write cuts the file back to its last flush") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.txt";
+    OutputFile file(path);
+    file.write("complete\n");
+    file.flush();
+    {
+        const FileSizeLimit limit(100000);
+        const auto overflow = [&file] {
+            for (int i = 0; i < 1000; ++i) {
+                file.write(std::string(1000, 'x') + "\n");
+            }
+        };
+        CHECK_THROWS_WITH(overflow(), Contains("File too large") && Contains(path.string()));
+        CHECK_THROWS_WITH(file.flush(), Contains("an earlier write failed"));
+    }
+    CHECK_THROWS_AS(file.close(), FileError);
+    CHECK(content_of(path) == "complete\n");
+}
+
+TEST_CASE("writing to a closed file is a mistake of the program") {
+    const TemporaryFolder folder;
+    OutputFile file(folder / "a.txt");
+    file.close();
+    CHECK_THROWS_AS(file.write("late"), ContractViolation);
+}
+
+TEST_CASE("an atomic write replaces the file and leaves nothing else") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.txt";
+    write_file_atomically(path, "old\n");
+    write_file_atomically(path, "new\n");
+    CHECK(content_of(path) == "new\n");
+    CHECK(folder.count_files() == 1);
+}
+
+TEST_CASE("an atomic write that fails leaves the old file and no other") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.txt";
+    write_file_atomically(path, "old\n");
+
+    SECTION("full disk") {
+        const FileSizeLimit limit(1000);
+        CHECK_THROWS_WITH(write_file_atomically(path, std::string(5000, 'x')), Contains("File too large"));
+    }
+    SECTION("the content cannot be made") {
+        CHECK_THROWS_AS(write_file_atomically(path,
+                                              [](OutputFile& file) {
+                                                  file.write("half");
+                                                  throw PhysicsError("no");
+                                              }),
+                        PhysicsError);
+    }
+    CHECK(content_of(path) == "old\n");
+    CHECK(folder.count_files() == 1);
+}
+
+TEST_CASE("an atomic write onto a folder fails and leaves nothing behind") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "a");
+    CHECK_THROWS_AS(write_file_atomically(folder / "a", "text"), FileError);
+    CHECK(folder.count_files() == 1);
+    CHECK_THROWS_AS(write_file_atomically(folder / "no/a.txt", "text"), FileError);
+}
+
+TEST_CASE("an atomic write does not follow a link that lies in its way") {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "precious.txt", "precious\n");
+    std::filesystem::create_symlink(folder / "precious.txt", folder / "a.txt");
+    std::filesystem::create_symlink(folder / "precious.txt", folder / "a.txt.tmp");
+    write_file_atomically(folder / "a.txt", "new\n");
+    CHECK(content_of(folder / "precious.txt") == "precious\n");
+    CHECK(content_of(folder / "a.txt") == "new\n");
+    CHECK(folder.count_files() == 2);
+}

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd::test {
+
+/// A file of the given bytes in a directory of its own, both gone at the end of the scope.
+class WrittenFile {
+  public:
+    explicit WrittenFile(std::string_view text, const std::string& name = "start.txt") {
+        static std::atomic<int> made{0};
+        const std::string unique = "ljmd-test-" + std::to_string(::getpid()) + "-" + std::to_string(made++);
+        directory_ = std::filesystem::temp_directory_path() / unique;
+        std::filesystem::create_directories(directory_);
+        path_ = directory_ / name;
+        rewrite(text);
+    }
+    ~WrittenFile() {
+        std::error_code ignored;
+        std::filesystem::remove_all(directory_, ignored);
+    }
+    WrittenFile(const WrittenFile&) = delete;
+    WrittenFile& operator=(const WrittenFile&) = delete;
+
+    void rewrite(std::string_view text) const {
+        std::ofstream file(path_, std::ios::binary | std::ios::trunc);
+        file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+
+  private:
+    std::filesystem::path directory_;
+    std::filesystem::path path_;
+};
+
+/// The message of the DataError that the action throws; "no DataError" when it throws none.
+template <class Action>
+std::string data_error(Action&& action) {
+    try {
+        action();
+    } catch (const DataError& error) {
+        return error.what();
+    }
+    return "no DataError";
+}
+
+/// One malformed file: the message must contain "start.txt:<line>: " and the fragment.
+struct Malformed {
+    int line;
+    std::string fragment;
+    std::string text;
+};
+
+}  // namespace ljmd::test
