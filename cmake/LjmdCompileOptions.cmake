@@ -6,6 +6,10 @@ target_compile_options(ljmd_options INTERFACE
     # Floating point: contraction would make results depend on the compiler's mood; the two others change no result and
     # are what vectorisation needs. -ffast-math is never used.
     -ffp-contract=off -fno-math-errno -fno-trapping-math)
+# Before version 13 gcc warns of overlaps in std::string that cannot be (its bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(ljmd_options INTERFACE -Wno-restrict)
+endif()
 if(LJMD_WARNINGS_AS_ERRORS)
     target_compile_options(ljmd_options INTERFACE -Werror)
 endif()

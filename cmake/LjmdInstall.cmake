@@ -5,8 +5,9 @@ set(ljmd_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ljmd)
 
 install(TARGETS ljmd DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ljmd_library EXPORT ljmd DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY include/ljmd ${PROJECT_BINARY_DIR}/generated/include/ljmd
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+# hdf5_handle.hpp is of use to the library and its tests alone, and would make everybody need HDF5's headers.
+install(DIRECTORY include/ljmd ${PROJECT_BINARY_DIR}/generated/include/ljmd DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "hdf5_handle.hpp" EXCLUDE)
 install(DIRECTORY inputs analysis DESTINATION ${CMAKE_INSTALL_DATADIR}/ljmd PATTERN "__pycache__" EXCLUDE)
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

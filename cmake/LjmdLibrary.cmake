@@ -17,7 +17,7 @@ target_include_directories(ljmd_library SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
 target_link_libraries(ljmd_library
     PUBLIC Eigen3::Eigen
     PRIVATE $<BUILD_INTERFACE:ljmd_options> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
-            GSL::gsl fmt::fmt PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5)
+            fmt::fmt GSL::gsl PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5)
 
 add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/app/main.cpp)
 target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)

@@ -13,6 +13,7 @@
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/streams.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/registry.hpp"
@@ -24,17 +25,10 @@ namespace ljmd {
 
 namespace {
 
-/// Print to stdout and make sure that it arrived: a result that is lost is an error.
-void print_result(const std::string& text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-        throw FileError("standard output: the results could not be written");
-    }
-}
-
-void print_warnings(const Diagnostics& diagnostics, std::size_t first, bool quiet) {
-    for (std::size_t k = first; k < diagnostics.entries().size() && !quiet; ++k) {
-        if (diagnostics.entries()[k].severity == Severity::warning) {
-            fmt::print(stderr, "{}\n", format(diagnostics.entries()[k]));
+void print_warnings(const Diagnostics& diagnostics) {
+    for (const Diagnostic& entry : diagnostics.entries()) {
+        if (entry.severity == Severity::warning) {
+            talk(format(entry) + '\n');
         }
     }
 }
@@ -54,21 +48,25 @@ CheckedDeck load_checked(const DeckOptions& options) {
         check_box(deck->root, start.box, diagnostics);
         diagnostics.throw_if_errors();
     }
-    print_warnings(diagnostics, 0, options.quiet);
+    if (!options.quiet) {
+        print_warnings(diagnostics);
+    }
     return {std::move(*deck), std::move(start)};
 }
 
-nlohmann::ordered_json check_json(const CheckedDeck& checked, const Forecast& forecast) {
+std::string check_json(const CheckedDeck& checked, const Forecast& forecast) {
     const Vec3& edges = checked.start.box.edges();
-    return {{"deck", checked.deck.path},
-            {"atoms", checked.start.atoms},
-            {"box_edges", {edges[0], edges[1], edges[2]}},
-            {"cutoff", checked.deck.potential().number("cutoff")},
-            {"largest_cutoff", 0.5 * checked.start.box.shortest_edge()},
-            {"steps", checked.deck.total_steps()},
-            {"memory_bytes", forecast.memory_bytes},
-            {"disk_bytes", forecast.disk_bytes},
-            {"seconds", forecast.seconds}};
+    const nlohmann::ordered_json json = {{"deck", checked.deck.path},
+                                         {"atoms", checked.start.atoms},
+                                         {"box_edges", {edges[0], edges[1], edges[2]}},
+                                         {"cutoff", checked.deck.potential().number("cutoff")},
+                                         {"largest_cutoff", 0.5 * checked.start.box.shortest_edge()},
+                                         {"steps", checked.deck.total_steps()},
+                                         {"memory_bytes", forecast.memory_bytes},
+                                         {"disk_bytes", forecast.disk_bytes},
+                                         {"seconds", forecast.seconds}};
+    // The path of a deck need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -78,10 +76,12 @@ void run_command(const DeckOptions& options, const std::string& out) {
     if (!out.empty()) {
         checked.deck.directory = out;
     }
-    prepare_directory(checked.deck.directory, options.force);
+    // The start is made before anything is touched: what refuses it must not cost an earlier run.
+    check_directory(checked.deck, options.force);
     Progress progress(checked.start.atoms, checked.deck.total_steps(), options.quiet);
     Simulation simulation = make_simulation(checked.deck, std::move(checked.start),
                                             [&](const std::string& text) { progress.warning(text); });
+    prepare_directory(checked.deck.directory);
     const RunResult result = run_deck(checked.deck, simulation, progress);
     if (options.json) {
         print_result(results_json(checked.deck, result) + "\n");
@@ -93,8 +93,7 @@ void run_command(const DeckOptions& options, const std::string& out) {
 void check_command(const DeckOptions& options) {
     const CheckedDeck checked = load_checked(options);
     const Forecast cost = forecast(checked.deck, checked.start);
-    print_result(options.json ? check_json(checked, cost).dump(2) + "\n"
-                              : check_report(checked.deck, checked.start, cost));
+    print_result(options.json ? check_json(checked, cost) : check_report(checked.deck, checked.start, cost));
 }
 
 void info_command(bool keys) {
@@ -121,7 +120,7 @@ int report_current_exception() {
     const auto say = [](const char* text) {
         const std::string message(text);
         // Diagnostics arrive with their own "error:" in front of each line that needs it.
-        fmt::print(stderr, "{}{}\n", message.rfind("error:", 0) == 0 ? "" : "error: ", message);
+        talk(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
     };
     try {
         throw;
@@ -141,7 +140,7 @@ int report_current_exception() {
         say("out of memory; `ljmd check` tells how much a deck needs");
         return 7;
     } catch (const std::exception& e) {
-        fmt::print(stderr, "internal error: {}\nThis is a bug in ljmd; please report it with the deck.\n", e.what());
+        talk(fmt::format("internal error: {}\nThis is a bug in ljmd; please report it with the deck.\n", e.what()));
         return 1;
     }
 }

@@ -1,6 +1,6 @@
 #include "ljmd/app/deck.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/io/deck_file.hpp"
@@ -9,9 +9,17 @@ namespace ljmd {
 
 namespace {
 
-/// [argon] is read before the rest, because the rest may be written in its units. Its mistakes are reported when the
-/// whole deck is validated.
-std::optional<SubstanceUnits> substance_units(const Table& table) {
+/// All units that follow from these three are numbers that one can divide by.
+bool make_units(double sigma, double epsilon, double mass) {
+    const SubstanceUnits units(sigma, epsilon, mass);
+    const auto usable = [&](Dimension dimension) { return std::isnormal(units.si(dimension)); };
+    return usable(Dimension::time) && usable(Dimension::density) && usable(Dimension::pressure) &&
+           usable(Dimension::velocity) && usable(Dimension::temperature);
+}
+
+/// [argon] is read before the rest, because the rest may be written in its units. Its own mistakes are reported when
+/// the whole deck is validated.
+std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& diagnostics) {
     const Entry* argon = find(table, "argon");
     if (argon == nullptr || !std::holds_alternative<Table>(argon->value.data)) {
         return std::nullopt;
@@ -20,10 +28,18 @@ std::optional<SubstanceUnits> substance_units(const Table& table) {
     const Schema schema = deck_schema().find("argon")->inner.front();
     const Section section =
         validate(std::get<Table>(argon->value.data), argon->key_location, schema, std::nullopt, ignored);
+    const SubstanceUnits stand_in(1.0, 1.0, 1.0);  // lets the other units be checked; the deck is refused anyway
     if (ignored.has_errors()) {
-        return SubstanceUnits(1.0, 1.0, 1.0);  // lets the other units be checked; the deck is refused anyway
+        return stand_in;
     }
-    return SubstanceUnits(section.number("sigma"), section.number("epsilon"), section.number("mass"));
+    const double sigma = section.number("sigma");
+    const double epsilon = section.number("epsilon");
+    const double mass = section.number("mass");
+    if (!make_units(sigma, epsilon, mass)) {
+        diagnostics.error(argon->key_location, "the values in [argon] make units beyond the range of double precision");
+        return stand_in;
+    }
+    return SubstanceUnits(sigma, epsilon, mass);
 }
 
 /// Tables with nothing but optional keys may be left out: they then exist with their defaults.
@@ -39,8 +55,12 @@ Stage to_stage(const Section& section, const Section& system) {
     const double temperature = section.has("temperature")  ? section.number("temperature")
                                : system.has("temperature") ? system.number("temperature")
                                                            : 0.0;
-    return {section.text("name"),      section.text("integrator"), section.number("time_step"),
-            section.integer("steps"), temperature,                section.flag("sample"),
+    return {section.text("name"),
+            section.text("integrator"),
+            section.number("time_step"),
+            section.integer("steps"),
+            temperature,
+            section.flag("sample"),
             section};
 }
 
@@ -57,7 +77,8 @@ Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std:
         }
     }
     const Section& output = root.section("output");
-    deck.directory = output.has("directory") ? std::filesystem::path(output.text("directory")) : default_directory(path);
+    deck.directory =
+        output.has("directory") ? std::filesystem::path(output.text("directory")) : default_directory(path);
     if (output.has("thermo")) {
         deck.thermo_every = output.section("thermo").integer("every");
     }
@@ -89,7 +110,7 @@ std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vect
     }
     const Location whole{file.source, 0, 0, 1};
     add_optional_tables(file.table, whole);
-    const auto units = substance_units(file.table);
+    const auto units = substance_units(file.table, diagnostics);
     const Section root = validate(file.table, whole, deck_schema(), units, diagnostics);
     // Sense is checked even when single values are wrong, as long as there is something to check.
     if (root.has("system") && root.has("potential") && root.has("stage")) {

@@ -12,36 +12,60 @@ namespace ljmd {
 namespace {
 
 constexpr double most_steps = 1e15;
+constexpr double least_density = 1e-12;  // one atom in a box of 10^4 sigma
+constexpr double least_cutoff = 0.01;    // r^-12 there is 10^24
+constexpr double largest_skin = 10.0;    // a list beyond it is all pairs, many times over in a small box
 
 Schema argon_schema() {
-    return Schema("[argon]", {Key::quantity("sigma", Dimension::length).meaning("Lennard-Jones length, e.g. \"3.405 angstrom\""),
-                              Key::quantity("epsilon", Dimension::energy).meaning("Lennard-Jones energy, e.g. \"119.8 K\" (times k_B)"),
-                              Key::quantity("mass", Dimension::mass).meaning("mass of an atom, e.g. \"39.948 u\"")});
+    return Schema(
+        "[argon]",
+        {Key::quantity("sigma", Dimension::length).above(0.0).meaning("Lennard-Jones length, e.g. \"3.405 angstrom\""),
+         Key::quantity("epsilon", Dimension::energy)
+             .above(0.0)
+             .meaning("Lennard-Jones energy, e.g. \"119.8 K\" (times k_B)"),
+         Key::quantity("mass", Dimension::mass).above(0.0).meaning("mass of an atom, e.g. \"39.948 u\"")});
 }
 
 Schema lattice_schema() {
     return Schema("lattice",
                   {Key::choice("type", {"fcc", "simple-cubic", "random"})
                        .meaning("where the atoms start; overlaps of a random start are relaxed before the first step"),
-                   Key::integer("cells").at_least(1).at_most(1000).optional("taken from `atoms`").meaning(
-                       "cubic cells along each edge: N = 4 cells^3 (fcc) or cells^3 (simple-cubic)"),
-                   Key::integer("atoms").at_least(1).at_most(1e9).optional("taken from `cells`").meaning(
-                       "number of atoms instead of `cells`; required for random")});
+                   Key::integer("cells")
+                       .at_least(1)
+                       .at_most(1000)
+                       .optional("taken from `atoms`")
+                       .meaning("cubic cells along each edge: N = 4 cells^3 (fcc) or cells^3 (simple-cubic)"),
+                   Key::integer("atoms")
+                       .at_least(1)
+                       .at_most(1e9)
+                       .optional("taken from `cells`")
+                       .meaning("number of atoms instead of `cells`; required for random")});
 }
 
 Schema system_schema() {
     return Schema(
         "[system]",
         {Key::table("lattice", lattice_schema()).optional("start from `file`").meaning("positions to start from"),
-         Key::text("file").optional("start from `lattice`").meaning(
-             "file to start from (extended XYZ, LAMMPS data or NIST configuration, recognised by content), or the directory of a "
-             "finished run"),
-         Key::number("density").dimension(Dimension::density).unit("sigma^-3").above(0.0).optional(
-             "that of `file`").meaning("number density N/V; with `file`, box and positions are scaled to it"),
-         Key::number("temperature").dimension(Dimension::temperature).unit("epsilon/k_B").at_least(0.0).optional(
-             "from the velocities in `file`").meaning("temperature of the start, and of thermostats"),
-         Key::choice("velocities", {"maxwell", "file"}).optional("file if it has velocities, else maxwell").meaning(
-             "draw velocities from Maxwell's distribution, or keep those of `file`"),
+         Key::text("file")
+             .optional("start from `lattice`")
+             .meaning("file to start from (extended XYZ, LAMMPS data or NIST configuration, recognised by content), or "
+                      "the directory of a "
+                      "finished run"),
+         Key::number("density")
+             .dimension(Dimension::density)
+             .unit("sigma^-3")
+             .at_least(least_density)
+             .optional("that of `file`")
+             .meaning("number density N/V; with `file`, box and positions are scaled to it"),
+         Key::number("temperature")
+             .dimension(Dimension::temperature)
+             .unit("epsilon/k_B")
+             .at_least(0.0)
+             .optional("from the velocities in `file`")
+             .meaning("temperature of the start, and of thermostats"),
+         Key::choice("velocities", {"maxwell", "file"})
+             .optional("file if it has velocities, else maxwell")
+             .meaning("draw velocities from Maxwell's distribution, or keep those of `file`"),
          Key::integer("seed").at_least(0).defaults_to(std::int64_t{1}).meaning("of all random numbers")});
 }
 
@@ -58,22 +82,34 @@ Schema potential_schema() {
     for (const auto& name : PairPotential::formula_names()) {
         meaning += "; " + name + ": " + PairPotential::formula_meaning(name);
     }
-    Schema schema("[potential]",
-                  {Key::choice("type", PairPotential::formula_names()).meaning(meaning),
-                   Key::number("cutoff").dimension(Dimension::length).unit("sigma").above(0.0).meaning(
-                       "pairs closer than this interact; at most L/2"),
-                   Key::choice("truncation", PairPotential::truncation_names()).meaning("what happens at the cutoff"),
-                   Key::flag("tail").optional("false for the shifted forms; must be given for cut and switched").meaning(
-                       "correct energy and pressure for what is cut off, with g(r) = 1; cut and switched only")});
+    Schema schema(
+        "[potential]",
+        {Key::choice("type", PairPotential::formula_names()).meaning(meaning),
+         Key::number("cutoff")
+             .dimension(Dimension::length)
+             .unit("sigma")
+             .at_least(least_cutoff)
+             .meaning("pairs closer than this interact; at most L/2"),
+         Key::choice("truncation", PairPotential::truncation_names()).meaning("what happens at the cutoff"),
+         Key::flag("tail")
+             .optional("false for the shifted forms; must be given for cut and switched")
+             .meaning("correct energy and pressure for what is cut off, with g(r) = 1; cut and switched only")});
     return schema.select("type", formulas).select("truncation", truncations);
 }
 
 Schema neighbors_schema() {
-    return Schema("[neighbors]", {Key::choice("method", pair_search_names()).defaults_to("verlet-list").meaning(
-                                      "how pairs are found; all give the same pairs"),
-                                  Key::number("skin").dimension(Dimension::length).unit("sigma").at_least(0.0).defaults_to(0.3).meaning(
-                                      "the list holds pairs within cutoff + skin, and is rebuilt when an atom has moved "
-                                      "by skin/2")});
+    return Schema("[neighbors]",
+                  {Key::choice("method", pair_search_names())
+                       .defaults_to("verlet-list")
+                       .meaning("how pairs are found; all give the same pairs"),
+                   Key::number("skin")
+                       .dimension(Dimension::length)
+                       .unit("sigma")
+                       .at_least(0.0)
+                       .at_most(largest_skin)
+                       .defaults_to(0.3)
+                       .meaning("the list holds pairs within cutoff + skin, and is rebuilt when an atom has moved "
+                                "by skin/2")});
 }
 
 Schema thermostat_schema() {
@@ -96,26 +132,42 @@ Schema stage_schema() {
         "[[stage]]",
         {Key::text("name").meaning("for messages, results and `--set stage.NAME.key=value`; unique"),
          Key::choice("integrator", plugin_names(all_integrators())).defaults_to("velocity-verlet").meaning(integrators),
-         Key::number("time_step").dimension(Dimension::time).unit("tau").above(0.0).meaning(
-             "below 0.02 unless --force is given"),
-         Key::integer("steps").at_least(0).at_most(most_steps).meaning(
-             "number of steps; a run of 0 steps in all evaluates the start once"),
-         Key::number("temperature").dimension(Dimension::temperature).unit("epsilon/k_B").at_least(0.0).optional(
-             "that of [system]").meaning("what the thermostat holds in this stage"),
-         Key::table("thermostat", thermostat_schema()).optional("none: constant energy").meaning("holds the temperature"),
+         Key::number("time_step")
+             .dimension(Dimension::time)
+             .unit("tau")
+             .above(0.0)
+             .meaning("below 0.02 unless --force is given"),
+         Key::integer("steps")
+             .at_least(0)
+             .at_most(most_steps)
+             .meaning("number of steps; a run of 0 steps in all evaluates the start once"),
+         Key::number("temperature")
+             .dimension(Dimension::temperature)
+             .unit("epsilon/k_B")
+             .at_least(0.0)
+             .optional("that of [system]")
+             .meaning("what the thermostat holds in this stage"),
+         Key::table("thermostat", thermostat_schema())
+             .optional("none: constant energy")
+             .meaning("holds the temperature"),
          Key::flag("sample").defaults_to(false).meaning("measure observables in this stage")});
 }
 
 Schema output_schema() {
-    Schema thermo("thermo", {Key::integer("every").at_least(1).defaults_to(std::int64_t{10}).meaning(
-                                "steps between rows of thermo.csv, which are also the samples that averages are taken over")});
-    Schema trajectory("trajectory",
-                      {Key::choice("format", {"h5md", "xyz"}).defaults_to("h5md").meaning(
-                           "trajectory.h5md (H5MD 1.1) or trajectory.xyz (extended XYZ)"),
-                       Key::integer("every").at_least(1).meaning("steps between frames"),
-                       Key::flag("velocities").defaults_to(false).meaning("write velocities too"),
-                       Key::choice("units", {"reduced", "si"}).defaults_to("reduced").meaning(
-                           "si (nm, ps; angstrom in extended XYZ) needs [argon]")});
+    Schema thermo(
+        "thermo",
+        {Key::integer("every")
+             .at_least(1)
+             .defaults_to(std::int64_t{10})
+             .meaning("steps between rows of thermo.csv, which are also the samples that averages are taken over")});
+    Schema trajectory("trajectory", {Key::choice("format", {"h5md", "xyz"})
+                                         .defaults_to("h5md")
+                                         .meaning("trajectory.h5md (H5MD 1.1) or trajectory.xyz (extended XYZ)"),
+                                     Key::integer("every").at_least(1).meaning("steps between frames"),
+                                     Key::flag("velocities").defaults_to(false).meaning("write velocities too"),
+                                     Key::choice("units", {"reduced", "si"})
+                                         .defaults_to("reduced")
+                                         .meaning("si (nm, ps; angstrom in extended XYZ) needs [argon]")});
     return Schema("[output]",
                   {Key::text("directory").optional("runs/ and the deck's name").meaning("where the results go"),
                    Key::table("thermo", thermo).optional("every 10 steps").meaning("thermodynamic history"),
@@ -125,7 +177,9 @@ Schema output_schema() {
 Schema analysis_schema() {
     Schema schema("[analysis]");
     for (const auto& method : all_analyses()) {
-        schema = schema.with({Key::table(method.name, Schema(method.name, method.keys)).optional("not measured").meaning(method.meaning)});
+        schema = schema.with({Key::table(method.name, Schema(method.name, method.keys))
+                                  .optional("not measured")
+                                  .meaning(method.meaning)});
     }
     return schema;
 }
@@ -133,24 +187,29 @@ Schema analysis_schema() {
 }  // namespace
 
 Schema deck_schema() {
-    return Schema("the deck",
-                  {Key::text("title").defaults_to("").meaning("one line about the run"),
-                   Key::choice("units", {"reduced"}).defaults_to("reduced").meaning(
-                       "sigma = epsilon = m = k_B = 1, time in tau = sqrt(m sigma^2/epsilon); with [argon] a quantity may also be "
-                       "a string with a unit, \"86.5 K\""),
-                   Key::table("argon", argon_schema()).optional("reduced units only").meaning(
-                       "a real substance: adds SI units to the deck and SI columns to the results"),
-                   Key::table("system", system_schema()).meaning("atoms and box"),
-                   Key::table("potential", potential_schema()).meaning("forces"),
-                   Key::table("neighbors", neighbors_schema()).optional("all defaults").meaning("pair search"),
-                   Key::tables("stage", stage_schema()).meaning("what is done, one stage after the other"),
-                   Key::table("output", output_schema()).optional("all defaults").meaning("files"),
-                   Key::table("analysis", analysis_schema()).optional("none").meaning("measured in the sampled stages")});
+    return Schema(
+        "the deck",
+        {Key::text("title").defaults_to("").meaning("one line about the run"),
+         Key::choice("units", {"reduced"})
+             .defaults_to("reduced")
+             .meaning("sigma = epsilon = m = k_B = 1, time in tau = sqrt(m sigma^2/epsilon); with [argon] a quantity "
+                      "may also be "
+                      "a string with a unit, \"86.5 K\""),
+         Key::table("argon", argon_schema())
+             .optional("reduced units only")
+             .meaning("a real substance: adds SI units to the deck and SI columns to the results"),
+         Key::table("system", system_schema()).meaning("atoms and box"),
+         Key::table("potential", potential_schema()).meaning("forces"),
+         Key::table("neighbors", neighbors_schema()).optional("all defaults").meaning("pair search"),
+         Key::tables("stage", stage_schema()).meaning("what is done, one stage after the other"),
+         Key::table("output", output_schema()).optional("all defaults").meaning("files"),
+         Key::table("analysis", analysis_schema()).optional("none").meaning("measured in the sampled stages")});
 }
 
 std::string deck_reference_page() {
     return "# All keys of a deck\n\n"
-           "Made by `ljmd info --keys` from the tables that validate decks. A key without a default must be given.\n\n" +
+           "Made by `ljmd info --keys` from the tables that validate decks. A key without a default must be "
+           "given.\n\n" +
            schema_markdown(deck_schema(), 2);
 }
 

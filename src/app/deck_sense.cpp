@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "ljmd/core/text.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/observables/analysis.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
@@ -17,7 +18,22 @@ namespace {
 constexpr double unlikely_time_step = 0.02;  // [tau]; Lennard-Jones is unstable a little above
 constexpr double unlikely_density = 1.5;     // [sigma^-3]; half again as dense as the crystal at its melting point
 constexpr double unlikely_temperature = 50;  // [epsilon/k_B]; argon would be at 6000 K
+constexpr double unlikely_cutoff = 6;        // [sigma]; 2.5 to 5 are usual
+constexpr std::size_t longest_name = 64;
 constexpr Index most_atoms = Index{1} << 30;  // a process indexes atoms and images with 32 bits
+
+// Values that validation found wrong are passed over: their stand-ins say nothing about the deck, and one mistake is
+// reported once.
+
+/// The key has a value that the deck meant.
+bool given(const Section& section, const char* key) {
+    return section.has(key) && section.sound(key);
+}
+
+/// The key was left out, and not merely misspelled.
+bool absent(const Section& section, const char* key) {
+    return !section.has(key) && section.sound(key);
+}
 
 /// An error that --force turns into a warning.
 void unlikely(bool force, const Location& where, const std::string& message, const std::string& hint,
@@ -29,9 +45,14 @@ void unlikely(bool force, const Location& where, const std::string& message, con
     }
 }
 
-Lattice lattice_of(const std::string& type) { return type == "fcc" ? Lattice::fcc : Lattice::simple_cubic; }
+Lattice lattice_of(const std::string& type) {
+    return type == "fcc" ? Lattice::fcc : Lattice::simple_cubic;
+}
 
 void check_lattice(const Section& lattice, Diagnostics& diagnostics) {
+    if (!lattice.sound("type")) {
+        return;
+    }
     const std::string& type = lattice.text("type");
     const bool cells = lattice.has("cells");
     const bool atoms = lattice.has("atoms");
@@ -39,38 +60,38 @@ void check_lattice(const Section& lattice, Diagnostics& diagnostics) {
         if (cells) {
             diagnostics.error(lattice.location("cells"), "'cells' in lattice has no meaning for a random start",
                               "give 'atoms'");
-        } else if (!atoms) {
+        } else if (absent(lattice, "atoms")) {
             diagnostics.error(lattice.location(), "missing key 'atoms' in lattice", "a random start needs it");
         }
     } else if (cells && atoms) {
         diagnostics.error(lattice.location("atoms"), "'cells' and 'atoms' in lattice say the same", "give one of them");
-    } else if (!cells && !atoms) {
+    } else if (absent(lattice, "cells") && absent(lattice, "atoms")) {
         diagnostics.error(lattice.location(), "missing key 'cells' in lattice", "or give 'atoms'");
-    } else if (atoms) {
+    } else if (given(lattice, "atoms")) {
         const Index wanted = lattice.integer("atoms");
         const auto near = nearest_cells(lattice_of(type), wanted);
         if (near.below != near.above) {
             diagnostics.error(lattice.location("atoms"),
-                              fmt::format("'atoms' in lattice is {}, which does not fill a {} crystal", wanted, type),
+                              fmt::format("'atoms' in lattice is {}, which fills no {} crystal", wanted, type),
                               fmt::format("nearest: {} or {}", lattice_atoms(lattice_of(type), near.below),
                                           lattice_atoms(lattice_of(type), near.above)));
         }
-    } else if (lattice_atoms(lattice_of(type), lattice.integer("cells")) > most_atoms) {
-        diagnostics.error(lattice.location("cells"), fmt::format("'cells' in lattice makes {} atoms, more than {}",
-                                                                 lattice_atoms(lattice_of(type), lattice.integer("cells")),
-                                                                 most_atoms));
+    } else if (given(lattice, "cells") && lattice_atoms(lattice_of(type), lattice.integer("cells")) > most_atoms) {
+        diagnostics.error(lattice.location("cells"),
+                          fmt::format("'cells' in lattice makes {} atoms, more than {}",
+                                      lattice_atoms(lattice_of(type), lattice.integer("cells")), most_atoms));
     }
 }
 
 void check_system(const Section& system, bool force, Diagnostics& diagnostics) {
-    if (system.has("lattice") == system.has("file")) {
+    if (system.has("lattice") == system.has("file") && system.sound("lattice") && system.sound("file")) {
         diagnostics.error(system.location("file"), "[system] needs one of 'lattice' and 'file'",
                           system.has("file") ? "remove one of them" : "e.g. lattice = { type = \"fcc\", cells = 6 }");
     }
-    if (system.has("lattice")) {
+    if (given(system, "lattice")) {
         check_lattice(system.section("lattice"), diagnostics);
         for (const char* key : {"density", "temperature"}) {
-            if (!system.has(key)) {
+            if (absent(system, key)) {
                 diagnostics.error(system.location(), fmt::format("missing key '{}' in [system]", key),
                                   "a start from a lattice needs it");
             }
@@ -80,11 +101,12 @@ void check_system(const Section& system, bool force, Diagnostics& diagnostics) {
                               "use 'maxwell'");
         }
     }
-    if (system.has("velocities") && system.text("velocities") == "maxwell" && !system.has("temperature")) {
+    if (!system.has("lattice") && system.has("velocities") && system.text("velocities") == "maxwell" &&
+        !system.has("temperature")) {
         diagnostics.error(system.location("velocities"), "missing key 'temperature' in [system]",
                           "Maxwell's distribution needs it");
     }
-    if (system.has("density") && system.number("density") > unlikely_density) {
+    if (given(system, "density") && system.number("density") > unlikely_density) {
         unlikely(force, system.location("density"),
                  fmt::format("'density' in [system] is {:.6g}, above {}", system.number("density"), unlikely_density),
                  "liquid argon has 0.84, its crystal 1.0", diagnostics);
@@ -92,7 +114,7 @@ void check_system(const Section& system, bool force, Diagnostics& diagnostics) {
 }
 
 void check_temperature(const Section& section, bool force, Diagnostics& diagnostics) {
-    if (section.has("temperature") && section.number("temperature") > unlikely_temperature) {
+    if (given(section, "temperature") && section.number("temperature") > unlikely_temperature) {
         unlikely(force, section.location("temperature"),
                  fmt::format("'temperature' in {} is {:.6g} epsilon/k_B, above {}", section.title(),
                              section.number("temperature"), unlikely_temperature),
@@ -100,22 +122,48 @@ void check_temperature(const Section& section, bool force, Diagnostics& diagnost
     }
 }
 
+constexpr const char* angstrom_hint = "for angstrom, give [argon] and write \"8.5 angstrom\"";
+
 void check_potential(const Section& potential, Diagnostics& diagnostics) {
+    if (given(potential, "cutoff") && potential.number("cutoff") > unlikely_cutoff) {
+        diagnostics.warning(potential.location("cutoff"),
+                            fmt::format("'cutoff' in [potential] is {:.6g} sigma, more than {}",
+                                        potential.number("cutoff"), unlikely_cutoff),
+                            angstrom_hint);
+    }
+    if (!potential.sound("truncation")) {
+        return;
+    }
     const std::string& truncation = potential.text("truncation");
     const bool takes_tail = PairPotential::takes_tail(truncation);
-    if (takes_tail && !potential.has("tail")) {
+    if (takes_tail && absent(potential, "tail")) {
         diagnostics.error(potential.location(), "missing key 'tail' in [potential]",
                           fmt::format("true or false: truncation = \"{}\" leaves the choice", truncation));
     }
-    if (!takes_tail && potential.has("tail") && potential.flag("tail")) {
+    if (!takes_tail && given(potential, "tail") && potential.flag("tail")) {
         diagnostics.error(potential.location("tail"),
                           fmt::format("'tail' in [potential] has no meaning for truncation = \"{}\"", truncation),
                           "a shifted potential is another potential: no tail makes it the full one");
     }
-    if (truncation == "switched" && !(potential.number("switch_start") < potential.number("cutoff"))) {
+    if (truncation == "switched" && given(potential, "switch_start") && given(potential, "cutoff") &&
+        !(potential.number("switch_start") < potential.number("cutoff"))) {
         diagnostics.error(potential.location("switch_start"),
                           fmt::format("'switch_start' in [potential] is {}, not below the cutoff {}",
                                       potential.number("switch_start"), potential.number("cutoff")));
+    }
+}
+
+/// The name of a stage stands in messages and in --set: it must be one, and the only one.
+void check_name(const Section& stage, std::set<std::string>& names, Diagnostics& diagnostics) {
+    const std::string& name = stage.text("name");
+    if (!stage.sound("name")) {
+        return;
+    }
+    if (name.empty() || printable(name, longest_name) != name) {
+        diagnostics.error(stage.location("name"),
+                          fmt::format("'name' in [[stage]] must be 1 to {} printable characters", longest_name));
+    } else if (!names.insert(name).second) {
+        diagnostics.error(stage.location("name"), fmt::format("two stages are called '{}'", name));
     }
 }
 
@@ -123,14 +171,12 @@ void check_stages(const std::vector<Section>& stages, bool force, Diagnostics& d
     std::set<std::string> names;
     double sum = 0.0;
     for (const Section& stage : stages) {
-        if (!names.insert(stage.text("name")).second) {
-            diagnostics.error(stage.location("name"), fmt::format("two stages are called '{}'", stage.text("name")));
-        }
-        if (stage.number("time_step") >= unlikely_time_step) {
+        check_name(stage, names, diagnostics);
+        if (given(stage, "time_step") && stage.number("time_step") >= unlikely_time_step) {
             unlikely(force, stage.location("time_step"),
-                     fmt::format("'time_step' in [[stage]] is {:.6g} tau, allowed: < {}", stage.number("time_step"),
-                                 unlikely_time_step),
-                     "0.004 is usual; energy is not conserved", diagnostics);
+                     fmt::format("'time_step' in [[stage]] is {:.6g} tau; from {} on the energy is not conserved",
+                                 stage.number("time_step"), unlikely_time_step),
+                     "0.004 is usual", diagnostics);
         }
         check_temperature(stage, force, diagnostics);
         if (stage.has("temperature") && !stage.has("thermostat")) {
@@ -155,42 +201,48 @@ void check_output(const Section& output, bool has_units, Diagnostics& diagnostic
     if (output.has("trajectory")) {
         const Section& trajectory = output.section("trajectory");
         if (trajectory.text("units") == "si" && !has_units) {
-            diagnostics.error(trajectory.location("units"), "'units' in trajectory is 'si', which needs an [argon] table");
+            diagnostics.error(trajectory.location("units"),
+                              "'units' in trajectory is 'si', which needs an [argon] table");
         }
     }
 }
 
 /// The box of a lattice start; nothing when the deck is too wrong to tell.
 std::optional<Box> lattice_box(const Section& system) {
-    if (!system.has("lattice") || !system.has("density")) {
+    if (!given(system, "lattice") || !given(system, "density")) {
         return std::nullopt;
     }
     const Section& lattice = system.section("lattice");
-    const std::string& type = lattice.text("type");
-    Index atoms = 0;
-    if (lattice.has("atoms")) {
-        atoms = lattice.integer("atoms");
-    } else if (type != "random" && lattice.has("cells")) {
-        atoms = lattice_atoms(lattice_of(type), lattice.integer("cells"));
-    }
-    const double density = system.number("density");
-    if (atoms < 1 || !(density > 0.0)) {
+    if (!given(lattice, "type") || given(lattice, "atoms") == given(lattice, "cells")) {
         return std::nullopt;
     }
-    const double edge = std::cbrt(static_cast<double>(atoms) / density);
-    return std::isfinite(edge) ? std::optional(cubic_box(atoms, density)) : std::nullopt;
+    const std::string& type = lattice.text("type");
+    const bool by_cells = given(lattice, "cells");
+    if (type == "random" && by_cells) {
+        return std::nullopt;
+    }
+    const Index atoms = by_cells ? lattice_atoms(lattice_of(type), lattice.integer("cells")) : lattice.integer("atoms");
+    const auto near = nearest_cells(lattice_of(type), atoms);
+    if (type != "random" && near.below != near.above) {
+        return std::nullopt;
+    }
+    return cubic_box(atoms, system.number("density"));
 }
 
 }  // namespace
 
 void check_sense(const Section& root, bool has_units, bool force, Diagnostics& diagnostics) {
     const Section& system = root.section("system");
-    check_system(system, force, diagnostics);
-    check_temperature(system, force, diagnostics);
-    check_potential(root.section("potential"), diagnostics);
+    if (root.sound("system")) {
+        check_system(system, force, diagnostics);
+        check_temperature(system, force, diagnostics);
+    }
+    if (root.sound("potential")) {
+        check_potential(root.section("potential"), diagnostics);
+    }
     check_stages(root.sections("stage"), force, diagnostics);
     check_output(root.section("output"), has_units, diagnostics);
-    if (const auto box = lattice_box(system)) {
+    if (const auto box = root.sound("system") ? lattice_box(system) : std::nullopt) {
         check_box(root, *box, diagnostics);
     }
 }
@@ -198,18 +250,22 @@ void check_sense(const Section& root, bool has_units, bool force, Diagnostics& d
 void check_box(const Section& root, const Box& box, Diagnostics& diagnostics) {
     const Section& potential = root.section("potential");
     const double largest = 0.5 * box.shortest_edge();
-    if (potential.number("cutoff") > largest) {
-        diagnostics.error(potential.location("cutoff"),
-                          fmt::format("'cutoff' in [potential] is {}, more than half the box (L = {:.6g})",
-                                      potential.number("cutoff"), box.shortest_edge()),
-                          fmt::format("largest allowed: {}", largest));
+    if (given(potential, "cutoff") && potential.number("cutoff") > largest) {
+        diagnostics.error(
+            potential.location("cutoff"),
+            fmt::format("'cutoff' in [potential] is {}, more than half the box (L = {:.6g})",
+                        potential.number("cutoff"), box.shortest_edge()),
+            fmt::format("largest allowed: {}{}", largest,
+                        potential.number("cutoff") > unlikely_cutoff ? fmt::format("; {}", angstrom_hint) : ""));
     }
     const Section& analysis = root.section("analysis");
     for (const auto& method : all_analyses()) {
         if (analysis.has(method.name)) {
             const Section& section = analysis.section(method.name);
             for (const auto& [key, message] : method.check(section, box)) {
-                diagnostics.error(section.location(key), message);
+                if (section.sound(key)) {
+                    diagnostics.error(section.location(key), message);
+                }
             }
         }
     }

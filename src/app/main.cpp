@@ -1,7 +1,12 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 
 #include "ljmd/app/commands.hpp"
+#include "ljmd/app/streams.hpp"
 #include "ljmd/core/build_info.hpp"
+#include "ljmd/core/diagnostics.hpp"
 
 namespace {
 
@@ -15,9 +20,41 @@ void add_deck_options(CLI::App& command, ljmd::DeckOptions& options) {
     command.add_flag("--json", options.json, "print the result as JSON");
 }
 
+constexpr int usage_error = 2;
+
+/// What was meant by a first word that is no command.
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        commands.push_back(command->get_name());
+    }
+    const std::string nearest = ljmd::nearest_name(word, commands);
+    return fmt::format("unknown command '{}'\n  {}", word,
+                       nearest.empty() ? fmt::format("commands: {}", fmt::join(commands, ", "))
+                                       : fmt::format("did you mean '{}'?", nearest));
+}
+
+/// Say what is wrong with the command line: CLI11 calls a command that it does not know a missing one.
+int report_usage(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<std::string> rest = app.remaining(true);
+    const std::vector<CLI::App*> used = app.get_subcommands();
+    std::string message = error.what();
+    if (used.empty() && !rest.empty() && !rest.front().starts_with('-')) {
+        message = unknown_command(app, rest.front());
+    } else {
+        if (!rest.empty()) {
+            message = fmt::format("not expected: {}", fmt::join(rest, " "));
+        }
+        message += fmt::format("\n  all options: ljmd {}--help", used.empty() ? "" : used.front()->get_name() + " ");
+    }
+    ljmd::talk(fmt::format("error: {}\n", message));
+    return usage_error;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    ljmd::prepare_standard_streams();
     CLI::App app("Lennard-Jones molecular dynamics: Verlet's 1967 experiment and beyond", "ljmd");
     app.require_subcommand(1);
     app.set_version_flag("--version", "ljmd " + ljmd::build_info().version);
@@ -33,11 +70,16 @@ int main(int argc, char** argv) {
     CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select");
     info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
 
+    if (argc < 2) {
+        ljmd::talk(app.help());
+        return usage_error;
+    }
     try {
         app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        const int usage_error = 2;
-        return app.exit(error) == 0 ? 0 : usage_error;
+        return report_usage(app, error);
     }
     try {
         if (run.parsed()) {

@@ -6,19 +6,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ljmd/app/streams.hpp"
+
 namespace ljmd {
 
 namespace {
 
 constexpr double seconds_between_lines = 0.2;
 constexpr double window_seconds = 5.0;
+constexpr double longest_forecast = 1e12;  // [s]; nobody waits for it, and 64 bits count it
 
 std::string duration(double seconds) {
-    if (!std::isfinite(seconds)) {
+    if (!(seconds < longest_forecast)) {
         return "?";
     }
     const auto s = static_cast<Index>(std::ceil(seconds));
-    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60) : fmt::format("{}:{:02}", s / 60, s % 60);
+    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+                     : fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
 }  // namespace
@@ -28,13 +32,15 @@ Progress::Progress(Index atoms, Index total_steps, bool quiet)
     window_.push_back({Clock::now(), 0});
 }
 
-Progress::~Progress() { clear_line(); }
+Progress::~Progress() {
+    clear_line();
+}
 
 void Progress::stage_begins(const Stage& stage) {
     stage_ = stage.name;
     if (!quiet_) {
         clear_line();
-        fmt::print(stderr, "stage '{}': {} steps of {:.6g} tau\n", stage.name, stage.steps, stage.time_step);
+        talk(fmt::format("stage '{}': {} steps of {:.6g} tau\n", stage.name, stage.steps, stage.time_step));
     }
 }
 
@@ -46,11 +52,11 @@ void Progress::step_done(Index step) {
     const double rate = windowed_rate(now);
     next_look_ = step + std::max<Index>(1, static_cast<Index>(0.5 * seconds_between_lines * rate));
     if (terminal_) {
-        fmt::print(stderr, "\r{}\033[K", line(step, rate));
-        std::fflush(stderr);
+        talk(fmt::format("\r{}\033[K", line(step, rate)));
         line_is_open_ = true;
-    } else if (10.0 * static_cast<double>(step) >= static_cast<double>(next_tenth_) * static_cast<double>(total_steps_)) {
-        fmt::print(stderr, "{}\n", line(step, rate));
+    } else if (10.0 * static_cast<double>(step) >=
+               static_cast<double>(next_tenth_) * static_cast<double>(total_steps_)) {
+        talk(line(step, rate) + '\n');
         next_tenth_ = 1 + static_cast<Index>(10.0 * static_cast<double>(step) / static_cast<double>(total_steps_));
     }
 }
@@ -69,19 +75,19 @@ double Progress::windowed_rate(const Mark& now) {
 
 std::string Progress::line(Index step, double steps_per_second) const {
     const double done = total_steps_ > 0 ? static_cast<double>(step) / static_cast<double>(total_steps_) : 1.0;
-    return fmt::format("[{}] {:3.0f} % step {}/{}  {:.3g} steps/s  {:.3g} atom-steps/s  ETA {}", stage_, 100.0 * done, step,
-                       total_steps_, steps_per_second, steps_per_second * static_cast<double>(atoms_),
+    return fmt::format("[{}] {:3.0f} % step {}/{}  {:.3g} steps/s  {:.3g} atom-steps/s  ETA {}", stage_, 100.0 * done,
+                       step, total_steps_, steps_per_second, steps_per_second * static_cast<double>(atoms_),
                        duration(static_cast<double>(total_steps_ - step) / steps_per_second));
 }
 
 void Progress::warning(const std::string& text) {
     clear_line();
-    fmt::print(stderr, "warning: {}\n", text);
+    talk(fmt::format("warning: {}\n", text));
 }
 
 void Progress::clear_line() {
     if (line_is_open_) {
-        fmt::print(stderr, "\r\033[K");
+        talk("\r\033[K");
         line_is_open_ = false;
     }
 }

@@ -7,11 +7,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/core/text.hpp"
+
 namespace ljmd {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t longest_title = 200;
 
 /// How an observable is reported for a substance.
 struct SiUnit {
@@ -35,11 +39,14 @@ std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<Su
     return std::nullopt;
 }
 
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number_or_null(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json observable_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
     if (!average.estimate) {
-        return {{"mean", nullptr}, {"standard_error", nullptr}, {"independent_samples", nullptr}, {"unit", average.unit}};
+        return {
+            {"mean", nullptr}, {"standard_error", nullptr}, {"independent_samples", nullptr}, {"unit", average.unit}};
     }
     const Estimate& e = *average.estimate;
     Json json = {{"mean", number_or_null(e.mean)},
@@ -82,20 +89,22 @@ std::string table_line(const ObservableAverage& average, const std::optional<Sub
         return fmt::format("  {:<24}{:<6}not defined\n", average.name, average.symbol);
     }
     const Estimate& e = *average.estimate;
-    std::string line = fmt::format("  {:<24}{:<6}{:>22}  {:<16}{:>8}", average.name, average.symbol,
-                                   with_error(e.mean, e.standard_error), average.unit,
-                                   std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-");
+    std::string line = fmt::format(
+        "  {:<24}{:<6}{:>22}  {:<16}{:>8}", average.name, average.symbol, with_error(e.mean, e.standard_error),
+        average.unit, std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-");
     if (const auto si = si_unit(average.unit, units)) {
         line += fmt::format("{:>26} {}", with_error(e.mean * si->factor, e.standard_error * si->factor), si->name);
     }
     return line + '\n';
 }
 
-/// Lines for people: the tensor and the virial are in results.json.
-constexpr std::array<const char*, 6> shown{"temperature", "potential_energy", "kinetic_energy",
-                                           "total_energy", "pressure",        "compressibility_factor"};
-
 }  // namespace
+
+bool is_in_table(const std::string& observable) {
+    constexpr std::array<std::string_view, 6> names{"temperature",  "potential_energy", "kinetic_energy",
+                                                    "total_energy", "pressure",         "compressibility_factor"};
+    return std::find(names.begin(), names.end(), observable) != names.end();
+}
 
 std::string results_json(const Deck& deck, const RunResult& result) {
     Json observables = Json::object();
@@ -106,17 +115,17 @@ std::string results_json(const Deck& deck, const RunResult& result) {
     for (const StageResult& stage : result.stages) {
         stages.push_back(stage_json(stage));
     }
-    Json json = {{"title", deck.title},
-                 {"system",
-                  {{"atoms", result.atoms},
-                   {"density", result.density},
-                   {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
-                 {"observables", observables},
-                 {"translational_order_at_sampling",
-                  result.order_at_sampling ? Json(*result.order_at_sampling) : Json(nullptr)},
-                 {"stages", stages},
-                 {"neighbor_list_rebuilds", result.search.rebuilds},
-                 {"warnings", result.warnings}};
+    Json json = {
+        {"title", deck.title},
+        {"system",
+         {{"atoms", result.atoms},
+          {"density", result.density},
+          {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
+        {"observables", observables},
+        {"translational_order_at_sampling", result.order_at_sampling ? Json(*result.order_at_sampling) : Json(nullptr)},
+        {"stages", stages},
+        {"neighbor_list_rebuilds", result.search.rebuilds},
+        {"warnings", result.warnings}};
     if (deck.units) {
         json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();
     }
@@ -124,16 +133,18 @@ std::string results_json(const Deck& deck, const RunResult& result) {
 }
 
 std::string results_table(const Deck& deck, const RunResult& result) {
-    std::string text = fmt::format("{}\n{} atoms, density {:.6g} sigma^-3", deck.title.empty() ? deck.path : deck.title,
-                                   result.atoms, result.density);
+    std::string text = fmt::format("{}\n{} atoms, density {:.6g} sigma^-3",
+                                   printable(deck.title.empty() ? deck.path : deck.title, longest_title), result.atoms,
+                                   result.density);
     if (deck.units) {
         text += fmt::format(" ({:.4f} g/cm3)", result.density * deck.units->gram_per_cm3());
     }
-    text += fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
+    text +=
+        fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
     text += fmt::format("  {:<24}{:<6}{:>22}  {:<16}{:>8}{:>26}\n", "observable", "", "mean +- standard error", "unit",
                         "samples*", deck.units ? "SI" : "");
     for (const ObservableAverage& average : result.averages) {
-        if (std::find(shown.begin(), shown.end(), average.name) != shown.end()) {
+        if (is_in_table(average.name)) {
             text += table_line(average, deck.units);
         }
     }

@@ -5,7 +5,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "ljmd/app/results.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/stability.hpp"
+#include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -21,6 +24,9 @@ constexpr double crystal_left = 0.1;
 /// Fewer independent samples than this do not carry an error bar.
 constexpr double few_samples = 16.0;
 
+/// Steps between looks at the atoms' speeds; looking costs a hundredth of a step.
+constexpr Index steps_between_looks = 10;
+
 /// The time loop of one run: integrates, samples and writes.
 class Loop {
   public:
@@ -33,6 +39,16 @@ class Loop {
           averages_(simulation.state.count(), density()) {}
 
     RunResult run() {
+        try {
+            return run_all();
+        } catch (const PhysicsError& error) {
+            const std::string stage = stage_.empty() ? "" : fmt::format(" (stage '{}')", stage_);
+            throw PhysicsError(fmt::format("step {}{}: {}{}", step_, stage, error.what(), save_failure()));
+        }
+    }
+
+  private:
+    RunResult run_all() {
         const auto began = std::chrono::steady_clock::now();
         evaluation_ = simulation_.force_field.evaluate(simulation_.state, Request::forces_and_energy);
         files_.write_frame(simulation_.state);
@@ -48,7 +64,6 @@ class Loop {
         return finish(took.count());
     }
 
-  private:
     [[nodiscard]] double density() const {
         return static_cast<double>(simulation_.state.count()) / simulation_.state.box().volume();
     }
@@ -59,6 +74,16 @@ class Loop {
 
     [[nodiscard]] std::optional<double> order() const {
         return simulation_.order ? std::optional((*simulation_.order)(simulation_.state)) : std::nullopt;
+    }
+
+    /// Write the state of a failed step. Its positions and velocities may belong to no one time, but they show where it
+    /// went wrong. @return what to tell the user of it
+    [[nodiscard]] std::string save_failure() const {
+        try {
+            return fmt::format("\n  the configuration is in {}", files_.write_failed(simulation_.state).string());
+        } catch (const FileError&) {
+            return {};  // the failure itself is what matters
+        }
     }
 
     void write_thermo(const Thermodynamics& row) {
@@ -81,6 +106,7 @@ class Loop {
 
     void run_stage(const Stage& stage) {
         listener_.stage_begins(stage);
+        stage_ = stage.name;
         State& state = simulation_.state;
         const auto operators = find_integrator(stage.integrator).step(stage.time_step);
         std::unique_ptr<Thermostat> thermostat;
@@ -91,22 +117,27 @@ class Loop {
         if (stage.sample && stage.steps > 0) {
             begin_sampling();
         }
+        StabilityWatch watch(stage.time_step, thermostat == nullptr, simulation_.force_field.potential());
         LinearTrend drift;
         const Index first_step = state.step;
         const double first_time = state.time;
         for (Index n = 1; n <= stage.steps; ++n) {
-            const Index step = first_step + n;
-            const bool thermo_due = thermo_every_.due(step);
+            step_ = first_step + n;
+            const bool thermo_due = thermo_every_.due(step_);
             evaluation_ = apply(operators, state, simulation_.force_field,
                                 thermo_due ? Request::forces_and_energy : Request::forces);
-            state.step = step;
+            state.step = step_;
             state.time = first_time + static_cast<double>(n) * stage.time_step;
+            if (n % steps_between_looks == 0) {
+                watch.check_speeds(state);
+            }
             if (thermostat) {
                 thermostat->apply(state, n);
             }
             if (thermo_due) {
                 const Thermodynamics row = current();
                 write_thermo(row);
+                watch.check_energy(row);
                 drift.add(state.time, row.total_energy);
                 if (stage.sample) {
                     averages_.add(row);
@@ -116,7 +147,7 @@ class Loop {
                 sample_analyses(false);
             }
             files_.write_frame_if_due(state);
-            listener_.step_done(step);
+            listener_.step_done(step_);
         }
         stages_.push_back({stage.name, stage.integrator, first_step, state.step, stage.time_step, stage.sample,
                            thermostat != nullptr, thermostat ? std::nullopt : drift.slope()});
@@ -124,8 +155,15 @@ class Loop {
 
     RunResult finish(double seconds) {
         const State& state = simulation_.state;
-        RunResult result{state.count(), density(), state.box().edges(), averages_.averages(), order_at_sampling_,
-                         stages_,       {},        {},                  simulation_.force_field.search_statistics(),
+        RunResult result{state.count(),
+                         density(),
+                         state.box().edges(),
+                         averages_.averages(),
+                         order_at_sampling_,
+                         stages_,
+                         {},
+                         {},
+                         simulation_.force_field.search_statistics(),
                          seconds};
         for (const auto& analysis : simulation_.analyses) {
             if (analysis->samples() > 0) {
@@ -150,21 +188,28 @@ class Loop {
             doubts.emplace_back("no sample was taken: set sample = true in a stage longer than the thermo interval");
         }
         if (result.order_at_sampling && *result.order_at_sampling > crystal_left) {
-            doubts.push_back(fmt::format("sampling began with {:.0f} % of the crystal left (translational order {:.3f}): "
-                                         "equilibrate longer, or melt above the target temperature first",
-                                         100.0 * *result.order_at_sampling, *result.order_at_sampling));
+            doubts.push_back(
+                fmt::format("sampling began with {:.0f} % of the crystal left (translational order {:.3f}): "
+                            "equilibrate longer, or melt above the target temperature first",
+                            100.0 * *result.order_at_sampling, *result.order_at_sampling));
         }
         std::string unsure;
+        bool all_unsure = true;
         for (const ObservableAverage& average : result.averages) {
-            const bool known = average.estimate && average.estimate->converged &&
-                               (average.estimate->independent_samples >= few_samples ||
-                                average.estimate->standard_error == 0.0);
+            const bool known =
+                average.estimate && average.estimate->converged &&
+                (average.estimate->independent_samples >= few_samples || average.estimate->standard_error == 0.0);
+            if (!is_in_table(average.name)) {
+                continue;
+            }
             if (average.estimate && !known) {
                 unsure += (unsure.empty() ? "" : ", ") + average.name;
             }
+            all_unsure = all_unsure && !known;
         }
         if (!unsure.empty()) {
-            doubts.push_back("the run is too short for the error bars of " + unsure + ": they are guesses");
+            doubts.push_back(fmt::format("the run is too short for the error bars of {}: they are guesses",
+                                         all_unsure ? "all observables" : unsure));
         }
         return doubts;
     }
@@ -178,6 +223,8 @@ class Loop {
     Evaluation evaluation_;
     std::optional<double> order_at_sampling_;
     std::vector<StageResult> stages_;
+    Index step_ = 0;     ///< that is being taken
+    std::string stage_;  ///< that is running; empty before the first one
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
+#include "ljmd/app/simulation.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/data_table_csv.hpp"
@@ -24,19 +25,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* failed_name = "failed.xyz";
+
 /// Every name that a run may write. `--force` removes these and nothing else.
 std::vector<std::string> output_names() {
-    std::vector<std::string> names{"run.json", "results.json", "thermo.csv", "trajectory.h5md", "trajectory.xyz",
-                                   "final.xyz"};
+    std::vector<std::string> names{"run.json",        "results.json",   "results.txt", "thermo.csv",
+                                   "trajectory.h5md", "trajectory.xyz", "final.xyz",   failed_name};
     for (const auto& method : all_analyses()) {
         names.push_back(method.name + ".csv");
     }
     return names;
 }
 
+std::vector<fs::path> old_outputs(const fs::path& directory) {
+    std::vector<fs::path> old;
+    std::error_code error;
+    for (const std::string& name : output_names()) {
+        if (fs::exists(fs::symlink_status(directory / name, error))) {
+            old.push_back(directory / name);
+        }
+    }
+    return old;
+}
+
 std::string now() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(
-                                                    std::chrono::system_clock::now())));
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
 std::string host() {
@@ -74,31 +88,43 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
 
 }  // namespace
 
-void prepare_directory(const fs::path& directory, bool force) {
+void check_directory(const Deck& deck, bool force) {
+    const fs::path& directory = deck.directory;
     std::error_code error;
     if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
-        throw InputError(fmt::format("error: {} exists and is not a directory", directory.string()));
+        throw InputError(fmt::format("{} exists and is not a directory. Nothing was run.", directory.string()));
     }
-    std::vector<fs::path> old;
-    for (const std::string& name : output_names()) {
-        if (fs::exists(fs::symlink_status(directory / name, error))) {
-            old.push_back(directory / name);
-        }
-    }
+    const std::vector<fs::path> old = old_outputs(directory);
     if (!old.empty() && !force) {
-        throw InputError(fmt::format(
-            "error: {} already holds a run ({}). Nothing was run.\n  choose another directory with --out, or replace it with "
-            "--force",
-            directory.string(), old.front().filename().string()));
+        throw InputError(
+            fmt::format("{} already holds a run ({}). Nothing was run.\n  choose another directory with --out, "
+                        "or replace it with --force",
+                        directory.string(), old.front().filename().string()));
     }
-    fs::create_directories(directory, error);
-    for (const fs::path& file : old) {
-        if (!error) {
-            fs::remove(file, error);
+    if (deck.system().has("file")) {
+        const fs::path start = configuration_file(deck.system().text("file"));
+        for (const fs::path& file : old) {
+            if (fs::equivalent(file, start, error)) {
+                throw InputError(
+                    fmt::format("{}, where this run starts from, is in its output directory and would be "
+                                "replaced. Nothing was run.\n  choose another directory with --out",
+                                start.string()));
+            }
         }
     }
+}
+
+void prepare_directory(const fs::path& directory) {
+    std::error_code error;
+    fs::create_directories(directory, error);
     if (error) {
-        throw FileError(fmt::format("{}: {}", directory.string(), error.message()));
+        throw FileError(fmt::format("cannot create the directory '{}': {}", directory.string(), error.message()));
+    }
+    for (const fs::path& file : old_outputs(directory)) {
+        fs::remove(file, error);
+        if (error) {
+            throw FileError(fmt::format("cannot remove '{}': {}", file.string(), error.message()));
+        }
     }
 }
 
@@ -142,7 +168,14 @@ void RunDirectory::finish(const State& state, const RunResult& result) {
         write_file_atomically(deck_.directory / (table.name + ".csv"), to_csv(with_si_columns(table, deck_.units)));
     }
     write_file_atomically(deck_.directory / "results.json", results_json(deck_, result) + "\n");
+    write_file_atomically(deck_.directory / "results.txt", results_table(deck_, result));
     write_record(true, result.seconds);
+}
+
+fs::path RunDirectory::write_failed(const State& state) const {
+    const fs::path path = deck_.directory / failed_name;
+    write_configuration(path, state, true);
+    return path;
 }
 
 void RunDirectory::write_record(bool finished, double seconds) const {
@@ -176,7 +209,9 @@ void RunDirectory::write_record(bool finished, double seconds) const {
                            {"mass_u", deck_.units->dalton()},
                            {"tau_ps", deck_.units->picosecond()}};
     }
-    write_file_atomically(deck_.directory / "run.json", record.dump(2) + "\n");
+    // The path of a deck need not be UTF-8, as JSON must.
+    const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    write_file_atomically(deck_.directory / "run.json", text + "\n");
 }
 
 }  // namespace ljmd

@@ -20,12 +20,8 @@ Lattice lattice_type(const Section& lattice) {
     return lattice.text("type") == "fcc" ? Lattice::fcc : Lattice::simple_cubic;
 }
 
-bool is_random(const Section& lattice) { return lattice.text("type") == "random"; }
-
-/// A directory stands for the last configuration of the run in it.
-std::filesystem::path configuration_file(const std::string& file) {
-    const std::filesystem::path path(file);
-    return std::filesystem::is_directory(path) ? path / "final.xyz" : path;
+bool is_random(const Section& lattice) {
+    return lattice.text("type") == "random";
 }
 
 Index lattice_cells(const Section& lattice) {
@@ -74,7 +70,8 @@ void place_from_file(State& state, const Configuration& configuration) {
     state.wrap();  // rounding to the grid may have put an atom onto the far wall
     for (const double mass : configuration.masses) {
         if (std::abs(mass - 1.0) > 1e-6) {
-            throw DataError(fmt::format("the file has an atom of mass {}; in reduced units all atoms have mass 1", mass));
+            throw DataError(
+                fmt::format("the file has an atom of mass {}; in reduced units all atoms have mass 1", mass));
         }
     }
 }
@@ -83,7 +80,9 @@ void set_velocities(State& state, const Deck& deck, const Start& start,
                     const std::function<void(const std::string&)>& warn) {
     const Section& system = deck.system();
     const bool file_has_them = start.configuration && !start.configuration->velocities.empty();
-    const std::string wanted = system.has("velocities") ? system.text("velocities") : file_has_them ? "file" : "maxwell";
+    const std::string wanted = system.has("velocities") ? system.text("velocities")
+                               : file_has_them          ? "file"
+                                                        : "maxwell";
     if (wanted == "file") {
         if (!file_has_them) {
             throw DataError(fmt::format("{} has no velocities; set velocities = \"maxwell\" and a temperature",
@@ -97,13 +96,18 @@ void set_velocities(State& state, const Deck& deck, const Start& start,
         return;
     }
     if (!system.has("temperature")) {
-        throw DataError(fmt::format("{} has no velocities; give 'temperature' in [system] to draw them",
-                                    system.text("file")));
+        throw DataError(
+            fmt::format("{} has no velocities; give 'temperature' in [system] to draw them", system.text("file")));
     }
     draw_velocities(state, system.number("temperature"), static_cast<std::uint64_t>(system.integer("seed")));
 }
 
 }  // namespace
+
+std::filesystem::path configuration_file(const std::string& file) {
+    const std::filesystem::path path(file);
+    return std::filesystem::is_directory(path) ? path / "final.xyz" : path;
+}
 
 Start find_start(const Deck& deck) {
     const Section& system = deck.system();
@@ -111,8 +115,8 @@ Start find_start(const Deck& deck) {
         return start_from_file(system, deck.units);
     }
     const Section& lattice = system.section("lattice");
-    const Index atoms = is_random(lattice) ? lattice.integer("atoms")
-                                           : lattice_atoms(lattice_type(lattice), lattice_cells(lattice));
+    const Index atoms =
+        is_random(lattice) ? lattice.integer("atoms") : lattice_atoms(lattice_type(lattice), lattice_cells(lattice));
     return {atoms, cubic_box(atoms, system.number("density")), std::nullopt};
 }
 

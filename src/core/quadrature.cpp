@@ -19,7 +19,9 @@ constexpr double absolute_error = 1e-15;
 constexpr double relative_error = 1e-12;
 constexpr double round_off_allowance = 1000.0;
 
-double call(double x, void* f) { return (*static_cast<const std::function<double(double)>*>(f))(x); }
+double call(double x, void* f) {
+    return (*static_cast<const std::function<double(double)>*>(f))(x);
+}
 
 }  // namespace
 
@@ -36,8 +38,8 @@ double integrate(const std::function<double(double)>& f, double a, double b) {
                                                    workspace.get(), &result, &error)
                            : gsl_integration_qag(&function, a, b, absolute_error, relative_error, most_intervals,
                                                  GSL_INTEG_GAUSS31, workspace.get(), &result, &error);
-    // GSL reports round-off when bisecting stops to help. With nearly the requested error that is machine precision, and
-    // good enough; with a large one the integral oscillates or diverges.
+    // GSL reports round-off when bisecting stops to help. With nearly the requested error that is machine precision,
+    // and good enough; with a large one the integral oscillates or diverges.
     const double tolerable = round_off_allowance * std::max(absolute_error, relative_error * std::abs(result));
     const bool converged = status == GSL_SUCCESS || (status == GSL_EROUND && error <= tolerable);
     if (!converged || !std::isfinite(result)) {

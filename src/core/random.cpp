@@ -18,7 +18,9 @@ Philox::ctr_type draw(std::uint64_t seed, RandomStream stream, Index step, Index
 }
 
 /// The upper 53 bits as a fraction in [0, 1).
-double fraction(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1p-53; }
+double fraction(std::uint64_t bits) {
+    return static_cast<double>(bits >> 11U) * 0x1p-53;
+}
 
 }  // namespace
 

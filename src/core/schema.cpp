@@ -118,7 +118,7 @@ std::string Key::allowed() const {
     return text;
 }
 
-Schema::Schema(std::string title, std::vector<Key> keys) : title_(std::move(title)) {
+Schema::Schema(std::string title, const std::vector<Key>& keys) : title_(std::move(title)) {
     *this = with(keys);
 }
 

@@ -14,8 +14,8 @@ const SearchStatistics& PairForceField::search_statistics() const {
 Evaluation PairForceField::compute(State& state, Request request) {
     const double cutoff = potential_.cutoff().radius;
     if (cutoff > 0.5 * state.box().shortest_edge()) {
-        throw ContractViolation(fmt::format("cutoff {} exceeds half the shortest edge {} of the box", cutoff,
-                                            state.box().shortest_edge()));
+        throw ContractViolation(
+            fmt::format("cutoff {} exceeds half the shortest edge {} of the box", cutoff, state.box().shortest_edge()));
     }
     return std::visit(
         [&](auto& search) {

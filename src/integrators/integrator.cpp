@@ -4,6 +4,8 @@
 
 namespace ljmd {
 
-IntegratorMethod find_integrator(const std::string& name) { return find_plugin(all_integrators(), name, "integrator"); }
+IntegratorMethod find_integrator(const std::string& name) {
+    return find_plugin(all_integrators(), name, "integrator");
+}
 
 }  // namespace ljmd

@@ -24,16 +24,22 @@ struct FireConstants {
     Index patience = 5;  // downhill iterations before the step grows
 };
 
+/// NaN when any force is.
 double largest_force(const State& state) {
     const auto f = state.forces();
     double largest = 0.0;
     for (Index i = 0; i < state.count(); ++i) {
-        largest = std::max(largest, f.col(i).norm());
+        const double force = f.col(i).norm();
+        if (std::isnan(force)) {
+            return force;
+        }
+        largest = std::max(largest, force);
     }
     return largest;
 }
 
-/// v = (1 - mixing) v + mixing |v| f/|f|: turns the velocity towards the force. Returns whether f.v > 0, that is, downhill.
+/// v = (1 - mixing) v + mixing |v| f/|f|: turns the velocity towards the force. Returns whether f.v > 0, that is,
+/// downhill.
 bool steer(State& state, double mixing) {
     auto v = state.write_velocities();
     const auto f = static_cast<const State&>(state).forces();
@@ -75,9 +81,10 @@ Relaxation relax(State& state, ForceField& force_field, double force_tolerance, 
     Index iteration = 0;
     while (!(largest_force(state) <= force_tolerance)) {
         if (iteration == most_iterations) {
-            throw PhysicsError(fmt::format("{} iterations did not relax the overlaps of the start: the largest force is "
-                                           "{:.3g}. Is the density too high?",
-                                           iteration, largest_force(state)));
+            throw PhysicsError(
+                fmt::format("{} iterations did not relax the overlaps of the start: the largest force is "
+                            "{:.3g}. Is the density too high?",
+                            iteration, largest_force(state)));
         }
         ++iteration;
         if (steer(state, mixing)) {

@@ -4,6 +4,8 @@
 
 namespace ljmd {
 
-ThermostatMethod find_thermostat(const std::string& name) { return find_plugin(all_thermostats(), name, "thermostat"); }
+ThermostatMethod find_thermostat(const std::string& name) {
+    return find_plugin(all_thermostats(), name, "thermostat");
+}
 
 }  // namespace ljmd

@@ -121,6 +121,10 @@ Mistake in_own_words(std::string_view description, bool at_line_end) {
     if (reason.starts_with("cannot redefine existing") && !token.empty() && reason.ends_with("'")) {
         return {(scope == "table header" ? "table '" : "key '") + token + "' is given twice", "", token};
     }
+    for (const char* like : {"expected 'true'", "expected 'false'", "expected 'inf'", "expected 'nan'"}) {
+        // A bare word that begins like one of these, such as fcc, and that is none.
+        if (reason.starts_with(like)) reason = "could not determine value type";
+    }
     std::string hint;
     if (reason.find("could not determine value type") == 0) hint = "text needs quotes";
     if (reason.find("expected a comment") == 0 && scope == "key-value pair") hint = "text and units need quotes";

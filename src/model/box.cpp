@@ -1,15 +1,26 @@
 #include "ljmd/model/box.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {
 
-Box::Box(const Vec3& edges) {
+namespace {
+
+void require_usable(const Vec3& edges) {
     if (!edges.allFinite() || !(edges.minCoeff() > 0.0)) {
-        throw ContractViolation("a box needs finite, positive edges");
+        throw ContractViolation(
+            fmt::format("a box needs finite, positive edges, found {}, {} and {}", edges[0], edges[1], edges[2]));
     }
+}
+
+}  // namespace
+
+Box::Box(const Vec3& edges) {
+    require_usable(edges);
     // frexp gives 1.5 L = m 2^e with m in [0.5, 1), so 2^e is a power of two above 1.5 L.
     int exponent = 0;
     std::frexp(1.5 * edges.maxCoeff(), &exponent);
@@ -17,6 +28,7 @@ Box::Box(const Vec3& edges) {
     // Doubles between 2^e and 2^(e+1) are spaced by g: adding 1.25 * 2^e brings r into that range, where it is rounded.
     rounding_ = 1.25 * std::ldexp(1.0, exponent);
     edges_ = (edges / resolution_).array().round() * resolution_;
+    require_usable(edges_);  // an edge may vanish beside a much longer one, or leave the range of doubles
 }
 
 Vec3 Box::crossings(const Vec3& r) const {

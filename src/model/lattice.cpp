@@ -22,7 +22,9 @@ std::vector<Vec3> basis(Lattice lattice) {
 
 }  // namespace
 
-Index sites_per_cell(Lattice lattice) { return static_cast<Index>(basis(lattice).size()); }
+Index sites_per_cell(Lattice lattice) {
+    return static_cast<Index>(basis(lattice).size());
+}
 
 Index lattice_atoms(Lattice lattice, Index cells) {
     constexpr Index most_cells = Index{1} << 20;  // 4 * 2^60 sites still fit
@@ -38,7 +40,7 @@ NearestCells nearest_cells(Lattice lattice, Index atoms) {
     while (lattice_atoms(lattice, below + 1) <= atoms) {  // cbrt may round a whole number down
         ++below;
     }
-    return {below, lattice_atoms(lattice, below) >= atoms ? below : below + 1};
+    return {below, lattice_atoms(lattice, below) == atoms ? below : below + 1};
 }
 
 Box cubic_box(Index atoms, double density) {

@@ -20,7 +20,9 @@ VectorView view(std::vector<double>& data, Index first, Index count) {
     return {data.data() + stride * static_cast<std::size_t>(first), 3, count};
 }
 
-ConstVectorView view(const std::vector<double>& data, Index count) { return {data.data(), 3, count}; }
+ConstVectorView view(const std::vector<double>& data, Index count) {
+    return {data.data(), 3, count};
+}
 
 template <class T>
 std::vector<T> permuted(const std::vector<T>& old, const std::vector<Index>& order) {
@@ -82,27 +84,42 @@ void State::rescale_to(const Box& box) {
     }
 }
 
-ConstVectorView State::positions() const { return view(positions_, count_); }
-ConstVectorView State::positions_and_ghosts() const { return view(positions_, count_ + ghost_count_); }
-ConstVectorView State::velocities() const { return view(velocities_, count_); }
-ConstVectorView State::forces() const { return view(forces_, count_); }
+ConstVectorView State::positions() const {
+    return view(positions_, count_);
+}
+ConstVectorView State::positions_and_ghosts() const {
+    return view(positions_, count_ + ghost_count_);
+}
+ConstVectorView State::velocities() const {
+    return view(velocities_, count_);
+}
+ConstVectorView State::forces() const {
+    return view(forces_, count_);
+}
 
 VectorView State::write_positions() {
     forces_current_ = false;
     return view(positions_, 0, count_);
 }
-VectorView State::write_velocities() { return view(velocities_, 0, count_); }
-VectorView State::write_forces() { return view(forces_, 0, count_); }
-VectorView State::write_ghosts() { return view(positions_, count_, ghost_count_); }
+VectorView State::write_velocities() {
+    return view(velocities_, 0, count_);
+}
+VectorView State::write_forces() {
+    return view(forces_, 0, count_);
+}
+VectorView State::write_ghosts() {
+    return view(positions_, count_, ghost_count_);
+}
 
 void State::wrap() {
     auto r = view(positions_, 0, count_);
     for (Index i = 0; i < count_; ++i) {
         const Vec3 n = box().crossings(r.col(i));
-        if (!(n.cwiseAbs().maxCoeff() < most_crossings)) {  // true for NaN as well
-            throw PhysicsError(fmt::format("atom {} is at ({}, {}, {}), far outside its box: the run has blown up. Is the "
-                                           "time step too large, or do atoms overlap at the start?",
-                                           ids_[static_cast<std::size_t>(i)] + 1, r(0, i), r(1, i), r(2, i)));
+        if (!(n.array().abs() < most_crossings).all()) {  // true for NaN as well; maxCoeff may pass over it
+            throw PhysicsError(
+                fmt::format("atom {} is at ({}, {}, {}), far outside its box: the run has blown up. Is the "
+                            "time step too large, or do atoms overlap at the start?",
+                            ids_[static_cast<std::size_t>(i)] + 1, r(0, i), r(1, i), r(2, i)));
         }
         r.col(i) -= n.cwiseProduct(box().edges());
         images_[static_cast<std::size_t>(i)] += n.cast<int>();
@@ -131,8 +148,8 @@ void State::reorder(const std::vector<Index>& order) {
 }
 
 void State::set_ghost_count(Index count) {
-    ghost_count_ = count;
     positions_.resize(stride * (checked(count_) + checked(count)));
+    ghost_count_ = count;
 }
 
 std::vector<Index> State::index_of() const {
@@ -153,7 +170,11 @@ std::size_t State::register_vectors(const std::string& name) {
     return registered_.size() - 1;
 }
 
-VectorView State::registered(std::size_t handle) { return view(registered_.at(handle).data, 0, count_); }
-ConstVectorView State::registered(std::size_t handle) const { return view(registered_.at(handle).data, count_); }
+VectorView State::registered(std::size_t handle) {
+    return view(registered_.at(handle).data, 0, count_);
+}
+ConstVectorView State::registered(std::size_t handle) const {
+    return view(registered_.at(handle).data, count_);
+}
 
 }  // namespace ljmd

@@ -8,10 +8,14 @@
 namespace ljmd {
 
 namespace {
-double mass_of(const State& state, Index i) { return state.masses()[static_cast<std::size_t>(i)]; }
+double mass_of(const State& state, Index i) {
+    return state.masses()[static_cast<std::size_t>(i)];
+}
 }  // namespace
 
-Index degrees_of_freedom(Index atoms) { return atoms > 1 ? 3 * atoms - 3 : 0; }
+Index degrees_of_freedom(Index atoms) {
+    return atoms > 1 ? 3 * atoms - 3 : 0;
+}
 
 double kinetic_energy(const State& state) {
     const auto v = state.velocities();
@@ -42,6 +46,10 @@ Vec3 total_momentum(const State& state) {
 void draw_velocities(State& state, double target, std::uint64_t seed) {
     const Random random(seed, RandomStream::velocities);
     auto v = state.write_velocities();
+    if (degrees_of_freedom(state.count()) == 0 || !(target > 0.0)) {
+        v.setZero();
+        return;
+    }
     for (Index i = 0; i < state.count(); ++i) {
         const double width = std::sqrt(target / mass_of(state, i));
         v.col(i) = width * random.normal(0, state.ids()[static_cast<std::size_t>(i)]);

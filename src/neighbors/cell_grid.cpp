@@ -58,7 +58,9 @@ CellGrid::Cell CellGrid::clamped_cell_of(const Vec3& position) const {
 }
 
 std::size_t CellGrid::flat(const Cell& cell) const {
-    const auto width = [this](std::size_t k) { return static_cast<std::size_t>(inner_[k] + 2 * reach_[k]); };
+    const auto width = [this](std::size_t k) {
+        return static_cast<std::size_t>(inner_[k]) + 2 * static_cast<std::size_t>(reach_[k]);
+    };
     return (static_cast<std::size_t>(cell[2]) * width(1) + static_cast<std::size_t>(cell[1])) * width(0) +
            static_cast<std::size_t>(cell[0]);
 }
@@ -85,7 +87,7 @@ void CellGrid::fill(const ConstVectorView& points) {
     }
     std::size_t cells = 1;
     for (std::size_t k = 0; k < 3; ++k) {
-        cells *= static_cast<std::size_t>(inner_[k] + 2 * reach_[k]);
+        cells *= static_cast<std::size_t>(inner_[k]) + 2 * static_cast<std::size_t>(reach_[k]);
     }
     // Counting sort: starts_[c + 1] counts, then sums, then serves as the next free place of cell c.
     starts_.assign(cells + 1, 0);

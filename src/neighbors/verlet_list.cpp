@@ -4,7 +4,9 @@ namespace ljmd {
 
 namespace {
 /// Where the atoms were when the list was built; sorted with them.
-std::size_t reference_of(State& state) { return state.register_vectors("neighbour list: positions at the last rebuild"); }
+std::size_t reference_of(State& state) {
+    return state.register_vectors("neighbour list: positions at the last rebuild");
+}
 }  // namespace
 
 void VerletList::prepare(State& state, double cutoff) {
@@ -18,7 +20,7 @@ void VerletList::prepare(State& state, double cutoff) {
 
 bool VerletList::still_valid(State& state, double cutoff) {
     if (cutoff != built_for_cutoff_ || state.box().edges() != built_for_edges_ ||
-        state.order_version() != built_for_order_) {
+        state.order_version() != built_for_order_ || state.ghost_count() != ghosts_.count()) {
         return false;
     }
     const auto reference = state.registered(reference_of(state));
@@ -48,8 +50,11 @@ void VerletList::rebuild(State& state, double cutoff) {
         grid_.for_each_run(center, [&](std::span<const CellGrid::Entry> run) {
             statistics_.distance_tests += static_cast<Index>(run.size());
             for (const CellGrid::Entry& other : run) {
-                const Vec3 d(center[0] - other.x, center[1] - other.y, center[2] - other.z);
-                if (d.squaredNorm() < range * range && other.index != i) {
+                const double dx = center[0] - other.x;
+                const double dy = center[1] - other.y;
+                const double dz = center[2] - other.z;
+                // Summed in the order of the force loop: without skin both must round a pair at the cutoff alike.
+                if (dx * dx + dy * dy + dz * dz < range * range && other.index != i) {
                     neighbors_.push_back(other.index);
                 }
             }

@@ -7,7 +7,9 @@
 namespace ljmd {
 
 namespace {
-double sphere(double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r; }
+double sphere(double r) {
+    return 4.0 / 3.0 * std::numbers::pi * r * r * r;
+}
 }  // namespace
 
 RadialDistribution::RadialDistribution(Index bins, double radius, Every every)

@@ -66,8 +66,8 @@ std::vector<ObservableAverage> RunAverages::averages() const {
     for (Index k = 0; k < static_cast<Index>(columns.size()); ++k) {
         const Column& column = columns[static_cast<std::size_t>(k)];
         const bool defined = k != temperature_column || has_temperature_;
-        result.push_back({column.name, column.symbol, column.unit,
-                          defined ? std::optional(series_.estimate(k)) : std::nullopt});
+        result.push_back(
+            {column.name, column.symbol, column.unit, defined ? std::optional(series_.estimate(k)) : std::nullopt});
         if (k == pressure_column) {
             result.push_back({"compressibility_factor", "Z", "1", compressibility_factor()});
         }

@@ -20,8 +20,7 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
     result.potential_energy = evaluation.potential_energy / atoms + tail.energy(density);
     result.kinetic_energy = 0.5 * kinetic_tensor.trace() / atoms;
     result.total_energy = result.potential_energy + result.kinetic_energy;
-    result.pressure_tensor =
-        (kinetic_tensor + evaluation.virial) / volume + tail.pressure(density) * Mat3::Identity();
+    result.pressure_tensor = (kinetic_tensor + evaluation.virial) / volume + tail.pressure(density) * Mat3::Identity();
     result.pressure = result.pressure_tensor.trace() / 3.0;
     result.virial = evaluation.virial.trace();
     return result;

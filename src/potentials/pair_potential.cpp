@@ -24,8 +24,9 @@ void for_each_formula(FormulaList<Formulas...>, const F& f) {
 /// Call f.template operator()<Truncation<Formula>>() for every truncation of one formula.
 template <class Formula, class F>
 void for_each_truncation(const F& f) {
-    [&]<class... Pairs>(std::tuple<Pairs...>*) { (f.template operator()<Pairs>(), ...); }(
-        static_cast<detail::Truncations<Formula>*>(nullptr));
+    [&]<class... Pairs>(std::tuple<Pairs...>*) {
+        (f.template operator()<Pairs>(), ...);
+    }(static_cast<detail::Truncations<Formula>*>(nullptr));
 }
 
 template <class Formula>

@@ -99,7 +99,7 @@ TEST_CASE("normal numbers are those of Box and Muller from the same bits and nev
           {0.765250587038811713, -0.230212297906301835, 2.45340035708917774});
 }
 
-TEST_CASE("uniform numbers lie in [0, 1), carry 53 bits and fill the unit interval evenly") {
+TEST_CASE("uniform numbers lie between 0 and 1 without 1, carry 53 bits and fill the unit interval evenly") {
     const Random random(42, RandomStream::positions);
     bool inside = true;
     bool low_bits = false;

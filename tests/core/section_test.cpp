@@ -308,7 +308,8 @@ TEST_CASE("a section tells stand-ins from what was given") {
     CHECK_FALSE(One(density(), text("dense")).section.sound("density"));
     CHECK_FALSE(One(Key::table("system", Schema("[system]")), 1.0).section.sound("system"));
     CHECK_FALSE(One(Key::tables("stage", Schema("[[stage]]")), 1.0).section.sound("stage"));
-    CHECK(One(Key::table("system", Schema("[system]", {density()})), Table{entry("density", -1.0)}).section.sound("system"));
+    CHECK(One(Key::table("system", Schema("[system]", {density()})), Table{entry("density", -1.0)})
+              .section.sound("system"));
 
     const Schema schema("[t]", {density().optional(), temperature(), truncation().optional(), sigma().optional()});
     Diagnostics diagnostics;

@@ -81,6 +81,7 @@ TEST_CASE("formats are recognised by content, whatever the name") {
             CHECK(configuration.positions[2][2] == Approx(-9.876543).epsilon(1e-12));
         }
     }
+    CHECK(read(WrittenFile("three words " + lammps).path()).positions.size() == 3);
     CHECK(read(LJMD_TEST_DATA "/nist/lj_sample_config_periodic4.txt").positions.size() == 30);
 }
 

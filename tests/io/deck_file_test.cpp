@@ -161,7 +161,7 @@ TEST_CASE("a deck is read in the order of its text, every part with its place") 
     CHECK(std::get<bool>(at(std::get<Table>(stages[1].data), "sample").data));
 }
 
-TEST_CASE("dates of every kind are kept as text; dotted and quoted keys work") {
+TEST_CASE("dates of every kind are kept as text, dotted and quoted keys work") {
     const Table table = parsed("a = 1967-07-05\nb = 07:32:00\nc = 1967-07-05T07:32:00Z\nd.e.\"f g\" = 1\n");
     CHECK(std::get<Date>(at(table, "a").data).text == "1967-07-05");
     CHECK(std::get<Date>(at(table, "b").data).text == "07:32:00");

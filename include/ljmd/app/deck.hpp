@@ -15,7 +15,7 @@ namespace ljmd {
 struct Stage {
     std::string name;
     std::string integrator;
-    double time_step;    ///< [tau]
+    double time_step;  ///< [tau]
     Index steps;
     double temperature;  ///< what a thermostat holds [epsilon/k_B]
     bool sample;         ///< observables are measured
@@ -32,8 +32,8 @@ struct TrajectoryOutput {
 
 /// A run as its deck describes it: every key consumed, every value in range and in reduced units.
 struct Deck {
-    std::string path;    ///< as the user gave it
-    std::string source;  ///< the text of the file
+    std::string path;                   ///< as the user gave it
+    std::string source;                 ///< the text of the file
     std::vector<std::string> settings;  ///< the `--set` that were applied, in order
     std::string title;
     std::optional<SubstanceUnits> units;  ///< of [argon]

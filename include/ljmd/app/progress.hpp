@@ -9,8 +9,8 @@
 
 namespace ljmd {
 
-/// Tells a person how far a run is, on stderr: on a terminal one line that renews itself, elsewhere a plain line at every
-/// tenth of the run. Rates are over the last seconds, so that they follow the stage that is running.
+/// Tells a person how far a run is, on stderr: on a terminal one line that renews itself, elsewhere a plain line at
+/// every tenth of the run. Rates are over the last seconds, so that they follow the stage that is running.
 class Progress : public RunListener {
   public:
     /// @param quiet  say nothing but warnings

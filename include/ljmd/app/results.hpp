@@ -11,6 +11,10 @@ namespace ljmd {
 /// substance, in SI; the stages with their energy drift; warnings. Undefined numbers are null.
 [[nodiscard]] std::string results_json(const Deck& deck, const RunResult& result);
 
+/// Whether the table that a run ends with has a line for an observable; the tensor and the virial are in results.json
+/// only.
+[[nodiscard]] bool is_in_table(const std::string& observable);
+
 /// The table that a run ends with: one line an observable, reduced and, for a substance, in K, bar, kJ/mol, g/cm3.
 [[nodiscard]] std::string results_table(const Deck& deck, const RunResult& result);
 

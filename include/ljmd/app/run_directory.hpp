@@ -14,11 +14,18 @@ namespace ljmd {
 
 struct RunResult;
 
-/// Make the output directory of a run ready: create it, or, when it holds an earlier run, refuse, or with `force` remove
-/// the files of that run (only those that ljmd writes).
-/// @throws InputError  it holds a run and force is not given, or the path is not a directory; nothing is changed then
-/// @throws FileError   it cannot be created or cleared
-void prepare_directory(const std::filesystem::path& directory, bool force);
+/// Refuse an output directory that cannot be used. Changes nothing.
+/// @param force  files of an earlier run in it are no reason to refuse
+/// @throws InputError  it holds a run and force is not given, it is not a directory, or the file that the deck starts
+/// from
+///                     is one of those that the run would replace
+void check_directory(const Deck& deck, bool force);
+
+/// Make the output directory of a run ready: create it, and remove the files of an earlier run (only those that ljmd
+/// writes).
+/// @pre  check_directory accepted it
+/// @throws FileError  it cannot be created or cleared
+void prepare_directory(const std::filesystem::path& directory);
 
 /// The files of a run while it goes. See docs/files.md for what each holds.
 class RunDirectory {
@@ -30,8 +37,11 @@ class RunDirectory {
     void write_frame(const State& state);
     void write_frame_if_due(const State& state);
 
-    /// Closes the outputs and writes final.xyz, the analyses' tables, results.json, and run.json once more.
+    /// Closes the outputs and writes final.xyz, the analyses' tables, results.json and .txt, and run.json once more.
     void finish(const State& state, const RunResult& result);
+
+    /// failed.xyz: the configuration at which the run was given up, whatever it is. @return its path
+    std::filesystem::path write_failed(const State& state) const;
 
   private:
     void write_record(bool finished, double seconds) const;

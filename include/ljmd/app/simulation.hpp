@@ -20,6 +20,9 @@ struct Start {
     std::optional<Configuration> configuration;  ///< when the start is a file
 };
 
+/// The file that a deck's `file` means: itself, or in the directory of a run its last configuration.
+[[nodiscard]] std::filesystem::path configuration_file(const std::string& file);
+
 /// Work out the start of a deck; reads its file, places nothing.
 /// @throws DataError when the file cannot be used
 [[nodiscard]] Start find_start(const Deck& deck);

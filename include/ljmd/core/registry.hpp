@@ -1,8 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <string>
 #include <vector>
 
@@ -14,6 +11,7 @@ namespace ljmd {
 template <class Plugin>
 std::vector<std::string> plugin_names(const std::vector<Plugin>& plugins) {
     std::vector<std::string> names;
+    names.reserve(plugins.size());
     for (const Plugin& plugin : plugins) {
         names.push_back(plugin.name);
     }
@@ -30,7 +28,11 @@ Plugin find_plugin(const std::vector<Plugin>& plugins, const std::string& name, 
             return plugin;
         }
     }
-    throw InputError(fmt::format("unknown {} '{}', allowed: {}", what, name, fmt::join(plugin_names(plugins), ", ")));
+    std::string allowed;
+    for (const std::string& known : plugin_names(plugins)) {
+        allowed += (allowed.empty() ? "" : ", ") + known;
+    }
+    throw InputError("unknown " + what + " '" + name + "', allowed: " + allowed);
 }
 
 }  // namespace ljmd

@@ -76,7 +76,7 @@ class Key {
 class Schema {
   public:
     /// @param title  how messages name the table: "[system]", "[[stage]]", "lattice"
-    explicit Schema(std::string title, std::vector<Key> keys = {});
+    explicit Schema(std::string title, const std::vector<Key>& keys = {});
 
     /// This schema and more keys. @throws ContractViolation when a name occurs twice
     [[nodiscard]] Schema with(const std::vector<Key>& more) const;

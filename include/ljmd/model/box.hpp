@@ -6,14 +6,14 @@ namespace ljmd {
 
 /// An orthorhombic periodic box with one corner at the origin.
 ///
-/// Coordinates inside it live on a grid of spacing g = `resolution()`, the smallest power of two with 2^52 g >= 1.5 L, L the
-/// longest edge; the edges lie on it too. Doubles hold every grid point within +-3 L exactly, so a periodic image is
-/// the atom plus a whole number of edges to the last bit, r_ij = -r_ji holds exactly whichever images are taken, and
+/// Coordinates inside it live on a grid of spacing g = `resolution()`, the smallest power of two with 2^52 g > 1.5 L, L
+/// the longest edge; the edges lie on it too. Doubles hold every grid point within +-3 L exactly, so a periodic image
+/// is the atom plus a whole number of edges to the last bit, r_ij = -r_ji holds exactly whichever images are taken, and
 /// wrapping an atom into the box changes no force. The price is one rounding a step, about what a double costs anyway.
 class Box {
   public:
-    /// @param edges  edge lengths [sigma]; each is rounded to the grid (relative change below 1e-15)
-    /// @throws ContractViolation unless all are finite and positive
+    /// @param edges  edge lengths [sigma]; each is rounded to the grid (change below 1e-15 of the longest)
+    /// @throws ContractViolation unless all are finite and positive, also after rounding
     explicit Box(const Vec3& edges);
 
     [[nodiscard]] const Vec3& edges() const { return edges_; }
@@ -27,7 +27,9 @@ class Box {
     /// finer (below), and exactness is no longer promised.
     [[nodiscard]] Vec3 snap(const Vec3& r) const { return (r.array() + rounding_) - rounding_; }
 
-    /// How many edges r lies beyond [0, L) in each direction, as whole numbers: r - edges * crossings is inside.
+    /// How many edges r lies beyond [0, L) in each direction, as whole numbers: r - edges * crossings is inside. Exact
+    /// for r on the grid and within +-3 L; further out the product rounds, and the result may miss [0, L) by that
+    /// rounding.
     [[nodiscard]] Vec3 crossings(const Vec3& r) const;
 
     /// The shortest periodic image of a separation of two atoms inside the box: each component in [-L/2, L/2].

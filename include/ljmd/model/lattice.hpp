@@ -14,11 +14,12 @@ enum class Lattice { fcc, simple_cubic };
 /// Sites of one cubic cell: 4 for fcc, 1 for simple cubic.
 [[nodiscard]] Index sites_per_cell(Lattice lattice);
 
-/// Number of atoms of cells^3 cubic cells. @throws ContractViolation if it exceeds 2^62
+/// Number of atoms of cells^3 cubic cells. @throws ContractViolation unless 0 <= cells <= 2^20 (2^62 atoms of fcc)
 [[nodiscard]] Index lattice_atoms(Lattice lattice, Index cells);
 
 /// The number of cells along an edge whose crystal is nearest to `atoms` from below and from above (equal when atoms
-/// fits exactly).
+/// fits exactly, and only then). One cell is the least, also for fewer atoms than it holds.
+/// @pre 0 <= atoms <= 2^48, beyond which the cube root is not exact enough
 struct NearestCells {
     Index below;  ///< at least 1
     Index above;

@@ -38,10 +38,10 @@ class State {
     void rescale_to(const Box& box);
 
     // Read access: (3, N), by index.
-    [[nodiscard]] ConstVectorView positions() const;              ///< [sigma], near the box, see unwrapped()
-    [[nodiscard]] ConstVectorView positions_and_ghosts() const;   ///< (3, N + ghosts)
-    [[nodiscard]] ConstVectorView velocities() const;             ///< [sigma/tau]
-    [[nodiscard]] ConstVectorView forces() const;                 ///< [epsilon/sigma]
+    [[nodiscard]] ConstVectorView positions() const;             ///< [sigma], near the box, see unwrapped()
+    [[nodiscard]] ConstVectorView positions_and_ghosts() const;  ///< (3, N + ghosts)
+    [[nodiscard]] ConstVectorView velocities() const;            ///< [sigma/tau]
+    [[nodiscard]] ConstVectorView forces() const;                ///< [epsilon/sigma]
     [[nodiscard]] const std::vector<double>& masses() const { return masses_; }
     [[nodiscard]] const std::vector<Index>& ids() const { return ids_; }
 
@@ -55,7 +55,10 @@ class State {
     /// r on the grid of the box; r itself when there is no box.
     [[nodiscard]] Vec3 snapped(const Vec3& r) const { return box_ ? box_->snap(r) : r; }
 
-    /// Bring every local atom into [0, L), counting the edges crossed. Exact, so forces stay current.
+    /// Bring every local atom into [0, L), counting the edges crossed. Exact (see Box::crossings), so forces stay
+    /// current.
+    /// @throws PhysicsError naming the atom (counted from 1) when one is not finite or a million edges away
+    /// @throws ContractViolation when the system is unbounded
     void wrap();
 
     /// Position of atom i as if the box had no walls: continuous in time.
@@ -102,7 +105,7 @@ class State {
     Index ghost_count_ = 0;
     Index order_version_ = 0;
     std::optional<Box> box_;
-    std::vector<double> positions_;   // 4 doubles an atom: x y z and padding
+    std::vector<double> positions_;  // 4 doubles an atom: x y z and padding
     std::vector<double> velocities_;
     std::vector<double> forces_;
     std::vector<double> masses_;

@@ -20,7 +20,8 @@ namespace ljmd {
 [[nodiscard]] Vec3 total_momentum(const State& state);
 
 /// Velocities from the Maxwell-Boltzmann distribution, total momentum removed, then scaled so that the temperature is
-/// exactly T. Depends on seed and atom ids only. One atom, or T = 0, is left at rest.
+/// exactly T. Depends on seed and atom ids only; the order in memory, which is the order of the sums, changes no more
+/// than their rounding. One atom, or T = 0, is left at rest.
 /// @param target  temperature, >= 0
 void draw_velocities(State& state, double target, std::uint64_t seed);
 

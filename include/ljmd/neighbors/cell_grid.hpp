@@ -10,11 +10,11 @@
 
 namespace ljmd {
 
-/// Linked cells: points sorted into a grid of cells over the box and a halo around it, so that all points within `range`
-/// of an atom are found in a fixed number of cells, whatever the number of atoms.
+/// Linked cells: points sorted into a grid of cells over the box and a halo around it, so that all points within
+/// `range` of an atom are found in a fixed number of cells, whatever the number of atoms.
 ///
-/// The box is cut into whole cells of about range/2; the halo is as many layers of cells as cover `range`. Rows of cells
-/// along x lie one after the other in memory, so the neighbourhood of a cell is a few contiguous runs of points.
+/// The box is cut into whole cells of about range/2; the halo is as many layers of cells as cover `range`. Rows of
+/// cells along x lie one after the other in memory, so the neighbourhood of a cell is a few contiguous runs of points.
 class CellGrid {
   public:
     /// Fix the cells for a box, a range and a number of atoms (a nearly empty box gets larger cells, so that memory

@@ -12,8 +12,8 @@
 namespace ljmd {
 
 /// Verlet's list: for every atom all others within cutoff + skin, found through linked cells and kept until some atom
-/// has moved by more than skin/2 since. Two atoms that were farther apart than cutoff + skin are then still farther apart
-/// than the cutoff, so no pair is ever missed. Checked at every evaluation, before the list is used.
+/// has moved by more than skin/2 since. Two atoms that were farther apart than cutoff + skin are then still farther
+/// apart than the cutoff, so no pair is ever missed. Checked at every evaluation, before the list is used.
 ///
 /// The list is full (each pair from both sides): every atom's force is its own sum, whose order the configuration
 /// decides. See PairSearch for the contract.

@@ -13,8 +13,8 @@ namespace ljmd {
 ///
 /// n_k: ordered pairs with distance in [r_k, r_{k+1}). N (N - 1), not N^2, makes g of an ideal gas 1 for every N.
 /// Standard errors by blocking over the sampled configurations.
-/// Result `rdf`: r (middle of the bin) [sigma], g, g_standard_error, coordination_number (atoms closer than the bin's end).
-/// Source: Allen and Tildesley, 2nd ed., section 8.2; Verlet (1968), doi:10.1103/PhysRev.165.201
+/// Result `rdf`: r (middle of the bin) [sigma], g, g_standard_error, coordination_number (atoms closer than the bin's
+/// end). Source: Allen and Tildesley, 2nd ed., section 8.2; Verlet (1968), doi:10.1103/PhysRev.165.201
 class RadialDistribution : public Analysis {
   public:
     /// @param bins    at least 1

@@ -22,6 +22,9 @@ class GhostExchange {
     /// @pre order and number of atoms unchanged since create()
     void update(State& state) const;
 
+    /// How many ghosts create() made: a state with another number has lost them.
+    [[nodiscard]] Index count() const { return static_cast<Index>(images_.size()); }
+
   private:
     struct Image {
         Index owner;  ///< index of the local atom

@@ -17,9 +17,9 @@ struct Cutoff {
 };
 
 // Each truncation wraps a formula u(r), w(r) = -u'(r)/r and is valid for r < rc; who sums over pairs tests r < rc.
-// `changes_from(cutoff)` is the radius from which the truncated potential differs from the formula in its force, so that
-// a tail correction can make up for it. Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd ed., section
-// 5.2; the switching polynomial is OpenMM's and GROMACS' (fifth order, two continuous derivatives).
+// `changes_from(cutoff)` is the radius from which the truncated potential differs from the formula in its force, so
+// that a tail correction can make up for it. Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd ed.,
+// section 5.2; the switching polynomial is OpenMM's and GROMACS' (fifth order, two continuous derivatives).
 
 /// u(r): the plain truncation. Energy and force jump at rc.
 template <class Formula>
@@ -104,8 +104,12 @@ class Switched {
     static constexpr std::string_view name = "switched";
     static constexpr bool takes_tail = true;
     static std::vector<Key> keys() {
-        return {Key::number("switch_start").dimension(Dimension::length).unit("sigma").above(0.0).meaning(
-            "radius at which the switching function starts, below `cutoff`; only with truncation = \"switched\"")};
+        return {Key::number("switch_start")
+                    .dimension(Dimension::length)
+                    .unit("sigma")
+                    .above(0.0)
+                    .meaning("radius at which the switching function starts, below `cutoff`; only with truncation = "
+                             "\"switched\"")};
     }
     static double changes_from(const Cutoff& cutoff) { return cutoff.switch_start; }
 

@@ -27,12 +27,13 @@ class Rescale : public Thermostat {
 /// ensemble, so it is for equilibration only.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98
 ThermostatMethod rescale() {
-    return {.name = "rescale",
-            .meaning = "scale all velocities to the temperature every n steps (Verlet 1967); for equilibration only",
-            .keys = {Key::integer("every").at_least(1).meaning("steps between rescalings").defaults_to(std::int64_t{20})},
-            .make = [](const Section& section, double temperature) -> std::unique_ptr<Thermostat> {
-                return std::make_unique<Rescale>(Every(section.integer("every")), temperature);
-            }};
+    return {
+        .name = "rescale",
+        .meaning = "scale all velocities to the temperature every n steps (Verlet 1967); for equilibration only",
+        .keys = {Key::integer("every").at_least(1).meaning("steps between rescalings").defaults_to(std::int64_t{20})},
+        .make = [](const Section& section, double temperature) -> std::unique_ptr<Thermostat> {
+            return std::make_unique<Rescale>(Every(section.integer("every")), temperature);
+        }};
 }
 
 }  // namespace ljmd

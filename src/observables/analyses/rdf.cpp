@@ -10,7 +10,9 @@ namespace {
 
 constexpr double usual_radius = 5.0;  // [sigma]: four shells of the liquid, and cheap in large systems
 
-double largest_radius(const Box& box) { return 0.5 * box.shortest_edge(); }
+double largest_radius(const Box& box) {
+    return 0.5 * box.shortest_edge();
+}
 
 }  // namespace
 
@@ -18,20 +20,30 @@ double largest_radius(const Box& box) { return 0.5 * box.shortest_edge(); }
 AnalysisMethod rdf() {
     return {.name = "rdf",
             .meaning = "radial distribution function g(r), written to rdf.csv",
-            .keys = {Key::integer("bins").at_least(1).at_most(100000).defaults_to(std::int64_t{250}).meaning(
-                         "bins between 0 and `radius`"),
-                     Key::number("radius").dimension(Dimension::length).unit("sigma").above(0.0).optional(
-                         "5 sigma or L/2, whichever is smaller").meaning("largest distance, at most L/2"),
-                     Key::integer("every").at_least(1).defaults_to(std::int64_t{50}).meaning(
-                         "steps between configurations that are counted")},
-            .check = [](const Section& section, const Box& box) {
-                std::vector<std::pair<std::string, std::string>> mistakes;
-                if (section.has("radius") && section.number("radius") > largest_radius(box)) {
-                    mistakes.emplace_back("radius", fmt::format("'radius' in rdf is {}, but half the box is {}",
-                                                                section.number("radius"), largest_radius(box)));
-                }
-                return mistakes;
-            },
+            .keys = {Key::integer("bins")
+                         .at_least(1)
+                         .at_most(100000)
+                         .defaults_to(std::int64_t{250})
+                         .meaning("bins between 0 and `radius`"),
+                     Key::number("radius")
+                         .dimension(Dimension::length)
+                         .unit("sigma")
+                         .above(0.0)
+                         .optional("5 sigma or L/2, whichever is smaller")
+                         .meaning("largest distance, at most L/2"),
+                     Key::integer("every")
+                         .at_least(1)
+                         .defaults_to(std::int64_t{50})
+                         .meaning("steps between configurations that are counted")},
+            .check =
+                [](const Section& section, const Box& box) {
+                    std::vector<std::pair<std::string, std::string>> mistakes;
+                    if (section.has("radius") && section.number("radius") > largest_radius(box)) {
+                        mistakes.emplace_back("radius", fmt::format("'radius' in rdf is {}, but half the box is {}",
+                                                                    section.number("radius"), largest_radius(box)));
+                    }
+                    return mistakes;
+                },
             .make = [](const Section& section, const State& state) -> std::unique_ptr<Analysis> {
                 const double radius = section.has("radius") ? section.number("radius")
                                                             : std::min(usual_radius, largest_radius(state.box()));

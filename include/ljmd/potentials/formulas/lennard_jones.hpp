@@ -9,9 +9,9 @@
 
 namespace ljmd {
 
-/// Lennard-Jones 12-6: u(r) = 4 (r^-12 - r^-6), w(r) = -u'(r)/r = 24 r^-2 (2 r^-12 - r^-6), in units of sigma and epsilon.
-/// Untruncated: truncation is a wrapper, see truncation.hpp.
-/// Source: J. E. Jones (1924), doi:10.1098/rspa.1924.0082
+/// Lennard-Jones 12-6: u(r) = 4 (r^-12 - r^-6), w(r) = -u'(r)/r = 24 r^-2 (2 r^-12 - r^-6), in units of sigma and
+/// epsilon. Untruncated: truncation is a wrapper, see truncation.hpp. Source: J. E. Jones (1924),
+/// doi:10.1098/rspa.1924.0082
 class LennardJones {
   public:
     static constexpr std::string_view name = "lennard-jones";

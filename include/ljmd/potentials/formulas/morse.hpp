@@ -18,12 +18,23 @@ class Morse {
     static constexpr std::string_view meaning = "D (e^2 - 2 e), e = exp(-a (r - r0))";
 
     static std::vector<Key> keys() {
-        return {Key::number("well_depth").dimension(Dimension::energy).unit("epsilon").above(0.0).defaults_to(1.0).meaning(
-                    "D, depth of the minimum"),
-                Key::number("steepness").unit("1/sigma").above(0.0).defaults_to(6.0).meaning(
-                    "a; 6 gives the curvature of the Lennard-Jones minimum"),
-                Key::number("minimum").dimension(Dimension::length).unit("sigma").above(0.0).defaults_to(1.122462048309373).meaning(
-                    "r0, position of the minimum; 2^(1/6) is that of Lennard-Jones")};
+        return {Key::number("well_depth")
+                    .dimension(Dimension::energy)
+                    .unit("epsilon")
+                    .above(0.0)
+                    .defaults_to(1.0)
+                    .meaning("D, depth of the minimum"),
+                Key::number("steepness")
+                    .unit("1/sigma")
+                    .above(0.0)
+                    .defaults_to(6.0)
+                    .meaning("a; 6 gives the curvature of the Lennard-Jones minimum"),
+                Key::number("minimum")
+                    .dimension(Dimension::length)
+                    .unit("sigma")
+                    .above(0.0)
+                    .defaults_to(1.122462048309373)
+                    .meaning("r0, position of the minimum; 2^(1/6) is that of Lennard-Jones")};
     }
     static Morse from(const Section& section) {
         return {section.number("well_depth"), section.number("steepness"), section.number("minimum")};

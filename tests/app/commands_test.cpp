@@ -1,0 +1,159 @@
+#include "ljmd/app/commands.hpp"
+
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/app_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/neighbors/pair_search.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/potentials/pair_potential.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+/// What a command says, on both streams.
+struct Said {
+    std::string out;
+    std::string err;
+};
+
+template <class Command>
+Said said(const Command& command) {
+    Captured out(stdout);
+    Captured err(stderr);
+    command();
+    return {out.text(), err.text()};
+}
+
+struct Report {
+    int code;
+    std::string text;
+};
+
+template <class Exception>
+Report report(const Exception& exception) {
+    Report result{};
+    result.text = said([&] {
+                      try {
+                          throw exception;
+                      } catch (...) {
+                          result.code = report_current_exception();
+                      }
+                  }).err;
+    return result;
+}
+
+DeckOptions options_of(const DeckFolder& folder) {
+    return {.deck = folder.deck_path().string(), .settings = {}};
+}
+
+}  // namespace
+
+TEST_CASE("every kind of error has its exit code and one message") {
+    CHECK(report(InputError("the deck")).code == 2);
+    CHECK(report(InputError("the deck")).text == "error: the deck\n");
+    CHECK(report(InputError("error: deck.toml:1:1: a key")).text == "error: deck.toml:1:1: a key\n");
+    CHECK(report(DataError("the start")).code == 3);
+    CHECK(report(FileError("the disk")).code == 4);
+    CHECK(report(PhysicsError("the run")).code == 5);
+    CHECK(report(PhysicsError("the run")).text == "error: the run\n");
+    CHECK(report(std::bad_alloc()).code == 7);
+    CHECK_THAT(report(std::bad_alloc()).text, Catch::StartsWith("error: out of memory"));
+    for (const Report& bug : {report(std::runtime_error("odd")), report(ContractViolation("odd"))}) {
+        CHECK(bug.code == 1);
+        CHECK_THAT(bug.text, Catch::StartsWith("internal error: odd\n") && Contains("bug"));
+    }
+}
+
+TEST_CASE("check tells the cost of a deck and writes nothing") {
+    const DeckFolder folder;
+    const std::filesystem::path odd = folder / "d\xff.toml";  // no UTF-8, which JSON must be
+    std::filesystem::copy(folder.deck_path(), odd);
+    DeckOptions options = options_of(folder);
+    options.settings = {"output.directory=\"" + (folder / "out").string() + "\""};
+    const Said text = said([&] { check_command(options); });
+    CHECK_THAT(text.out, Contains("the deck is good") && Contains("108"));
+    CHECK(text.err.empty());
+    options.json = true;
+    options.deck = odd.string();
+    const Json json = Json::parse(said([&] { check_command(options); }).out);
+    CHECK(json.at("atoms") == 108);
+    CHECK(json.at("steps") == 60);
+    CHECK(json.at("cutoff") == 2.0);
+    CHECK(json.at("largest_cutoff").get<double>() == Approx(2.56496).epsilon(1e-5));
+    for (const char* key : {"memory_bytes", "disk_bytes", "seconds"}) {
+        CHECK(json.at(key).get<double>() > 0.0);
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE("run writes its files and prints its table, or JSON") {
+    const DeckFolder folder;
+    DeckOptions options = options_of(folder);
+    options.quiet = true;
+    const std::string out = (folder / "out").string();
+    const Said first = said([&] { run_command(options, out); });
+    CHECK(first.out == content_of(folder / "out" / "results.txt"));
+    CHECK_THROWS_AS(run_command(options, out), InputError);
+    options.force = true;
+    options.json = true;
+    const Said second = said([&] { run_command(options, out); });
+    CHECK(second.out == content_of(folder / "out" / "results.json"));
+    CHECK(Json::parse(second.out).at("observables").contains("temperature"));
+}
+
+TEST_CASE("a start that cannot be used costs an earlier run nothing") {
+    const DeckFolder folder;
+    DeckOptions options = options_of(folder);
+    options.quiet = true;
+    const std::string out = (folder / "out").string();
+    static_cast<void>(said([&] { run_command(options, out); }));
+    const std::string before = content_of(folder / "out" / "run.json");
+    std::ofstream(folder / "start.xyz") << "1\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=species:S:1:pos:R:3\nX 0 0 0\n";
+    options.force = true;
+    options.settings = {"system.file=" + (folder / "start.xyz").string(), "system.velocities=file"};
+    std::ofstream(folder.deck_path()) << changed(small_deck,
+                                                 {{"lattice = { type = \"fcc\", cells = 3 }\ndensity = 0.8\n", ""}});
+    CHECK_THROWS_AS(run_command(options, out), DataError);
+    CHECK(content_of(folder / "out" / "run.json") == before);
+}
+
+TEST_CASE("a file's box is held against the deck") {
+    const DeckFolder folder(
+        changed(small_deck, {{"lattice = { type = \"fcc\", cells = 3 }\ndensity = 0.8\n", "file = \"\"\n"}}));
+    std::ofstream(folder / "start.xyz") << "1\nLattice=\"3 0 0 0 9 0 0 0 9\" Properties=species:S:1:pos:R:3\nX 0 0 0\n";
+    DeckOptions options = options_of(folder);
+    options.settings = {"system.file=" + (folder / "start.xyz").string()};
+    CHECK_THROWS_AS(check_command(options), InputError);
+    CHECK_THROWS_WITH(check_command(options), Contains("more than half the box") && Contains("largest allowed: 1.5"));
+}
+
+TEST_CASE("warnings about a deck are told unless quiet") {
+    const DeckFolder folder(changed(small_deck, {{"sample = true", "sample = true\ntemperature = 2.0"}}));
+    DeckOptions options = options_of(folder);
+    CHECK_THAT(said([&] { check_command(options); }).err,
+               Catch::StartsWith("warning: ") && Contains("no effect without a thermostat"));
+    options.quiet = true;
+    CHECK(said([&] { check_command(options); }).err.empty());
+}
+
+TEST_CASE("info names every plug-in, with keys it is the reference page") {
+    const std::string text = said([] { info_command(false); }).out;
+    for (const auto& names :
+         {PairPotential::formula_names(), PairPotential::truncation_names(), pair_search_names(),
+          plugin_names(all_integrators()), plugin_names(all_thermostats()), plugin_names(all_analyses())}) {
+        for (const std::string& name : names) {
+            CHECK_THAT(text, Contains(name));
+        }
+    }
+    CHECK(said([] { info_command(true); }).out == deck_reference_page());
+}

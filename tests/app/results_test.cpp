@@ -1,0 +1,172 @@
+#include "ljmd/app/results.hpp"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/app_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+ObservableAverage average(const std::string& name, const std::string& unit, double mean, double error,
+                          double independent = 100.0) {
+    return {name, "X", unit, Estimate{mean, error, independent, 1000, true}};
+}
+
+/// A run of argon's state near the triple point, as Verlet's; two stages.
+RunResult some_result() {
+    return {.atoms = 864,
+            .density = 0.8442,
+            .edges = Vec3(10.0, 10.5, 11.0),
+            .averages = {average("temperature", "epsilon/k_B", 0.722, 0.0021),
+                         average("potential_energy", "epsilon", -6.08712, 0.00123),
+                         average("pressure", "epsilon/sigma^3", 0.5, 0.25),
+                         average("compressibility_factor", "1", 0.9, unknown, unknown)},
+            .order_at_sampling = 0.0125,
+            .stages = {{"equilibrate", "velocity-verlet", 0, 5000, 0.004, false, true, std::nullopt},
+                       {"production", "velocity-verlet", 5000, 25000, 0.004, true, false, -1.5e-7}},
+            .tables = {},
+            .warnings = {"a doubt"},
+            .search = {},
+            .seconds = 1.0};
+}
+
+Deck deck_with(const std::string& extra) {
+    return DeckFolder(small_deck + extra).load();
+}
+
+/// The line of a table that begins so.
+std::string line_of_table(const std::string& table, const std::string& beginning) {
+    const std::size_t begin = table.find("\n  " + beginning);
+    INFO(table);
+    REQUIRE(begin != std::string::npos);
+    return table.substr(begin + 1, table.find('\n', begin + 1) - begin - 1);
+}
+
+/// What the table makes of a mean and its error.
+std::string shown_with_error(double mean, double error) {
+    RunResult result = some_result();
+    result.averages = {average("pressure", "unit", mean, error)};
+    const std::string line = line_of_table(results_table(deck_with(""), result), "pressure");
+    const std::string text = line.substr(line.find_first_not_of(' ', 2 + 24 + 1));
+    return text.substr(0, text.find("  "));
+}
+
+}  // namespace
+
+TEST_CASE("results.json has the keys that scripts rely on") {
+    const Json json = Json::parse(results_json(deck_with(""), some_result()));
+    const Json& temperature = json.at("observables").at("temperature");
+    CHECK(temperature.at("mean") == 0.722);
+    CHECK(temperature.at("standard_error") == 0.0021);
+    CHECK(temperature.at("independent_samples") == 100.0);
+    CHECK(temperature.at("unit") == "epsilon/k_B");
+    CHECK(temperature.at("samples") == 1000);
+    CHECK(temperature.at("error_is_converged") == true);
+    CHECK_FALSE(temperature.contains("si"));
+    REQUIRE(json.at("stages").size() == 2);
+    const Json& production = json.at("stages")[1];
+    CHECK(production.at("name") == "production");
+    CHECK(production.at("steps") == 20000);
+    CHECK(production.at("first_step") == 5000);
+    CHECK(production.at("energy_drift") == -1.5e-7);
+    CHECK(json.at("stages")[0].at("energy_drift").is_null());
+    CHECK(json.at("title") == "A small liquid");
+    CHECK(json.at("system").at("atoms") == 864);
+    CHECK(json.at("system").at("density") == 0.8442);
+    CHECK(json.at("system").at("box_edges") == Json({10.0, 10.5, 11.0}));
+    CHECK_FALSE(json.at("system").contains("density_g_per_cm3"));
+    CHECK(json.at("translational_order_at_sampling") == 0.0125);
+    CHECK(json.at("warnings") == Json({"a doubt"}));
+}
+
+TEST_CASE("what is not known is null in results.json") {
+    RunResult result = some_result();
+    result.averages.push_back({"virial", "W", "epsilon", std::nullopt});
+    result.averages.push_back(
+        average("total_energy", "epsilon", std::numeric_limits<double>::infinity(), unknown, unknown));
+    result.order_at_sampling.reset();
+    const Json json = Json::parse(results_json(deck_with(argon_table), result));
+    for (const char* key : {"mean", "standard_error", "independent_samples"}) {
+        CHECK(json.at("observables").at("virial").at(key).is_null());
+        CHECK(json.at("observables").at("total_energy").at(key).is_null());
+    }
+    CHECK(json.at("observables").at("compressibility_factor").at("mean") == 0.9);
+    CHECK(json.at("observables").at("compressibility_factor").at("standard_error").is_null());
+    CHECK(json.at("observables").at("virial").at("unit") == "epsilon");
+    CHECK(json.at("translational_order_at_sampling").is_null());
+    CHECK(Json::parse(results_json(deck_with(""), RunResult{})).at("observables").is_object());
+}
+
+TEST_CASE("a substance adds kelvin, kJ/mol, bar and g/cm3") {
+    const Json json = Json::parse(results_json(deck_with(argon_table), some_result()));
+    const auto si = [&](const char* name) { return json.at("observables").at(name).at("si"); };
+    CHECK(si("temperature").at("unit") == "K");
+    CHECK(si("temperature").at("mean").get<double>() == Approx(0.722 * 119.8).epsilon(1e-12));
+    CHECK(si("temperature").at("standard_error").get<double>() == Approx(0.0021 * 119.8).epsilon(1e-12));
+    // epsilon = 119.8 k_B N_A = 0.996072 kJ/mol; epsilon/sigma^3 = 119.8 k_B/(3.405 A)^3 = 418.98 bar
+    CHECK(si("potential_energy").at("unit") == "kJ/mol");
+    CHECK(si("potential_energy").at("mean").get<double>() == Approx(-6.08712 * 0.996072).epsilon(1e-5));
+    CHECK(si("pressure").at("unit") == "bar");
+    CHECK(si("pressure").at("mean").get<double>() == Approx(0.5 * 418.98).epsilon(1e-4));
+    CHECK_FALSE(json.at("observables").at("compressibility_factor").contains("si"));
+    // 39.948 u/(3.405 A)^3 = 1.68033 g/cm3
+    CHECK(json.at("system").at("density_g_per_cm3").get<double>() == Approx(0.8442 * 1.68033).epsilon(1e-5));
+}
+
+TEST_CASE("an error is told to two digits, its mean to as many decimals") {
+    CHECK(shown_with_error(-6.08712, 0.00123) == "-6.0871 +- 0.0012");
+    CHECK(shown_with_error(0.722, 0.021) == "0.722 +- 0.021");
+    CHECK(shown_with_error(0.5, 0.25) == "0.50 +- 0.25");
+    CHECK(shown_with_error(1234.567, 12.3) == "1235 +- 12");
+    CHECK(shown_with_error(1234.567, 123.0) == "1235 +- 123");
+    CHECK(shown_with_error(1.5, 0.0) == "1.5");
+    CHECK(shown_with_error(1.23456789, unknown) == "1.23457");
+}
+
+TEST_CASE("the table of a run shows what people look for, in SI too for a substance") {
+    RunResult result = some_result();
+    result.averages.push_back({"kinetic_energy", "K", "epsilon", std::nullopt});
+    result.averages.push_back(average("pressure_xy", "epsilon/sigma^3", 0.0, 0.1));
+    const std::string reduced = results_table(deck_with(""), result);
+    CHECK_THAT(reduced,
+               Catch::StartsWith("A small liquid\n864 atoms, density 0.8442 sigma^-3, box 10 x 10.5 x 11 sigma^3\n"));
+    CHECK_THAT(line_of_table(reduced, "temperature"),
+               Contains("0.7220 +- 0.0021") && Contains("epsilon/k_B") && Catch::EndsWith(" 100"));
+    CHECK_THAT(line_of_table(reduced, "compressibility_factor"), Contains(" 0.9 ") && Catch::EndsWith(" -"));
+    CHECK_THAT(line_of_table(reduced, "kinetic_energy"), Contains("not defined"));
+    CHECK_THAT(line_of_table(reduced, "energy drift"), Contains("'production': -1.5e-07 epsilon per atom and tau"));
+    CHECK_THAT(reduced, !Contains("pressure_xy") && !Contains("equilibrate"));
+    const std::string argon = results_table(deck_with(argon_table), result);
+    CHECK_THAT(line_of_table(argon, "temperature"), Catch::EndsWith(" 86.50 +- 0.25 K"));
+    CHECK_THAT(line_of_table(argon, "potential_energy"), Catch::EndsWith(" -6.0632 +- 0.0012 kJ/mol"));
+    CHECK_THAT(argon, Contains("density 0.8442 sigma^-3 (1.4185 g/cm3)"));
+}
+
+TEST_CASE("a title cannot write what it likes to a terminal, and a run without one goes by its deck") {
+    Deck deck = deck_with("");
+    deck.title = "a\033[2Jb\nc";
+    CHECK_THAT(results_table(deck, some_result()), Catch::StartsWith("a?[2Jb?c\n"));
+    CHECK(Json::parse(results_json(deck, some_result())).at("title") == deck.title);
+    deck.title.clear();
+    CHECK_THAT(results_table(deck, some_result()), Catch::StartsWith(deck.path + "\n"));
+}
+
+TEST_CASE("lengths in tables stand in nanometres too for a substance") {
+    const DataTable table{"rdf", {"r", "g"}, {{1.0, 0.5}, {2.0, 1.5}}};
+    const SubstanceUnits argon(3.405e-10, 1.65e-21, 6.63e-26);
+    const DataTable si = with_si_columns(table, argon);
+    CHECK(si.columns == std::vector<std::string>{"r", "g", "r_nm"});
+    REQUIRE(si.rows.size() == 2);
+    CHECK(si.rows[1][1] == 1.5);
+    CHECK(si.rows[1][2] == Approx(0.681).epsilon(1e-14));
+    CHECK(with_si_columns(table, std::nullopt).columns == table.columns);
+    CHECK(with_si_columns({"sk", {"k", "s"}, {{1.0, 2.0}}}, argon).rows[0].size() == 2);
+}

@@ -1,0 +1,126 @@
+"""The command line itself: help, version, info, check, and what is no command."""
+
+import json
+import re
+from pathlib import Path
+
+from harness import ARGON, DECK, Case
+
+INPUTS = Path(__file__).resolve().parents[2] / "inputs"
+
+
+def no_arguments(t):
+    result = t.expect(2, t.run())
+    t.equal(result.out, "", "stdout")
+    for word in ("Usage: ljmd", "run", "check", "info"):
+        t.contains(result.err, word)
+
+
+def help_goes_to_stdout(t):
+    for arguments in (["--help"], ["run", "--help"], ["check", "-h"]):
+        result = t.run_well(*arguments)
+        t.contains(result.out, "Usage: ljmd")
+        t.equal(result.err, "", "stderr")
+
+
+def version(t):
+    result = t.run_well("--version")
+    t.check(re.fullmatch(r"ljmd \d+\.\d+\.\d+\n", result.out), f"--version prints {result.out!r}")
+
+
+def bad_usage(*arguments):
+    def test(t):
+        t.deck()
+        result = t.expect(2, t.run(*arguments))
+        t.equal(result.out, "", "stdout")
+        t.equal(t.files(), ["deck.toml"], "files")
+        t.golden(result.err)
+    return test
+
+
+def info(t):
+    result = t.run_well("info")
+    t.equal(result.err, "", "stderr")
+    for word in ("ljmd ", "compiler", "flags", "simd", "lennard-jones", "morse", "force-shifted", "verlet-list",
+                 "velocity-verlet", "rescale", "rdf", "h5md, xyz"):
+        t.contains(result.out, word)
+
+
+def toml_keys(text):
+    """Tables and keys of a deck that is written as ours are: one key a line, inline tables on one line."""
+    keys = set(re.findall(r"^\[+([a-z_]+)\]+", text, flags=re.M))
+    bare = re.sub(r'"[^"]*"', '""', re.sub(r"#.*", "", text))
+    return keys | set(re.findall(r"([a-z_]+)\s*=", bare))
+
+
+def info_keys(t):
+    page = t.run_well("info", "--keys").out
+    wanted = toml_keys((INPUTS / "verlet1967" / "argon-864.toml").read_text(encoding="utf-8"))
+    t.check(len(wanted) > 25, f"the test finds only {sorted(wanted)} in the deck")
+    missing = [key for key in sorted(wanted) if f"`{key}`" not in page and f"[{key}]" not in page]
+    t.equal(missing, [], "keys of argon-864.toml that are not in the reference page")
+    t.check(page.startswith("# "), "the page is not Markdown")
+
+
+def check_text(t):
+    t.deck(text=DECK.replace("[system]", ARGON + "\n[system]"))
+    result = t.run_well("check", "deck.toml")
+    t.equal(result.err, "", "stderr")
+    t.equal(t.files(), ["deck.toml"], "files after check")
+    # what depends on the machine is left out
+    t.golden(re.sub(r"(time +about ).*", r"\1...", result.out))
+
+
+def check_json(t):
+    t.deck()
+    found = json.loads(t.run_well("check", "deck.toml", "--json", "--set", "stage.production.steps=100").out)
+    t.equal(found["atoms"], 108, "atoms")
+    t.equal(found["steps"], 120, "steps")
+    t.equal(found["cutoff"], 2.5, "cutoff")
+    edge = (108 / 0.8442) ** (1 / 3)
+    t.check(all(abs(x - edge) < 1e-9 for x in found["box_edges"]), f"box edges {found['box_edges']}")
+    t.check(abs(found["largest_cutoff"] - edge / 2) < 1e-9, "largest cutoff")
+    for key in ("memory_bytes", "disk_bytes", "seconds"):
+        t.check(found[key] > 0, f"{key} is {found[key]}")
+
+
+def check_predicts(t):
+    """The disk that a run takes is what check foretold, within a factor of two."""
+    t.deck(("thermo = { every = 5 }", 'thermo = { every = 1 }\ntrajectory = { every = 1, format = "xyz" }'))
+    foretold = json.loads(t.run_well("check", "deck.toml", "--json").out)["disk_bytes"]
+    t.run_well("run", "deck.toml", "--quiet")
+    taken = sum((t.dir / "runs/deck" / name).stat().st_size for name in t.files("runs/deck"))
+    t.check(0.5 < taken / foretold < 2, f"foretold {foretold:.0f} bytes, taken {taken}")
+
+
+def check_tells_of_warnings(t):
+    t.deck(("sample = true", "sample = true\ntemperature = 2.0"))
+    t.golden(t.run_well("check", "deck.toml").err)
+    t.equal(t.run_well("check", "deck.toml", "--quiet").err, "", "stderr with --quiet")
+
+
+def a_large_cutoff_is_warned_of(t):
+    t.deck(("cells = 3", "cells = 8"), ("cutoff = 2.5", "cutoff = 6.5"))
+    t.golden(t.run_well("check", "deck.toml").err)
+
+
+def forced_values_are_warned_of(t):
+    t.deck(("time_step = 0.004\nsteps = 40", "time_step = 0.02\nsteps = 40"), ("temperature = 1.0", "temperature = 60.0"))
+    t.expect(2, t.run("check", "deck.toml"))
+    t.golden(t.run_well("check", "deck.toml", "--force").err)
+
+
+def cases():
+    result = [Case(test.__name__.replace("_", " "), test)
+              for test in (no_arguments, help_goes_to_stdout, version, info, info_keys, check_text, check_json,
+                           check_predicts, check_tells_of_warnings, a_large_cutoff_is_warned_of,
+                           forced_values_are_warned_of)]
+    for name, arguments in [
+            ("unknown command", ["rnu", "deck.toml"]), ("unknown command without a likeness", ["simulate", "deck.toml"]),
+            ("unknown option", ["run", "deck.toml", "--walltme", "2h"]), ("unknown option of ljmd", ["--verbose"]),
+            ("run without a deck", ["run"]), ("check without a deck", ["check"]),
+            ("run with two decks", ["run", "deck.toml", "other.toml"]), ("--set without a value", ["run", "deck.toml", "--set"]),
+            ("--out without a value", ["run", "deck.toml", "--out"]), ("check with --out", ["check", "deck.toml", "--out", "x"]),
+            ("two commands", ["info", "check", "deck.toml"]), ("info of a deck", ["info", "deck.toml"])]:
+        result.append(Case(name, bad_usage(*arguments)))
+    return result

@@ -1,0 +1,82 @@
+"""Every deck of the project: good as it stands, and it runs when its stages are made short."""
+
+import json
+import math
+import re
+from pathlib import Path
+
+from harness import Case
+
+INPUTS = Path(__file__).resolve().parents[2] / "inputs"
+MOST_CELLS = 6  # 864 atoms are enough to see whether a deck runs
+STEPS = 12
+
+
+def decks():
+    return sorted(INPUTS.rglob("*.toml"))
+
+
+def shortened(text):
+    """The --set that make a deck quick: few steps, few atoms, and still every output that it asks for."""
+    settings = [f"stage.{name}.steps={STEPS}" for name in re.findall(r"^\[\[stage\]\][^\[]*?^name = \"([^\"]+)\"", text, flags=re.M)]
+    cells = re.search(r"cells = (\d+)", text)
+    if cells and int(cells.group(1)) > MOST_CELLS:
+        settings.append(f"system.lattice.cells={MOST_CELLS}")
+    settings.append("output.thermo.every=2")
+    settings += [f"{table}.every=4" for table, key in (("output.trajectory", "trajectory"), ("analysis.rdf", "rdf"))
+                 if re.search(rf"^{key} = ", text, flags=re.M)]
+    return [part for setting in settings for part in ("--set", setting)]
+
+
+def provide_start(t, text):
+    """A deck that starts from the run of another deck needs that run first."""
+    start = re.search(r'^file = "([^"]+)"', text, flags=re.M)
+    if start:
+        other = next((deck for deck in decks() if deck.stem == Path(start.group(1)).name), None)
+        t.check(other is not None, f"no deck of the project makes {start.group(1)}")
+        t.run_well("run", other, "--quiet", "--out", start.group(1), *shortened(other.read_text(encoding="utf-8")))
+
+
+def check(deck):
+    def test(t):
+        provide_start(t, deck.read_text(encoding="utf-8"))
+        before = t.files()
+        result = t.run_well("check", deck, "--json")
+        t.equal(result.err, "", "warnings about the deck")
+        t.check(json.loads(result.out)["steps"] > 0, "no steps")
+        t.equal(t.files(), before, "files")
+    return test
+
+
+def run(deck):
+    def test(t):
+        text = deck.read_text(encoding="utf-8")
+        provide_start(t, text)
+        result = t.run_well("run", deck, "--out", "out", "--json", *shortened(text))
+        found = json.loads(result.out)
+        t.check(all(stage["steps"] == STEPS for stage in found["stages"]), f"stages: {found['stages']}")
+        t.check(found["observables"], "nothing was measured: no stage is sampled")
+        for name, values in found["observables"].items():
+            t.check(isinstance(values["mean"], float) and math.isfinite(values["mean"]), f"{name}: {values}")
+        for name, column in t.columns("out/thermo.csv").items():
+            t.check(all(map(math.isfinite, column)), f"{name} in thermo.csv")
+        if "rdf = " in text:
+            t.check(all(map(math.isfinite, t.columns("out/rdf.csv")["g"])), "g in rdf.csv")
+    return test
+
+
+def every_deck_has_a_title(t):
+    for deck in decks():
+        t.check(deck.read_text(encoding="utf-8").startswith('title = "'), f"{deck.relative_to(INPUTS)} begins with no title")
+
+
+def there_are_decks(t):
+    t.check(len(decks()) >= 9, f"only {len(decks())} decks under {INPUTS}")
+
+
+def cases():
+    result = [Case("there are decks", there_are_decks), Case("every deck has a title", every_deck_has_a_title)]
+    for deck in decks():
+        name = deck.relative_to(INPUTS).as_posix()
+        result += [Case(f"check {name}", check(deck)), Case(f"run {name}", run(deck))]
+    return result

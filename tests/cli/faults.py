@@ -1,0 +1,138 @@
+"""Runs that cannot end well: they say where and why, and leave what they had."""
+
+import os
+import re
+import resource
+
+from harness import Case, Skip, snapshot
+
+HOT = [("density = 0.8442", "density = 0.5"), ("temperature = 1.0", "temperature = 20.0"),
+       ("time_step = 0.004\nsteps = 20", "time_step = 0.05\nsteps = 2000"),
+       ('thermostat = { type = "rescale", every = 5 }\n', "")]
+
+
+def explosion(t):
+    t.deck(*HOT)
+    result = t.expect(5, t.run("run", "deck.toml", "--force", "--out", "out"))
+    t.equal(result.out, "", "stdout")
+    error = result.err[result.err.index("error: "):]
+    t.equal(error.count("error:"), 1, "times that it says 'error:'")
+    t.check(re.match(r"error: step \d+ \(stage 'melt'\): (atom \d+ |the total energy )", error), f"message: {error}")
+    t.contains(error, "time step")
+    t.contains(error, "the configuration is in out/failed.xyz\n")
+    t.equal(t.read("out/failed.xyz").splitlines()[0], "108", "first line of failed.xyz")
+    t.equal(t.json("out/run.json")["finished"], False, "finished")
+    t.check(t.columns("out/thermo.csv")["step"], "thermo.csv has no rows")
+    t.check(not (t.dir / "out/results.json").exists(), "a failed run has results")
+    t.equal([name for name in t.files("out") if name.endswith(".tmp")], [], "left-over files")
+
+
+def explosion_under_a_thermostat(t):
+    """Rescaling at every step hides an explosion from the energy; the speed of single atoms shows it."""
+    t.deck(("density = 0.8442", "density = 0.5"), ("time_step = 0.004\nsteps = 20", "time_step = 0.04\nsteps = 1000"),
+           ('type = "rescale", every = 5', 'type = "rescale", every = 1'))
+    result = t.expect(5, t.run("run", "deck.toml", "--force"))
+    t.check(re.search(r"error: step \d+ \(stage 'melt'\): atom \d+ moves [\d.e+]+ sigma in one step", result.err),
+            f"message: {result.err}")
+
+
+def slow_heating(t):
+    """A time step a little too large heats without any explosion; the message tells by how much."""
+    t.deck(("time_step = 0.004\nsteps = 20", "time_step = 0.03\nsteps = 3000"),
+           ('thermostat = { type = "rescale", every = 5 }\n', ""))
+    result = t.expect(5, t.run("run", "deck.toml", "--force"))
+    t.check(re.search(r"error: step \d+ \(stage 'melt'\): the total energy has risen by [\d.]+ epsilon per atom", result.err),
+            f"message: {result.err}")
+
+
+def a_sound_run_is_left_alone(t):
+    """The hottest run and the largest step that need no --force, and a melting crystal under a harsh cut, are sound."""
+    for out, edits in (("hot", [("temperature = 1.0", "temperature = 50.0"), ("time_step = 0.004\nsteps = 40",
+                                                                              "time_step = 0.001\nsteps = 400")]),
+                       ("long", [("time_step = 0.004\nsteps = 40", "time_step = 0.0199\nsteps = 400")]),
+                       ("harsh", [("cutoff = 2.5", "cutoff = 1.5"), ("steps = 40", "steps = 600")])):
+        if out == "hot":
+            edits = edits + [("time_step = 0.004\nsteps = 20", "time_step = 0.001\nsteps = 20")]
+        t.deck(*edits)
+        t.run_well("run", "deck.toml", "--quiet", "--out", out)
+
+
+def failed_run_is_replaced(t):
+    """failed.xyz is one of the files that --force removes."""
+    t.deck(*HOT)
+    t.expect(5, t.run("run", "deck.toml", "--force", "--out", "out"))
+    t.expect(2, t.run("run", "deck.toml", "--out", "out", "--set", "stage.melt.time_step=0.001", "--set", "stage.melt.steps=5"))
+    t.run_well("run", "deck.toml", "--out", "out", "--force", "--set", "stage.melt.time_step=0.001", "--set",
+               "stage.melt.steps=5")
+    t.check(not (t.dir / "out/failed.xyz").exists(), "failed.xyz of the earlier run is still there")
+
+
+def overlap_in_a_start(t):
+    """Two atoms that all but coincide: the force can be computed, the run cannot."""
+    (t.dir / "pair.xyz").write_text('2\nLattice="6 0 0 0 6 0 0 0 6" Properties=species:S:1:pos:R:3 pbc="T T T"\n'
+                                    "Ar 1 1 1\nAr 1.05 1 1\n")
+    t.deck(('lattice = { type = "fcc", cells = 3 }\n', 'file = "pair.xyz"\n'), ("density = 0.8442\n", ""))
+    result = t.expect(5, t.run("run", "deck.toml", "--quiet"))
+    t.contains(result.err, "do atoms overlap at the start?")
+
+
+def too_dense_to_relax(t):
+    t.deck(('type = "fcc", cells = 3', 'type = "random", atoms = 30'), ("density = 0.8442", "density = 20.0"),
+           ("cutoff = 2.5", "cutoff = 0.55"))
+    result = t.run("run", "deck.toml", "--force", "--quiet")
+    t.check(result.code in (0, 5), f"exit code {result.code}")
+
+
+def output_below_a_file(t):
+    t.deck()
+    (t.dir / "file").write_text("mine")
+    result = t.expect(4, t.run("run", "deck.toml", "--out", "file/out"))
+    t.golden(result.err)
+    t.equal(t.read("file"), "mine", "the file")
+
+
+def read_only_directory(t):
+    if os.geteuid() == 0:
+        raise Skip("root writes everywhere")
+    t.deck()
+    (t.dir / "locked").mkdir()
+    (t.dir / "locked").chmod(0o500)
+    t.contains(t.expect(4, t.run("run", "deck.toml", "--out", "locked/out")).err, "Permission denied")
+    t.contains(t.expect(4, t.run("run", "deck.toml", "--out", "locked")).err, "Permission denied")
+
+
+def an_output_that_cannot_be_removed(t):
+    t.deck()
+    (t.dir / "out/run.json/inside").mkdir(parents=True)
+    before = t.files()
+    result = t.expect(4, t.run("run", "deck.toml", "--out", "out", "--force"))
+    t.golden(result.err)
+    t.equal(t.files(), before, "files")
+
+
+def file_size_limit(t):
+    """Like a full disk: every write of a run is allowed to fail, with exit code 4 and no crash."""
+    t.deck(("thermo = { every = 5 }", 'thermo = { every = 1 }\ntrajectory = { format = "xyz", every = 1 }'))
+    for limit in (0, 100, 2000, 20_000, 100_000):
+        result = t.run("run", "deck.toml", "--quiet", "--force",
+                       preexec_fn=lambda size=limit: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+        t.expect(4, result)
+        t.check(re.match(r"(warning: .*\n)*error: cannot write '", result.err), f"limit {limit}: {result.err}")
+
+
+def another_run_survives(t):
+    """Nothing that fails here touches a run beside it."""
+    t.deck()
+    t.run_well("run", "deck.toml", "--quiet", "--out", "beside")
+    before = snapshot(t.dir / "beside")
+    t.deck(*HOT)
+    t.expect(5, t.run("run", "deck.toml", "--force", "--out", "beside/inner"))
+    after = {name: data for name, data in snapshot(t.dir / "beside").items() if not name.startswith("inner")}
+    t.equal(after, before, "the run beside")
+
+
+def cases():
+    return [Case(test.__name__.replace("_", " "), test)
+            for test in (explosion, explosion_under_a_thermostat, slow_heating, a_sound_run_is_left_alone, failed_run_is_replaced,
+                         overlap_in_a_start, too_dense_to_relax, output_below_a_file, read_only_directory,
+                         an_output_that_cannot_be_removed, file_size_limit, another_run_survives)]

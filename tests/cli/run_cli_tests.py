@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""Runs the program as a person would and looks at what it says and writes.
+
+    run_cli_tests.py --ljmd PATH [MODULE ...]            run these test modules, or all of them
+    run_cli_tests.py --ljmd PATH --update [MODULE ...]   write the golden files anew; read the difference before you commit
+
+Needs nothing but Python 3.9. Prints a line for each failing case, and "N passed, M failed" at the end.
+"""
+
+import argparse
+import importlib
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+import harness  # noqa: E402
+
+MODULES = ["commands", "deck_errors", "edge_cases", "hostile_input", "outputs", "starts", "streams", "faults", "decks"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--ljmd", required=True, type=Path, help="the program")
+    parser.add_argument("--update", action="store_true", help="write the golden files anew")
+    parser.add_argument("modules", nargs="*", metavar="MODULE", help=", ".join(MODULES))
+    options = parser.parse_args()
+    unknown = set(options.modules) - set(MODULES)
+    if unknown:
+        parser.error(f"no test module is called {', '.join(sorted(unknown))}")
+    passed = failed = 0
+    for name in options.modules or MODULES:
+        cases = importlib.import_module(name).cases()
+        golden = HERE / "golden" / f"{name}.txt"
+        good, bad = harness.run_cases(name, cases, options.ljmd.resolve(), golden, options.update)
+        passed += good
+        failed += bad
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,181 @@
+"""stdout, stderr and terminals: who is told what, and what happens when nobody listens."""
+
+import os
+import pty
+import re
+import select
+import subprocess
+import time
+
+from harness import DECK, TIME_LIMIT, Case, Failure, Skip, clean_environment
+
+LONG = DECK.replace("steps = 40", "steps = 400")  # long enough for a few lines of progress
+RATE = r"\[(melt|production)\] +\d+ % step \d+/\d+  [\d.e+]+ steps/s  [\d.e+]+ atom-steps/s  ETA (\d+:)*\d+"
+
+
+def on_a_terminal(t, *arguments):
+    """Run ljmd with stderr on a pseudo-terminal. @return exit code, stdout, stderr"""
+    ours, theirs = pty.openpty()
+    with subprocess.Popen([t.ljmd, *arguments], cwd=t.dir, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs,
+                          env=clean_environment()) as program:
+        os.close(theirs)
+        seen = b""
+        end = time.monotonic() + TIME_LIMIT
+        while time.monotonic() < end:
+            if not select.select([ours], [], [], 1.0)[0]:
+                continue
+            try:
+                data = os.read(ours, 65536)
+            except OSError:  # Linux: the other end is closed
+                break
+            if not data:
+                break
+            seen += data
+        else:
+            program.kill()
+            raise Failure("hangs on a terminal")
+        out = program.stdout.read()
+        code = program.wait()
+    os.close(ours)
+    return code, out.decode(), seen.decode()
+
+
+def plain_lines_off_a_terminal(t):
+    t.deck(text=LONG)
+    err = t.run_well("run", "deck.toml").err
+    t.check("\r" not in err and "\x1b" not in err, "control characters off a terminal")
+    t.check(err.endswith("\n"), "the last line is open")
+    t.contains(err, "stage 'melt': 20 steps of 0.004 tau\n")
+    t.contains(err, "stage 'production': 400 steps of 0.004 tau\n")
+    lines = [line for line in err.splitlines() if line.startswith("[")]
+    t.check(lines, "no progress")
+    for line in lines:
+        t.check(re.fullmatch(RATE, line), f"not a line of progress: {line!r}")
+    t.check(len(lines) <= 11, f"{len(lines)} lines of progress")
+
+
+def one_line_on_a_terminal(t):
+    t.deck(text=LONG)
+    code, out, err = on_a_terminal(t, "run", "deck.toml")
+    t.equal(code, 0, "exit code")
+    renewed = re.findall(r"\r(\[[^\r\n\x1b]*)\x1b\[K", err)
+    t.check(len(renewed) >= 2, f"the line was renewed {len(renewed)} times:\n{err!r}")
+    for line in renewed:
+        t.check(re.fullmatch(RATE, line), f"not a line of progress: {line!r}")
+    last = err.split("\r\x1b[K")[-1]
+    t.check("steps/s" not in last, f"progress is left on the screen: {last!r}")
+    t.check("\x1b" not in out, "control characters on stdout")
+
+
+def an_error_on_a_terminal(t):
+    """An error in the middle of a run stands on a line of its own."""
+    t.deck(("density = 0.8442", "density = 0.5"), ("temperature = 1.0", "temperature = 20.0"),
+           ("time_step = 0.004\nsteps = 20", "time_step = 0.05\nsteps = 2000"),
+           ('thermostat = { type = "rescale", every = 5 }\n', ""))
+    code, _, err = on_a_terminal(t, "run", "deck.toml", "--force")
+    t.equal(code, 5, "exit code")
+    t.check(re.search(r"(^|\n|\r\x1b\[K)error: step", err), f"the error does not begin a line: {err!r}")
+
+
+def stdout_holds_results_only(t):
+    t.deck(text=LONG)
+    loud = t.run_well("run", "deck.toml", "--out", "a")
+    quiet = t.run_well("run", "deck.toml", "--out", "b", "--quiet")
+    t.equal(loud.out.replace("files: a", ""), quiet.out.replace("files: b", ""), "stdout with and without --quiet")
+    t.check("steps/s" not in loud.out and "stage 'melt'" not in loud.out, "talk on stdout")
+
+
+def quiet_is_quiet(t):
+    """With --quiet nothing is said but doubts about the results."""
+    t.deck(("sample = true", "sample = true\ntemperature = 2.0"))  # a warning about the deck
+    err = t.run_well("run", "deck.toml", "--quiet").err
+    results = t.json("runs/deck/results.json")
+    t.equal(err.splitlines(), [f"warning: {warning}" for warning in results["warnings"]], "stderr with --quiet")
+    t.check(any("crystal" in warning for warning in results["warnings"]), "a crystal was sampled without a word")
+
+
+def warnings_of_a_short_run(t):
+    t.deck()
+    t.golden(t.run_well("run", "deck.toml", "--quiet").err)
+
+
+def closed(stream, code):
+    def test(t):
+        t.deck(("thermo = { every = 5 }", 'thermo = { every = 1 }\ntrajectory = { format = "xyz", every = 1 }'))
+        result = t.expect(code, t.shell(f'"$LJMD" run deck.toml {stream}'))
+        t.run_well("run", "deck.toml", "--quiet", "--out", "open")
+        for name in ("thermo.csv", "trajectory.xyz", "final.xyz", "results.json"):
+            t.equal(t.read(f"runs/deck/{name}"), t.read(f"open/{name}"), f"{name} with {stream}")
+        if code == 4 and "2>" not in stream:
+            t.contains(result.err, "error: standard output: the results could not be written: ")
+    return test
+
+
+def full_stdout(t):
+    if not os.path.exists("/dev/full"):
+        raise Skip("no /dev/full")
+    result = t.expect(4, t.shell('"$LJMD" info --keys >/dev/full'))
+    t.equal(result.err, "error: standard output: the results could not be written: No space left on device\n", "stderr")
+
+
+def full_stderr(t):
+    if not os.path.exists("/dev/full"):
+        raise Skip("no /dev/full")
+    t.deck()
+    t.expect(0, t.shell('"$LJMD" run deck.toml 2>/dev/full'))
+    t.check((t.dir / "runs/deck/results.json").exists(), "no results")
+
+
+def pipe_into_head(t):
+    """The reader takes one line and goes: no message, no harm."""
+    t.deck()
+    for command in ('"$LJMD" info --keys', '"$LJMD" run deck.toml --quiet --force', '"$LJMD" info'):
+        result = t.expect(0, t.shell(f"{command} | head -1"))
+        t.equal(len(result.out.splitlines()), 1, f"lines of {command} | head -1")
+        t.check("error:" not in result.err, f"stderr: {result.err}")
+
+
+def reader_gone(t):
+    """Nobody reads stdout at all: the program ends as filters do, by SIGPIPE, when its files are complete."""
+    t.deck()
+    ours, theirs = os.pipe()
+    os.close(ours)
+    try:
+        result = t.run("run", "deck.toml", "--quiet", capture_output=False, stdout=theirs, stderr=subprocess.PIPE)
+    finally:
+        os.close(theirs)
+    t.equal(result.code, -13, "exit code (13: SIGPIPE)")
+    t.equal(t.json("runs/deck/run.json")["finished"], True, "finished")
+
+
+def stderr_reader_gone(t):
+    """Nobody reads the talk: the run goes on."""
+    t.deck(text=LONG)
+    ours, theirs = os.pipe()
+    os.close(ours)
+    try:
+        t.expect(0, t.run("run", "deck.toml", capture_output=False, stdout=subprocess.PIPE, stderr=theirs))
+    finally:
+        os.close(theirs)
+
+
+def locale_with_decimal_comma(t):
+    """No locale reaches a file or a message."""
+    known = subprocess.run(["locale", "-a"], capture_output=True, check=False).stdout.decode().split()
+    german = next((name for name in known if name.lower() in ("de_de.utf8", "de_de.utf-8", "de_de")), None)
+    if german is None:
+        raise Skip("no de_DE locale")
+    t.deck()
+    for out, locale in (("c", "C"), ("de", german)):
+        t.run_well("run", "deck.toml", "--quiet", "--out", out, env={**clean_environment(), "LC_ALL": locale})
+    for name in ("thermo.csv", "final.xyz", "results.json"):
+        t.equal(t.read(f"de/{name}"), t.read(f"c/{name}"), f"{name} in {german}")
+
+
+def cases():
+    return [Case(test.__name__.replace("_", " "), test)
+            for test in (plain_lines_off_a_terminal, one_line_on_a_terminal, an_error_on_a_terminal, stdout_holds_results_only,
+                         quiet_is_quiet, warnings_of_a_short_run, full_stdout, full_stderr, pipe_into_head, reader_gone,
+                         stderr_reader_gone, locale_with_decimal_comma)] + [
+        Case("closed stdin", closed("<&-", 0)), Case("closed stdout", closed(">&-", 4)),
+        Case("closed stderr", closed("2>&-", 0)), Case("all closed", closed("<&- >&- 2>&-", 4))]

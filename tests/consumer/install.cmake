@@ -1,0 +1,32 @@
+# Installs the build into a fresh folder and copies the consumers beside it. The installed tree is moved once: it must
+# not remember where it was put first. With it the source tree's own copies play no part any more.
+file(REMOVE_RECURSE ${work_dir})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${build_dir} --prefix ${work_dir}/first OUTPUT_QUIET
+                COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${work_dir}/first ${work_dir}/installed)
+file(COPY ${source_dir}/tests/consumer DESTINATION ${work_dir})
+
+foreach(path ${bin_dir}/ljmd ${lib_dir}/libljmd.a ${lib_dir}/pkgconfig/ljmd.pc ${lib_dir}/cmake/ljmd/ljmdConfig.cmake
+             ${include_dir}/ljmd/core/types.hpp ${data_dir}/ljmd/inputs ${data_dir}/ljmd/analysis)
+    if(NOT EXISTS ${work_dir}/installed/${path})
+        message(SEND_ERROR "not installed: ${path}")
+    endif()
+endforeach()
+
+# A consumer that includes every installed header: none may include one that is not installed.
+file(GLOB_RECURSE headers RELATIVE ${work_dir}/installed/${include_dir} ${work_dir}/installed/${include_dir}/*.hpp)
+list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n")
+list(JOIN headers "" text)
+file(WRITE ${work_dir}/consumer/all_headers.cpp "${text}")
+
+# A path into the source or build tree would break on the next machine.
+file(GLOB_RECURSE texts ${work_dir}/installed/*.cmake ${work_dir}/installed/*.pc)
+foreach(text ${texts})
+    file(READ ${text} content)
+    foreach(folder ${source_dir} ${build_dir} ${work_dir}/first)
+        string(FIND "${content}" "${folder}" place)
+        if(NOT place EQUAL -1)
+            message(SEND_ERROR "${text} names ${folder}")
+        endif()
+    endforeach()
+endforeach()

@@ -1,0 +1,98 @@
+"""The documentation, executed: decks shown in README.md and docs/ are written, commands shown there are run.
+
+Usage: run_docs.py --ljmd PROGRAM --source ROOT
+
+- A block ```toml whose first line is `# file: NAME` is written as NAME.
+- In a block ```sh, lines that begin with `ljmd` are run, in order, in one folder for each document; lines that begin with
+  `tools/` or `analysis/` must name an executable or script of the repository.
+- A block ```text that shows a message of ljmd about a deck of the same document is compared with the message that the deck
+  gives after the mistake has been made in it.
+- docs/deck-reference.md must be what `ljmd info --keys` prints.
+- Links to files of the repository must lead somewhere.
+"""
+
+import argparse
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+passed = 0
+failed = 0
+
+
+def check(name: str, good: bool, detail: str = "") -> None:
+    global passed, failed
+    passed += good
+    failed += not good
+    if not good:
+        print(f"FAIL {name}\n{detail}")
+
+
+def blocks(text: str) -> list[tuple[str, str]]:
+    return re.findall(r"^```(\w+)\n(.*?)^```$", text, re.M | re.S)
+
+
+def run(ljmd: str, command: str, folder: pathlib.Path) -> subprocess.CompletedProcess:
+    arguments = shlex.split(command, comments=True)
+    return subprocess.run([ljmd] + arguments[1:], cwd=folder, capture_output=True, text=True)
+
+
+def check_message(document: str, ljmd: str, message: str, folder: pathlib.Path) -> None:
+    """Make the mistake that a shown message is about: its second line is the wrong line of the deck."""
+    name, number = re.match(r"error: (\S+?):(\d+):", message).groups()
+    wrong = re.search(r"^ *\d+ \| (.*)$", message, re.M).group(1)
+    lines = (folder / name).read_text().splitlines()
+    lines[int(number) - 1] = wrong
+    elsewhere = folder / "wrong"
+    elsewhere.mkdir()
+    (elsewhere / name).write_text("\n".join(lines) + "\n")
+    said = run(ljmd, f"ljmd check {name}", elsewhere).stderr
+    check(f"{document}: message about {name}", said == message, f"shown:\n{message}\nsaid:\n{said}")
+
+
+def check_document(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary)
+        for language, body in blocks(text):
+            if language == "toml" and (match := re.match(r"# file: (\S+)\n", body)):
+                (folder / match.group(1)).write_text(body[match.end():])
+            elif language == "sh":
+                for command in body.splitlines():
+                    if command.startswith("ljmd "):
+                        result = run(ljmd, command, folder)
+                        check(f"{path.name}: {command}", result.returncode == 0, result.stderr)
+                    elif command.startswith(("tools/", "analysis/")):
+                        script = root / command.split()[0]
+                        check(f"{path.name}: {command}", os.access(script, os.R_OK), f"{script} is not there")
+            elif language == "text" and body.startswith("error: "):
+                check_message(path.name, ljmd, body, folder)
+    for target in re.findall(r"\]\(([^)#]+)\)", text):
+        if "://" not in target:
+            check(f"{path.name}: link to {target}", (path.parent / target).exists())
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--ljmd", required=True)
+    parser.add_argument("--source", required=True, type=pathlib.Path)
+    arguments = parser.parse_args()
+    ljmd = str(pathlib.Path(arguments.ljmd).resolve())
+    root = arguments.source.resolve()
+    for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
+        check_document(path, ljmd, root)
+    keys = subprocess.run([ljmd, "info", "--keys"], capture_output=True, text=True, check=True).stdout
+    page = root / "docs/deck-reference.md"
+    check("docs/deck-reference.md is what `ljmd info --keys` prints",
+          page.exists() and keys == page.read_text(encoding="utf-8"),
+          "write it anew: build/dev/ljmd info --keys > docs/deck-reference.md")
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,84 @@
+#include "ljmd/forces/pair_sum.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "ljmd/potentials/pair_term.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+/// u = r^2, w = 3 for every pair: sums that can be done by hand.
+struct Counting {
+    PairTerm<double> operator()(double r2) const {
+        ++calls;
+        return {r2, 3.0};
+    }
+    mutable Index calls = 0;
+};
+
+/// Atoms in a row, x = 0, 1, 2, ...: every other one is a candidate, whatever the cutoff.
+struct Row {
+    template <class Visit>
+    void for_each_candidate(const State& state, Index i, Visit&& visit) const {
+        for (Index j = 0; j < state.count(); ++j) {
+            if (j != i) {
+                visit(j, static_cast<double>(i - j), 0.5, 0.0);
+            }
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the sum takes each pair inside the cutoff once, and candidates beyond it not at all") {
+    State state(4);
+    const Counting pair;
+    // r^2 = 1.25 for neighbours, 4.25 for next neighbours, which lie beyond.
+    const Evaluation sum = sum_pairs<Request::forces_and_energy>(pair, Row(), 2.0, state);
+    CHECK(pair.calls == 6);
+    CHECK(sum.potential_energy == 3 * 1.25);
+    Mat3 expected = Mat3::Zero();
+    expected(0, 0) = 3 * 3.0;
+    expected(1, 1) = 3 * 0.75;
+    CHECK(sum.virial.diagonal() == expected.diagonal());
+    CHECK(static_cast<const State&>(state).forces().col(0) == Vec3(-3.0, 1.5, 0.0));
+    CHECK(static_cast<const State&>(state).forces().col(1) == Vec3(0.0, 3.0, 0.0));
+    CHECK(static_cast<const State&>(state).forces().col(3) == Vec3(3.0, 1.5, 0.0));
+}
+
+TEST_CASE("the sum replaces old forces, and a pair at the cutoff does not count") {
+    State state(2);
+    state.write_forces().setConstant(7.0);
+    const Counting pair;
+    // r^2 = 1.25; two neighbouring cutoffs, whose squares are below and above it.
+    const double above = std::sqrt(1.25);
+    const double below = std::nextafter(above, 0.0);
+    REQUIRE(below * below <= 1.25);
+    REQUIRE(above * above > 1.25);
+    CHECK(sum_pairs<Request::forces_and_energy>(pair, Row(), below, state).potential_energy == 0.0);
+    CHECK(static_cast<const State&>(state).forces().isZero(0.0));
+    CHECK(pair.calls == 0);
+    CHECK(sum_pairs<Request::forces_and_energy>(pair, Row(), above, state).potential_energy == 1.25);
+    CHECK(pair.calls == 2);
+}
+
+TEST_CASE("the sum does not care where a block of atoms ends") {
+    // 256 atoms are one block. With all atoms inside the cutoff, U = sum over pairs of (i - j)^2 + 1/4.
+    for (const Index atoms : {255, 256, 257, 600}) {
+        State state(atoms);
+        const Evaluation sum = sum_pairs<Request::forces_and_energy>(Counting(), Row(), 1e3, state);
+        const double n = static_cast<double>(atoms);
+        CHECK(sum.potential_energy == n * n * (n * n - 1.0) / 12.0 + 0.25 * n * (n - 1.0) / 2.0);
+        CHECK(static_cast<const State&>(state).forces().col(atoms - 1)[0] == 3.0 * n * (n - 1.0) / 2.0);
+    }
+}
+
+TEST_CASE("the sum of forces alone returns zeros") {
+    State state(5);
+    const Evaluation sum = sum_pairs<Request::forces>(Counting(), Row(), 10.0, state);
+    CHECK(sum.potential_energy == 0.0);
+    CHECK(sum.virial == Mat3::Zero());
+    CHECK(static_cast<const State&>(state).forces().col(0) == Vec3(-30.0, 6.0, 0.0));
+}

@@ -1,0 +1,109 @@
+#include "../../src/io/hdf5_output.hpp"
+
+#include "io/output_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+// Full disks, and what other readers see while a file is written, are tested in h5md_writer_test.cpp.
+
+namespace {
+
+Hdf5Handle open_file(const std::filesystem::path& path) {
+    Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    REQUIRE(file);
+    return file;
+}
+
+std::vector<double> numbers_in(const Hdf5Handle& file, const std::string& name) {
+    const Hdf5Handle dataset(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    REQUIRE(dataset);
+    const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose);
+    std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
+    REQUIRE(H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    return values;
+}
+
+}  // namespace
+
+TEST_CASE("groups, attributes, arrays and links are in the file") {
+    const TemporaryFolder folder;
+    {
+        Hdf5Output output(folder / "a.h5md");
+        CHECK(output.path() == folder / "a.h5md");
+        output.create_group("g");
+        output.set_attribute("g", "version", std::vector<int>{1, 1});
+        output.set_attribute("g", "dimension", 3);
+        output.set_fixed_texts("g", "boundary", {"periodic", "none"});
+        output.set_variable_text("g", "unit", "nm ps-1");
+        output.write_numbers("g/x", std::vector<double>{0.1, -2.0});
+        output.write_numbers("g/n", std::vector<std::int64_t>{std::int64_t{1} << 40});
+        output.link("g/x", "g/y");
+        output.close();
+        CHECK_NOTHROW(output.close());
+    }
+    const Hdf5Handle file = open_file(folder / "a.h5md");
+    CHECK(numbers_in(file, "g/x") == std::vector<double>{0.1, -2.0});
+    CHECK(numbers_in(file, "g/y") == std::vector<double>{0.1, -2.0});
+    CHECK(numbers_in(file, "g/n") == std::vector<double>{1099511627776.0});
+    int version[2] = {0, 0};
+    const Hdf5Handle attribute(H5Aopen_by_name(file.get(), "g", "version", H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    REQUIRE(H5Aread(attribute.get(), H5T_NATIVE_INT, version) >= 0);
+    CHECK(version[0] == 1);
+    CHECK(version[1] == 1);
+    const Hdf5Handle boundary(H5Aopen_by_name(file.get(), "g", "boundary", H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const Hdf5Handle type(H5Aget_type(boundary.get()), H5Tclose);
+    CHECK(H5Tis_variable_str(type.get()) == 0);
+    CHECK(H5Tget_size(type.get()) == 9);  // "periodic" and the zero that readers in C expect
+}
+
+TEST_CASE("a series grows by one entry at each append, and keeps its shape") {
+    const TemporaryFolder folder;
+    Hdf5Output::Series scalar{.name = "t", .entry = {}, .type = H5T_NATIVE_INT64};
+    Hdf5Output::Series matrix{.name = "m", .entry = {2, 2}, .type = H5T_NATIVE_DOUBLE};
+    {
+        Hdf5Output output(folder / "a.h5md");
+        output.create_series(scalar, {4});
+        output.create_series(matrix, {1, 2, 2});
+        output.start_appending();
+        for (std::int64_t k = 0; k < 5; ++k) {
+            const auto x = static_cast<double>(k);
+            const double values[4] = {x, x + 0.1, x + 0.2, x + 0.3};
+            output.append(scalar, &k);
+            output.append(matrix, values);
+            output.commit();
+        }
+    }  // closed by the destructor
+    CHECK(scalar.length == 5);
+    const Hdf5Handle file = open_file(folder / "a.h5md");
+    CHECK(numbers_in(file, "t") == std::vector<double>{0.0, 1.0, 2.0, 3.0, 4.0});
+    const auto all = numbers_in(file, "m");
+    REQUIRE(all.size() == 20);
+    CHECK(all[0] == 0.0);
+    CHECK(all[17] == 4.1);
+}
+
+TEST_CASE("a failed call is an error that names the file and what was being done") {
+    const TemporaryFolder folder;
+    CHECK_THROWS_WITH(Hdf5Output(folder / "none" / "a.h5md"), Contains("none/a.h5md'") &&
+                                                                  Contains("creating the file") &&
+                                                                  Contains("No such file or directory"));
+    Hdf5Output output(folder / "a.h5md");
+    CHECK_THROWS_AS(output.create_group("no/parent"), FileError);
+    Hdf5Output other(folder / "b.h5md");
+    CHECK_THROWS_WITH(other.create_group("no/parent"), Contains("b.h5md': creating group no/parent"));
+}
+
+TEST_CASE("nothing is appended to a closed file") {
+    const TemporaryFolder folder;
+    Hdf5Output output(folder / "a.h5md");
+    Hdf5Output::Series series{.name = "t", .entry = {}, .type = H5T_NATIVE_DOUBLE};
+    output.create_series(series, {1});
+    output.start_appending();
+    output.close();
+    const double value = 1.0;
+    CHECK_THROWS_AS(output.append(series, &value), ContractViolation);
+    CHECK(numbers_in(open_file(folder / "a.h5md"), "t").empty());
+}

@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+"""Checks who includes whom in include/ and src/.
+
+    check_layers.py ROOT          check the tree at ROOT
+    check_layers.py --self-test   check that violations are caught, on made-up trees
+
+Rules:
+- a file includes only what LAYERS allows its layer, and files do not include each other in a circle;
+- project headers are included as "ljmd/<layer>/x.hpp", or by a path relative to the including file for headers that
+  are private to src/;
+- every header begins with #pragma once (after comments);
+- physics layers have no conditional compilation: what is absent is an absent.cpp that CMake chooses.
+"""
+
+import os
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+# layer -> what it may include besides itself
+LAYERS = {
+    "core": set(),
+    "model": {"core"},
+    "parallel": {"core", "model"},
+    "reference": {"core"},
+    "potentials": {"core", "model"},
+    "neighbors": {"core", "model", "potentials", "parallel"},
+    "forces": {"core", "model", "potentials", "neighbors", "parallel"},
+    "integrators": {"core", "model", "potentials", "neighbors", "forces"},
+    "observables": {"core", "model", "potentials", "neighbors", "forces", "integrators", "parallel"},
+    "io": {"core", "model", "potentials", "neighbors", "forces", "integrators", "observables", "parallel"},
+    "compare": {"core", "model", "potentials", "neighbors", "forces", "integrators", "observables", "io", "parallel",
+                "reference"},
+    "app": {"core", "model", "potentials", "neighbors", "forces", "integrators", "observables", "io", "parallel",
+            "reference", "compare"},
+}
+
+PHYSICS = {"model", "potentials", "neighbors", "forces", "integrators", "observables", "reference"}
+
+# Written by the build, not in the tree.
+GENERATED = {"ljmd/core/version.hpp", "ljmd/potentials/formula_list.hpp"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+CONDITIONAL = re.compile(r"^\s*#\s*(if|ifdef|ifndef|elif|elifdef|elifndef)\b")
+
+
+def without_comments(text):
+    """The text with comments blanked, line by line; strings that hold // or /* do not occur on preprocessor lines."""
+    text = re.sub(r"/\*.*?\*/", lambda match: re.sub(r"[^\n]", " ", match.group()), text, flags=re.S)
+    return re.sub(r"//[^\n]*", "", text)
+
+
+def layer_of(path):
+    """Layer of a path relative to the root: include/ljmd/<layer>/..., src/<layer>/...; None elsewhere."""
+    parts = path.parts
+    if parts[:2] == ("include", "ljmd") and len(parts) > 3:
+        return parts[2]
+    if parts[0] == "src" and len(parts) > 2:
+        return parts[1]
+    return None
+
+
+def resolve(root, path, bracket, target):
+    """The included file relative to the root; None for a header of another project; a string is a complaint."""
+    if target.startswith("ljmd/"):
+        if bracket == "<":
+            return f'write "{target}", not <{target}>'
+        included = Path("include") / target
+    elif bracket == "<":
+        return None
+    else:
+        included = Path(os.path.normpath(path.parent / target))
+    return included if target in GENERATED or (root / included).is_file() else f'"{target}" is not in the tree'
+
+
+def check_file(root, path):
+    """(complaints, included files) of one file."""
+    complaints, includes = [], []
+    layer = layer_of(path)
+    if layer not in LAYERS:
+        return [f"{path}: in no layer; allowed: {', '.join(sorted(LAYERS))}"], []
+    lines = without_comments((root / path).read_text(encoding="utf-8")).splitlines()
+    first = next((line.strip() for line in lines if line.strip()), "")
+    if path.suffix == ".hpp" and first != "#pragma once":
+        complaints.append(f"{path}: a header begins with #pragma once")
+    for number, line in enumerate(lines, 1):
+        if layer in PHYSICS and CONDITIONAL.match(line):
+            complaints.append(f"{path}:{number}: conditional compilation in the physics layer {layer}")
+        match = INCLUDE.match(line)
+        if not match:
+            continue
+        included = resolve(root, path, *match.groups())
+        if isinstance(included, str):
+            complaints.append(f"{path}:{number}: {included}")
+        elif included is not None:
+            includes.append(included)
+            other = layer_of(included)
+            if other != layer and other not in LAYERS[layer]:
+                complaints.append(f"{path}:{number}: {layer} must not include {other} ({match.group(2)})")
+    return complaints, includes
+
+
+def circles(graph):
+    """One complaint for each circle found by a depth-first walk."""
+    complaints, done, trail = [], set(), []
+
+    def visit(node):
+        if node in trail:
+            circle = trail[trail.index(node):] + [node]
+            complaints.append("circle of includes: " + " -> ".join(map(str, circle)))
+        elif node not in done:
+            trail.append(node)
+            for following in graph.get(node, []):
+                visit(following)
+            trail.pop()
+            done.add(node)
+
+    for start in sorted(graph):
+        visit(start)
+    return complaints
+
+
+def check(root):
+    """(number of files, complaints) of a tree."""
+    complaints, graph = [], {}
+    for top in ("include", "src"):
+        for file in sorted((root / top).rglob("*.[ch]pp")):
+            path = file.relative_to(root)
+            found, graph[path] = check_file(root, path)
+            complaints += found
+    return len(graph), complaints + circles(graph)
+
+
+SOUND = {
+    "include/ljmd/core/a.hpp": "// A comment first.\n#pragma once\n#include <vector>\n",
+    "include/ljmd/model/b.hpp": '#pragma once\n#include "ljmd/core/a.hpp"\n',
+    "include/ljmd/parallel/p.hpp": '#pragma once\n#include "ljmd/model/b.hpp"\n',
+    "include/ljmd/forces/f.hpp": '#pragma once\n#include "ljmd/parallel/p.hpp"\n// #include "ljmd/app/x.hpp"\n',
+    "src/core/a.cpp": '#include "ljmd/core/a.hpp"\n#include "ljmd/core/version.hpp"\n#ifdef __linux__\n#endif\n',
+    "src/io/private.hpp": "#pragma once\n",
+    "src/io/h.cpp": '#include "private.hpp"\n',
+}
+
+# what is wrong: (file, its text, what the complaint must say)
+VIOLATIONS = [
+    ("include/ljmd/model/b.hpp", '#pragma once\n#include "ljmd/forces/f.hpp"\n', "model must not include forces"),
+    ("src/core/a.cpp", '#include "ljmd/model/b.hpp"\n', "core must not include model"),
+    ("src/potentials/q.cpp", '#include "ljmd/parallel/p.hpp"\n', "potentials must not include parallel"),
+    ("src/integrators/q.cpp", '#include "ljmd/parallel/p.hpp"\n', "integrators must not include parallel"),
+    ("src/reference/q.cpp", '#include "ljmd/model/b.hpp"\n', "reference must not include model"),
+    ("src/io/q.cpp", '#include "../../../outside.hpp"\n', "is not in the tree"),
+    ("src/model/q.cpp", '#include "ljmd/potentials/formula_list.hpp"\n', "model must not include potentials"),
+    ("src/forces/q.cpp", '#include "../io/private.hpp"\n', "forces must not include io"),
+    ("src/core/a.cpp", "#include <ljmd/core/a.hpp>\n", 'not <ljmd/core/a.hpp>'),
+    ("src/core/a.cpp", '#include "ljmd/core/gone.hpp"\n', "is not in the tree"),
+    ("include/ljmd/core/a.hpp", "#include <vector>\n", "begins with #pragma once"),
+    ("include/ljmd/core/a.hpp", "#ifndef A_HPP\n#define A_HPP\n#endif\n", "begins with #pragma once"),
+    ("src/model/b.cpp", "#ifdef LJMD_WITH_MPI\n#endif\n", "conditional compilation"),
+    ("src/model/b.cpp", "#  if defined(X)\n#endif\n", "conditional compilation"),
+    ("src/magic/b.cpp", "", "in no layer"),
+    ("include/ljmd/all.hpp", "#pragma once\n", "in no layer"),
+    ("include/ljmd/core/a.hpp", '#pragma once\n#include "ljmd/core/a.hpp"\n', "circle of includes"),
+]
+
+
+def write_tree(root, files):
+    for name, text in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text, encoding="utf-8")
+
+
+def self_test():
+    failures = []
+    with tempfile.TemporaryDirectory() as folder:
+        write_tree(Path(folder), SOUND)
+        count, complaints = check(Path(folder))
+        if complaints or count != len(SOUND):
+            failures.append(f"a sound tree of {len(SOUND)} files gave {count} files and {complaints}")
+    for name, text, expected in VIOLATIONS:
+        with tempfile.TemporaryDirectory() as folder:
+            write_tree(Path(folder), {**SOUND, name: text})
+            complaints = check(Path(folder))[1]
+            if not any(expected in complaint for complaint in complaints):
+                failures.append(f"{name} with {text!r}: expected '{expected}', got {complaints}")
+    print("\n".join(failures) or f"{len(VIOLATIONS)} violations caught")
+    return 1 if failures else 0
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    if len(arguments) != 1:
+        print(__doc__)
+        return 2
+    count, complaints = check(Path(arguments[0]))
+    if count == 0:
+        complaints = [f"no sources found under {arguments[0]}"]
+    print("\n".join(complaints) or f"{count} files, no violation")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

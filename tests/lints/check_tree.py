@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""Checks that the tree looks as a reader expects it.
+
+    check_tree.py ROOT                      check the tree at ROOT
+    check_tree.py --compile-commands FILE   check the compiler's commands of a build
+    check_tree.py --self-test               check that violations are caught, on made-up trees
+
+Rules:
+- every src/<layer>/x.cpp has its tests/<layer>/x_test.cpp, but for WITHOUT_TEST;
+- at the top level stand only the names in TOP_LEVEL;
+- a file in src/ or include/ has at most MAXIMUM_LINES lines;
+- no file asks for fast-math;
+- no name of a test holds `[`, `]`, `;` or `\\`: CMake splits or joins such names, and a test of half a name runs nothing.
+"""
+
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from fnmatch import fnmatch
+from pathlib import Path
+
+# sources without a test of their own -> why
+WITHOUT_TEST = {
+    "src/app/main.cpp": "hands the command line over; the tests in tests/cli run the program",
+    "src/integrators/methods/*.cpp": "plug-ins: the tests that loop over the registry try each",
+    "src/integrators/thermostats/*.cpp": "plug-ins: the tests that loop over the registry try each",
+    "src/observables/analyses/*.cpp": "plug-ins: the tests that loop over the registry try each",
+}
+
+TOP_LEVEL = {
+    ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".gitignore", "CHANGELOG.md", "CITATION.cff",
+    "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "analysis", "cmake", "docs", "include", "inputs",
+    "src", "tests", "tools",
+}
+
+MAXIMUM_LINES = 400
+
+# Flags and pragmas that allow the compiler to compute something else than what is written.
+FAST_MATH = re.compile(r"fast-math|-Ofast\b|-funsafe-math|-fassociative-math|-freciprocal-math|-ffinite-math-only")
+FAST_MATH_FILES = ("CMakeLists.txt", "CMakePresets.json", "*.cmake", "*.cpp", "*.hpp", "*.in", "*.sh", "tools/*",
+                   ".ci/*")
+
+
+def git_files(root, *options):
+    """Files by 'git ls-files' relative to the root; None where git does not know the tree."""
+    try:
+        answer = subprocess.run(["git", "-C", str(root), "ls-files", "-z", *options], capture_output=True, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    return [Path(name) for name in answer.stdout.decode().split("\0") if name]
+
+
+def list_files(root):
+    """All files of the project, relative to the root: git's and new ones, or simply all where git is not in use."""
+    if (root / ".git").exists():
+        files = git_files(root, "--cached", "--others", "--exclude-standard")
+        if files:
+            return sorted({path for path in files if (root / path).is_file()})
+    files = (path.relative_to(root) for path in root.rglob("*") if path.is_file())
+    return sorted(path for path in files
+                  if path.parts[0] not in ("build", "runs", ".git") and "__pycache__" not in path.parts)
+
+
+def check_mirror(files):
+    complaints = []
+    names = {path.as_posix() for path in files}
+    for name in sorted(names):
+        match = re.fullmatch(r"src/(.+)\.cpp", name)
+        excused = any(fnmatch(name, pattern) for pattern in WITHOUT_TEST)
+        if match and not excused and f"tests/{match.group(1)}_test.cpp" not in names:
+            complaints.append(f"{name}: no tests/{match.group(1)}_test.cpp")
+    return complaints
+
+
+def check_top_level(files):
+    names = {path.parts[0] for path in files}
+    return [f"{name}: not a name for the top level" for name in sorted(names - TOP_LEVEL)]
+
+
+def check_lengths(root, files):
+    complaints = []
+    for path in files:
+        if path.parts[0] in ("src", "include"):
+            lines = len((root / path).read_bytes().splitlines())
+            if lines > MAXIMUM_LINES:
+                complaints.append(f"{path}: {lines} lines; at most {MAXIMUM_LINES}, better 200")
+    return complaints
+
+
+def check_fast_math(root, files):
+    complaints = []
+    for path in files:
+        if path.parts[:2] == ("tests", "lints") or not any(path.match(pattern) for pattern in FAST_MATH_FILES):
+            continue
+        comment = "//" if path.suffix in (".cpp", ".hpp") else "#"
+        text = (root / path).read_text(encoding="utf-8", errors="replace")
+        for number, line in enumerate(text.splitlines(), 1):
+            if FAST_MATH.search(line.split(comment)[0]) or (comment == "//" and re.match(r".*#.*fast-math", line)):
+                complaints.append(f"{path}:{number}: fast-math")
+    return complaints
+
+
+def check_test_names(root, files):
+    complaints = []
+    for path in files:
+        if path.name.endswith("_test.cpp"):
+            for name in re.findall(r'TEST_CASE\(\s*"([^"]*)', (root / path).read_text(encoding="utf-8")):
+                if re.search(r"[\[\];\\]", name):
+                    complaints.append(f"{path}: test name {name!r} holds one of [ ] ; \\")
+    return complaints
+
+
+def check(root):
+    files = list_files(root)
+    return check_mirror(files) + check_top_level(files) + check_lengths(root, files) + check_fast_math(root, files) + \
+        check_test_names(root, files)
+
+
+def check_commands(entries):
+    return [f"{entry['file']}: compiled with {FAST_MATH.search(entry['command']).group()}"
+            for entry in entries if FAST_MATH.search(entry["command"])]
+
+
+SOUND = {
+    "CMakeLists.txt": "# -ffast-math is never used\nproject(x)\n",
+    "src/app/main.cpp": "",
+    "src/core/a.cpp": "\n" * MAXIMUM_LINES,
+    "tests/core/a_test.cpp": "\n" * (MAXIMUM_LINES + 1),
+    "README.md": "We do not use -ffast-math.\n",
+}
+
+# what is wrong: (file, its text, what the complaint must say)
+VIOLATIONS = [
+    ("src/core/b.cpp", "", "no tests/core/b_test.cpp"),
+    ("src/core/deep/b.cpp", "", "no tests/core/deep/b_test.cpp"),
+    ("tests/core/c_test.cpp", 'TEST_CASE("one; two") {}', "test name"),
+    ("notes.txt", "", "not a name for the top level"),
+    ("scripts/run", "", "not a name for the top level"),
+    ("include/ljmd/core/long.hpp", "\n" * (MAXIMUM_LINES + 1), "at most"),
+    ("cmake/X.cmake", "add_compile_options(-ffast-math)\n", "fast-math"),
+    ("CMakePresets.json", '{"CMAKE_CXX_FLAGS": "-Ofast"}\n', "fast-math"),
+    ("include/ljmd/core/p.hpp", '#pragma GCC optimize("fast-math")\n', "fast-math"),
+    ("tools/build", "g++ -ffinite-math-only x.cpp\n", "fast-math"),
+]
+
+
+def self_test():
+    failures = []
+    for name, text, expected in [(None, None, None), *VIOLATIONS]:
+        with tempfile.TemporaryDirectory() as folder:
+            for path, content in {**SOUND, **({name: text} if name else {})}.items():
+                (Path(folder) / path).parent.mkdir(parents=True, exist_ok=True)
+                (Path(folder) / path).write_text(content, encoding="utf-8")
+            complaints = check(Path(folder))
+            if name is None and complaints:
+                failures.append(f"a sound tree gave {complaints}")
+            if name is not None and not any(expected in complaint for complaint in complaints):
+                failures.append(f"{name}: expected '{expected}', got {complaints}")
+    if not check_commands([{"file": "x.cpp", "command": "g++ -Ofast -c x.cpp"}]):
+        failures.append("-Ofast in a compiler's command went unseen")
+    print("\n".join(failures) or f"{len(VIOLATIONS) + 1} violations caught")
+    return 1 if failures else 0
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    if len(arguments) == 2 and arguments[0] == "--compile-commands":
+        entries = json.loads(Path(arguments[1]).read_text(encoding="utf-8"))
+        complaints = check_commands(entries) if entries else [f"{arguments[1]} is empty"]
+    elif len(arguments) == 1:
+        complaints = check(Path(arguments[0]))
+    else:
+        print(__doc__)
+        return 2
+    print("\n".join(complaints) or "no violation")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,176 @@
+#include "ljmd/neighbors/cell_grid.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/parallel/ghost_exchange.hpp"
+#include "neighbors/sample_states.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+/// What a grid yields for one atom: how often each point, and whether its place is the right one.
+struct Found {
+    std::vector<int> times;
+    bool places_are_right = true;
+};
+
+Found points_around(const CellGrid& grid, const State& state, Index i) {
+    const auto all = state.positions_and_ghosts();
+    Found found{std::vector<int>(static_cast<std::size_t>(all.cols())), true};
+    grid.for_each_run(all.col(i), [&](std::span<const CellGrid::Entry> run) {
+        for (const CellGrid::Entry& entry : run) {
+            ++found.times[static_cast<std::size_t>(entry.index)];
+            const Vec3 r(entry.x, entry.y, entry.z);
+            found.places_are_right = found.places_are_right && r == all.col(entry.index);
+        }
+    });
+    return found;
+}
+
+CellGrid filled(State& state, double range) {
+    CellGrid grid;
+    grid.configure(state.box(), range, state.count());
+    GhostExchange().create(state, range);
+    grid.fill(static_cast<const State&>(state).positions_and_ghosts());
+    return grid;
+}
+
+/// No point within range of an atom is missing, none is met twice.
+bool finds_everything(const State& state, const CellGrid& grid, double range) {
+    const auto all = state.positions_and_ghosts();
+    for (Index i = 0; i < state.count(); ++i) {
+        const Found found = points_around(grid, state, i);
+        if (!found.places_are_right) {
+            return false;
+        }
+        for (Index j = 0; j < all.cols(); ++j) {
+            const int times = found.times[static_cast<std::size_t>(j)];
+            const bool near = (all.col(i) - all.col(j)).norm() <= range;
+            if (times > 1 || (near && times == 0)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+double candidates_per_atom(const State& state, const CellGrid& grid) {
+    std::size_t candidates = 0;
+    for (Index i = 0; i < state.count(); ++i) {
+        grid.for_each_run(state.positions().col(i),
+                          [&](std::span<const CellGrid::Entry> run) { candidates += run.size(); });
+    }
+    return static_cast<double>(candidates) / static_cast<double>(state.count());
+}
+
+}  // namespace
+
+TEST_CASE("the cells around an atom hold all points within range, each once") {
+    const Vec3 edges = GENERATE(Vec3(5.0, 5.0, 5.0), Vec3(6.1, 6.1, 6.1), Vec3(4.2, 19.0, 7.7), Vec3(40.0, 5.0, 5.0));
+    const double range = GENERATE(0.9, 2.1, 2.5, 2.8, 5.0, 9.0);
+    const Index atoms = GENERATE(Index{3}, Index{150});
+    CAPTURE(edges.transpose(), range, atoms);
+    State state = test::random_state(atoms, Box(edges), 17);
+    const CellGrid grid = filled(state, range);
+    CHECK(finds_everything(state, grid, range));
+}
+
+TEST_CASE("atoms on the walls of cells, and a hair beside them, are found") {
+    // Cells of width 1.25 in a box of 5: everything lies on the walls, where rounding decides about the cell.
+    const Box box(Vec3::Constant(5.0));
+    const double range = 2.5;
+    State state = test::crystal_state(Lattice::simple_cubic, 4, box);
+    const double hair = GENERATE(0.0, 1.0, -1.0);
+    const auto r = state.write_positions();
+    for (Index i = 0; i < state.count(); i += 3) {
+        state.write_positions().col(i) = (r.col(i).array() + hair * box.resolution()).max(0.0);
+    }
+    CHECK(finds_everything(state, filled(state, range), range));
+}
+
+TEST_CASE("an atom on the last grid point before the far wall is found and finds") {
+    const Box box(Vec3(5.0, 5.3, 7.1));
+    const double last = box.resolution();
+    State state = test::state_of({box.edges() - Vec3::Constant(last), Vec3::Zero(), Vec3(2.4, 0.0, 0.0)}, box);
+    CHECK(finds_everything(state, filled(state, 2.5), 2.5));
+}
+
+TEST_CASE("candidates per atom do not grow with the number of atoms") {
+    // 6, 12 and 18 cells along the edges: the neighbourhoods are alike.
+    const double density = 0.8442;
+    const double range = cubic_box(500, density).edges()[0] / 3.0 * (1.0 - 1e-6);
+    double smallest = 1e300;
+    double largest = 0.0;
+    for (const Index cells : {5, 10, 15}) {
+        const Index atoms = lattice_atoms(Lattice::fcc, cells);
+        State state = test::random_state(atoms, cubic_box(atoms, density), 23);
+        const double candidates = candidates_per_atom(state, filled(state, range));
+        smallest = std::min(smallest, candidates);
+        largest = std::max(largest, candidates);
+    }
+    CHECK(largest < 1.03 * smallest);
+    CHECK(largest < 1.03 * density * std::pow(2.5 * range, 3));  // 5 cells of half the range along each axis
+}
+
+TEST_CASE("a nearly empty box is cut into few cells") {
+    State state = test::random_state(8, Box(Vec3::Constant(1000.0)), 2);
+    CellGrid grid;
+    grid.configure(state.box(), 2.5, state.count());
+    grid.fill(static_cast<const State&>(state).positions_and_ghosts());
+    std::size_t runs = 0;
+    grid.for_each_run(state.positions().col(0), [&](std::span<const CellGrid::Entry>) { ++runs; });
+    CHECK(runs == 9);  // cells wider than the range: one to each side
+    CHECK(finds_everything(state, filled(state, 2.5), 2.5));
+}
+
+TEST_CASE("the spatial order sorts by cell and by id within it, and no present order changes it") {
+    State state = test::random_state(400, Box(Vec3(8.0, 7.0, 9.0)), 31);
+    CellGrid grid;
+    grid.configure(state.box(), 2.5, state.count());
+
+    const auto ids_in_order = [&grid](State atoms) {
+        atoms.reorder(grid.spatial_order(atoms));
+        return atoms.ids();
+    };
+    const std::vector<Index> expected = ids_in_order(state);
+    CHECK(std::set<Index>(expected.begin(), expected.end()).size() == 400);
+    CHECK(expected != state.ids());
+
+    std::vector<Index> shuffle(400);
+    std::iota(shuffle.begin(), shuffle.end(), Index{0});
+    std::shuffle(shuffle.begin(), shuffle.end(), std::mt19937_64(5));
+    state.reorder(shuffle);
+    CHECK(ids_in_order(state) == expected);
+
+    // Atoms of the same cell follow each other with ascending ids; cells follow each other along x, then y, then z.
+    state.reorder(grid.spatial_order(state));
+    const Vec3 cells(6.0, 5.0, 7.0);  // floor(2 L / range)
+    const auto cell_of = [&](Index i) {
+        const Vec3 c = state.positions().col(i).cwiseQuotient(state.box().edges()).cwiseProduct(cells).array().floor();
+        return (c[2] * cells[1] + c[1]) * cells[0] + c[0];
+    };
+    bool ascending = true;
+    for (Index i = 1; i < state.count(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        ascending = ascending && (cell_of(i - 1) < cell_of(i) ||
+                                  (cell_of(i - 1) == cell_of(i) && state.ids()[k - 1] < state.ids()[k]));
+    }
+    CHECK(ascending);
+}
+
+TEST_CASE("a grid is usable again after another box, range and number of atoms") {
+    CellGrid grid;
+    for (const double edge : {12.0, 5.0, 9.0}) {
+        State state = test::random_state(static_cast<Index>(edge * 10), Box(Vec3::Constant(edge)), 3);
+        GhostExchange().create(state, 2.2);
+        grid.configure(state.box(), 2.2, state.count());
+        grid.fill(static_cast<const State&>(state).positions_and_ghosts());
+        CHECK(finds_everything(state, grid, 2.2));
+    }
+}

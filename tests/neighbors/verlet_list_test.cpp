@@ -1,0 +1,307 @@
+#include "ljmd/neighbors/verlet_list.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/random.hpp"
+#include "ljmd/neighbors/all_pairs.hpp"
+#include "neighbors/sample_states.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+std::vector<test::OrderedPair> oracle(State state, double cutoff) {
+    AllPairs search;
+    search.prepare(state, cutoff);
+    return test::pairs_within(search, state, cutoff);
+}
+
+/// Bring the list up to date and compare its pairs with those of all-pairs.
+bool agrees(VerletList& list, State& state, double cutoff) {
+    const auto expected = oracle(state, cutoff);
+    list.prepare(state, cutoff);
+    return test::pairs_within(list, state, cutoff) == expected;
+}
+
+/// Move the atom of that id.
+void move(State& state, Index id, const Vec3& d) {
+    const Index i = state.index_of()[static_cast<std::size_t>(id)];
+    auto r = state.write_positions();
+    r.col(i) = state.snapped(r.col(i) + d);
+}
+
+}  // namespace
+
+TEST_CASE("the list finds the pairs of all-pairs in random boxes") {
+    const Vec3 shape = GENERATE(Vec3(1.0, 1.0, 1.0), Vec3(1.0, 1.4, 3.5));
+    const double skin = GENERATE(0.0, 0.1, 0.3, 1.0);
+    const double density = GENERATE(0.05, 0.4, 0.8442, 1.2);
+    const double edge = GENERATE(5.0, 5.9, 7.3);  // 2 rc exactly, and between
+    const Box box(edge * shape);
+    State state = test::random_state(static_cast<Index>(std::min(density * box.volume(), 900.0)), box, 43);
+    VerletList list(skin);
+    CAPTURE(shape.transpose(), skin, density, edge);
+    CHECK(agrees(list, state, 2.5));
+    std::mt19937_64 generator(1);
+    test::displace(state, 0.49 * skin, generator);
+    CHECK(agrees(list, state, 2.5));
+    CHECK(list.statistics().rebuilds == 1);
+}
+
+TEST_CASE("the list is right in a box of 2 (rc + skin), one grid step more and one less") {
+    const double skin = GENERATE(0.0, 0.1, 0.3, 1.0);
+    const double edge = 2.0 * (2.5 + skin);
+    const double step = GENERATE(0.0, 1.0, -1.0) * Box(Vec3::Constant(edge)).resolution();
+    if (edge + step < 5.0) {
+        return;  // smaller than 2 rc
+    }
+    const Box box(Vec3(edge + step, edge + step, 1.7 * edge));
+    State state = test::random_state(300, box, 47);
+    VerletList list(skin);
+    std::mt19937_64 generator(2);
+    for (int n = 0; n < 5; ++n) {
+        CHECK(agrees(list, state, 2.5));
+        test::displace(state, 0.3 * skin + 0.01, generator);
+    }
+}
+
+TEST_CASE("the list agrees with all-pairs on shells of a crystal that lie at the cutoff") {
+    const double constant = GENERATE(1.5, 1.0 / 3.0 + 1.25, 1.679, 1.7099, 2.0);
+    const double shell = GENERATE(0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5);  // r^2 in units of the lattice constant's
+    const double skin = GENERATE(0.0, 1e-9, 0.25);
+    const double exact = constant * std::sqrt(shell);
+    const double cutoff = GENERATE_COPY(exact, std::nextafter(exact, 0.0), std::nextafter(exact, 9.0));
+    State state = test::crystal_state(Lattice::fcc, 4, Box(Vec3::Constant(4.0 * constant)));
+    VerletList list(skin);
+    CAPTURE(constant, shell, skin, cutoff);
+    CHECK(agrees(list, state, cutoff));
+}
+
+TEST_CASE("without skin the list ends where the forces end, however the last bit of r^2 is rounded") {
+    const Box box(Vec3::Constant(6.0));
+    const Vec3 from = box.snap(Vec3::Constant(0.1));
+    int lost = 0;
+    for (Index k = 0; k < 2000; ++k) {
+        const Vec3 d = box.snap(Vec3::Constant(0.8) + Random(127, RandomStream::positions).uniform(0, k));
+        State state = test::state_of({from, from + d}, box);
+        const double r = std::sqrt(d[0] * d[0] + (d[1] * d[1] + d[2] * d[2]));
+        for (const double cutoff : {r, std::nextafter(r, 0.0), std::nextafter(r, 9.0)}) {
+            VerletList list(0.0);
+            lost += agrees(list, state, cutoff) ? 0 : 1;
+        }
+    }
+    CHECK(lost == 0);
+}
+
+TEST_CASE("no pair is missed on a long random walk, and the list is rebuilt only when it must be") {
+    const double skin = GENERATE(0.1, 0.4, 1.0);
+    State state = test::random_state(250, Box(Vec3(5.0, 6.1, 7.9)), 53);
+    VerletList list(skin);
+    std::mt19937_64 generator(3);
+    const int steps = 60;
+    int late = 0;
+    for (int step = 0; step < steps; ++step) {
+        late += agrees(list, state, 2.5) ? 0 : 1;
+        test::displace(state, (step % 7 == 0 ? 0.6 : 0.1) * skin, generator);  // above and below skin/2
+    }
+    CHECK(late == 0);
+    CHECK(list.statistics().preparations == steps);
+    CHECK(list.statistics().rebuilds > steps / 7);
+    CHECK(list.statistics().rebuilds < steps / 2);
+}
+
+TEST_CASE("a pair that was outside the list is found when one of its atoms has moved by more than half the skin") {
+    // 0 and 1 are 2.81 apart, outside rc + skin = 2.8, and come nearer than rc by 0.51, 1.02, ... skins.
+    const double skin = 0.3;
+    const double moved = GENERATE(0.51, 1.02, 1.04, 1.2, 3.0) * skin;
+    State state = test::state_of({{1.0, 1.0, 1.0}, {3.81, 1.0, 1.0}}, Box(Vec3::Constant(9.0)));
+    VerletList list(skin);
+    list.prepare(state, 2.5);
+    CHECK(list.entries() == 0);
+    move(state, 0, Vec3(moved, 0.0, 0.0));
+    CHECK(agrees(list, state, 2.5));
+    CHECK(list.statistics().rebuilds == 2);
+}
+
+TEST_CASE("two atoms that approach each other by half the skin each are on the list already") {
+    const double skin = 0.3;
+    State state = test::state_of({{1.0, 1.0, 1.0}, {3.79, 1.0, 1.0}}, Box(Vec3::Constant(9.0)));
+    VerletList list(skin);
+    list.prepare(state, 2.5);
+    CHECK(list.entries() == 2);
+    move(state, 0, Vec3(0.4999 * skin, 0.0, 0.0));
+    move(state, 1, Vec3(-0.4999 * skin, 0.0, 0.0));
+    list.prepare(state, 2.5);
+    CHECK(list.statistics().rebuilds == 1);
+    CHECK(test::pairs_within(list, state, 2.5).size() == 2);
+    move(state, 1, Vec3(-0.0002 * skin, 0.0, 0.0));
+    list.prepare(state, 2.5);
+    CHECK(list.statistics().rebuilds == 2);
+}
+
+TEST_CASE("displacements are measured from the last rebuild, also for atoms that were moved in memory") {
+    State state = test::random_state(200, Box(Vec3::Constant(6.5)), 59);
+    VerletList list(0.4);
+    list.prepare(state, 2.5);
+    for (int n = 0; n < 3; ++n) {
+        const Index before = list.statistics().rebuilds;
+        for (int step = 0; step < 4; ++step) {  // 4 steps of 0.049: just below 0.2
+            move(state, 17 + n, Vec3(0.0, 0.049, 0.0));
+            list.prepare(state, 2.5);
+        }
+        CHECK(list.statistics().rebuilds == before);
+        move(state, 17 + n, Vec3(0.0, 0.049, 0.0));
+        list.prepare(state, 2.5);
+        CHECK(list.statistics().rebuilds == before + 1);
+    }
+}
+
+TEST_CASE("the list is full: entries stand on both sides, as many as all-pairs finds within cutoff + skin") {
+    State state = test::random_state(300, Box(Vec3(7.0, 6.0, 8.0)), 61);
+    VerletList list(0.35);
+    list.prepare(state, 2.5);
+    const auto within_range = oracle(state, 2.85);
+    CHECK(list.entries() == static_cast<Index>(within_range.size()));
+    CHECK(test::pairs_within(list, state, 1e3) == within_range);
+    for (const auto& [i, j] : within_range) {
+        REQUIRE(std::binary_search(within_range.begin(), within_range.end(), test::OrderedPair(j, i)));
+    }
+}
+
+TEST_CASE("each atom meets the others with the opposite of the separation they see, to the last bit") {
+    State state = test::random_state(150, Box(Vec3::Constant(5.7)), 67);
+    VerletList list(0.3);
+    std::mt19937_64 generator(4);
+    for (int step = 0; step < 5; ++step) {
+        list.prepare(state, 2.5);
+        CHECK(test::separations_are_opposite(list, state, 2.5));
+        test::displace(state, 0.1, generator);
+    }
+}
+
+TEST_CASE("distance tests per atom do not grow with the number of atoms") {
+    // rc + skin is a third of the smallest box, so that all boxes are cut into cells of the same width.
+    const double density = 0.8442;
+    const double skin = cubic_box(500, density).edges()[0] / 3.0 * (1.0 - 1e-6) - 2.5;
+    std::vector<double> tests;
+    for (const Index cells : {5, 10, 20}) {
+        const Index atoms = lattice_atoms(Lattice::fcc, cells);
+        State state = test::random_state(atoms, cubic_box(atoms, density), 71);
+        VerletList list(skin);
+        list.prepare(state, 2.5);
+        tests.push_back(static_cast<double>(list.statistics().distance_tests) / static_cast<double>(atoms));
+    }
+    CAPTURE(tests);
+    CHECK(tests[1] == Approx(tests[0]).epsilon(0.03));
+    CHECK(tests[2] == Approx(tests[0]).epsilon(0.03));
+    CHECK(tests[2] < 400.0);
+}
+
+TEST_CASE("in boxes of any size the distance tests per atom stay within the cost of cells of half the range") {
+    const double range = 2.8;
+    for (const Index cells : {6, 7, 8, 9, 11, 13}) {
+        const Index atoms = lattice_atoms(Lattice::fcc, cells);
+        const Box box = cubic_box(atoms, 0.8442);
+        State state = test::random_state(atoms, box, 73);
+        VerletList list(0.3);
+        list.prepare(state, 2.5);
+        const double width = box.edges()[0] / std::floor(2.0 * box.edges()[0] / range);
+        const double expected = 0.8442 * std::pow(5.0 * width, 3);
+        CHECK(static_cast<double>(list.statistics().distance_tests) < 1.03 * expected * static_cast<double>(atoms));
+    }
+}
+
+TEST_CASE("a list without skin serves as long as nothing moves") {
+    State state = test::random_state(100, Box(Vec3::Constant(5.0)), 79);
+    VerletList list(0.0);
+    list.prepare(state, 2.5);
+    list.prepare(state, 2.5);
+    CHECK(list.statistics().rebuilds == 1);
+    move(state, 3, Vec3(state.box().resolution(), 0.0, 0.0));
+    CHECK(agrees(list, state, 2.5));
+    CHECK(list.statistics().rebuilds == 2);
+    CHECK(list.skin() == 0.0);
+}
+
+TEST_CASE("a list is rebuilt for another cutoff, box or order") {
+    State state = test::random_state(200, Box(Vec3::Constant(6.5)), 83);
+    VerletList list(0.3);
+    list.prepare(state, 2.0);
+    CHECK(agrees(list, state, 2.5));
+    CHECK(list.statistics().rebuilds == 2);
+
+    state.rescale_to(Box(Vec3::Constant(6.5 * (1.0 + 1e-9))));
+    CHECK(agrees(list, state, 2.5));
+    CHECK(list.statistics().rebuilds == 3);
+
+    std::vector<Index> reversed(200);
+    for (std::size_t k = 0; k < reversed.size(); ++k) {
+        reversed[k] = static_cast<Index>(reversed.size() - 1 - k);
+    }
+    state.reorder(reversed);
+    CHECK(agrees(list, state, 2.5));
+    CHECK(list.statistics().rebuilds == 4);
+}
+
+TEST_CASE("a list is rebuilt when its ghosts are gone though box and positions are the same") {
+    State state = test::random_state(200, Box(Vec3::Constant(6.5)), 89);
+    VerletList list(0.3);
+    list.prepare(state, 2.5);
+    state.rescale_to(Box(state.box()));
+    REQUIRE(state.ghost_count() == 0);
+    list.prepare(state, 2.5);
+    CHECK(state.ghost_count() > 0);
+    CHECK(agrees(list, state, 2.5));
+}
+
+TEST_CASE("wrapping atoms behind the back of the list does no harm") {
+    State state = test::random_state(200, Box(Vec3::Constant(5.0)), 97);
+    const double skin = GENERATE(0.3, 12.0);  // with a skin beyond 2 L a wrapped atom counts as hardly moved
+    VerletList list(skin);
+    std::mt19937_64 generator(5);
+    for (int step = 0; step < 5; ++step) {
+        CHECK(agrees(list, state, 2.5));
+        test::displace(state, 0.05, generator);
+        state.wrap();
+    }
+}
+
+TEST_CASE("two lists on one state, and one list on two states, do not mix up") {
+    State state = test::random_state(200, Box(Vec3::Constant(6.5)), 101);
+    State other = test::random_state(150, Box(Vec3::Constant(6.5)), 103);
+    VerletList list(0.3);
+    VerletList second(0.5);
+    std::mt19937_64 generator(6);
+    for (int step = 0; step < 6; ++step) {
+        CHECK(agrees(list, state, 2.5));
+        CHECK(agrees(second, state, 2.2));
+        CHECK(agrees(list, other, 2.5));
+        test::displace(state, 0.05, generator);
+    }
+}
+
+TEST_CASE("a list handles no atom, one and two") {
+    const Box box(Vec3::Constant(5.0));
+    State nobody(0, box);
+    VerletList(0.3).prepare(nobody, 2.5);
+
+    State one = test::random_state(1, box, 1);
+    VerletList list(0.3);
+    list.prepare(one, 2.5);
+    CHECK(test::pairs_within(list, one, 2.5).empty());
+
+    State two = test::state_of({{0.1, 4.9, 2.0}, {4.9, 0.1, 2.0}}, box);
+    VerletList pair_list(0.3);
+    pair_list.prepare(two, 2.5);
+    CHECK(test::pairs_within(pair_list, two, 2.5) == std::vector<test::OrderedPair>{{0, 1}, {1, 0}});
+}
+
+TEST_CASE("a list reports a position that is not finite, also between rebuilds") {
+    State state = test::random_state(50, Box(Vec3::Constant(5.0)), 107);
+    VerletList list(0.3);
+    list.prepare(state, 2.5);
+    state.write_positions()(2, 7) = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(list.prepare(state, 2.5), PhysicsError);
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "ljmd/observables/analysis.hpp"
+
+namespace ljmd::test {
+
+using AnalysisSettings = std::vector<std::pair<std::string, std::variant<std::int64_t, double>>>;
+
+inline AnalysisMethod analysis_method(const std::string& name) {
+    const auto methods = all_analyses();
+    const auto found =
+        std::find_if(methods.begin(), methods.end(), [&](const AnalysisMethod& method) { return method.name == name; });
+    REQUIRE(found != methods.end());
+    return *found;
+}
+
+/// The section of an analysis as a deck gives it. Keys that are not given take their defaults.
+inline Section analysis_section(const AnalysisMethod& method, const AnalysisSettings& settings) {
+    Table table;
+    for (const auto& [key, setting] : settings) {
+        Value value;
+        std::visit([&](const auto& number) { value.data = number; }, setting);
+        table.push_back({key, {}, value});
+    }
+    Diagnostics diagnostics;
+    Section section = validate(table, {}, Schema(method.name, method.keys), std::nullopt, diagnostics);
+    diagnostics.throw_if_errors();
+    return section;
+}
+
+}  // namespace ljmd::test

@@ -1,0 +1,166 @@
+#include "ljmd/observables/run_averages.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+using namespace ljmd;
+
+namespace {
+
+const ObservableAverage& find(const std::vector<ObservableAverage>& averages, const std::string& name) {
+    const auto found = std::find_if(averages.begin(), averages.end(),
+                                    [&](const ObservableAverage& average) { return average.name == name; });
+    REQUIRE(found != averages.end());
+    return *found;
+}
+
+/// A sample with a number of its own in each place.
+Thermodynamics numbered(double x) {
+    Thermodynamics sample;
+    sample.temperature = 1.0 + x;
+    sample.potential_energy = 2.0 + x;
+    sample.kinetic_energy = 3.0 + x;
+    sample.total_energy = 4.0 + x;
+    sample.pressure = 5.0 + x;
+    sample.pressure_tensor << 6.0, 9.0, 10.0, 9.0, 7.0, 11.0, 10.0, 11.0, 8.0;
+    sample.pressure_tensor.array() += x;
+    sample.virial = 12.0 + x;
+    return sample;
+}
+
+/// Temperature and pressure of a made-up run: both wander slowly, and together.
+class CorrelatedRun {
+  public:
+    explicit CorrelatedRun(std::uint64_t seed) : generator_(seed), shared_(noise()), own_(noise()) {}
+
+    Thermodynamics next() {
+        const double memory = 0.8;
+        const double strength = std::sqrt(1.0 - memory * memory);
+        shared_ = memory * shared_ + strength * noise();
+        own_ = memory * own_ + strength * noise();
+        Thermodynamics sample;
+        sample.temperature = 1.0 + 0.2 * shared_;
+        sample.pressure = 4.0 + 0.7 * shared_ + 0.1 * own_;
+        sample.pressure_tensor = sample.pressure * Mat3::Identity();
+        return sample;
+    }
+
+  private:
+    double noise() { return normal_(generator_); }
+
+    std::mt19937_64 generator_;
+    std::normal_distribution<double> normal_;
+    double shared_;
+    double own_;
+};
+
+}  // namespace
+
+TEST_CASE("every observable is averaged under its name and has a unit") {
+    RunAverages run(10, 0.5);
+    for (const double x : {0.0, 1.0, 2.0, 5.0}) {
+        run.add(numbered(x));
+    }
+    CHECK(run.samples() == 4);
+    const auto averages = run.averages();
+    const std::vector<std::pair<std::string, double>> expected{
+        {"temperature", 1.0}, {"potential_energy", 2.0}, {"kinetic_energy", 3.0}, {"total_energy", 4.0},
+        {"pressure", 5.0},    {"pressure_xx", 6.0},      {"pressure_yy", 7.0},    {"pressure_zz", 8.0},
+        {"pressure_xy", 9.0}, {"pressure_xz", 10.0},     {"pressure_yz", 11.0},   {"virial", 12.0}};
+    CHECK(averages.size() == expected.size() + 1);
+    for (const auto& [name, first] : expected) {
+        const ObservableAverage& average = find(averages, name);
+        CAPTURE(name);
+        REQUIRE(average.estimate.has_value());
+        CHECK(average.estimate->mean == Approx(first + 2.0).epsilon(1e-15));
+        CHECK(average.estimate->samples == 4);
+        CHECK_FALSE(average.symbol.empty());
+        CHECK_FALSE(average.unit.empty());
+    }
+    CHECK(find(averages, "temperature").unit == "epsilon/k_B");
+    CHECK(find(averages, "compressibility_factor").unit == "1");
+    CHECK(find(averages, "pressure").unit == "epsilon/sigma^3");
+}
+
+TEST_CASE("the compressibility factor is the ratio of the means, not the mean of the ratio") {
+    RunAverages run(10, 0.5);
+    for (const double x : {0.0, 1.0, 2.0, 5.0}) {
+        run.add(numbered(x));
+    }
+    // <p> = 7, <T> = 3; the mean of p / (rho T) would be 5.83.
+    const auto averages = run.averages();
+    CHECK(find(averages, "compressibility_factor").estimate->mean == Approx(7.0 / (0.5 * 3.0)).epsilon(1e-15));
+}
+
+TEST_CASE(
+    "the error of the compressibility factor is the scatter of many runs, correlations in time and with T included") {
+    const double density = 0.8;
+    const int runs = 150;
+    const int samples = 1024;
+    double sum = 0.0;
+    double squares = 0.0;
+    double reported = 0.0;
+    double without_correlation = 0.0;
+    for (int k = 0; k < runs; ++k) {
+        CorrelatedRun series(static_cast<std::uint64_t>(k));
+        RunAverages run(100, density);
+        for (int n = 0; n < samples; ++n) {
+            run.add(series.next());
+        }
+        const auto averages = run.averages();
+        const Estimate z = *find(averages, "compressibility_factor").estimate;
+        const Estimate t = *find(averages, "temperature").estimate;
+        const Estimate p = *find(averages, "pressure").estimate;
+        sum += z.mean;
+        squares += z.mean * z.mean;
+        reported += z.standard_error * z.standard_error;
+        without_correlation +=
+            z.mean * z.mean * (std::pow(t.standard_error / t.mean, 2) + std::pow(p.standard_error / p.mean, 2));
+    }
+    const double mean = sum / runs;
+    const double scatter = std::sqrt(squares / runs - mean * mean);
+    CHECK(mean == Approx(4.0 / density).epsilon(1e-3));
+    CHECK(std::sqrt(reported / runs) == Approx(scatter).epsilon(0.25));
+    // The test can tell: had the correlation of p and T been left out, the error would be much larger.
+    CHECK(std::sqrt(without_correlation / runs) > 3.0 * scatter);
+}
+
+TEST_CASE("without samples there are no averages") {
+    CHECK(RunAverages(10, 0.5).averages().empty());
+    CHECK(RunAverages(10, 0.5).samples() == 0);
+}
+
+TEST_CASE("one atom has neither temperature nor compressibility factor, but the other averages") {
+    RunAverages run(1, 0.5);
+    Thermodynamics sample = numbered(0.0);
+    sample.temperature.reset();
+    run.add(sample);
+    const auto averages = run.averages();
+    CHECK_FALSE(find(averages, "temperature").estimate.has_value());
+    CHECK_FALSE(find(averages, "compressibility_factor").estimate.has_value());
+    CHECK(find(averages, "pressure").estimate->mean == 5.0);
+    CHECK(averages.size() == 13);
+}
+
+TEST_CASE("at T = 0 there is a temperature but no compressibility factor") {
+    RunAverages run(10, 0.5);
+    Thermodynamics sample = numbered(0.0);
+    sample.temperature = 0.0;
+    run.add(sample);
+    CHECK(find(run.averages(), "temperature").estimate->mean == 0.0);
+    CHECK_FALSE(find(run.averages(), "compressibility_factor").estimate.has_value());
+}
+
+TEST_CASE("the error of a mean is unknown with few samples, and 0 for a constant") {
+    RunAverages run(10, 0.5);
+    for (int n = 0; n < 3; ++n) {
+        run.add(numbered(0.0));
+    }
+    CHECK(std::isnan(find(run.averages(), "pressure").estimate->standard_error));
+    CHECK(std::isnan(find(run.averages(), "compressibility_factor").estimate->standard_error));
+    run.add(numbered(0.0));
+    CHECK(find(run.averages(), "pressure").estimate->standard_error == 0.0);
+    CHECK(find(run.averages(), "compressibility_factor").estimate->standard_error == 0.0);
+}

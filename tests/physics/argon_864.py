@@ -1,0 +1,71 @@
+"""The main job against the literature: runs inputs/verlet1967/argon-864.toml as it stands and checks what it finds.
+
+Usage: argon_864.py --ljmd PROGRAM --deck DECK
+
+Reference figures at (rho 0.8442, T 0.722): U/N = -6.088 with tail, Z = 0.25; slopes for the correction from the measured
+temperature, dU/dT = 1.13 and dZ/dT = 10.05, from the equation of state of Thol et al. (2016), doi:10.1063/1.4945000. g(r):
+peaks and minimum of an independent simulation of the same state (N = 864, rc = 2.5).
+"""
+
+import argparse
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+TEMPERATURE = 0.722
+
+failures = 0
+passed = 0
+
+
+def check(name: str, value: float, expected: float, tolerance: float) -> None:
+    global failures, passed
+    good = abs(value - expected) <= tolerance
+    print(f"{'ok  ' if good else 'FAIL'} {name}: {value:.5g}, expected {expected:.5g} +- {tolerance:.3g}")
+    passed += good
+    failures += not good
+
+
+def extremum(curve: list[tuple[float, float]], low: float, high: float, sign: int) -> tuple[float, float]:
+    """(r, g) of the maximum (sign 1) or minimum (sign -1) of g between two radii."""
+    return max(((r, g) for r, g in curve if low < r < high), key=lambda point: sign * point[1])
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--ljmd", required=True)
+    parser.add_argument("--deck", required=True)
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "argon"
+        subprocess.run([arguments.ljmd, "run", arguments.deck, "--out", str(out)], check=True)
+        results = json.loads((out / "results.json").read_text())
+        with open(out / "rdf.csv", newline="") as file:
+            curve = [(float(row["r"]), float(row["g"])) for row in csv.DictReader(file)]
+
+    found = results["observables"]
+    correction = TEMPERATURE - found["temperature"]["mean"]
+    energy, factor = found["potential_energy"], found["compressibility_factor"]
+    check("U/N at T = 0.722", energy["mean"] + 1.13 * correction, -6.088, 0.01)
+    check("Z at T = 0.722", factor["mean"] + 10.05 * correction, 0.25, 0.05)
+    check("standard error of U/N", energy["standard_error"], 0.002, 0.002)
+    check("standard error of Z", factor["standard_error"], 0.01, 0.01)
+    check("temperature", found["temperature"]["mean"], TEMPERATURE, 0.02)
+    check("translational order when sampling begins", results["translational_order_at_sampling"], 0.0, 0.1)
+    for name, low, high, sign, radius, height, margin in (
+        ("first peak", 0.9, 1.4, 1, 1.085, 3.04, 0.06),
+        ("first minimum", 1.3, 1.9, -1, 1.545, 0.578, 0.02),
+        ("second peak", 1.8, 2.4, 1, 2.085, 1.28, 0.03),
+    ):
+        r, g = extremum(curve, low, high, sign)
+        check(f"g(r), {name}: r", r, radius, 0.0201)
+        check(f"g(r), {name}: height", g, height, margin)
+    print(f"{passed} passed, {failures} failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
