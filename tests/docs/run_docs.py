@@ -60,7 +60,7 @@ def check_document(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
         folder = pathlib.Path(temporary)
         for language, body in blocks(text):
             if language == "toml" and (match := re.match(r"# file: (\S+)\n", body)):
-                (folder / match.group(1)).write_text(body[match.end():])
+                (folder / match.group(1)).write_text(body)
             elif language == "sh":
                 for command in body.splitlines():
                     if command.startswith("ljmd "):

@@ -245,6 +245,20 @@ TEST_CASE("a list is rebuilt for another cutoff, box or order") {
     CHECK(list.statistics().rebuilds == 4);
 }
 
+TEST_CASE("a list without ghosts is rebuilt for another box or order, too") {
+    // In the middle of the box: only the version of the order, and the edges, tell.
+    State state = test::state_of({{7.0, 7.0, 7.0}, {8.0, 7.0, 7.0}, {9.99, 9.0, 9.0}}, Box(Vec3::Constant(15.0)));
+    VerletList list(0.3);
+    list.prepare(state, 2.5);
+    REQUIRE(state.ghost_count() == 0);
+    state.reorder({2, 0, 1});
+    CHECK(agrees(list, state, 2.5));
+    CHECK(list.statistics().rebuilds == 2);
+    state.rescale_to(Box(Vec3::Constant(15.0 * (1.0 + 1e-9))));
+    CHECK(agrees(list, state, 2.5));
+    CHECK(list.statistics().rebuilds == 3);
+}
+
 TEST_CASE("a list is rebuilt when its ghosts are gone though box and positions are the same") {
     State state = test::random_state(200, Box(Vec3::Constant(6.5)), 89);
     VerletList list(0.3);
