@@ -41,7 +41,7 @@ class CorrelatedRun {
         shared_ = memory * shared_ + strength * noise();
         own_ = memory * own_ + strength * noise();
         Thermodynamics sample;
-        sample.temperature = 1.0 + 0.2 * shared_;
+        sample.temperature = 2.0 + 0.4 * shared_;
         sample.pressure = 4.0 + 0.7 * shared_ + 0.1 * own_;
         sample.pressure_tensor = sample.pressure * Mat3::Identity();
         return sample;
@@ -121,7 +121,7 @@ TEST_CASE(
     }
     const double mean = sum / runs;
     const double scatter = std::sqrt(squares / runs - mean * mean);
-    CHECK(mean == Approx(4.0 / density).epsilon(1e-3));
+    CHECK(mean == Approx(4.0 / (2.0 * density)).epsilon(1e-3));
     CHECK(std::sqrt(reported / runs) == Approx(scatter).epsilon(0.25));
     // The test can tell: had the correlation of p and T been left out, the error would be much larger.
     CHECK(std::sqrt(without_correlation / runs) > 3.0 * scatter);
