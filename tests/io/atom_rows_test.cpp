@@ -130,6 +130,11 @@ TEST_CASE("a configuration is checked as a whole, and atoms are named by their i
                }),
                Contains(":9: atoms 1 and 2 are at the same place in the periodic box"));
     CHECK(complaint([](Configuration& c) { c.positions[1] = {-3.5, 6.0, 13.5000001}; }) == "no DataError");
+    // a hair below the far wall is on the wall once it is on the box's grid, and so at the near one
+    CHECK_THAT(complaint([](Configuration& c) {
+                   c.positions = {{0.0, 1.0, 1.0}, {3.9999999999999996, 1.0, 1.0}};
+               }),
+               Contains("same place"));
     CHECK(complaint([](Configuration& c) {
               c.velocities.clear();
               c.masses.clear();
