@@ -137,7 +137,8 @@ TEST_CASE("the names that decks are promised are there") {
 
 TEST_CASE("which potential, and how it is cut off, has no silent default") {
     const auto keys = all_keys();
-    for (const char* name : {"type", "cutoff", "truncation", "switch_start", "tail"}) {
+    for (const char* name :
+         {"type", "cutoff", "truncation", "switch_start", "tail", "well_depth", "steepness", "minimum"}) {
         INFO(name);
         const Key& key = keys.at(std::string("potential.") + name);
         CHECK_FALSE(key.default_value.has_value());

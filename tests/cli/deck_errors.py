@@ -70,7 +70,9 @@ VALUES = [
     ("unit of another dimension", ("temperature = 1.0", 'temperature = "86.5 bar"')),
     ("unknown unit", ("cutoff = 2.5", 'cutoff = "8.5 furlong"')),
     ("unit where there is none", ("seed = 7", 'seed = "7 K"')),
-    ("unit for a key without dimension", ('type = "lennard-jones"', 'type = "morse"\nsteepness = "6 nm"')),
+    ("unit for a key without dimension", ('type = "lennard-jones"',
+                                          'type = "morse"\nsteepness = "6 nm"\nwell_depth = 1.0\nminimum = 1.1')),
+    ("morse without its parameters", ('type = "lennard-jones"', 'type = "morse"')),
 ]
 
 STRUCTURE = [

@@ -128,7 +128,7 @@ def wca(t):
 
 
 def morse(t):
-    t.deck(('type = "lennard-jones"', 'type = "morse"\nsteepness = 6.0'), ("tail = true", "tail = true"))
+    t.deck(('type = "lennard-jones"', 'type = "morse"\nwell_depth = 1.0\nsteepness = 6.0\nminimum = 1.1225'), ("tail = true", "tail = true"))
     t.run_well("run", "deck.toml", "--quiet")
     t.check(all(map(math.isfinite, t.columns("runs/deck/thermo.csv")["pressure"])), "pressure")
 

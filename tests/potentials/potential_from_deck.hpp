@@ -9,7 +9,11 @@
 
 namespace ljmd::test {
 
-/// A potential as a deck's [potential] makes it. Keys that are not given take their defaults.
+/// Values for the parameters that formulas demand, for tests to which they do not matter.
+inline const std::map<std::string, double> usual_parameters{
+    {"well_depth", 1.0}, {"steepness", 6.0}, {"minimum", 1.122462048309373}};
+
+/// A potential as a deck's [potential] makes it. Parameters that are not given take usual values.
 /// @param numbers  keys of the formula, e.g. {"steepness", 5.0}
 inline PairPotential potential_from_deck(const std::string& formula, const std::string& truncation,
                                          const Cutoff& cutoff, const std::map<std::string, double>& numbers = {}) {
@@ -19,6 +23,11 @@ inline PairPotential potential_from_deck(const std::string& formula, const std::
     }
     for (const auto& [key, number] : numbers) {
         table.push_back({key, {}, {number, {}}});
+    }
+    for (const Key& key : PairPotential::formula_keys(formula)) {
+        if (key.required && find(table, key.name) == nullptr) {
+            table.push_back({key.name, {}, {usual_parameters.at(key.name), {}}});
+        }
     }
     const Schema schema = Schema("[potential]", {Key::text("type"), Key::text("truncation"), Key::number("cutoff")})
                               .with(PairPotential::formula_keys(formula))

@@ -22,18 +22,15 @@ class Morse {
                     .dimension(Dimension::energy)
                     .unit("epsilon")
                     .above(0.0)
-                    .defaults_to(1.0)
                     .meaning("D, depth of the minimum"),
                 Key::number("steepness")
                     .unit("1/sigma")
                     .above(0.0)
-                    .defaults_to(6.0)
                     .meaning("a; 6 gives the curvature of the Lennard-Jones minimum"),
                 Key::number("minimum")
                     .dimension(Dimension::length)
                     .unit("sigma")
                     .above(0.0)
-                    .defaults_to(1.122462048309373)
                     .meaning("r0, position of the minimum; 2^(1/6) is that of Lennard-Jones")};
     }
     static Morse from(const Section& section) {
