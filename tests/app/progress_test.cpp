@@ -1,11 +1,15 @@
 #include "ljmd/app/progress.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include "app/app_fixtures.hpp"
 
@@ -56,12 +60,21 @@ class Terminal {
 
     [[nodiscard]] bool works() const { return saved_ >= 0; }
 
-    /// What was written, at most as much as a terminal holds.
-    [[nodiscard]] std::string text() {
-        std::string text(4096, '\0');
+    /// What was written up to `ending`, or up to the time when nothing has come for ten seconds. The kernel hands on
+    /// what is written to a terminal when it finds the time: one read may see a part of it.
+    [[nodiscard]] std::string text_up_to(std::string_view ending) {
+        constexpr int patience = 10'000;  // [ms]
         std::fflush(stderr);
-        const ssize_t length = ::read(master_, text.data(), text.size());
-        text.resize(static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
+        std::string text;
+        pollfd ready{master_, POLLIN, 0};
+        while (!text.ends_with(ending) && ::poll(&ready, 1, patience) > 0) {
+            std::array<char, 4096> part;
+            const ssize_t length = ::read(master_, part.data(), part.size());
+            if (length <= 0) {
+                break;
+            }
+            text.append(part.data(), static_cast<std::size_t>(length));
+        }
         restore();
         return text;
     }
@@ -121,7 +134,7 @@ TEST_CASE("on a terminal one line renews itself and makes room for what is said"
         progress.step_done(3);
         progress.warning("a doubt");
     }
-    const std::string text = terminal.text();
+    const std::string text = terminal.text_up_to("doubt\r\n");
     CHECK_THAT(text, Contains("\r[production]   3 % step 3/100"));
     CHECK_THAT(text, EndsWith("\033[K\r\033[Kwarning: a doubt\r\n"));
 }
