@@ -50,15 +50,22 @@ void Progress::step_done(Index step) {
     }
     const Mark now{Clock::now(), step};
     const double rate = windowed_rate(now);
-    next_look_ = step + std::max<Index>(1, static_cast<Index>(0.5 * seconds_between_lines * rate));
+    const Index tenth = step_of_tenth(next_tenth_);
     if (terminal_) {
         talk(fmt::format("\r{}\033[K", line(step, rate)));
         line_is_open_ = true;
-    } else if (10.0 * static_cast<double>(step) >=
-               static_cast<double>(next_tenth_) * static_cast<double>(total_steps_)) {
+    } else if (step >= tenth) {
         talk(line(step, rate) + '\n');
-        next_tenth_ = 1 + static_cast<Index>(10.0 * static_cast<double>(step) / static_cast<double>(total_steps_));
     }
+    while (step >= step_of_tenth(next_tenth_) && next_tenth_ <= 10) {
+        ++next_tenth_;
+    }
+    const auto soon = step + std::max<Index>(1, static_cast<Index>(0.5 * seconds_between_lines * rate));
+    next_look_ = terminal_ ? std::min(soon, step_of_tenth(next_tenth_)) : step_of_tenth(next_tenth_);
+}
+
+Index Progress::step_of_tenth(Index tenth) const {
+    return static_cast<Index>(std::ceil(0.1 * static_cast<double>(tenth) * static_cast<double>(total_steps_)));
 }
 
 double Progress::windowed_rate(const Mark& now) {

@@ -34,6 +34,8 @@ class Progress : public RunListener {
     };
 
     [[nodiscard]] double windowed_rate(const Mark& now);
+    /// The first step at which that many tenths of the run are done.
+    [[nodiscard]] Index step_of_tenth(Index tenth) const;
     void clear_line();
 
     Index atoms_;
@@ -42,8 +44,8 @@ class Progress : public RunListener {
     bool terminal_;
     std::string stage_;
     std::deque<Mark> window_;
-    Index next_look_ = 0;   ///< step at which the clock is read again
-    Index next_tenth_ = 1;  ///< off a terminal: the next tenth of the run that is reported
+    Index next_look_ = 0;   ///< step at which the clock is read again: on a terminal by time, and at every tenth
+    Index next_tenth_ = 1;  ///< the next tenth of the run, which is always reported
     bool line_is_open_ = false;
 };
 
