@@ -35,14 +35,14 @@ double skin_of(const Deck& deck) {
 
 /// Seconds that a step takes here, pair search and integration included.
 double seconds_per_step(State& state, PairForceField& force_field) {
-    const auto operators = find_integrator("velocity-verlet").step(usual_time_step);
+    const Integrator integrator(find_integrator("velocity-verlet"), usual_time_step);
     force_field.evaluate(state, Request::forces);
     const auto began = std::chrono::steady_clock::now();
     std::chrono::duration<double> took{};
     Index steps = 0;
     try {
         do {
-            apply(operators, state, force_field, Request::forces);
+            integrator.step(state, force_field, Request::forces);
             ++steps;
             took = std::chrono::steady_clock::now() - began;
         } while (took.count() < trial_seconds);

@@ -108,7 +108,7 @@ class Loop {
         listener_.stage_begins(stage);
         stage_ = stage.name;
         State& state = simulation_.state;
-        const auto operators = find_integrator(stage.integrator).step(stage.time_step);
+        const Integrator integrator(find_integrator(stage.integrator), stage.time_step, stage.section);
         std::unique_ptr<Thermostat> thermostat;
         if (stage.section.has("thermostat")) {
             const Section& section = stage.section.section("thermostat");
@@ -124,8 +124,8 @@ class Loop {
         for (Index n = 1; n <= stage.steps; ++n) {
             step_ = first_step + n;
             const bool thermo_due = thermo_every_.due(step_);
-            evaluation_ = apply(operators, state, simulation_.force_field,
-                                thermo_due ? Request::forces_and_energy : Request::forces);
+            evaluation_ = integrator.step(state, simulation_.force_field,
+                                          thermo_due ? Request::forces_and_energy : Request::forces);
             state.step = step_;
             state.time = first_time + static_cast<double>(n) * stage.time_step;
             if (n % steps_between_looks == 0) {

@@ -21,8 +21,14 @@ Evaluation PairForceField::compute(State& state, Request request) {
         [&](auto& search) {
             search.prepare(state, cutoff);
             return potential_.visit([&](const auto& pair) {
-                return request == Request::forces ? sum_pairs<Request::forces>(pair, search, cutoff, state)
-                                                  : sum_pairs<Request::forces_and_energy>(pair, search, cutoff, state);
+                constexpr Request exact_forces{.order_independent = true};
+                constexpr Request exact_forces_and_energy{.energy = true, .order_independent = true};
+                if (request.order_independent) {
+                    return request.energy ? sum_pairs<exact_forces_and_energy>(pair, search, cutoff, state)
+                                          : sum_pairs<exact_forces>(pair, search, cutoff, state);
+                }
+                return request.energy ? sum_pairs<Request::forces_and_energy>(pair, search, cutoff, state)
+                                      : sum_pairs<Request::forces>(pair, search, cutoff, state);
             });
         },
         search_);

@@ -1,11 +1,69 @@
 #include "ljmd/integrators/integrator.hpp"
 
+#include <fmt/format.h>
+
 #include "ljmd/core/registry.hpp"
 
 namespace ljmd {
 
+namespace {
+
+/// What a deck that names no option means.
+Section defaults(const IntegratorMethod& method) {
+    Diagnostics diagnostics;
+    return validate({}, {}, Schema(method.name, method.keys), std::nullopt, diagnostics);
+}
+
+std::string identity(const IntegratorMethod& method, double time_step, const Section& options) {
+    std::string text = fmt::format("{} {}", method.name, time_step);
+    for (const Key& key : method.keys) {
+        text += fmt::format(" {}={}", key.name, options.text(key.name));
+    }
+    return text;
+}
+
+}  // namespace
+
 IntegratorMethod find_integrator(const std::string& name) {
     return find_plugin(all_integrators(), name, "integrator");
+}
+
+Integrator::Integrator(const IntegratorMethod& method, double time_step)
+    : Integrator(method, time_step, defaults(method)) {}
+
+Integrator::Integrator(const IntegratorMethod& method, double time_step, const Section& options)
+    : identity_(identity(method, time_step, options)), scheme_(method.scheme(time_step, options)) {}
+
+void Integrator::begin(State& state, ForceField& force_field) const {
+    if (!state.forces_are_current()) {
+        force_field.evaluate(state, Request::forces);
+    }
+    apply(scheme_.begin, state, force_field, Request::forces);
+    state.set_phase({identity_, 0});
+}
+
+Evaluation Integrator::step(State& state, ForceField& force_field, Request request) const {
+    if (!continues(state)) {
+        begin(state, force_field);
+    }
+    const Index steps = state.phase().steps;
+    const auto& operators = scheme_.cycle[static_cast<std::size_t>(steps) % scheme_.cycle.size()];
+    const Evaluation evaluation = apply(operators, state, force_field, request);
+    state.set_phase({identity_, steps + 1});
+    return evaluation;
+}
+
+void Integrator::reverse(State& state, ForceField& force_field) const {
+    if (scheme_.reverse.empty()) {
+        state.write_velocities() *= -1.0;
+        return;
+    }
+    if (!continues(state)) {
+        begin(state, force_field);
+    }
+    const State::Phase phase = state.phase();
+    apply(scheme_.reverse, state, force_field, Request::forces);
+    state.set_phase(phase);
 }
 
 }  // namespace ljmd

@@ -8,10 +8,14 @@ namespace ljmd {
 
 namespace {
 
-void kick(State& state, double dt) {
+void require_current_forces(const State& state) {
     if (!state.forces_are_current()) {
-        throw ContractViolation("a kick needs the forces at the present positions");
+        throw ContractViolation("this operator needs the forces at the present positions");
     }
+}
+
+void kick(State& state, double dt) {
+    require_current_forces(state);
     auto v = state.write_velocities();
     const auto f = static_cast<const State&>(state).forces();
     for (Index i = 0; i < state.count(); ++i) {
@@ -38,8 +42,12 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
             kick(state, k->dt);
         } else if (const auto* d = std::get_if<Drift>(&*op)) {
             drift(state, d->dt);
+        } else if (const auto* e = std::get_if<Evaluate>(&*op)) {
+            evaluation = force_field.evaluate(
+                state, {.energy = request.energy && op + 1 == after_last, .order_independent = e->order_independent});
         } else {
-            evaluation = force_field.evaluate(state, op + 1 == after_last ? request : Request::forces);
+            require_current_forces(state);
+            std::get<Update>(*op).apply(state);
         }
     }
     return evaluation;

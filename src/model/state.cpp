@@ -99,9 +99,11 @@ ConstVectorView State::forces() const {
 
 VectorView State::write_positions() {
     forces_current_ = false;
+    phase_ = {};
     return view(positions_, 0, count_);
 }
 VectorView State::write_velocities() {
+    phase_ = {};
     return view(velocities_, 0, count_);
 }
 VectorView State::write_forces() {

@@ -61,6 +61,26 @@ TEST_CASE("a kick with stale forces is refused and changes nothing") {
     CHECK_NOTHROW(apply({Evaluate{}, Kick{0.1}}, moved, springs, energy));
 }
 
+TEST_CASE("an update runs in its place, and is refused when the forces are stale") {
+    test::Oscillator springs(2.0);
+    State state = test::swinging(springs);
+    const Update stretch{[](State& s) { s.write_positions() *= 2.0; }};
+    const Eigen::Matrix3Xd before = test::positions(state);
+    apply({stretch, Evaluate{}, stretch}, state, springs, energy);
+    CHECK(test::positions(state) == 4.0 * before);
+    CHECK_THROWS_AS(apply({stretch}, state, springs, energy), ContractViolation);
+    CHECK(test::positions(state) == 4.0 * before);
+}
+
+TEST_CASE("an evaluation passes on whether the order of sums may matter") {
+    test::Oscillator springs(2.0);
+    State state = test::swinging(springs);
+    apply({Evaluate{.order_independent = true}}, state, springs, Request::forces);
+    CHECK(springs.requests().back() == Request{.order_independent = true});
+    apply({Evaluate{}}, state, springs, energy);
+    CHECK(springs.requests().back() == Request::forces_and_energy);
+}
+
 TEST_CASE("only the last evaluation of a list is asked for more than forces, and its result is returned") {
     test::Oscillator springs(2.0);
     State state = test::swinging(springs);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "ljmd/forces/force_field.hpp"
+#include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd::test {
 
@@ -22,7 +25,7 @@ class Oscillator : public ForceField {
         const auto r = static_cast<const State&>(state).positions();
         state.write_forces() = -stiffness_ * r;
         Evaluation evaluation;
-        if (request == Request::forces_and_energy) {
+        if (request.energy) {
             evaluation.potential_energy = 0.5 * stiffness_ * r.squaredNorm();
         }
         return evaluation;
@@ -42,6 +45,34 @@ inline State swinging(Oscillator& springs) {
     state.write_velocities().col(1) = Vec3(-0.7, 0.2, 0.0);
     springs.evaluate(state, Request::forces);
     return state;
+}
+
+// Read access also where the state may be written: a write view would end the integrator's phase.
+inline ConstVectorView positions(const State& state) {
+    return state.positions();
+}
+inline ConstVectorView velocities(const State& state) {
+    return state.velocities();
+}
+inline ConstVectorView forces(const State& state) {
+    return state.forces();
+}
+
+/// n steps of a method with some of its options given, `{"start", "euler"}`.
+inline void advance(const std::string& name, const std::vector<std::pair<std::string, std::string>>& options, double dt,
+                    Index steps, State& state, ForceField& force_field) {
+    const IntegratorMethod method = find_integrator(name);
+    Table table;
+    for (const auto& [key, value] : options) {
+        table.push_back({key, {}, Value{value, {}}});
+    }
+    Diagnostics diagnostics;
+    const Section section = validate(table, {}, Schema(name, method.keys), std::nullopt, diagnostics);
+    diagnostics.throw_if_errors();
+    const Integrator integrator(method, dt, section);
+    for (Index n = 0; n < steps; ++n) {
+        integrator.step(state, force_field, Request::forces);
+    }
 }
 
 }  // namespace ljmd::test

@@ -13,7 +13,7 @@ namespace {
 /// Sum of (E(t) - E(0))^2 on the grid t = 0.004, 0.008, ... 0.5.
 double squared_energy_error(State state, const std::string& truncation, double dt) {
     auto force_field = test::lennard_jones(truncation);
-    const auto operators = find_integrator("velocity-verlet").step(dt);
+    const Integrator integrator(find_integrator("velocity-verlet"), dt);
     const auto steps_per_point = static_cast<Index>(std::lround(0.004 / dt));
     const double start =
         force_field.evaluate(state, Request::forces_and_energy).potential_energy + kinetic_energy(state);
@@ -21,7 +21,7 @@ double squared_energy_error(State state, const std::string& truncation, double d
     for (int k = 0; k < 125; ++k) {
         Evaluation evaluation;
         for (Index n = 0; n < steps_per_point; ++n) {
-            evaluation = apply(operators, state, force_field, Request::forces_and_energy);
+            evaluation = integrator.step(state, force_field, Request::forces_and_energy);
         }
         sum += std::pow(evaluation.potential_energy + kinetic_energy(state) - start, 2);
     }
@@ -50,13 +50,13 @@ TEST_CASE(
     "the energy of a force-shifted liquid of 256 atoms drifts less than 1e-7 and keeps its momentum over 1e5 steps") {
     State state = test::liquid(4, 7);
     auto force_field = test::lennard_jones("force-shifted");
-    const auto operators = find_integrator("velocity-verlet").step(0.004);
+    const Integrator integrator(find_integrator("velocity-verlet"), 0.004);
     force_field.evaluate(state, Request::forces);
     LinearTrend energy;
     for (Index n = 1; n <= 100000; ++n) {
         const bool sample = n % 10 == 0;
         const auto evaluation =
-            apply(operators, state, force_field, sample ? Request::forces_and_energy : Request::forces);
+            integrator.step(state, force_field, sample ? Request::forces_and_energy : Request::forces);
         if (sample) {
             const double total = evaluation.potential_energy + kinetic_energy(state);
             energy.add(0.004 * static_cast<double>(n), total / static_cast<double>(state.count()));

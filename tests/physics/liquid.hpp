@@ -31,14 +31,12 @@ inline State crystal(Index cells, double density) {
     return state;
 }
 
-/// n steps of velocity Verlet, forces current before and after.
-inline void advance(State& state, ForceField& force_field, double dt, Index steps) {
-    const auto operators = find_integrator("velocity-verlet").step(dt);
-    if (!state.forces_are_current()) {
-        force_field.evaluate(state, Request::forces);
-    }
+/// n steps of an integrator, by its name.
+inline void advance(State& state, ForceField& force_field, double dt, Index steps,
+                    const std::string& name = "velocity-verlet") {
+    const Integrator integrator(find_integrator(name), dt);
     for (Index n = 0; n < steps; ++n) {
-        apply(operators, state, force_field, Request::forces);
+        integrator.step(state, force_field, Request::forces);
     }
 }
 

@@ -6,7 +6,16 @@
 namespace ljmd {
 
 /// What an evaluation is asked for. Forces are always computed.
-enum class Request { forces, forces_and_energy };
+struct Request {
+    bool energy = false;             ///< potential energy and virial too
+    bool order_independent = false;  ///< each force is the same to the last bit however the atoms lie in memory
+
+    static const Request forces;
+    static const Request forces_and_energy;
+    friend constexpr bool operator==(const Request&, const Request&) = default;
+};
+inline constexpr Request Request::forces{};
+inline constexpr Request Request::forces_and_energy{.energy = true};
 
 /// What an evaluation returns; zeros when only forces were asked for.
 struct Evaluation {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <type_traits>
 
 #include "ljmd/forces/force_field.hpp"
+#include "ljmd/forces/force_sum.hpp"
 
 namespace ljmd {
 
@@ -13,8 +14,10 @@ namespace ljmd {
 /// @param pair    PairTerm<double> operator()(double r2) const, valid for r < cutoff
 /// @param search  prepared pair search (see PairSearch)
 /// @post state.forces() hold the forces; a pair counts if r < cutoff
+/// @tparam what   order_independent: forces are summed in fixed point (see FixedPointSum)
 template <Request what, class Pair, class Search>
 Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, State& state) {
+    using Sum = std::conditional_t<what.order_independent, FixedPointSum, FloatingSum>;
     constexpr Index block_length = 256;
     const double cutoff2 = cutoff * cutoff;
     auto forces = state.write_forces();
@@ -25,19 +28,19 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
         double u = 0.0;
         std::array<double, 6> virial{};  // xx yy zz xy xz yz
         for (Index i = first; i < std::min(first + block_length, state.count()); ++i) {
-            double fx = 0.0;
-            double fy = 0.0;
-            double fz = 0.0;
+            Sum fx;
+            Sum fy;
+            Sum fz;
             search.for_each_candidate(atoms, i, [&](Index, double dx, double dy, double dz) {
                 const double r2 = dx * dx + dy * dy + dz * dz;
                 if (!(r2 < cutoff2)) {
                     return;
                 }
                 const auto term = pair(r2);
-                fx += term.w * dx;
-                fy += term.w * dy;
-                fz += term.w * dz;
-                if constexpr (what == Request::forces_and_energy) {
+                fx.add(term.w * dx);
+                fy.add(term.w * dy);
+                fz.add(term.w * dz);
+                if constexpr (what.energy) {
                     u += term.u;
                     virial[0] += term.w * dx * dx;
                     virial[1] += term.w * dy * dy;
@@ -47,9 +50,9 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
                     virial[5] += term.w * dy * dz;
                 }
             });
-            forces.col(i) << fx, fy, fz;
+            forces.col(i) << fx.value(), fy.value(), fz.value();
         }
-        if constexpr (what == Request::forces_and_energy) {
+        if constexpr (what.energy) {
             total.potential_energy += 0.5 * u;  // every pair was seen from both sides
             Mat3 block;
             block << virial[0], virial[3], virial[4], virial[3], virial[1], virial[5], virial[4], virial[5], virial[2];

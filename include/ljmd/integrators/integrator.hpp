@@ -4,17 +4,31 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/core/section.hpp"
 #include "ljmd/integrators/operators.hpp"
 
 namespace ljmd {
 
-/// A way to advance Newton's equations by one step, as a list of operators. One file in src/integrators/methods each.
+/// What an integrator does, for one time step and one choice of its options. Positions and velocities of the state
+/// belong to the same time before and after every step, and the forces are current; what a method needs beside them
+/// (half-step velocities, the displacement of the last step) it keeps in vectors registered with the state.
+struct Scheme {
+    /// Done once before the first step, from synchronised positions and velocities, forces current: the start-up.
+    std::vector<Operator> begin;
+    /// Step n since the beginning applies cycle[n % cycle.size()].
+    std::vector<std::vector<Operator>> cycle;
+    /// Turns the motion round, for methods that keep more than positions and velocities. Empty: v = -v, begin anew.
+    std::vector<Operator> reverse;
+};
+
+/// A way to advance Newton's equations in time. One file in src/integrators/methods each.
 struct IntegratorMethod {
-    std::string name;     ///< as a deck selects it
-    std::string meaning;  ///< one line for the reference page
-    int order;            ///< of its global error: halving the step divides the error by 2^order
-    bool reversible;      ///< returns to its start when velocities are reversed
-    std::function<std::vector<Operator>(double time_step)> step;
+    std::string name;       ///< as a deck selects it
+    std::string meaning;    ///< one line for the reference page
+    int order;              ///< of its global error, with its default options: halving the step divides it by 2^order
+    bool reversible;        ///< returns to its start, to rounding, when velocities are reversed
+    std::vector<Key> keys;  ///< of a stage that selects it
+    std::function<Scheme(double time_step, const Section& options)> scheme;
 };
 
 /// Every integrator there is, in alphabetical order.
@@ -22,5 +36,32 @@ struct IntegratorMethod {
 
 /// @throws InputError for an unknown name
 [[nodiscard]] IntegratorMethod find_integrator(const std::string& name);
+
+/// A method at work on states with one time step.
+///
+/// What it needs from one step to the next lies in the state (registered vectors and State::phase), so two integrators
+/// of the same method, step and options continue each other's runs to the last bit. When anything else has written
+/// positions or velocities since the last step (a thermostat, another method), it begins anew from them.
+class Integrator {
+  public:
+    /// @param options  with the method's keys; by default all at their defaults
+    Integrator(const IntegratorMethod& method, double time_step);
+    Integrator(const IntegratorMethod& method, double time_step, const Section& options);
+
+    /// Advance by one time step; state.time and state.step are the caller's.
+    /// @return what the last evaluation of the step returned, at the new positions
+    /// @post forces current
+    Evaluation step(State& state, ForceField& force_field, Request request) const;
+
+    /// Turn the motion round: velocities are reversed, and the steps that follow lead back.
+    void reverse(State& state, ForceField& force_field) const;
+
+  private:
+    [[nodiscard]] bool continues(const State& state) const { return state.phase().integrator == identity_; }
+    void begin(State& state, ForceField& force_field) const;
+
+    std::string identity_;  ///< method, time step and options
+    Scheme scheme_;
+};
 
 }  // namespace ljmd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <variant>
 #include <vector>
 
@@ -19,18 +20,25 @@ struct Drift {
 };
 
 /// Compute the forces at the present positions.
-struct Evaluate {};
+struct Evaluate {
+    bool order_independent = false;  ///< see Request
+};
+
+/// What only one integrator does to positions, velocities and the vectors it has registered; written in its own file.
+/// @pre forces current
+struct Update {
+    std::function<void(State&)> apply;
+};
 
 /// An integrator is a list of these. A backend may fuse neighbouring ones.
-using Operator = std::variant<Kick, Drift, Evaluate>;
+using Operator = std::variant<Kick, Drift, Evaluate, Update>;
 
 /// Apply the operators of one step in order.
 ///
 /// Shapes: positions, velocities, forces (3, N) [sigma, sigma/tau, epsilon/sigma]; masses (N) [m].
-/// @param request  what the last Evaluate of the list is asked for
+/// @param request  whether the last Evaluate of the list is asked for the energy too
 /// @return what the last Evaluate returned
-/// @pre    state.forces_are_current() if a Kick comes before the first Evaluate
-/// @throws ContractViolation when a Kick meets stale forces
+/// @throws ContractViolation when a Kick or an Update meets stale forces
 Evaluation apply(const std::vector<Operator>& operators, State& state, ForceField& force_field, Request request);
 
 }  // namespace ljmd

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/types.hpp"
@@ -45,8 +46,8 @@ class State {
     [[nodiscard]] const std::vector<double>& masses() const { return masses_; }
     [[nodiscard]] const std::vector<Index>& ids() const { return ids_; }
 
-    /// Write access to positions makes the forces stale. Positions written must be on the box's grid: pass them
-    /// through `snapped`.
+    /// Write access to positions makes the forces stale, to positions or velocities ends the integrator's phase.
+    /// Positions written must be on the box's grid: pass them through `snapped`.
     [[nodiscard]] VectorView write_positions();
     [[nodiscard]] VectorView write_velocities();
     [[nodiscard]] VectorView write_forces();
@@ -88,6 +89,16 @@ class State {
     [[nodiscard]] VectorView registered(std::size_t handle);
     [[nodiscard]] ConstVectorView registered(std::size_t handle) const;
 
+    /// What the integrator of the last step has left in the registered vectors, and how far it is in its cycle of
+    /// steps. Whoever else writes positions or velocities ends it: the integrator then begins anew from them.
+    struct Phase {
+        std::string integrator;  ///< which one, with its settings; empty: none
+        Index steps = 0;         ///< since it began
+        friend bool operator==(const Phase&, const Phase&) = default;
+    };
+    [[nodiscard]] const Phase& phase() const { return phase_; }
+    void set_phase(Phase phase) { phase_ = std::move(phase); }
+
     /// Forces belong to the present positions.
     [[nodiscard]] bool forces_are_current() const { return forces_current_; }
     void mark_forces_current() { forces_current_ = true; }
@@ -113,6 +124,7 @@ class State {
     std::vector<Eigen::Vector3i> images_;
     std::vector<Registered> registered_;
     bool forces_current_ = false;
+    Phase phase_;
 };
 
 }  // namespace ljmd

@@ -11,7 +11,7 @@ constexpr double dt = 0.125;
 State after(Index steps, test::Oscillator& springs) {
     State state = test::swinging(springs);
     for (Index n = 0; n < steps; ++n) {
-        apply(find_integrator("velocity-verlet").step(dt), state, springs, Request::forces);
+        Integrator(find_integrator("velocity-verlet"), dt).step(state, springs, Request::forces);
     }
     return state;
 }

@@ -1,0 +1,24 @@
+#include "ljmd/integrators/integrator.hpp"
+
+namespace ljmd {
+
+/// Euler-Cromer, or symplectic Euler: the new velocity moves the position.
+///
+///     v(t + dt) = v(t) + (dt/m) f(t)
+///     r(t + dt) = r(t) + dt v(t + dt)
+///
+/// First order, symplectic, not time-reversible: the energy oscillates and does not drift. Its positions are those of
+/// leapfrog, of second order, if v(0) is replaced by v(-dt/2).
+/// Source: Cromer (1981), doi:10.1119/1.12478
+IntegratorMethod euler_cromer() {
+    return {.name = "euler-cromer",
+            .meaning = "kick, then drift with the new velocity; first order, symplectic (Cromer 1981)",
+            .order = 1,
+            .reversible = false,
+            .keys = {},
+            .scheme = [](double dt, const Section&) -> Scheme {
+                return {.begin = {}, .cycle = {{Kick{dt}, Drift{dt}, Evaluate{}}}, .reverse = {}};
+            }};
+}
+
+}  // namespace ljmd

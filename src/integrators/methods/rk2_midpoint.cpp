@@ -1,0 +1,54 @@
+#include "ljmd/integrators/integrator.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr const char* start_of_step = "rk2-midpoint: velocities at the start of the step";
+
+void half_euler_step(State& state, double dt) {
+    state.registered(state.register_vectors(start_of_step)) = static_cast<const State&>(state).velocities();
+    const auto f = static_cast<const State&>(state).forces();
+    auto r = state.write_positions();
+    auto v = state.write_velocities();
+    for (Index i = 0; i < state.count(); ++i) {
+        r.col(i) = state.snapped(r.col(i) + 0.5 * dt * v.col(i));
+        v.col(i) += 0.5 * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
+    }
+}
+
+/// The evaluation may have wrapped the positions, so the half step is taken back as a displacement.
+void full_step_from_midpoint(State& state, double dt) {
+    const auto v_start = state.registered(state.register_vectors(start_of_step));
+    const auto f = static_cast<const State&>(state).forces();
+    auto r = state.write_positions();
+    auto v = state.write_velocities();
+    for (Index i = 0; i < state.count(); ++i) {
+        r.col(i) = state.snapped(r.col(i) - 0.5 * dt * v_start.col(i) + dt * v.col(i));
+        v.col(i) = v_start.col(i) + dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
+    }
+}
+
+}  // namespace
+
+/// The midpoint method of Runge: half an Euler step, and the slopes found there for the whole step.
+///
+///     r' = r(t) + (dt/2) v(t)          v' = v(t) + (dt/2m) f(r(t))
+///     r(t + dt) = r(t) + dt v'         v(t + dt) = v(t) + (dt/m) f(r')
+///
+/// Second order, neither symplectic nor reversible: the energy drifts, at third order. For comparison.
+/// Source: Runge (1895), doi:10.1007/BF01446807
+IntegratorMethod rk2_midpoint() {
+    return {.name = "rk2-midpoint",
+            .meaning = "Runge-Kutta of second order by the midpoint (Runge 1895); for comparison",
+            .order = 2,
+            .reversible = false,
+            .keys = {},
+            .scheme = [](double dt, const Section&) -> Scheme {
+                const Update to_midpoint{[dt](State& state) { half_euler_step(state, dt); }};
+                const Update to_end{[dt](State& state) { full_step_from_midpoint(state, dt); }};
+                return {.begin = {}, .cycle = {{to_midpoint, Evaluate{}, to_end, Evaluate{}}}, .reverse = {}};
+            }};
+}
+
+}  // namespace ljmd
