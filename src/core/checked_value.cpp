@@ -35,28 +35,14 @@ double plain_number(const Key& key) {
 }  // namespace
 
 std::string KeyContext::subject() const {
-    return fmt::format("'{}' in {}", key.name, title);
+    const std::string whole = fmt::format("'{}' in {}", key.name, title);
+    return component == 0 ? whole : fmt::format("component {} of {}", component, whole);
 }
 
-std::string expected_kind(Kind kind) {
-    switch (kind) {
-        case Kind::flag:
-            return "true or false";
-        case Kind::integer:
-            return "an integer";
-        case Kind::number:
-            return "a number";
-        case Kind::text:
-        case Kind::choice:
-            return "a string";
-        case Kind::quantity:
-            return "a number with a unit, in quotes";
-        case Kind::table:
-            return "a table";
-        case Kind::tables:
-            break;
-    }
-    return "an array of tables";
+std::string expected_kind(const Key& key) {
+    if (key.kind == Kind::flag) return "true or false";
+    const std::string type = key.type();
+    return (type.starts_with('a') || type.starts_with('i') ? "an " : "a ") + type;
 }
 
 bool is_table_kind(Kind kind) {
@@ -81,11 +67,11 @@ void report_wrong_kind(const KeyContext& context, const Value& value) {
     const bool has_parts = std::holds_alternative<Array>(value.data) || std::holds_alternative<Table>(value.data);
     if (key.kind == Kind::text && !has_parts) hint = "put it in quotes";
     context.diagnostics.error(
-        value.location,
-        fmt::format("{} must be {}, found {}", context.subject(), expected_kind(key.kind), kind_name(value)), hint);
+        value.location, fmt::format("{} must be {}, found {}", context.subject(), expected_kind(key), kind_name(value)),
+        hint);
 }
 
-Scalar fallback_value(const Key& key) {
+PlainValue fallback_value(const Key& key) {
     if (key.default_value) return *key.default_value;
     switch (key.kind) {
         case Kind::flag:
@@ -97,6 +83,8 @@ Scalar fallback_value(const Key& key) {
             return plain_number(key);
         case Kind::choice:
             return key.choices.front();
+        case Kind::vector:
+            return std::vector<double>(static_cast<std::size_t>(key.least_components), plain_number(key));
         default:
             return std::string{};
     }
@@ -105,7 +93,7 @@ Scalar fallback_value(const Key& key) {
 namespace {
 
 /// Stand-in for a number outside its range: the bound that it has crossed if that is allowed, else the fallback.
-Scalar nearest_allowed(const Key& key, double value) {
+PlainValue nearest_allowed(const Key& key, double value) {
     if (std::isnan(value)) return fallback_value(key);
     const double bound = value < key.low ? key.low : key.high;
     if (!std::isfinite(bound) || !in_range(key, bound)) return fallback_value(key);
@@ -114,7 +102,7 @@ Scalar nearest_allowed(const Key& key, double value) {
 }
 
 /// Range check of a number that was written as `found`. @return the number (-0 as +0), or a stand-in
-Scalar checked_number(const KeyContext& context, const Value& value, double number, const std::string& found) {
+PlainValue checked_number(const KeyContext& context, const Value& value, double number, const std::string& found) {
     if (!std::isfinite(number)) {
         context.diagnostics.error(value.location, fmt::format("{} must be finite, found {}", context.subject(), found),
                                   allowed_hint(context.key));
@@ -128,7 +116,7 @@ Scalar checked_number(const KeyContext& context, const Value& value, double numb
 }
 
 /// A number with a unit for a key of Kind::number, in reduced units.
-Scalar number_with_unit(const KeyContext& context, const Value& value, const std::string& text) {
+PlainValue number_with_unit(const KeyContext& context, const Value& value, const std::string& text) {
     const Dimension dimension = context.key.physical_dimension;
     const auto unit = unit_of(text);
     if (!unit || unit->empty()) {
@@ -152,7 +140,7 @@ Scalar number_with_unit(const KeyContext& context, const Value& value, const std
 }
 
 /// A number with a unit for a key of Kind::quantity, in SI.
-Scalar quantity(const KeyContext& context, const Value& value, const std::string& text) {
+PlainValue quantity(const KeyContext& context, const Value& value, const std::string& text) {
     const Dimension dimension = context.key.physical_dimension;
     if (const auto si = parse_quantity(text, dimension)) return checked_number(context, value, *si, in_quotes(text));
     const auto unit = unit_of(text);
@@ -164,24 +152,46 @@ Scalar quantity(const KeyContext& context, const Value& value, const std::string
     return fallback_value(context.key);
 }
 
-Scalar choice(const KeyContext& context, const Value& value, const std::string& text) {
+PlainValue choice(const KeyContext& context, const Value& value, const std::string& text) {
     const auto& choices = context.key.choices;
     if (std::find(choices.begin(), choices.end(), text) != choices.end()) return text;
     const std::string nearest = nearest_name(text, choices);
     context.diagnostics.error(
         value.location, fmt::format("{} is {}, allowed: {}", context.subject(), in_quotes(text), context.key.allowed()),
         nearest.empty() ? "" : "did you mean '" + nearest + "'?");
-    return nearest.empty() ? fallback_value(context.key) : Scalar(nearest);
+    return nearest.empty() ? fallback_value(context.key) : PlainValue(nearest);
 }
 
-Scalar integer(const KeyContext& context, const Value& value, std::int64_t number) {
+PlainValue integer(const KeyContext& context, const Value& value, std::int64_t number) {
     if (in_range(context.key, static_cast<double>(number))) return number;
     return checked_number(context, value, static_cast<double>(number), std::to_string(number));
 }
 
+/// The numbers of an array. One of a wrong length is cut, or filled up with numbers that the key allows.
+PlainValue vector(const KeyContext& context, const Value& value, const Array& array) {
+    const Key& key = context.key;
+    const auto count = static_cast<Index>(array.size());
+    if (count < key.least_components || count > key.most_components) {
+        context.diagnostics.error(value.location, fmt::format("{} has {} component{}, allowed: {}", context.subject(),
+                                                              count, count == 1 ? "" : "s", key.allowed_components()));
+    }
+    Key one = key;
+    one.kind = Kind::number;
+    one.default_value.reset();
+    std::vector<double> numbers;
+    for (const Value& element : array) {
+        const auto component = static_cast<Index>(numbers.size()) + 1;
+        numbers.push_back(std::get<double>(
+            checked_value({one, context.title, context.units, context.diagnostics, component}, element)));
+    }
+    const Index allowed_count = std::clamp(count, key.least_components, key.most_components);
+    numbers.resize(static_cast<std::size_t>(allowed_count), plain_number(key));
+    return numbers;
+}
+
 }  // namespace
 
-Scalar checked_value(const KeyContext& context, const Value& value) {
+PlainValue checked_value(const KeyContext& context, const Value& value) {
     const Kind kind = context.key.kind;
     if (const auto* flag = std::get_if<bool>(&value.data); flag && kind == Kind::flag) return *flag;
     if (const auto* number = std::get_if<std::int64_t>(&value.data)) {
@@ -198,6 +208,9 @@ Scalar checked_value(const KeyContext& context, const Value& value) {
         if (kind == Kind::choice) return choice(context, value, *text);
         if (kind == Kind::number) return number_with_unit(context, value, *text);
         if (kind == Kind::quantity) return quantity(context, value, *text);
+    }
+    if (const auto* array = std::get_if<Array>(&value.data); array && kind == Kind::vector) {
+        return vector(context, value, *array);
     }
     report_wrong_kind(context, value);
     return fallback_value(context.key);

@@ -39,6 +39,10 @@ Key Key::quantity(std::string key_name, Dimension what) {
     return key;
 }
 
+Key Key::vector(std::string key_name) {
+    return {std::move(key_name), Kind::vector};
+}
+
 Key Key::table(std::string key_name, Schema schema) {
     Key key(std::move(key_name), Kind::table);
     key.inner.push_back(std::move(schema));
@@ -90,19 +94,27 @@ Key& Key::below(double bound) {
     return *this;
 }
 
+Key& Key::components(Index least, Index most) {
+    if (least < 1 || most < least) throw ContractViolation("Key::components: '" + name + "' allows no array");
+    least_components = least;
+    most_components = most;
+    return *this;
+}
+
 Key& Key::optional(std::string when_absent) {
     required = false;
     absent_text = std::move(when_absent);
     return *this;
 }
 
-Key& Key::defaults_to(std::variant<bool, std::int64_t, double, std::string> value) {
+Key& Key::defaults_to(PlainValue value) {
     if (const auto* integer_value = std::get_if<std::int64_t>(&value); integer_value && kind == Kind::number) {
         value = static_cast<double>(*integer_value);
     }
     const bool fits = (kind == Kind::flag && std::holds_alternative<bool>(value)) ||
                       (kind == Kind::integer && std::holds_alternative<std::int64_t>(value)) ||
                       (kind == Kind::number && std::holds_alternative<double>(value)) ||
+                      (kind == Kind::vector && std::holds_alternative<std::vector<double>>(value)) ||
                       ((kind == Kind::text || kind == Kind::choice) && std::holds_alternative<std::string>(value));
     if (!fits) throw ContractViolation("Key::defaults_to: the default of '" + name + "' has another type");
     required = false;
@@ -110,12 +122,40 @@ Key& Key::defaults_to(std::variant<bool, std::int64_t, double, std::string> valu
     return *this;
 }
 
+std::string Key::type() const {
+    switch (kind) {
+        case Kind::flag:
+            return "boolean";
+        case Kind::integer:
+            return "integer";
+        case Kind::number:
+            return "number";
+        case Kind::text:
+        case Kind::choice:
+            return "string";
+        case Kind::quantity:
+            return "number with a unit, in quotes";
+        case Kind::vector:
+            return fmt::format("array of {} number{}", allowed_components(), most_components == 1 ? "" : "s");
+        case Kind::table:
+            return "table";
+        case Kind::tables:
+            break;
+    }
+    return "array of tables";
+}
+
+std::string Key::allowed_components() const {
+    if (least_components == most_components) return fmt::format("{}", least_components);
+    return fmt::format("{} to {}", least_components, most_components);
+}
+
 std::string Key::allowed() const {
     if (kind == Kind::choice) return fmt::format("one of '{}'", fmt::join(choices, "', '"));
     std::string text;
     if (std::isfinite(low)) text = fmt::format("{} {}", low_open ? ">" : ">=", low);
     if (std::isfinite(high)) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", high_open ? "<" : "<=", high);
-    return text;
+    return kind == Kind::vector && !text.empty() ? "each " + text : text;
 }
 
 Schema::Schema(std::string title, const std::vector<Key>& keys) : title_(std::move(title)) {

@@ -49,7 +49,7 @@ void report_missing(const KeyContext& context, const Location& where) {
     context.diagnostics.error(
         where,
         fmt::format("missing {} '{}' in {}", is_table_kind(kind) ? "table" : "key", context.key.name, context.title),
-        hint.empty() ? expected_kind(kind) : hint);
+        hint.empty() ? expected_kind(context.key) : hint);
 }
 
 struct Owner {
@@ -85,15 +85,12 @@ bool makes_choice(const Table& table, const Key& selector) {
 std::set<std::string> report_unknown(const Table& table, const Schema& schema, Diagnostics& diagnostics) {
     std::set<std::string> meant;
     std::vector<std::string> known;
+    std::vector<std::pair<const Entry*, Owner>> misplaced;
     for (const Key& key : schema.keys()) known.push_back(key.name);
     for (const Entry& entry : table) {
         if (schema.find(entry.key)) continue;
         if (const auto owner = choices_with_key(schema, entry.key)) {
-            if (makes_choice(table, *schema.find(owner->selector))) {
-                diagnostics.error(entry.key_location,
-                                  fmt::format("key {} in {} goes only with {}", in_quotes(entry.key), schema.title(),
-                                              owner->choices));
-            }
+            misplaced.emplace_back(&entry, *owner);
             continue;
         }
         const std::string nearest = nearest_name(entry.key, known);
@@ -105,6 +102,11 @@ std::set<std::string> report_unknown(const Table& table, const Schema& schema, D
                           fmt::format("unknown {} {} in {}", is_table(entry.value) ? "table" : "key",
                                       in_quotes(entry.key), schema.title()),
                           hint);
+    }
+    for (const auto& [entry, owner] : misplaced) {
+        if (meant.contains(owner.selector) || !makes_choice(table, *schema.find(owner.selector))) continue;
+        diagnostics.error(entry->key_location, fmt::format("key {} in {} goes only with {}", in_quotes(entry->key),
+                                                           schema.title(), owner.choices));
     }
     return meant;
 }
@@ -121,23 +123,27 @@ const Section::Item& Section::item(const std::string& key, Kind kind) const {
 }
 
 bool Section::flag(const std::string& key) const {
-    return std::get<bool>(*item(key, Kind::flag).scalar);
+    return std::get<bool>(*item(key, Kind::flag).value);
 }
 
 std::int64_t Section::integer(const std::string& key) const {
-    return std::get<std::int64_t>(*item(key, Kind::integer).scalar);
+    return std::get<std::int64_t>(*item(key, Kind::integer).value);
 }
 
 double Section::number(const std::string& key) const {
     const auto found = items_.find(key);
     const bool is_quantity = found != items_.end() && found->second.kind == Kind::quantity;
-    return std::get<double>(*item(key, is_quantity ? Kind::quantity : Kind::number).scalar);
+    return std::get<double>(*item(key, is_quantity ? Kind::quantity : Kind::number).value);
 }
 
 const std::string& Section::text(const std::string& key) const {
     const auto found = items_.find(key);
     const bool is_choice = found != items_.end() && found->second.kind == Kind::choice;
-    return std::get<std::string>(*item(key, is_choice ? Kind::choice : Kind::text).scalar);
+    return std::get<std::string>(*item(key, is_choice ? Kind::choice : Kind::text).value);
+}
+
+const std::vector<double>& Section::vector(const std::string& key) const {
+    return std::get<std::vector<double>>(*item(key, Kind::vector).value);
 }
 
 const Section& Section::section(const std::string& key) const {
@@ -179,7 +185,7 @@ Section validate(const Table& table, const Location& where, const Schema& genera
         item.sound = entry || !(key.required || meant.contains(key.name));
         if (!is_table_kind(key.kind)) {
             const std::size_t mistakes = diagnostics.entries().size();
-            if (item.present) item.scalar = entry ? checked_value(context, entry->value) : fallback_value(key);
+            if (item.present) item.value = entry ? checked_value(context, entry->value) : fallback_value(key);
             item.sound = item.sound && diagnostics.entries().size() == mistakes;
         } else if (entry) {
             for (const Value* inner : tables_of(context, entry->value)) {

@@ -7,27 +7,6 @@
 namespace ljmd {
 namespace {
 
-std::string type_name(Kind kind) {
-    switch (kind) {
-        case Kind::flag:
-            return "boolean";
-        case Kind::integer:
-            return "integer";
-        case Kind::number:
-            return "number";
-        case Kind::text:
-        case Kind::choice:
-            return "string";
-        case Kind::quantity:
-            return "number with a unit, in quotes";
-        case Kind::table:
-            return "table";
-        case Kind::tables:
-            break;
-    }
-    return "array of tables";
-}
-
 /// A cell of a Markdown table: one line, no bare '|'.
 std::string cell(const std::string& text) {
     std::string escaped;
@@ -57,6 +36,9 @@ std::string default_cell(const Key& key) {
         std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
         std::string operator()(double value) const { return fmt::format("{}", value); }
         std::string operator()(const std::string& value) const { return fmt::format("\"{}\"", value); }
+        std::string operator()(const std::vector<double>& value) const {
+            return fmt::format("[{}]", fmt::join(value, ", "));
+        }
     };
     return std::visit(Text{}, *key.default_value);
 }
@@ -64,9 +46,8 @@ std::string default_cell(const Key& key) {
 std::string rows(const std::vector<Key>& keys) {
     std::string text = "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
     for (const Key& key : keys) {
-        text +=
-            fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", cell(key.name), type_name(key.kind),
-                        cell(unit_cell(key)), cell(allowed_cell(key)), cell(default_cell(key)), cell(key.meaning_text));
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", cell(key.name), key.type(), cell(unit_cell(key)),
+                            cell(allowed_cell(key)), cell(default_cell(key)), cell(key.meaning_text));
     }
     return text;
 }

@@ -17,6 +17,8 @@ TEST_CASE("a schema becomes a section of the reference page") {
                             Key::flag("tail").defaults_to(true),
                             Key::flag("sample").defaults_to(false),
                             Key::text("file").optional("no file"),
+                            Key::vector("position").unit("sigma").meaning("start"),
+                            Key::vector("masses").components(2, 2).above(0.0).defaults_to(std::vector{1.0, 0.5}),
                             Key::tables("stage", Schema("[[stage]]", {Key::text("name")})),
                         });
     CHECK(schema_markdown(system, 5) ==
@@ -33,6 +35,8 @@ TEST_CASE("a schema becomes a section of the reference page") {
           "| `tail` | boolean |  | true or false | true |  |\n"
           "| `sample` | boolean |  | true or false | false |  |\n"
           "| `file` | string |  |  | no file |  |\n"
+          "| `position` | array of 1 to 3 numbers | sigma |  | required | start |\n"
+          "| `masses` | array of 2 numbers |  | each > 0 | [1, 0.5] |  |\n"
           "| `stage` | array of tables |  |  | required |  |\n"
           "\n"
           "###### `lattice`\n"

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "ljmd/core/types.hpp"
 #include "ljmd/core/units.hpp"
 #include "ljmd/core/value.hpp"
 
@@ -23,9 +24,13 @@ enum class Kind {
     text,      ///< any string
     choice,    ///< one of the strings in `choices`
     quantity,  ///< always a string with a unit: the keys of [argon]
+    vector,    ///< an array of numbers; the range holds for each of them
     table,     ///< a table with a schema of its own
     tables,    ///< an array of tables, [[stage]]
 };
+
+/// What a key that is no table holds, as a default or after validation.
+using PlainValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
 /// One key of a deck: everything that validates it and everything that its line in the reference page says.
 /// Built fluently: `Key::number("density").unit("sigma^-3").above(0.0).at_most(1.5).meaning("N/V")`.
@@ -37,6 +42,7 @@ class Key {
     static Key text(std::string name);
     static Key choice(std::string name, std::vector<std::string> choices);
     static Key quantity(std::string name, Dimension dimension);
+    static Key vector(std::string name);
     static Key table(std::string name, Schema schema);
     static Key tables(std::string name, Schema schema);
 
@@ -47,8 +53,9 @@ class Key {
     Key& above(double low);                       ///< value > low
     Key& at_most(double high);                    ///< value <= high
     Key& below(double high);                      ///< value < high
+    Key& components(Index least, Index most);     ///< how many numbers a Kind::vector has
     Key& optional(std::string when_absent = {});  ///< may be missing; the text says what happens then
-    Key& defaults_to(std::variant<bool, std::int64_t, double, std::string> value);  ///< implies optional
+    Key& defaults_to(PlainValue value);           ///< implies optional
 
     std::string name;
     Kind kind = Kind::text;
@@ -59,13 +66,21 @@ class Key {
     double high = std::numeric_limits<double>::infinity();
     bool low_open = false;   ///< low itself is not allowed
     bool high_open = false;  ///< high itself is not allowed
+    Index least_components = 1;
+    Index most_components = 3;
     std::vector<std::string> choices;
     bool required = true;
     std::string absent_text;  ///< for optional keys without a default
-    std::optional<std::variant<bool, std::int64_t, double, std::string>> default_value;
+    std::optional<PlainValue> default_value;
     std::vector<Schema> inner;  ///< one element for Kind::table and Kind::tables, else empty
 
-    /// The allowed range in words: "> 0, <= 1.5"; "one of 'cut', 'shifted'"; empty when anything goes.
+    /// The type in words, without an article: "integer", "array of tables", "array of 1 to 3 numbers".
+    [[nodiscard]] std::string type() const;
+
+    /// How many components a vector has, in words: "1 to 3"; "2" where only one number is allowed.
+    [[nodiscard]] std::string allowed_components() const;
+
+    /// The allowed range in words: "> 0, <= 1.5"; "each > 0"; "one of 'cut', 'shifted'"; empty when anything goes.
     [[nodiscard]] std::string allowed() const;
 
   private:

@@ -21,6 +21,7 @@ class Section {
     [[nodiscard]] std::int64_t integer(const std::string& key) const;
     [[nodiscard]] double number(const std::string& key) const;            ///< reduced units; for Kind::quantity SI
     [[nodiscard]] const std::string& text(const std::string& key) const;  ///< text and choice
+    [[nodiscard]] const std::vector<double>& vector(const std::string& key) const;
     [[nodiscard]] const Section& section(const std::string& key) const;
     [[nodiscard]] const std::vector<Section>& sections(const std::string& key) const;
 
@@ -40,10 +41,9 @@ class Section {
     friend Section validate(const Table&, const Location&, const Schema&, const std::optional<SubstanceUnits>&,
                             Diagnostics&);
 
-    using Scalar = std::variant<bool, std::int64_t, double, std::string>;
     struct Item {
         Kind kind;
-        std::optional<Scalar> scalar;
+        std::optional<PlainValue> value;
         std::vector<Section> sections;
         Location location;
         bool present = false;
@@ -58,8 +58,8 @@ class Section {
 
 /// Check a table against its schema and convert it. Every mistake becomes one diagnostic: unknown key (with the nearest
 /// known one), missing key, wrong type ("must be an integer, found a float"), value out of range, not finite, unknown
-/// choice (with all choices), a unit that is unknown or of the wrong dimension, a unit without [argon]. A missing key
-/// that an unknown one was probably meant to be is not reported a second time.
+/// choice (with all choices), an array of a wrong length, a unit that is unknown or of the wrong dimension, a unit
+/// without [argon]. A missing key that an unknown one was probably meant to be is not reported a second time.
 ///
 /// Nothing is thrown: after a mistake the Section holds a value that is safe to use (the nearest allowed one, or the
 /// default), so that checking can go on and all mistakes are found in one pass.
