@@ -4,6 +4,7 @@
 
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/io/deck_file.hpp"
+#include "ljmd/io/deck_setting.hpp"
 
 namespace ljmd {
 

@@ -104,25 +104,6 @@ const Table& inner(const Table& table, const std::string& key) {
     return std::get<Table>(at(table, key).data);
 }
 
-/// A table after settings that must succeed.
-Table with_settings(const std::vector<std::string>& settings) {
-    Table table = parsed(good_deck);
-    Diagnostics diagnostics;
-    for (const std::string& setting : settings) apply_setting(table, setting, diagnostics);
-    CHECK(formatted(diagnostics).empty());
-    return table;
-}
-
-/// The error of a setting that must fail, without "error: ".
-std::string bad_setting(const std::string& setting) {
-    Table table = parsed(good_deck);
-    Diagnostics diagnostics;
-    apply_setting(table, setting, diagnostics);
-    REQUIRE(diagnostics.entries().size() == 1);
-    CHECK(table.size() == 5);
-    return format(diagnostics.entries().front()).substr(7);
-}
-
 }  // namespace
 
 TEST_CASE("a deck is read in the order of its text, every part with its place") {
@@ -297,73 +278,20 @@ TEST_CASE("all mistakes of a deck, as a user reads them") {
                       "4 errors. Nothing was run.");
 }
 
-TEST_CASE("a setting replaces or adds a value") {
-    const Table table =
-        with_settings({"system.density=0.5", "system.temperature=86 K", "units=real # no comment",
-                       " output . directory = \"runs/a=b\"", "analysis.msd.origins=50", "stage.production.steps=7",
-                       "stage.\"equilibrate\".sample=true", "system.lattice={ type = \"sc\", cells = [1] }", "title="});
-    CHECK(std::get<double>(at(inner(table, "system"), "density").data) == 0.5);
-    CHECK(std::get<std::string>(at(inner(table, "system"), "temperature").data) == "86 K");
-    CHECK(std::get<std::string>(at(table, "units").data) == "real # no comment");
-    CHECK(std::get<std::string>(at(inner(table, "output"), "directory").data) == "runs/a=b");
-    CHECK(std::get<std::int64_t>(at(inner(inner(table, "analysis"), "msd"), "origins").data) == 50);
-    CHECK(std::get<std::string>(at(table, "title").data).empty());
-    const auto& stages = std::get<Array>(at(table, "stage").data);
-    CHECK(std::get<std::int64_t>(at(std::get<Table>(stages[0].data), "steps").data) == 5000);
-    CHECK(std::get<std::int64_t>(at(std::get<Table>(stages[1].data), "steps").data) == 7);
-    CHECK(std::get<bool>(at(std::get<Table>(stages[0].data), "sample").data));
-    const Table& lattice = inner(inner(table, "system"), "lattice");
-    CHECK(lattice[0].key_location.line == 0);
-    CHECK(std::get<Array>(lattice[1].value.data)[0].location.source->name.find("--set system.lattice=") == 0);
-    // Text that only looks like TOML at its start is text.
-    const Table lines = with_settings({"title=1\nb = 2", "units=[1, 2"});
-    CHECK(std::get<std::string>(at(lines, "title").data) == "1\nb = 2");
-    CHECK(std::get<std::string>(at(lines, "units").data) == "[1, 2");
-}
-
-TEST_CASE("a setting that cannot be applied is one error") {
-    CHECK(bad_setting("system.density") == "--set system.density: a setting has the form KEY=VALUE");
-    CHECK(bad_setting("=5") == "--set =5: the key, or a part of it, is empty");
-    for (const char* key : {" =5", "a..b=5", ".a=5", "a.=5", "\"a=5"}) {
-        CHECK(bad_setting(key).find("the key, or a part of it, is empty") != std::string::npos);
-    }
-    std::string deep = "a";
-    for (int i = 0; i < 100; ++i) deep += ".a";
-    CHECK(bad_setting(deep + "=1").find("the key has too many parts") != std::string::npos);
-    CHECK(bad_setting("system.density.x=1") == "--set system.density.x=1: 'density' is a float, not a table");
-    CHECK(bad_setting("stage.production=1") ==
-          "--set stage.production=1: 'stage' is an array, not a table\n"
-          "  its elements are reached by name: stage.NAME.KEY=VALUE");
-    CHECK(bad_setting("stage.prodution.steps=1") ==
-          "--set stage.prodution.steps=1: no 'stage' is named 'prodution'\n"
-          "  did you mean 'production'? known names: equilibrate, production");
-    CHECK(bad_setting("stage.x.steps=1") ==
-          "--set stage.x.steps=1: no 'stage' is named 'x'\n  known names: equilibrate, production");
-    CHECK(bad_setting("system.seed=99999999999999999999").find(": '99999999999999999999' does not fit in 64 bits") !=
-          std::string::npos);
-    CHECK(bad_setting("system.x=1e400").find("too large for a number") != std::string::npos);
-    CHECK(bad_setting("title=\xFF") == "--set title=?: invalid UTF-8");
-    CHECK(bad_setting("\xFF=1").find("invalid UTF-8") != std::string::npos);
-    CHECK(bad_setting("title=" + std::string(10000, '[')).find("nested deeper than 32 levels") != std::string::npos);
-
-    Table numbers = parsed("a = [1, 2]");
+TEST_CASE("a mistake in an array of numbers is shown at the component") {
     Diagnostics diagnostics;
-    apply_setting(numbers, "a.first.x=1", diagnostics);
-    CHECK(formatted(diagnostics) == std::vector<std::string>{"error: --set a.first.x=1: no 'a' is named 'first'"});
-}
-
-TEST_CASE("a mistake in a setting is told as one of the setting") {
-    Table table = parsed(good_deck);
-    Diagnostics diagnostics;
-    apply_setting(table, "system.densty=0.8", diagnostics);
-    apply_setting(table, "stage.production.steps=-1", diagnostics);
-    static_cast<void>(validate(table, {}, deck_schema(), SubstanceUnits(1.0, 1.0, 1.0), diagnostics));
-    const auto all = formatted(diagnostics);
-    CHECK(std::count(all.begin(), all.end(),
-                     "error: --set system.densty=0.8: unknown key 'densty' in [system]\n"
-                     "  did you mean 'density'?") == 1);
-    CHECK(std::count(all.begin(), all.end(),
-                     "error: --set stage.production.steps=-1: 'steps' in [[stage]] is -1, allowed: >= 0") == 1);
+    const DeckFile deck = parse_deck("two.toml", "[[body]]\nposition = [ 1.0, \"0\",\n  inf ]\n", diagnostics);
+    const Schema body("[[body]]", {Key::vector("position")});
+    static_cast<void>(validate(deck.table, {deck.source}, Schema("the deck", {Key::tables("body", body)}), std::nullopt,
+                               diagnostics));
+    CHECK(formatted(diagnostics) ==
+          std::vector<std::string>{
+              "error: two.toml:2:19: component 2 of 'position' in [[body]] must be a number, found a string\n"
+              "  2 | position = [ 1.0, \"0\",\n"
+              "    |                   ^^^ remove the quotes",
+              "error: two.toml:3:3: component 3 of 'position' in [[body]] must be finite, found inf\n"
+              "  3 |   inf ]\n"
+              "    |   ^^^"});
 }
 
 TEST_CASE("no damage to a deck crashes: it is read, or there is a message") {

@@ -27,15 +27,4 @@ struct DeckFile {
 /// The same for a text that is already in memory.
 [[nodiscard]] DeckFile parse_deck(std::string name, std::string text, Diagnostics& diagnostics);
 
-/// Apply one `--set`: "system.density=0.8" gives `density` in the table `system` the value 0.8, whether the key was
-/// there or not.
-///
-/// Tables on the way are made when they are missing. An element of an array of tables is reached by its `name`:
-/// "stage.production.steps=1000". A part of a key that holds a dot stands in quotes. The value is read as TOML; what is
-/// no TOML is taken as a string, so that "potential.truncation=cut" and "system.temperature=86 K" need no quotes.
-///
-/// What was set is located in a source named "--set system.density=0.8". A setting that cannot be applied gives one
-/// error and leaves the table as it was.
-void apply_setting(Table& table, const std::string& assignment, Diagnostics& diagnostics);
-
 }  // namespace ljmd
