@@ -65,6 +65,7 @@ std::vector<${type}> ${function}() { return {@calls@}; }
 endfunction()
 
 ljmd_formula_list(ljmd/potentials/formulas ljmd/potentials/formula_list.hpp)
+ljmd_plugin_list(forces/few_body FewBodyForceMethod ljmd/forces/few_body_force.hpp all_few_body_forces ljmd_generated_sources)
 ljmd_plugin_list(integrators/methods IntegratorMethod ljmd/integrators/integrator.hpp all_integrators ljmd_generated_sources)
 ljmd_plugin_list(integrators/thermostats ThermostatMethod ljmd/integrators/thermostat.hpp all_thermostats ljmd_generated_sources)
 ljmd_plugin_list(observables/analyses AnalysisMethod ljmd/observables/analysis.hpp all_analyses ljmd_generated_sources)

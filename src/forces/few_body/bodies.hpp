@@ -1,0 +1,72 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/forces/force_field.hpp"
+
+namespace ljmd {
+
+/// A body as the few-body forces see it.
+struct Body {
+    Index id;
+    Index index;  ///< where it lies in memory
+    double mass;
+    Vec3 position;
+};
+
+/// The bodies of a state by id.
+inline std::vector<Body> bodies_of(const State& state) {
+    std::vector<Body> bodies(static_cast<std::size_t>(state.count()));
+    const auto r = state.positions();
+    for (Index i = 0; i < state.count(); ++i) {
+        const Index id = state.ids()[static_cast<std::size_t>(i)];
+        bodies[static_cast<std::size_t>(id)] = {id, i, state.masses()[static_cast<std::size_t>(i)], r.col(i)};
+    }
+    return bodies;
+}
+
+/// The same. @throws PhysicsError naming the body when a position is not finite
+inline std::vector<Body> finite_bodies_of(const State& state) {
+    std::vector<Body> bodies = bodies_of(state);
+    for (const Body& body : bodies) {
+        const Vec3& r = body.position;
+        if (!r.allFinite()) {
+            throw PhysicsError(
+                fmt::format("body {} is at ({}, {}, {}): the run has blown up. Is the time step too large?",
+                            body.id + 1, r[0], r[1], r[2]));
+        }
+    }
+    return bodies;
+}
+
+/// What a field does to one body.
+struct FieldTerm {
+    double energy;
+    Vec3 force;
+};
+
+/// What was asked for, of an evaluation that holds everything.
+inline Evaluation asked_for(Request request, const Evaluation& evaluation) {
+    return request == Request::forces ? Evaluation{} : evaluation;
+}
+
+/// Write the forces on bodies that feel a field and not each other.
+/// @param term  FieldTerm(const Body&)
+template <class Term>
+Evaluation sum_over_bodies(State& state, Request request, const Term& term) {
+    auto f = state.write_forces();
+    Evaluation evaluation;
+    for (const Body& body : finite_bodies_of(state)) {
+        const FieldTerm here = term(body);
+        f.col(body.index) = here.force;
+        evaluation.potential_energy += here.energy;
+        evaluation.virial += body.position * here.force.transpose();
+    }
+    return asked_for(request, evaluation);
+}
+
+}  // namespace ljmd

@@ -1,0 +1,37 @@
+#include "bodies.hpp"
+#include "ljmd/forces/few_body_force.hpp"
+
+namespace ljmd {
+
+namespace {
+
+class Harmonic : public ForceField {
+  public:
+    explicit Harmonic(double stiffness) : stiffness_(stiffness) {}
+
+  private:
+    Evaluation compute(State& state, Request request) override {
+        return sum_over_bodies(state, request, [this](const Body& body) -> FieldTerm {
+            return {0.5 * stiffness_ * body.position.squaredNorm(), -stiffness_ * body.position};
+        });
+    }
+
+    double stiffness_;
+};
+
+}  // namespace
+
+/// Every body on a spring of its own to the origin: f = -k r, U = sum k r^2 / 2. Period 2 pi sqrt(m/k).
+FewBodyForceMethod harmonic() {
+    return {.name = "harmonic",
+            .meaning = "every body on a spring to the origin, f = -k r",
+            .keys = {Key::number("stiffness").unit("mass time^-2").above(0.0).meaning("k")},
+            .least_dimensions = 1,
+            .most_dimensions = 3,
+            .check = [](const Section&, const State&) -> std::optional<ProblemAtStart> { return std::nullopt; },
+            .make = [](const Section& section) -> std::unique_ptr<ForceField> {
+                return std::make_unique<Harmonic>(section.number("stiffness"));
+            }};
+}
+
+}  // namespace ljmd

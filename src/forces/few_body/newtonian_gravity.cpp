@@ -1,0 +1,147 @@
+#include <cmath>
+
+#include "bodies.hpp"
+#include "ljmd/forces/few_body_force.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Attraction between unit masses at separation d with G = 1.
+struct Attraction {
+    double depth;         ///< (d^2 + s^2)^(-1/2)
+    double inverse_cube;  ///< (d^2 + s^2)^(-3/2)
+
+    Attraction(const Vec3& d, double softening2) {
+        const double distance2 = d.squaredNorm() + softening2;
+        depth = 1.0 / std::sqrt(distance2);
+        inverse_cube = depth / distance2;
+    }
+
+    /// False where bodies are too close for numbers to tell them apart.
+    [[nodiscard]] bool is_finite() const { return std::isfinite(inverse_cube); }
+};
+
+std::string collision(const Body& one, const Body& other) {
+    const Vec3& r = other.position;
+    return fmt::format("bodies {} and {} are both at ({}, {}, {}): their attraction has no value without softening",
+                       one.id + 1, other.id + 1, r[0], r[1], r[2]);
+}
+
+std::string fall(const Body& body) {
+    return fmt::format(
+        "body {} is at the origin, where the central mass is: its attraction has no value without softening",
+        body.id + 1);
+}
+
+class NewtonianGravity : public ForceField {
+  public:
+    explicit NewtonianGravity(const Section& section)
+        : gravitational_constant_(section.number("gravitational_constant")),
+          softening2_(section.number("softening") * section.number("softening")),
+          central_mass_(section.number("central_mass")) {}
+
+    [[nodiscard]] std::optional<ProblemAtStart> problem_of(const std::vector<Body>& bodies) const {
+        for (const Body& body : bodies) {
+            if (central_mass_ > 0.0 && !Attraction(body.position, softening2_).is_finite()) {
+                return ProblemAtStart{body.id, fall(body)};
+            }
+            for (Index other = 0; other < body.id; ++other) {
+                const Body& earlier = bodies[static_cast<std::size_t>(other)];
+                if (!Attraction(body.position - earlier.position, softening2_).is_finite()) {
+                    return ProblemAtStart{body.id, collision(earlier, body)};
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    /// Each body's force is a sum from its own side, over the others by id.
+    Evaluation compute(State& state, Request request) override {
+        auto f = state.write_forces();
+        const std::vector<Body> bodies = finite_bodies_of(state);
+        Evaluation evaluation;
+        for (const Body& body : bodies) {
+            Vec3 force = Vec3::Zero();
+            for (const Body& other : bodies) {
+                if (other.id != body.id) {
+                    force += attract(body, other, evaluation);
+                }
+            }
+            if (central_mass_ > 0.0) {
+                force += attract_to_centre(body, evaluation);
+            }
+            f.col(body.index) = force;
+        }
+        return asked_for(request, evaluation);
+    }
+
+    /// Force on `body`; each pair is counted once in the evaluation.
+    [[nodiscard]] Vec3 attract(const Body& body, const Body& other, Evaluation& evaluation) const {
+        const Vec3 d = body.position - other.position;
+        const Attraction attraction(d, softening2_);
+        if (!attraction.is_finite()) {
+            throw PhysicsError(collision(body, other));
+        }
+        // The product of the masses first: then the forces on the two bodies are opposite to the last bit.
+        const double strength = gravitational_constant_ * (body.mass * other.mass);
+        const Vec3 force = -strength * attraction.inverse_cube * d;
+        if (body.id < other.id) {
+            evaluation.potential_energy -= strength * attraction.depth;
+            evaluation.virial += d * force.transpose();
+        }
+        return force;
+    }
+
+    [[nodiscard]] Vec3 attract_to_centre(const Body& body, Evaluation& evaluation) const {
+        const Attraction attraction(body.position, softening2_);
+        if (!attraction.is_finite()) {
+            throw PhysicsError(fall(body));
+        }
+        const double strength = gravitational_constant_ * (central_mass_ * body.mass);
+        const Vec3 force = -strength * attraction.inverse_cube * body.position;
+        evaluation.potential_energy -= strength * attraction.depth;
+        evaluation.virial += body.position * force.transpose();
+        return force;
+    }
+
+    double gravitational_constant_;
+    double softening2_;
+    double central_mass_;
+};
+
+}  // namespace
+
+/// Newton's gravity between bodies, softened if wanted, and towards a mass M that is held at the origin if wanted:
+///
+///     a_i = -G sum over j of m_j d_ij / (d_ij^2 + s^2)^(3/2) - G M r_i / (r_i^2 + s^2)^(3/2),    d_ij = r_i - r_j
+///     U   = -sum over pairs of G m_i m_j / (d_ij^2 + s^2)^(1/2) - sum over i of G M m_i / (r_i^2 + s^2)^(1/2)
+///
+/// The relative motion of two bodies is that of one body with M = m1 + m2. Source of the softening: Plummer (1911),
+/// doi:10.1093/mnras/71.5.460; of its use here: Aarseth (1963), doi:10.1093/mnras/126.3.223
+FewBodyForceMethod newtonian_gravity() {
+    return {.name = "newtonian-gravity",
+            .meaning = "gravity between all bodies, and towards a mass held at the origin",
+            .keys = {Key::number("gravitational_constant").unit("length^3 mass^-1 time^-2").above(0.0).meaning("G"),
+                     Key::number("softening")
+                         .unit("length")
+                         .at_least(0.0)
+                         .meaning("s: distances r count as (r^2 + s^2)^(1/2)")
+                         .defaults_to(0.0),
+                     Key::number("central_mass")
+                         .unit("mass")
+                         .at_least(0.0)
+                         .meaning("M, a mass held at the origin beside the bodies")
+                         .defaults_to(0.0)},
+            .least_dimensions = 1,
+            .most_dimensions = 3,
+            .check = [](const Section& section, const State& start) -> std::optional<ProblemAtStart> {
+                return NewtonianGravity(section).problem_of(bodies_of(start));
+            },
+            .make = [](const Section& section) -> std::unique_ptr<ForceField> {
+                return std::make_unique<NewtonianGravity>(section);
+            }};
+}
+
+}  // namespace ljmd

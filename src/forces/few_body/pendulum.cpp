@@ -1,0 +1,49 @@
+#include <cmath>
+
+#include "bodies.hpp"
+#include "ljmd/forces/few_body_force.hpp"
+
+namespace ljmd {
+
+namespace {
+
+class Pendulum : public ForceField {
+  public:
+    Pendulum(double gravity, double length) : strength_(gravity / length) {}
+
+  private:
+    Evaluation compute(State& state, Request request) override {
+        return sum_over_bodies(state, request, [this](const Body& body) -> FieldTerm {
+            const double angle = body.position.x();
+            const double half_chord = std::sin(0.5 * angle);  // 1 - cos a = 2 sin^2(a/2), which does not cancel
+            return {2.0 * body.mass * strength_ * half_chord * half_chord,
+                    Vec3(-body.mass * strength_ * std::sin(angle), 0.0, 0.0)};
+        });
+    }
+
+    double strength_;  // g/l
+};
+
+}  // namespace
+
+/// The plane pendulum without friction; the coordinate is the angle theta from the lowest point, in radians:
+///
+///     theta'' = -(g/l) sin theta,    U = sum over bodies of m (g/l) (1 - cos theta)
+///
+/// Energies are those of a mass m whose coordinate is the angle, so E = m (theta'^2 / 2 + (g/l)(1 - cos theta)); times
+/// l^2 they are those of the pendulum. Period of a swing of amplitude a: 4 sqrt(l/g) K(sin(a/2)), K the complete
+/// elliptic integral of the first kind. Source: Landau and Lifshitz, Mechanics, section 11, problem 1
+FewBodyForceMethod pendulum() {
+    return {.name = "pendulum",
+            .meaning = "plane pendulum, the coordinate is its angle in radians, theta'' = -(g/l) sin theta",
+            .keys = {Key::number("gravity").unit("length time^-2").above(0.0).meaning("g"),
+                     Key::number("length").unit("length").above(0.0).meaning("l")},
+            .least_dimensions = 1,
+            .most_dimensions = 1,
+            .check = [](const Section&, const State&) -> std::optional<ProblemAtStart> { return std::nullopt; },
+            .make = [](const Section& section) -> std::unique_ptr<ForceField> {
+                return std::make_unique<Pendulum>(section.number("gravity"), section.number("length"));
+            }};
+}
+
+}  // namespace ljmd
