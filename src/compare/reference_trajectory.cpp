@@ -1,0 +1,164 @@
+#include "ljmd/compare/reference_trajectory.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include <cmath>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+/// y holds the positions by id, then the velocities by id: force fields may rearrange bodies in memory.
+class ReferenceTrajectory::Integration {
+  public:
+    Integration(const State& start, ForceField& force, double tolerance)
+        : state_(start),
+          force_(force),
+          size_(3 * static_cast<std::size_t>(start.count())),
+          y_(2 * size_),
+          system_{&Integration::call, nullptr, y_.size(), this} {
+        gsl_set_error_handler_off();  // errors come back as codes; GSL's own handler would abort the program
+        const double any_step = 1.0;  // set_step() comes before it is used
+        driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, any_step, tolerance, tolerance));
+        if (!driver_) {
+            throw std::bad_alloc();
+        }
+        for (std::size_t i = 0; i < state_.ids().size(); ++i) {
+            Map(y_.data() + place(i)) = start.positions().col(static_cast<Index>(i));
+            Map(y_.data() + size_ + place(i)) = start.velocities().col(static_cast<Index>(i));
+        }
+    }
+
+    const State& advance_to(double time) {
+        double reached = state_.time;
+        if (time == reached) {
+            return state_;
+        }
+        set_step(time - reached);
+        const int status = gsl_odeiv2_driver_apply(driver_.get(), &reached, time, y_.data());
+        steps_ += static_cast<Index>(driver_->n);
+        show(reached);
+        if (status != GSL_SUCCESS) {
+            report(status, time);
+        }
+        return state_;
+    }
+
+    [[nodiscard]] Index steps() const { return steps_; }
+
+  private:
+    using Map = Eigen::Map<Vec3>;
+    using ConstMap = Eigen::Map<const Vec3>;
+
+    struct FreeDriver {
+        void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
+    };
+
+    /// Where the position of the body at index i begins in y; its velocity follows size_ later.
+    [[nodiscard]] std::size_t place(std::size_t i) const { return 3 * static_cast<std::size_t>(state_.ids()[i]); }
+
+    /// The first step is far too short rather than too long: the steps grow fast, and a long one may leap over what
+    /// happens in between.
+    void set_step(double span) {
+        if (steps_ == 0) {
+            gsl_odeiv2_driver_reset_hstart(driver_.get(), 1e-6 * span);
+        } else if (std::signbit(driver_->h) != std::signbit(span)) {
+            gsl_odeiv2_driver_reset_hstart(driver_.get(), -driver_->h);
+        }
+    }
+
+    /// GSL's frames are C: no exception may pass through them. After a failure GSL halves the step as long as that
+    /// changes the time, so only the last exception counts.
+    static int call(double, const double* y, double* derivative, void* self) {
+        auto& integration = *static_cast<Integration*>(self);
+        integration.trouble_ = nullptr;
+        try {
+            integration.differentiate(y, derivative);
+            return GSL_SUCCESS;
+        } catch (...) {
+            integration.trouble_ = std::current_exception();
+            return GSL_FAILURE;
+        }
+    }
+
+    void differentiate(const double* y, double* derivative) {
+        for (std::size_t i = 0; i < state_.ids().size(); ++i) {
+            state_.write_positions().col(static_cast<Index>(i)) = ConstMap(y + place(i));
+        }
+        force_.evaluate(state_, Request::forces);
+        for (std::size_t i = 0; i < state_.ids().size(); ++i) {
+            Map velocity(derivative + place(i));
+            Map acceleration(derivative + size_ + place(i));
+            velocity = ConstMap(y + size_ + place(i));
+            acceleration = static_cast<const State&>(state_).forces().col(static_cast<Index>(i)) / state_.masses()[i];
+            // GSL's choice of the step takes NaN for a small error.
+            if (!velocity.allFinite() || !acceleration.allFinite()) {
+                throw PhysicsError(
+                    fmt::format("velocity or acceleration of body {} is not finite", state_.ids()[i] + 1));
+            }
+        }
+    }
+
+    /// Make state_ what y says.
+    void show(double time) {
+        for (std::size_t i = 0; i < state_.ids().size(); ++i) {
+            state_.write_positions().col(static_cast<Index>(i)) = ConstMap(y_.data() + place(i));
+            state_.write_velocities().col(static_cast<Index>(i)) = ConstMap(y_.data() + size_ + place(i));
+        }
+        state_.time = time;
+    }
+
+    [[noreturn]] void report(int status, double time) const {
+        std::string reason = status == GSL_FAILURE ? "bodies collide, or the tolerance asks for more than doubles hold"
+                                                   : gsl_strerror(status);
+        try {
+            if (trouble_) {
+                std::rethrow_exception(trouble_);
+            }
+        } catch (const PhysicsError& error) {
+            reason = error.what();
+        }
+        throw PhysicsError(
+            fmt::format("the reference solution ends at time {}, before {}: {}", state_.time, time, reason));
+    }
+
+    State state_;
+    ForceField& force_;
+    std::size_t size_;  // of the positions in y
+    std::vector<double> y_;
+    gsl_odeiv2_system system_;
+    std::unique_ptr<gsl_odeiv2_driver, FreeDriver> driver_;
+    std::exception_ptr trouble_;  // of the last evaluation
+    Index steps_ = 0;
+};
+
+ReferenceTrajectory::ReferenceTrajectory(const State& start, ForceField& force, double tolerance) {
+    if (start.has_box() || start.count() == 0) {
+        throw ContractViolation("a reference solution needs bodies in unbounded space");
+    }
+    if (!(tolerance > 0.0 && tolerance < 1.0)) {
+        throw ContractViolation(fmt::format("a tolerance of {}; allowed: > 0, < 1", tolerance));
+    }
+    integration_ = std::make_unique<Integration>(start, force, tolerance);
+}
+
+ReferenceTrajectory::~ReferenceTrajectory() = default;
+
+const State& ReferenceTrajectory::advance_to(double time) {
+    if (!std::isfinite(time)) {
+        throw ContractViolation(fmt::format("a reference solution at time {}", time));
+    }
+    return integration_->advance_to(time);
+}
+
+Index ReferenceTrajectory::steps_taken() const {
+    return integration_->steps();
+}
+
+}  // namespace ljmd
