@@ -69,3 +69,4 @@ ljmd_plugin_list(forces/few_body FewBodyForceMethod ljmd/forces/few_body_force.h
 ljmd_plugin_list(integrators/methods IntegratorMethod ljmd/integrators/integrator.hpp all_integrators ljmd_generated_sources)
 ljmd_plugin_list(integrators/thermostats ThermostatMethod ljmd/integrators/thermostat.hpp all_thermostats ljmd_generated_sources)
 ljmd_plugin_list(observables/analyses AnalysisMethod ljmd/observables/analysis.hpp all_analyses ljmd_generated_sources)
+ljmd_plugin_list(observables/few_body_analyses FewBodyAnalysisMethod ljmd/observables/few_body_analysis.hpp all_few_body_analyses ljmd_generated_sources)

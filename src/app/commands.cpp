@@ -1,25 +1,21 @@
 #include "ljmd/app/commands.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <iterator>
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/compare_gsl.hpp"
 #include "ljmd/app/deck_sense.hpp"
+#include "ljmd/app/few_body_check.hpp"
+#include "ljmd/app/few_body_run.hpp"
 #include "ljmd/app/forecast.hpp"
 #include "ljmd/app/progress.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/streams.hpp"
-#include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
 
 namespace ljmd {
 
@@ -33,35 +29,34 @@ void print_warnings(const Diagnostics& diagnostics) {
     }
 }
 
-/// A deck that is right in every respect, with the start it describes.
-struct CheckedDeck {
-    Deck deck;
-    Start start;
-};
-
-CheckedDeck load_checked(const DeckOptions& options) {
-    Diagnostics diagnostics;
+/// @throws InputError with every mistake of the deck
+Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
     auto deck = load_deck(options.deck, options.settings, options.force, diagnostics);
     diagnostics.throw_if_errors();
-    Start start = find_start(*deck);
+    return std::move(*deck);
+}
+
+/// The start of a fluid, with which its deck is right in every respect.
+Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
+    Start start = find_start(deck);
     if (start.configuration) {  // only now is the box known
-        check_box(deck->root, start.box, diagnostics);
+        check_box(deck.root, start.box, diagnostics);
         diagnostics.throw_if_errors();
     }
     if (!options.quiet) {
         print_warnings(diagnostics);
     }
-    return {std::move(*deck), std::move(start)};
+    return start;
 }
 
-std::string check_json(const CheckedDeck& checked, const Forecast& forecast) {
-    const Vec3& edges = checked.start.box.edges();
-    const nlohmann::ordered_json json = {{"deck", checked.deck.path},
-                                         {"atoms", checked.start.atoms},
+std::string check_json(const Deck& deck, const Start& start, const Forecast& forecast) {
+    const Vec3& edges = start.box.edges();
+    const nlohmann::ordered_json json = {{"deck", deck.path},
+                                         {"atoms", start.atoms},
                                          {"box_edges", {edges[0], edges[1], edges[2]}},
-                                         {"cutoff", checked.deck.potential().number("cutoff")},
-                                         {"largest_cutoff", 0.5 * checked.start.box.shortest_edge()},
-                                         {"steps", checked.deck.total_steps()},
+                                         {"cutoff", deck.potential().number("cutoff")},
+                                         {"largest_cutoff", 0.5 * start.box.shortest_edge()},
+                                         {"steps", deck.total_steps()},
                                          {"memory_bytes", forecast.memory_bytes},
                                          {"disk_bytes", forecast.disk_bytes},
                                          {"seconds", forecast.seconds}};
@@ -69,51 +64,68 @@ std::string check_json(const CheckedDeck& checked, const Forecast& forecast) {
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+void run_fluid(const Deck& deck, Start start, const DeckOptions& options) {
+    // The start is made before anything is touched: what refuses it must not cost an earlier run.
+    check_directory(deck, options.force);
+    Progress progress(start.atoms, deck.total_steps(), options.quiet);
+    Simulation simulation =
+        make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
+    prepare_directory(deck.directory);
+    const RunResult result = run_deck(deck, simulation, progress);
+    print_result(options.json ? results_json(deck, result) + "\n" : results_table(deck, result));
+}
+
+void run_bodies(const Deck& deck, const DeckOptions& options) {
+    check_directory(deck, options.force);
+    FewBodySystem system = make_few_body_system(deck);
+    Progress progress(system.state.count(), deck.total_steps(), options.quiet);
+    prepare_directory(deck.directory);
+    const FewBodyResult result = run_few_body(deck, system, progress);
+    print_result(options.json ? few_body_results_json(deck, result) + "\n" : few_body_results_table(deck, result));
+}
+
 }  // namespace
 
 void run_command(const DeckOptions& options, const std::string& out) {
-    CheckedDeck checked = load_checked(options);
+    Diagnostics diagnostics;
+    Deck deck = load(options, diagnostics);
     if (!out.empty()) {
-        checked.deck.directory = out;
+        deck.directory = out;
     }
-    // The start is made before anything is touched: what refuses it must not cost an earlier run.
-    check_directory(checked.deck, options.force);
-    Progress progress(checked.start.atoms, checked.deck.total_steps(), options.quiet);
-    Simulation simulation = make_simulation(checked.deck, std::move(checked.start),
-                                            [&](const std::string& text) { progress.warning(text); });
-    prepare_directory(checked.deck.directory);
-    const RunResult result = run_deck(checked.deck, simulation, progress);
-    if (options.json) {
-        print_result(results_json(checked.deck, result) + "\n");
+    if (deck.kind == DeckKind::few_body) {
+        run_bodies(deck, options);
     } else {
-        print_result(results_table(checked.deck, result));
+        run_fluid(deck, checked_start(deck, options, diagnostics), options);
     }
 }
 
 void check_command(const DeckOptions& options) {
-    const CheckedDeck checked = load_checked(options);
-    const Forecast cost = forecast(checked.deck, checked.start);
-    print_result(options.json ? check_json(checked, cost) : check_report(checked.deck, checked.start, cost));
-}
-
-void info_command(bool keys) {
-    if (keys) {
-        print_result(deck_reference_page());
+    Diagnostics diagnostics;
+    const Deck deck = load(options, diagnostics);
+    if (deck.kind == DeckKind::few_body) {
+        print_result(options.json ? few_body_check_json(deck) : few_body_check_report(deck));
         return;
     }
-    const BuildInfo& build = build_info();
-    std::string text = fmt::format("ljmd {} (commit {})\n", build.version, build.commit);
-    text += fmt::format("compiler      {} {}, {}\nflags         {}\n", build.compiler, build.compiler_version,
-                        build.build_type, build.flags);
-    text += "simd          none (portable scalar code), double precision, one thread\n";
-    text += fmt::format("potentials    {}\n", fmt::join(PairPotential::formula_names(), ", "));
-    text += fmt::format("truncations   {}\n", fmt::join(PairPotential::truncation_names(), ", "));
-    text += fmt::format("pair search   {}\n", fmt::join(pair_search_names(), ", "));
-    text += fmt::format("integrators   {}\n", fmt::join(plugin_names(all_integrators()), ", "));
-    text += fmt::format("thermostats   {}\n", fmt::join(plugin_names(all_thermostats()), ", "));
-    text += fmt::format("analyses      {}\n", fmt::join(plugin_names(all_analyses()), ", "));
-    text += "trajectories  h5md, xyz\n";
-    print_result(text);
+    const Start start = checked_start(deck, options, diagnostics);
+    const Forecast cost = forecast(deck, start);
+    print_result(options.json ? check_json(deck, start, cost) : check_report(deck, start, cost));
+}
+
+void compare_command(const DeckOptions& options, const std::string& with, const std::string& out) {
+    Diagnostics diagnostics;
+    const Deck deck = load(options, diagnostics);
+    if (with != "gsl") {
+        throw InputError(fmt::format("unknown program '{}' to compare with, allowed: 'gsl'", with));
+    }
+    Progress progress(static_cast<Index>(1), deck.total_steps(), options.quiet);
+    const GslComparison comparison = compare_with_gsl(deck, progress);
+    if (!out.empty()) {
+        write_comparison(comparison, deck, out);
+    }
+    print_result(options.json ? comparison_json(comparison, deck) + "\n" : comparison_table(comparison, deck));
+    if (!comparison.passed()) {
+        throw PhysicsError("the reference does not conserve the energy: bodies come too close for it");
+    }
 }
 
 int report_current_exception() {

@@ -1,8 +1,11 @@
 #include "ljmd/app/deck.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "ljmd/app/deck_sense.hpp"
+#include "ljmd/app/few_body_sense.hpp"
 #include "ljmd/io/deck_file.hpp"
 #include "ljmd/io/deck_setting.hpp"
 
@@ -26,7 +29,7 @@ std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& d
         return std::nullopt;
     }
     Diagnostics ignored;
-    const Schema schema = deck_schema().find("argon")->inner.front();
+    const Schema schema = deck_schema(DeckKind::fluid).find("argon")->inner.front();
     const Section section =
         validate(std::get<Table>(argon->value.data), argon->key_location, schema, std::nullopt, ignored);
     const SubstanceUnits stand_in(1.0, 1.0, 1.0);  // lets the other units be checked; the deck is refused anyway
@@ -44,48 +47,61 @@ std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& d
 }
 
 /// Tables with nothing but optional keys may be left out: they then exist with their defaults.
-void add_optional_tables(Table& table, const Location& where) {
+void add_optional_tables(Table& table, DeckKind kind, const Location& where) {
     for (const char* name : {"neighbors", "output", "analysis"}) {
-        if (find(table, name) == nullptr) {
+        if (deck_schema(kind).find(name) != nullptr && find(table, name) == nullptr) {
             table.push_back({name, where, Value{Table{}, where}});
         }
     }
 }
 
-Stage to_stage(const Section& section, const Section& system) {
-    const double temperature = section.has("temperature")  ? section.number("temperature")
-                               : system.has("temperature") ? system.number("temperature")
-                                                           : 0.0;
-    return {section.text("name"),
-            section.text("integrator"),
-            section.number("time_step"),
-            section.integer("steps"),
-            temperature,
-            section.flag("sample"),
-            section};
+/// What a deck is a deck of shows in the tables that it has.
+DeckKind kind_of(const Table& table) {
+    return find(table, "force") != nullptr || find(table, "body") != nullptr ? DeckKind::few_body : DeckKind::fluid;
+}
+
+/// A deck that mixes both kinds has many unknown tables; this says why.
+void explain_mixture(const Table& table, Diagnostics& diagnostics) {
+    for (const char* name : {"system", "potential", "neighbors", "argon"}) {
+        if (const Entry* entry = find(table, name)) {
+            diagnostics.error(entry->key_location,
+                              fmt::format("[{}] belongs to a fluid, but this deck has [force] or [[body]]", name),
+                              "a few-body deck has no box, no temperature and units of its own");
+        }
+    }
+}
+
+Stage to_stage(const Section& section, const Section& root) {
+    const double temperature = section.has("temperature") ? section.number("temperature")
+                               : root.has("system") && root.section("system").has("temperature")
+                                   ? root.section("system").number("temperature")
+                                   : 0.0;
+    return {section.text("name"), section.text("integrator"), section.number("time_step"), section.integer("steps"),
+            temperature,          section.flag("sample"),     section.flag("reverse"),     section};
 }
 
 std::filesystem::path default_directory(const std::filesystem::path& deck) {
     return std::filesystem::path("runs") / deck.stem();
 }
 
-Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std::vector<std::string>& settings,
-             const std::optional<SubstanceUnits>& units, const Section& root) {
-    Deck deck{path.string(), file.source->text, settings, root.text("title"), units, root, {}, {}, 10, std::nullopt};
-    if (root.has("stage") && root.has("system")) {
-        for (const Section& stage : root.sections("stage")) {
-            deck.stages.push_back(to_stage(stage, root.section("system")));
-        }
+Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& file,
+             const std::vector<std::string>& settings, const std::optional<SubstanceUnits>& units,
+             const Section& root) {
+    Deck deck{kind, path.string(), file.source->text, settings, root.text("title"), units, root, {}, {},
+              0,    std::nullopt};
+    for (const Section& stage : root.sections("stage")) {
+        deck.stages.push_back(to_stage(stage, root));
     }
     const Section& output = root.section("output");
     deck.directory =
         output.has("directory") ? std::filesystem::path(output.text("directory")) : default_directory(path);
-    if (output.has("thermo")) {
-        deck.thermo_every = output.section("thermo").integer("every");
-    }
+    const Index usual = kind == DeckKind::few_body ? 1 : 10;
+    deck.thermo_every = output.has("thermo") ? output.section("thermo").integer("every") : usual;
     if (output.has("trajectory")) {
         const Section& t = output.section("trajectory");
-        deck.trajectory = {t.text("format"), t.integer("every"), t.flag("velocities"), t.text("units") == "si"};
+        deck.trajectory = {t.text("format"), t.integer("every"), t.flag("velocities"),
+                           t.has("accelerations") && t.flag("accelerations"),
+                           t.has("units") && t.text("units") == "si"};
     }
     return deck;
 }
@@ -110,17 +126,26 @@ std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vect
         apply_setting(file.table, setting, diagnostics);
     }
     const Location whole{file.source, 0, 0, 1};
-    add_optional_tables(file.table, whole);
-    const auto units = substance_units(file.table, diagnostics);
-    const Section root = validate(file.table, whole, deck_schema(), units, diagnostics);
+    const DeckKind kind = kind_of(file.table);
+    if (kind == DeckKind::few_body) {
+        explain_mixture(file.table, diagnostics);
+        if (diagnostics.has_errors()) {
+            return std::nullopt;
+        }
+    }
+    add_optional_tables(file.table, kind, whole);
+    const auto units = kind == DeckKind::fluid ? substance_units(file.table, diagnostics) : std::nullopt;
+    const Section root = validate(file.table, whole, deck_schema(kind), units, diagnostics);
     // Sense is checked even when single values are wrong, as long as there is something to check.
-    if (root.has("system") && root.has("potential") && root.has("stage")) {
+    if (kind == DeckKind::few_body) {
+        check_few_body_sense(root, diagnostics);
+    } else if (root.has("system") && root.has("potential") && root.has("stage")) {
         check_sense(root, units.has_value(), force, diagnostics);
     }
     if (diagnostics.has_errors()) {
         return std::nullopt;
     }
-    return to_deck(path, file, settings, units, root);
+    return to_deck(kind, path, file, settings, units, root);
 }
 
 }  // namespace ljmd

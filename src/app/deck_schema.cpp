@@ -1,4 +1,5 @@
-#include "ljmd/app/deck.hpp"
+#include "ljmd/app/deck_schema.hpp"
+
 #include "ljmd/core/registry.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -123,37 +124,25 @@ Schema thermostat_schema() {
     return schema.select("type", methods);
 }
 
-Schema stage_schema() {
-    std::string integrators = "integration scheme";
-    for (const auto& method : all_integrators()) {
-        integrators += "; " + method.name + ": " + method.meaning;
-    }
-    return Schema(
-        "[[stage]]",
-        {Key::text("name").meaning("for messages, results and `--set stage.NAME.key=value`; unique"),
-         Key::choice("integrator", plugin_names(all_integrators())).defaults_to("velocity-verlet").meaning(integrators),
-         Key::number("time_step")
-             .dimension(Dimension::time)
-             .unit("tau")
-             .above(0.0)
-             .meaning("below 0.02 unless --force is given"),
-         Key::integer("steps")
-             .at_least(0)
-             .at_most(most_steps)
-             .meaning("number of steps; a run of 0 steps in all evaluates the start once"),
-         Key::number("temperature")
-             .dimension(Dimension::temperature)
-             .unit("epsilon/k_B")
-             .at_least(0.0)
-             .optional("that of [system]")
-             .meaning("what the thermostat holds in this stage"),
-         Key::table("thermostat", thermostat_schema())
-             .optional("none: constant energy")
-             .meaning("holds the temperature"),
-         Key::flag("sample").defaults_to(false).meaning("measure observables in this stage")});
+Schema fluid_stage_schema() {
+    return stage_schema(Key::number("time_step")
+                            .dimension(Dimension::time)
+                            .unit("tau")
+                            .above(0.0)
+                            .meaning("below 0.02 unless --force is given"))
+        .with({Key::number("temperature")
+                   .dimension(Dimension::temperature)
+                   .unit("epsilon/k_B")
+                   .at_least(0.0)
+                   .optional("that of [system]")
+                   .meaning("what the thermostat holds in this stage"),
+               Key::table("thermostat", thermostat_schema())
+                   .optional("none: constant energy")
+                   .meaning("holds the temperature"),
+               Key::flag("sample").defaults_to(false).meaning("measure observables in this stage")});
 }
 
-Schema output_schema() {
+Schema fluid_output_schema() {
     Schema thermo(
         "thermo",
         {Key::integer("every")
@@ -168,13 +157,10 @@ Schema output_schema() {
                                      Key::choice("units", {"reduced", "si"})
                                          .defaults_to("reduced")
                                          .meaning("si (nm, ps; angstrom in extended XYZ) needs [argon]")});
-    return Schema("[output]",
-                  {Key::text("directory").optional("runs/ and the deck's name").meaning("where the results go"),
-                   Key::table("thermo", thermo).optional("every 10 steps").meaning("thermodynamic history"),
-                   Key::table("trajectory", trajectory).optional("none").meaning("positions against time")});
+    return output_schema(thermo, trajectory, "every 10 steps");
 }
 
-Schema analysis_schema() {
+Schema fluid_analysis_schema() {
     Schema schema("[analysis]");
     for (const auto& method : all_analyses()) {
         schema = schema.with({Key::table(method.name, Schema(method.name, method.keys))
@@ -184,9 +170,7 @@ Schema analysis_schema() {
     return schema;
 }
 
-}  // namespace
-
-Schema deck_schema() {
+Schema fluid_schema() {
     return Schema(
         "the deck",
         {Key::text("title").defaults_to("").meaning("one line about the run"),
@@ -201,16 +185,54 @@ Schema deck_schema() {
          Key::table("system", system_schema()).meaning("atoms and box"),
          Key::table("potential", potential_schema()).meaning("forces"),
          Key::table("neighbors", neighbors_schema()).optional("all defaults").meaning("pair search"),
-         Key::tables("stage", stage_schema()).meaning("what is done, one stage after the other"),
-         Key::table("output", output_schema()).optional("all defaults").meaning("files"),
-         Key::table("analysis", analysis_schema()).optional("none").meaning("measured in the sampled stages")});
+         Key::tables("stage", fluid_stage_schema()).meaning("what is done, one stage after the other"),
+         Key::table("output", fluid_output_schema()).optional("all defaults").meaning("files"),
+         Key::table("analysis", fluid_analysis_schema()).optional("none").meaning("measured in the sampled stages")});
+}
+
+}  // namespace
+
+Schema stage_schema(const Key& time_step) {
+    std::map<std::string, std::vector<Key>> options;
+    std::string integrators = "integration scheme";
+    for (const auto& method : all_integrators()) {
+        integrators += "; " + method.name + ": " + method.meaning;
+        options[method.name] = method.keys;
+    }
+    Schema schema(
+        "[[stage]]",
+        {Key::text("name").meaning("for messages, results and `--set stage.NAME.key=value`; unique"),
+         Key::choice("integrator", plugin_names(all_integrators())).defaults_to("velocity-verlet").meaning(integrators),
+         time_step,
+         Key::integer("steps")
+             .at_least(0)
+             .at_most(most_steps)
+             .meaning("number of steps; a run of 0 steps in all evaluates the start once"),
+         Key::flag("reverse").defaults_to(false).meaning(
+             "turn the motion round before the first step: a reversible integrator then goes back the way "
+             "it came")});
+    return schema.select("integrator", options);
+}
+
+Schema output_schema(const Schema& thermo, const Schema& trajectory, const std::string& thermo_default) {
+    return Schema("[output]",
+                  {Key::text("directory").optional("runs/ and the deck's name").meaning("where the results go"),
+                   Key::table("thermo", thermo).optional(thermo_default).meaning("history of energies, thermo.csv"),
+                   Key::table("trajectory", trajectory).optional("none").meaning("positions against time")});
+}
+
+Schema deck_schema(DeckKind kind) {
+    return kind == DeckKind::few_body ? few_body_schema() : fluid_schema();
 }
 
 std::string deck_reference_page() {
     return "# All keys of a deck\n\n"
            "Made by `ljmd info --keys` from the tables that validate decks. A key without a default must be "
-           "given.\n\n" +
-           schema_markdown(deck_schema(), 2);
+           "given.\n\n## A fluid\n\n" +
+           schema_markdown(fluid_schema(), 3) +
+           "\n## A few bodies\n\nA deck with `[force]` and `[[body]]` tables: no box, no temperature, and whatever "
+           "units its numbers are consistent in.\n\n" +
+           schema_markdown(few_body_schema(), 3);
 }
 
 }  // namespace ljmd

@@ -4,9 +4,8 @@
 
 #include <cmath>
 #include <limits>
-#include <set>
 
-#include "ljmd/core/text.hpp"
+#include "ljmd/app/stage_sense.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/observables/analysis.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
@@ -15,11 +14,10 @@ namespace ljmd {
 
 namespace {
 
-constexpr double unlikely_time_step = 0.02;  // [tau]; Lennard-Jones is unstable a little above
-constexpr double unlikely_density = 1.5;     // [sigma^-3]; half again as dense as the crystal at its melting point
-constexpr double unlikely_temperature = 50;  // [epsilon/k_B]; argon would be at 6000 K
-constexpr double unlikely_cutoff = 6;        // [sigma]; 2.5 to 5 are usual
-constexpr std::size_t longest_name = 64;
+constexpr double unlikely_time_step = 0.02;   // [tau]; Lennard-Jones is unstable a little above
+constexpr double unlikely_density = 1.5;      // [sigma^-3]; half again as dense as the crystal at its melting point
+constexpr double unlikely_temperature = 50;   // [epsilon/k_B]; argon would be at 6000 K
+constexpr double unlikely_cutoff = 6;         // [sigma]; 2.5 to 5 are usual
 constexpr Index most_atoms = Index{1} << 30;  // a process indexes atoms and images with 32 bits
 
 // Values that validation found wrong are passed over: their stand-ins say nothing about the deck, and one mistake is
@@ -153,25 +151,9 @@ void check_potential(const Section& potential, Diagnostics& diagnostics) {
     }
 }
 
-/// The name of a stage stands in messages and in --set: it must be one, and the only one.
-void check_name(const Section& stage, std::set<std::string>& names, Diagnostics& diagnostics) {
-    const std::string& name = stage.text("name");
-    if (!stage.sound("name")) {
-        return;
-    }
-    if (name.empty() || printable(name, longest_name) != name) {
-        diagnostics.error(stage.location("name"),
-                          fmt::format("'name' in [[stage]] must be 1 to {} printable characters", longest_name));
-    } else if (!names.insert(name).second) {
-        diagnostics.error(stage.location("name"), fmt::format("two stages are called '{}'", name));
-    }
-}
-
 void check_stages(const std::vector<Section>& stages, bool force, Diagnostics& diagnostics) {
-    std::set<std::string> names;
-    double sum = 0.0;
+    check_stage_names(stages, diagnostics);
     for (const Section& stage : stages) {
-        check_name(stage, names, diagnostics);
         if (given(stage, "time_step") && stage.number("time_step") >= unlikely_time_step) {
             unlikely(force, stage.location("time_step"),
                      fmt::format("'time_step' in [[stage]] is {:.6g} tau; from {} on the energy is not conserved",
@@ -187,10 +169,6 @@ void check_stages(const std::vector<Section>& stages, bool force, Diagnostics& d
             diagnostics.warning(stage.location("sample"),
                                 "this stage is sampled under a thermostat that samples no ensemble");
         }
-        sum += static_cast<double>(stage.integer("steps"));
-    }
-    if (sum > 0x1p62) {
-        diagnostics.error(stages.front().location("steps"), "the steps of all stages add up to more than 2^62");
     }
 }
 

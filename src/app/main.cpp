@@ -61,14 +61,23 @@ int main(int argc, char** argv) {
 
     ljmd::DeckOptions options;
     std::string out;
+    std::string with;
     bool keys = false;
+    bool json = false;
     CLI::App& run = *app.add_subcommand("run", "run a deck and write its results");
     add_deck_options(run, options);
     run.add_option("--out", out, "output directory, instead of the deck's")->type_name("DIR");
     CLI::App& check = *app.add_subcommand("check", "find every mistake in a deck and tell what it would cost");
     add_deck_options(check, options);
+    CLI::App& compare = *app.add_subcommand("compare", "hold a deck's integrators against an independent solution");
+    add_deck_options(compare, options);
+    compare.add_option("--with", with, "gsl: adaptive Runge-Kutta of order 8, for few-body decks")
+        ->required()
+        ->type_name("PROGRAM");
+    compare.add_option("--out", out, "write the comparison into this directory too")->type_name("DIR");
     CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select");
-    info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
+    CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
+    info.add_flag("--json", json, "print it as JSON")->excludes(page);
 
     if (argc < 2) {
         ljmd::talk(app.help());
@@ -86,8 +95,10 @@ int main(int argc, char** argv) {
             ljmd::run_command(options, out);
         } else if (check.parsed()) {
             ljmd::check_command(options);
+        } else if (compare.parsed()) {
+            ljmd::compare_command(options, with, out);
         } else {
-            ljmd::info_command(keys);
+            ljmd::info_command(keys, json);
         }
     } catch (...) {
         return ljmd::report_current_exception();

@@ -7,15 +7,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ljmd/core/text.hpp"
+#include "ljmd/app/run_report.hpp"
 
 namespace ljmd {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t longest_title = 200;
 
 /// How an observable is reported for a substance.
 struct SiUnit {
@@ -61,18 +59,6 @@ Json observable_json(const ObservableAverage& average, const std::optional<Subst
                       {"unit", si->name}};
     }
     return json;
-}
-
-Json stage_json(const StageResult& stage) {
-    return {{"name", stage.name},
-            {"integrator", stage.integrator},
-            {"first_step", stage.first_step},
-            {"last_step", stage.last_step},
-            {"steps", stage.last_step - stage.first_step},
-            {"time_step", stage.time_step},
-            {"sampled", stage.sampled},
-            {"thermostat", stage.thermostatted},
-            {"energy_drift", stage.energy_drift ? Json(*stage.energy_drift) : Json(nullptr)}};
 }
 
 /// "-6.0871 +- 0.0012": the error to two digits, the mean to the same decimals.
@@ -133,9 +119,8 @@ std::string results_json(const Deck& deck, const RunResult& result) {
 }
 
 std::string results_table(const Deck& deck, const RunResult& result) {
-    std::string text = fmt::format("{}\n{} atoms, density {:.6g} sigma^-3",
-                                   printable(deck.title.empty() ? deck.path : deck.title, longest_title), result.atoms,
-                                   result.density);
+    std::string text =
+        fmt::format("{}\n{} atoms, density {:.6g} sigma^-3", title_line(deck), result.atoms, result.density);
     if (deck.units) {
         text += fmt::format(" ({:.4f} g/cm3)", result.density * deck.units->gram_per_cm3());
     }
@@ -148,12 +133,7 @@ std::string results_table(const Deck& deck, const RunResult& result) {
             text += table_line(average, deck.units);
         }
     }
-    for (const StageResult& stage : result.stages) {
-        if (stage.energy_drift) {
-            text += fmt::format("  energy drift in stage '{}': {:.2g} epsilon per atom and tau\n", stage.name,
-                                *stage.energy_drift);
-        }
-    }
+    text += stage_lines(result.stages, "epsilon per atom and tau");
     text += "  * independent samples: variance of the series over the squared standard error\n";
     text += fmt::format("\nfiles: {}\n", deck.directory.string());
     return text;

@@ -5,13 +5,13 @@
 #include <chrono>
 #include <cmath>
 
+#include "ljmd/app/checksum.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/stability.hpp"
+#include "ljmd/app/time_loop.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/observables/linear_trend.hpp"
 
 namespace ljmd {
@@ -27,10 +27,10 @@ constexpr double few_samples = 16.0;
 /// Steps between looks at the atoms' speeds; looking costs a hundredth of a step.
 constexpr Index steps_between_looks = 10;
 
-/// The time loop of one run: integrates, samples and writes.
-class Loop {
+/// One run of a fluid: samples and writes what the time loop goes through.
+class FluidRun : private StepObserver {
   public:
-    Loop(const Deck& deck, Simulation& simulation, RunListener& listener)
+    FluidRun(const Deck& deck, Simulation& simulation, RunListener& listener)
         : deck_(deck),
           simulation_(simulation),
           listener_(listener),
@@ -39,37 +39,33 @@ class Loop {
           averages_(simulation.state.count(), density()) {}
 
     RunResult run() {
-        try {
-            return run_all();
-        } catch (const PhysicsError& error) {
-            const std::string stage = stage_.empty() ? "" : fmt::format(" (stage '{}')", stage_);
-            throw PhysicsError(fmt::format("step {}{}: {}{}", step_, stage, error.what(), save_failure()));
-        }
-    }
-
-  private:
-    RunResult run_all() {
         const auto began = std::chrono::steady_clock::now();
-        evaluation_ = simulation_.force_field.evaluate(simulation_.state, Request::forces_and_energy);
-        files_.write_frame(simulation_.state);
-        write_thermo(current());
-        if (deck_.total_steps() == 0) {
-            averages_.add(current());
-            sample_analyses(true);
-        }
-        for (const Stage& stage : deck_.stages) {
-            run_stage(stage);
+        try {
+            run_stages(deck_.stages, simulation_.state, simulation_.force_field, *this);
+        } catch (const PhysicsError& error) {
+            throw PhysicsError(error.what() + save_failure());
         }
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
         return finish(took.count());
+    }
+
+  private:
+    void started(const Evaluation& evaluation) override {
+        const Thermodynamics row = thermodynamics_of(evaluation);
+        files_.write_frame(simulation_.state);
+        write_thermo(row);
+        if (deck_.total_steps() == 0) {
+            averages_.add(row);
+            sample_analyses(true);
+        }
     }
 
     [[nodiscard]] double density() const {
         return static_cast<double>(simulation_.state.count()) / simulation_.state.box().volume();
     }
 
-    [[nodiscard]] Thermodynamics current() const {
-        return thermodynamics(simulation_.state, evaluation_, simulation_.tail);
+    [[nodiscard]] Thermodynamics thermodynamics_of(const Evaluation& evaluation) const {
+        return thermodynamics(simulation_.state, evaluation, simulation_.tail);
     }
 
     [[nodiscard]] std::optional<double> order() const {
@@ -98,59 +94,59 @@ class Loop {
         }
     }
 
-    void begin_sampling() {
-        if (!order_at_sampling_) {
+    void stage_begins(const Stage& stage) override {
+        listener_.stage_begins(stage);
+        const State& state = simulation_.state;
+        const bool thermostatted = stage.section.has("thermostat");
+        if (stage.sample && stage.steps > 0 && !order_at_sampling_) {
             order_at_sampling_ = order();
+        }
+        watch_.emplace(stage.time_step, !thermostatted, simulation_.force_field.potential());
+        drift_ = {};
+        stages_.push_back({stage.name,
+                           stage.integrator,
+                           state.step,
+                           state.step,
+                           stage.time_step,
+                           stage.sample,
+                           thermostatted,
+                           stage.reverse,
+                           std::nullopt,
+                           checksum(state),
+                           {}});
+    }
+
+    [[nodiscard]] bool wants_energy(Index step) const override { return thermo_every_.due(step); }
+
+    void moved(Index step_of_stage) override {
+        if (step_of_stage % steps_between_looks == 0) {
+            watch_->check_speeds(simulation_.state);
         }
     }
 
-    void run_stage(const Stage& stage) {
-        listener_.stage_begins(stage);
-        stage_ = stage.name;
-        State& state = simulation_.state;
-        const Integrator integrator(find_integrator(stage.integrator), stage.time_step, stage.section);
-        std::unique_ptr<Thermostat> thermostat;
-        if (stage.section.has("thermostat")) {
-            const Section& section = stage.section.section("thermostat");
-            thermostat = find_thermostat(section.text("type")).make(section, stage.temperature);
-        }
-        if (stage.sample && stage.steps > 0) {
-            begin_sampling();
-        }
-        StabilityWatch watch(stage.time_step, thermostat == nullptr, simulation_.force_field.potential());
-        LinearTrend drift;
-        const Index first_step = state.step;
-        const double first_time = state.time;
-        for (Index n = 1; n <= stage.steps; ++n) {
-            step_ = first_step + n;
-            const bool thermo_due = thermo_every_.due(step_);
-            evaluation_ = integrator.step(state, simulation_.force_field,
-                                          thermo_due ? Request::forces_and_energy : Request::forces);
-            state.step = step_;
-            state.time = first_time + static_cast<double>(n) * stage.time_step;
-            if (n % steps_between_looks == 0) {
-                watch.check_speeds(state);
-            }
-            if (thermostat) {
-                thermostat->apply(state, n);
-            }
-            if (thermo_due) {
-                const Thermodynamics row = current();
-                write_thermo(row);
-                watch.check_energy(row);
-                drift.add(state.time, row.total_energy);
-                if (stage.sample) {
-                    averages_.add(row);
-                }
-            }
+    void step_done(const Stage& stage, const Evaluation& evaluation) override {
+        const State& state = simulation_.state;
+        if (wants_energy(state.step)) {
+            const Thermodynamics row = thermodynamics_of(evaluation);
+            write_thermo(row);
+            watch_->check_energy(row);
+            drift_.add(state.time, row.total_energy);
             if (stage.sample) {
-                sample_analyses(false);
+                averages_.add(row);
             }
-            files_.write_frame_if_due(state);
-            listener_.step_done(step_);
         }
-        stages_.push_back({stage.name, stage.integrator, first_step, state.step, stage.time_step, stage.sample,
-                           thermostat != nullptr, thermostat ? std::nullopt : drift.slope()});
+        if (stage.sample) {
+            sample_analyses(false);
+        }
+        files_.write_frame_if_due(state);
+        listener_.step_done(state.step);
+    }
+
+    void stage_ends(const Stage&) override {
+        StageResult& stage = stages_.back();
+        stage.last_step = simulation_.state.step;
+        stage.energy_drift = stage.thermostatted ? std::nullopt : drift_.slope();
+        stage.checksum_at_end = checksum(simulation_.state);
     }
 
     RunResult finish(double seconds) {
@@ -220,17 +216,16 @@ class Loop {
     Every thermo_every_;
     RunDirectory files_;
     RunAverages averages_;
-    Evaluation evaluation_;
     std::optional<double> order_at_sampling_;
+    std::optional<StabilityWatch> watch_;  ///< of the stage that is running
+    LinearTrend drift_;                    ///< of the total energy in it
     std::vector<StageResult> stages_;
-    Index step_ = 0;     ///< that is being taken
-    std::string stage_;  ///< that is running; empty before the first one
 };
 
 }  // namespace
 
 RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener) {
-    return Loop(deck, simulation, listener).run();
+    return FluidRun(deck, simulation, listener).run();
 }
 
 }  // namespace ljmd

@@ -1,23 +1,17 @@
 #include "ljmd/app/run_directory.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
-#include <xxhash.h>
 
-#include <array>
-#include <chrono>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/simulation.hpp"
-#include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
 #include "ljmd/io/output_file.hpp"
+#include "ljmd/observables/few_body_analysis.hpp"
 
 namespace ljmd {
 
@@ -29,9 +23,12 @@ constexpr const char* failed_name = "failed.xyz";
 
 /// Every name that a run may write. `--force` removes these and nothing else.
 std::vector<std::string> output_names() {
-    std::vector<std::string> names{"run.json",        "results.json",   "results.txt", "thermo.csv",
-                                   "trajectory.h5md", "trajectory.xyz", "final.xyz",   failed_name};
+    std::vector<std::string> names{"run.json",       "results.json",   "results.txt", "thermo.csv", "trajectory.h5md",
+                                   "trajectory.xyz", "trajectory.csv", "final.xyz",   failed_name};
     for (const auto& method : all_analyses()) {
+        names.push_back(method.name + ".csv");
+    }
+    for (const auto& method : all_few_body_analyses()) {
         names.push_back(method.name + ".csv");
     }
     return names;
@@ -46,44 +43,6 @@ std::vector<fs::path> old_outputs(const fs::path& directory) {
         }
     }
     return old;
-}
-
-std::string now() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-}
-
-std::string host() {
-    std::array<char, 256> name{};
-    return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
-
-std::string user() {
-    std::array<char, 256> name{};
-    return getlogin_r(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
-/// XXH3 (64 bits) of the deck's text and of every --set, so that two runs can be told apart.
-std::string deck_hash(const Deck& deck) {
-    std::string text = deck.source;
-    for (const std::string& setting : deck.settings) {
-        text += '\n' + setting;
-    }
-    return fmt::format("xxh3:{:016x}", XXH3_64bits(text.data(), text.size()));
-}
-
-std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first) {
-    if (!deck.trajectory) {
-        return nullptr;
-    }
-    const std::string name = deck.trajectory->format == "h5md" ? "trajectory.h5md" : "trajectory.xyz";
-    return make_trajectory_writer(deck.trajectory->format, first,
-                                  {.path = deck.directory / name,
-                                   .velocities = deck.trajectory->velocities,
-                                   .si = deck.trajectory->si ? deck.units : std::nullopt,
-                                   .creator_version = build_info().version,
-                                   .author = user(),
-                                   .title = deck.title});
 }
 
 }  // namespace
@@ -101,7 +60,7 @@ void check_directory(const Deck& deck, bool force) {
                         "or replace it with --force",
                         directory.string(), old.front().filename().string()));
     }
-    if (deck.system().has("file")) {
+    if (deck.kind == DeckKind::fluid && deck.system().has("file")) {
         const fs::path start = configuration_file(deck.system().text("file"));
         for (const fs::path& file : old) {
             if (fs::equivalent(file, start, error)) {
@@ -114,12 +73,17 @@ void check_directory(const Deck& deck, bool force) {
     }
 }
 
-void prepare_directory(const fs::path& directory) {
+void make_directory(const fs::path& directory) {
     std::error_code error;
     fs::create_directories(directory, error);
     if (error) {
         throw FileError(fmt::format("cannot create the directory '{}': {}", directory.string(), error.message()));
     }
+}
+
+void prepare_directory(const fs::path& directory) {
+    make_directory(directory);
+    std::error_code error;
     for (const fs::path& file : old_outputs(directory)) {
         fs::remove(file, error);
         if (error) {
@@ -130,11 +94,9 @@ void prepare_directory(const fs::path& directory) {
 
 RunDirectory::RunDirectory(const Deck& deck, const State& first, bool order_parameter)
     : deck_(deck),
-      began_(now()),
+      record_(deck),
       thermo_(deck.directory / "thermo.csv", order_parameter, deck.units),
-      trajectory_(open_trajectory(deck, first)) {
-    write_record(false, 0.0);
-}
+      trajectory_(open_trajectory(deck, first)) {}
 
 void RunDirectory::write_thermo(Index step, double time, const Thermodynamics& row,
                                 std::optional<double> order_parameter) {
@@ -169,49 +131,13 @@ void RunDirectory::finish(const State& state, const RunResult& result) {
     }
     write_file_atomically(deck_.directory / "results.json", results_json(deck_, result) + "\n");
     write_file_atomically(deck_.directory / "results.txt", results_table(deck_, result));
-    write_record(true, result.seconds);
+    record_.finish(result.seconds);
 }
 
 fs::path RunDirectory::write_failed(const State& state) const {
     const fs::path path = deck_.directory / failed_name;
     write_configuration(path, state, true);
     return path;
-}
-
-void RunDirectory::write_record(bool finished, double seconds) const {
-    const BuildInfo& build = build_info();
-    nlohmann::ordered_json record = {
-        {"program", "ljmd"},
-        {"version", build.version},
-        {"commit", build.commit},
-        {"compiler", build.compiler + " " + build.compiler_version},
-        {"build_type", build.build_type},
-        {"flags", build.flags},
-        {"simd", "none (portable scalar code)"},
-        {"threads", 1},
-        {"host", host()},
-        {"title", deck_.title},
-        {"deck_file", deck_.path},
-        {"deck", deck_.source},
-        {"settings", deck_.settings},
-        {"deck_hash", deck_hash(deck_)},
-        {"seed", deck_.system().integer("seed")},
-        {"units", "reduced"},
-        {"began", began_},
-        {"ended", finished ? nlohmann::ordered_json(now()) : nlohmann::ordered_json(nullptr)},
-        {"finished", finished},
-        {"seconds_in_time_loop", finished ? nlohmann::ordered_json(seconds) : nlohmann::ordered_json(nullptr)},
-        {"resumed_at_steps", nlohmann::ordered_json::array()}};
-    record["argon"] = nullptr;
-    if (deck_.units) {
-        record["argon"] = {{"sigma_nm", deck_.units->nanometre()},
-                           {"epsilon_K", deck_.units->kelvin()},
-                           {"mass_u", deck_.units->dalton()},
-                           {"tau_ps", deck_.units->picosecond()}};
-    }
-    // The path of a deck need not be UTF-8, as JSON must.
-    const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    write_file_atomically(deck_.directory / "run.json", text + "\n");
 }
 
 }  // namespace ljmd

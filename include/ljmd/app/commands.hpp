@@ -23,8 +23,15 @@ void run_command(const DeckOptions& options, const std::string& out);
 /// ljmd check DECK
 void check_command(const DeckOptions& options);
 
-/// ljmd info @param keys  print the reference page of all deck keys instead
-void info_command(bool keys);
+/// ljmd compare DECK --with PROGRAM
+/// @param with  "gsl": the deck's integrators against an adaptive solution of high order; few-body decks
+/// @param out   directory for compare-gsl.csv and compare-gsl.json; empty: the comparison is only printed
+void compare_command(const DeckOptions& options, const std::string& with, const std::string& out);
+
+/// ljmd info
+/// @param keys  print the reference page of all deck keys instead
+/// @param json  print it as JSON
+void info_command(bool keys, bool json);
 
 /// The exit code for the exception that is being handled, after its message has been printed to stderr:
 /// 1 internal, 2 usage or deck, 3 input data, 4 output, 5 physics, 7 memory.

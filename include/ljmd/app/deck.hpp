@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/app/deck_schema.hpp"
 #include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/section.hpp"
 #include "ljmd/core/types.hpp"
@@ -19,19 +20,22 @@ struct Stage {
     Index steps;
     double temperature;  ///< what a thermostat holds [epsilon/k_B]
     bool sample;         ///< observables are measured
+    bool reverse;        ///< the motion is turned round before the first step
     Section section;     ///< for the thermostat's own keys
 };
 
 /// When and how a trajectory is written.
 struct TrajectoryOutput {
-    std::string format;  ///< "h5md" or "xyz"
+    std::string format;  ///< "h5md", "xyz" or, for few-body systems, "csv"
     Index every;         ///< [steps]
     bool velocities;
+    bool accelerations;  ///< csv only
     bool si;
 };
 
 /// A run as its deck describes it: every key consumed, every value in range and in reduced units.
 struct Deck {
+    DeckKind kind;
     std::string path;                   ///< as the user gave it
     std::string source;                 ///< the text of the file
     std::vector<std::string> settings;  ///< the `--set` that were applied, in order
@@ -43,17 +47,16 @@ struct Deck {
     Index thermo_every;
     std::optional<TrajectoryOutput> trajectory;
 
+    // Tables of a fluid.
     [[nodiscard]] const Section& system() const { return root.section("system"); }
     [[nodiscard]] const Section& potential() const { return root.section("potential"); }
     [[nodiscard]] const Section& neighbors() const { return root.section("neighbors"); }
+    // Tables of a few-body system.
+    [[nodiscard]] const Section& force() const { return root.section("force"); }
+    [[nodiscard]] const std::vector<Section>& bodies() const { return root.sections("body"); }
+
     [[nodiscard]] Index total_steps() const;
 };
-
-/// The keys of a deck: what validates it, and what the reference page is made from.
-[[nodiscard]] Schema deck_schema();
-
-/// The reference page of all deck keys, in Markdown.
-[[nodiscard]] std::string deck_reference_page();
 
 /// Read and validate a deck.
 /// @param settings  `key=value` of each --set

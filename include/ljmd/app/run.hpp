@@ -18,7 +18,10 @@ struct StageResult {
     double time_step;  ///< [tau]
     bool sampled;
     bool thermostatted;
+    bool reversed;                       ///< the motion was turned round at its start
     std::optional<double> energy_drift;  ///< least-squares slope of the total energy per atom [epsilon/tau]; NVE only
+    std::string checksum_at_start;       ///< of the positions, see checksum()
+    std::string checksum_at_end;
 };
 
 /// What a run found.

@@ -5,9 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/app/deck.hpp"
+#include "ljmd/app/run_record.hpp"
 #include "ljmd/io/thermo_csv.hpp"
-#include "ljmd/io/trajectory_writer.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -20,6 +19,9 @@ struct RunResult;
 /// from
 ///                     is one of those that the run would replace
 void check_directory(const Deck& deck, bool force);
+
+/// Create a directory and those above it, if they are not there. @throws FileError
+void make_directory(const std::filesystem::path& directory);
 
 /// Make the output directory of a run ready: create it, and remove the files of an earlier run (only those that ljmd
 /// writes).
@@ -44,10 +46,8 @@ class RunDirectory {
     std::filesystem::path write_failed(const State& state) const;
 
   private:
-    void write_record(bool finished, double seconds) const;
-
     const Deck& deck_;
-    std::string began_;
+    RunRecord record_;
     ThermoCsv thermo_;
     std::unique_ptr<TrajectoryWriter> trajectory_;
     Index rows_since_flush_ = 0;

@@ -34,6 +34,12 @@ struct FewBodyForceMethod {
     /// What makes this start impossible; nothing when it is possible. @pre positions are finite
     std::function<std::optional<ProblemAtStart>(const Section&, const State& start)> check;
     std::function<std::unique_ptr<ForceField>(const Section&)> make;
+    /// mu of the inverse-square attraction mu/r^2 that a body of this mass feels towards another or, without another,
+    /// towards the origin: what orbital elements are made from. Empty for forces that have none.
+    std::function<std::optional<double>(const Section&, double mass, std::optional<double> other_mass)>
+        gravitational_parameter = {};
+    /// Rate of the polar angle that goes with a coordinate that is a distance. Empty where there is none.
+    std::function<double(const Section&, double distance)> angular_velocity = {};
 };
 
 /// Every few-body force there is, in alphabetical order.

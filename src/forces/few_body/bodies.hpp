@@ -51,7 +51,7 @@ struct FieldTerm {
 
 /// What was asked for, of an evaluation that holds everything.
 inline Evaluation asked_for(Request request, const Evaluation& evaluation) {
-    return request == Request::forces ? Evaluation{} : evaluation;
+    return request.energy ? evaluation : Evaluation{};
 }
 
 /// Write the forces on bodies that feel a field and not each other.

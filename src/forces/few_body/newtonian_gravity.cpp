@@ -141,6 +141,11 @@ FewBodyForceMethod newtonian_gravity() {
             },
             .make = [](const Section& section) -> std::unique_ptr<ForceField> {
                 return std::make_unique<NewtonianGravity>(section);
+            },
+            .gravitational_parameter = [](const Section& section, double mass,
+                                          std::optional<double> other_mass) -> std::optional<double> {
+                const double attracting = other_mass ? mass + *other_mass : section.number("central_mass");
+                return section.number("gravitational_constant") * attracting;
             }};
 }
 

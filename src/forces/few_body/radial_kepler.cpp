@@ -65,7 +65,9 @@ FewBodyForceMethod radial_kepler() {
         .make = [](const Section& section) -> std::unique_ptr<ForceField> {
             return std::make_unique<RadialKepler>(section.number("gravitational_parameter"),
                                                   section.number("angular_momentum"));
-        }};
+        },
+        .angular_velocity = [](const Section& section,
+                               double distance) { return section.number("angular_momentum") / (distance * distance); }};
 }
 
 }  // namespace ljmd

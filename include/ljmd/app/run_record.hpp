@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ljmd/app/deck.hpp"
+#include "ljmd/io/trajectory_writer.hpp"
+
+namespace ljmd {
+
+/// run.json: what was run, by which program, where and when. Written when the run begins and again when it ends.
+class RunRecord {
+  public:
+    /// @throws FileError
+    explicit RunRecord(const Deck& deck);
+
+    /// @param seconds  wall time of the time loop
+    void finish(double seconds) const;
+
+  private:
+    void write(bool finished, double seconds) const;
+
+    const Deck& deck_;
+    std::string began_;
+};
+
+/// The trajectory that a deck asks for, in H5MD or extended XYZ; nothing when it asks for none. @throws FileError
+[[nodiscard]] std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first);
+
+}  // namespace ljmd

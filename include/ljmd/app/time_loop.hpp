@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "ljmd/app/deck.hpp"
+#include "ljmd/forces/force_field.hpp"
+#include "ljmd/model/state.hpp"
+
+namespace ljmd {
+
+/// What happens around the steps of a run: measuring, writing, watching.
+class StepObserver {
+  public:
+    virtual ~StepObserver() = default;
+
+    /// The start has been evaluated, with energy.
+    virtual void started(const Evaluation& evaluation) = 0;
+
+    virtual void stage_begins(const Stage& stage) = 0;
+
+    /// Whether the potential energy is wanted after this step of the run.
+    [[nodiscard]] virtual bool wants_energy(Index step) const = 0;
+
+    /// The integrator has moved the particles; the thermostat has not acted yet.
+    virtual void moved(Index step_of_stage) = 0;
+
+    /// A step is complete; state.step and state.time are those at its end.
+    virtual void step_done(const Stage& stage, const Evaluation& evaluation) = 0;
+
+    virtual void stage_ends(const Stage& stage) = 0;
+
+  protected:
+    StepObserver() = default;
+    StepObserver(const StepObserver&) = default;
+    StepObserver& operator=(const StepObserver&) = default;
+};
+
+/// The one time loop: evaluates the start, then takes every step of every stage.
+///
+/// Time grows in all stages, also in those that run the motion backwards.
+/// @throws PhysicsError naming the step and the stage
+void run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer);
+
+}  // namespace ljmd

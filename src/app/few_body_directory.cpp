@@ -1,0 +1,66 @@
+#include "ljmd/app/few_body_directory.hpp"
+
+#include "ljmd/app/few_body_run.hpp"
+#include "ljmd/io/data_table_csv.hpp"
+#include "ljmd/io/extended_xyz_writer.hpp"
+#include "ljmd/io/output_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& system) {
+    if (!deck.trajectory || deck.trajectory->format != "csv") {
+        return std::nullopt;
+    }
+    return TrajectoryCsv(deck.directory / "trajectory.csv", system.state.count(), system.dimensions,
+                         deck.trajectory->accelerations, static_cast<bool>(system.force.angular_velocity));
+}
+
+}  // namespace
+
+FewBodyDirectory::FewBodyDirectory(const Deck& deck, const FewBodySystem& system)
+    : deck_(deck),
+      record_(deck),
+      thermo_(deck.directory / "thermo.csv", system.dimensions),
+      csv_(open_csv(deck, system)),
+      trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state)) {}
+
+void FewBodyDirectory::write_thermo(const State& state, const FewBodyTotals& totals) {
+    constexpr Index rows_between_flushes = 100;
+    thermo_.write(state.step, state.time, totals);
+    if (++rows_since_flush_ == rows_between_flushes) {
+        thermo_.flush();
+        if (csv_) {
+            csv_->flush();
+        }
+        rows_since_flush_ = 0;
+    }
+}
+
+void FewBodyDirectory::write_frame(const State& state, const std::optional<PolarAngle>& angle) {
+    if (csv_) {
+        csv_->write(state, angle ? std::optional(angle->value) : std::nullopt);
+    } else if (trajectory_) {
+        trajectory_->write(state);
+    }
+}
+
+void FewBodyDirectory::finish(const State& state, const FewBodyResult& result, const std::vector<DataTable>& tables) {
+    thermo_.close();
+    if (csv_) {
+        csv_->close();
+    }
+    if (trajectory_) {
+        trajectory_->close();
+    }
+    write_configuration(deck_.directory / "final.xyz", state, true);
+    for (const DataTable& table : tables) {
+        write_file_atomically(deck_.directory / (table.name + ".csv"), to_csv(table));
+    }
+    write_file_atomically(deck_.directory / "results.json", few_body_results_json(deck_, result) + "\n");
+    write_file_atomically(deck_.directory / "results.txt", few_body_results_table(deck_, result));
+    record_.finish(result.seconds);
+}
+
+}  // namespace ljmd

@@ -1,0 +1,169 @@
+#include "ljmd/app/few_body_run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "ljmd/app/checksum.hpp"
+#include "ljmd/app/few_body_directory.hpp"
+#include "ljmd/app/time_loop.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/schedule.hpp"
+#include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/few_body.hpp"
+#include "ljmd/observables/linear_trend.hpp"
+
+namespace ljmd {
+
+namespace {
+
+FewBodyTotals totals_of(const State& state, double potential_energy) {
+    const double kinetic = kinetic_energy(state);
+    return {potential_energy, kinetic, potential_energy + kinetic, total_momentum(state), angular_momentum(state)};
+}
+
+std::vector<std::pair<std::string, double>> named(const FewBodyTotals& totals, int dimensions) {
+    std::vector<std::pair<std::string, double>> values{{"potential_energy", totals.potential_energy},
+                                                       {"kinetic_energy", totals.kinetic_energy},
+                                                       {"total_energy", totals.total_energy}};
+    for (int a = 0; a < dimensions; ++a) {
+        values.emplace_back(fmt::format("momentum_{}", "xyz"[a]), totals.momentum[a]);
+    }
+    for (int a = dimensions == 2 ? 2 : 0; a < 3 && dimensions >= 2; ++a) {
+        values.emplace_back(fmt::format("angular_momentum_{}", "xyz"[a]), totals.angular_momentum[a]);
+    }
+    return values;
+}
+
+/// One run of a few bodies: samples and writes what the time loop goes through.
+class FewBodyRun : private StepObserver {
+  public:
+    FewBodyRun(const Deck& deck, FewBodySystem& system, RunListener& listener)
+        : deck_(deck), system_(system), listener_(listener), thermo_every_(deck.thermo_every), files_(deck, system) {}
+
+    FewBodyResult run() {
+        const auto began = std::chrono::steady_clock::now();
+        run_stages(deck_.stages, system_.state, *system_.force_field, *this);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+        return finish(took.count());
+    }
+
+  private:
+    void started(const Evaluation& evaluation) override {
+        add_angle();
+        record(evaluation);
+        sample_analyses();
+        files_.write_frame(system_.state, angle_);
+    }
+
+    void stage_begins(const Stage& stage) override {
+        listener_.stage_begins(stage);
+        const State& state = system_.state;
+        drift_ = {};
+        stages_.push_back({stage.name,
+                           stage.integrator,
+                           state.step,
+                           state.step,
+                           stage.time_step,
+                           stage.sample,
+                           false,
+                           stage.reverse,
+                           std::nullopt,
+                           checksum(state),
+                           {}});
+    }
+
+    [[nodiscard]] bool wants_energy(Index step) const override { return thermo_every_.due(step); }
+
+    void moved(Index) override {}
+
+    void step_done(const Stage& stage, const Evaluation& evaluation) override {
+        const State& state = system_.state;
+        add_angle();
+        if (wants_energy(state.step)) {
+            record(evaluation);
+        }
+        if (stage.sample) {
+            sample_analyses();
+        }
+        if (deck_.trajectory && state.step % deck_.trajectory->every == 0) {
+            files_.write_frame(state, angle_);
+        }
+        listener_.step_done(state.step);
+    }
+
+    void stage_ends(const Stage&) override {
+        StageResult& stage = stages_.back();
+        stage.last_step = system_.state.step;
+        stage.energy_drift = drift_.slope();
+        stage.checksum_at_end = checksum(system_.state);
+    }
+
+    void add_angle() {
+        if (const auto& rate = system_.force.angular_velocity) {
+            angle_ = quadrature_.add(system_.state.time, rate(deck_.force(), system_.state.positions()(0, 0)));
+        }
+    }
+
+    void sample_analyses() {
+        for (const auto& [name, analysis] : system_.analyses) {
+            analysis->sample({system_.state, angle_});
+        }
+    }
+
+    void record(const Evaluation& evaluation) {
+        const State& state = system_.state;
+        const FewBodyTotals totals = totals_of(state, evaluation.potential_energy);
+        files_.write_thermo(state, totals);
+        drift_.add(state.time, totals.total_energy);
+        ++rows_;
+        const auto values = named(totals, system_.dimensions);
+        if (histories_.empty()) {
+            for (const auto& [name, value] : values) {
+                histories_.push_back({name, value, value, 0.0, 0.0});
+            }
+        }
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            FewBodyHistory& history = histories_[k];
+            history.at_end = values[k].second;
+            history.mean += (values[k].second - history.mean) / static_cast<double>(rows_);
+            history.largest_deviation =
+                std::max(history.largest_deviation, std::abs(values[k].second - history.at_start));
+        }
+    }
+
+    FewBodyResult finish(double seconds) {
+        FewBodyResult result{
+            system_.state.count(), system_.dimensions, system_.force.name, histories_, stages_, {}, seconds};
+        std::vector<DataTable> tables;
+        for (const auto& [name, analysis] : system_.analyses) {
+            result.findings.emplace_back(name, analysis->findings());
+            if (const auto table = analysis->table()) {
+                tables.push_back(*table);
+            }
+        }
+        files_.finish(system_.state, result, tables);
+        return result;
+    }
+
+    const Deck& deck_;
+    FewBodySystem& system_;
+    RunListener& listener_;
+    Every thermo_every_;
+    FewBodyDirectory files_;
+    PolarAngleQuadrature quadrature_;
+    std::optional<PolarAngle> angle_;
+    Index rows_ = 0;
+    std::vector<FewBodyHistory> histories_;
+    LinearTrend drift_;  ///< of the total energy in the stage that is running
+    std::vector<StageResult> stages_;
+};
+
+}  // namespace
+
+FewBodyResult run_few_body(const Deck& deck, FewBodySystem& system, RunListener& listener) {
+    return FewBodyRun(deck, system, listener).run();
+}
+
+}  // namespace ljmd

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ljmd/app/commands.hpp"
+#include "ljmd/app/deck_schema.hpp"
+#include "ljmd/app/streams.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/forces/few_body_force.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/neighbors/pair_search.hpp"
+#include "ljmd/observables/few_body_analysis.hpp"
+#include "ljmd/potentials/pair_potential.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr const char* simd = "none (portable scalar code), double precision, one thread";
+
+/// What decks can select, by the word that `ljmd info` puts before it.
+std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
+    return {{"potentials", PairPotential::formula_names()},
+            {"truncations", PairPotential::truncation_names()},
+            {"pair search", pair_search_names()},
+            {"forces", plugin_names(all_few_body_forces())},
+            {"integrators", plugin_names(all_integrators())},
+            {"thermostats", plugin_names(all_thermostats())},
+            {"analyses", plugin_names(all_analyses())},
+            {"of few bodies", plugin_names(all_few_body_analyses())},
+            {"trajectories", {"h5md", "xyz", "csv (few bodies)"}}};
+}
+
+std::string info_text() {
+    const BuildInfo& build = build_info();
+    std::string text = fmt::format("ljmd {} (commit {})\n", build.version, build.commit);
+    text += fmt::format("compiler      {} {}, {}\nflags         {}\n", build.compiler, build.compiler_version,
+                        build.build_type, build.flags);
+    text += fmt::format("simd          {}\n", simd);
+    for (const auto& [word, names] : selectable()) {
+        text += fmt::format("{:<14}{}\n", word, fmt::join(names, ", "));
+    }
+    return text;
+}
+
+std::string info_json() {
+    const BuildInfo& build = build_info();
+    nlohmann::ordered_json integrators = nlohmann::ordered_json::array();
+    for (const IntegratorMethod& method : all_integrators()) {
+        integrators.push_back({{"name", method.name},
+                               {"meaning", method.meaning},
+                               {"order", method.order},
+                               {"reversible", method.reversible}});
+    }
+    const nlohmann::ordered_json json = {{"version", build.version},
+                                         {"commit", build.commit},
+                                         {"compiler", build.compiler + " " + build.compiler_version},
+                                         {"build_type", build.build_type},
+                                         {"flags", build.flags},
+                                         {"simd", simd},
+                                         {"potentials", PairPotential::formula_names()},
+                                         {"truncations", PairPotential::truncation_names()},
+                                         {"pair_searches", pair_search_names()},
+                                         {"forces", plugin_names(all_few_body_forces())},
+                                         {"integrators", integrators},
+                                         {"thermostats", plugin_names(all_thermostats())},
+                                         {"analyses", plugin_names(all_analyses())},
+                                         {"few_body_analyses", plugin_names(all_few_body_analyses())}};
+    return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+void info_command(bool keys, bool json) {
+    print_result(keys ? deck_reference_page() : json ? info_json() : info_text());
+}
+
+}  // namespace ljmd

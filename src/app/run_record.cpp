@@ -1,0 +1,105 @@
+#include "ljmd/app/run_record.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <array>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/io/output_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+std::string now() {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
+
+std::string host() {
+    std::array<char, 256> name{};
+    return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+std::string user() {
+    std::array<char, 256> name{};
+    return getlogin_r(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// XXH3 (64 bits) of the deck's text and of every --set, so that two runs can be told apart.
+std::string deck_hash(const Deck& deck) {
+    std::string text = deck.source;
+    for (const std::string& setting : deck.settings) {
+        text += '\n' + setting;
+    }
+    return fmt::format("xxh3:{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
+}  // namespace
+
+std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first) {
+    if (!deck.trajectory) {
+        return nullptr;
+    }
+    const std::string name = deck.trajectory->format == "h5md" ? "trajectory.h5md" : "trajectory.xyz";
+    return make_trajectory_writer(deck.trajectory->format, first,
+                                  {.path = deck.directory / name,
+                                   .velocities = deck.trajectory->velocities,
+                                   .si = deck.trajectory->si ? deck.units : std::nullopt,
+                                   .creator_version = build_info().version,
+                                   .author = user(),
+                                   .title = deck.title});
+}
+
+RunRecord::RunRecord(const Deck& deck) : deck_(deck), began_(now()) {
+    write(false, 0.0);
+}
+
+void RunRecord::finish(double seconds) const {
+    write(true, seconds);
+}
+
+void RunRecord::write(bool finished, double seconds) const {
+    const BuildInfo& build = build_info();
+    const bool few_body = deck_.kind == DeckKind::few_body;
+    nlohmann::ordered_json record = {
+        {"program", "ljmd"},
+        {"version", build.version},
+        {"commit", build.commit},
+        {"compiler", build.compiler + " " + build.compiler_version},
+        {"build_type", build.build_type},
+        {"flags", build.flags},
+        {"simd", "none (portable scalar code)"},
+        {"threads", 1},
+        {"host", host()},
+        {"title", deck_.title},
+        {"deck_file", deck_.path},
+        {"deck", deck_.source},
+        {"settings", deck_.settings},
+        {"deck_hash", deck_hash(deck_)},
+        {"kind", few_body ? "few-body" : "fluid"},
+        {"seed", few_body ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(deck_.system().integer("seed"))},
+        {"units", few_body ? "the deck's own" : "reduced"},
+        {"began", began_},
+        {"ended", finished ? nlohmann::ordered_json(now()) : nlohmann::ordered_json(nullptr)},
+        {"finished", finished},
+        {"seconds_in_time_loop", finished ? nlohmann::ordered_json(seconds) : nlohmann::ordered_json(nullptr)},
+        {"resumed_at_steps", nlohmann::ordered_json::array()}};
+    record["argon"] = nullptr;
+    if (deck_.units) {
+        record["argon"] = {{"sigma_nm", deck_.units->nanometre()},
+                           {"epsilon_K", deck_.units->kelvin()},
+                           {"mass_u", deck_.units->dalton()},
+                           {"tau_ps", deck_.units->picosecond()}};
+    }
+    // The path of a deck need not be UTF-8, as JSON must.
+    const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    write_file_atomically(deck_.directory / "run.json", text + "\n");
+}
+
+}  // namespace ljmd

@@ -1,0 +1,58 @@
+#include "ljmd/app/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/core/text.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t longest_title = 200;
+
+}  // namespace
+
+nlohmann::ordered_json stage_json(const StageResult& stage) {
+    return {{"name", stage.name},
+            {"integrator", stage.integrator},
+            {"first_step", stage.first_step},
+            {"last_step", stage.last_step},
+            {"steps", stage.last_step - stage.first_step},
+            {"time_step", stage.time_step},
+            {"sampled", stage.sampled},
+            {"thermostat", stage.thermostatted},
+            {"reversed", stage.reversed},
+            {"energy_drift", stage.energy_drift ? Json(*stage.energy_drift) : Json(nullptr)},
+            {"checksum_at_start", stage.checksum_at_start},
+            {"checksum_at_end", stage.checksum_at_end}};
+}
+
+std::string stage_lines(const std::vector<StageResult>& stages, const std::string& drift_unit) {
+    std::string text;
+    for (const StageResult& stage : stages) {
+        if (stage.energy_drift) {
+            text +=
+                fmt::format("  energy drift in stage '{}': {:.2g} {}\n", stage.name, *stage.energy_drift, drift_unit);
+        }
+    }
+    const auto reversed = std::find_if(stages.begin(), stages.end(), [](const auto& stage) { return stage.reversed; });
+    if (reversed != stages.end()) {
+        text += fmt::format("  checksum of all positions: {} at the start\n", stages.front().checksum_at_start);
+        for (const StageResult& stage : stages) {
+            text +=
+                fmt::format("                             {} after stage '{}'\n", stage.checksum_at_end, stage.name);
+        }
+    }
+    return text;
+}
+
+std::string title_line(const Deck& deck) {
+    return printable(deck.title.empty() ? deck.path : deck.title, longest_title);
+}
+
+}  // namespace ljmd

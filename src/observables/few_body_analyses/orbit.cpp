@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include "ljmd/observables/few_body_analysis.hpp"
+#include "ljmd/observables/orbital_elements.hpp"
+#include "ljmd/observables/turning_points.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Messages = std::vector<std::pair<std::string, std::string>>;
+
+Messages check(const Section& section, const FewBodyTarget& target) {
+    Messages messages;
+    for (const char* key : {"body", "about"}) {
+        if (section.has(key) && section.integer(key) > target.bodies) {
+            messages.emplace_back(key, fmt::format("'{}' in orbit is {}, but there are {} bodies", key,
+                                                   section.integer(key), target.bodies));
+        }
+    }
+    if (section.has("about") && section.integer("about") == section.integer("body")) {
+        messages.emplace_back("about", "'about' in orbit is the body itself");
+    }
+    return messages;
+}
+
+class Orbit : public FewBodyAnalysis {
+  public:
+    Orbit(const Section& section, const FewBodyTarget& target)
+        : body_(section.integer("body") - 1),
+          about_(section.has("about") ? std::optional(section.integer("about") - 1) : std::nullopt),
+          strength_([force = target.force.gravitational_parameter, section = target.force_section](
+                        double mass, std::optional<double> other) -> std::optional<double> {
+              return force ? force(section, mass, other) : std::nullopt;
+          }) {}
+
+    void sample(const FewBodySample& now) override {
+        const State& state = now.state;
+        const std::vector<Index> index_of = state.index_of();
+        const Index i = index_of[static_cast<std::size_t>(body_)];
+        Vec3 r = state.positions().col(i);
+        Vec3 v = state.velocities().col(i);
+        std::optional<double> other_mass;
+        if (about_) {
+            const Index j = index_of[static_cast<std::size_t>(*about_)];
+            r -= state.positions().col(j);
+            v -= state.velocities().col(j);
+            other_mass = state.masses()[static_cast<std::size_t>(j)];
+        }
+        if (now.angle) {
+            points_.add_radial(state.time, r[0], v[0], now.angle->value, now.angle->rate);
+            return;
+        }
+        points_.add(state.time, r, v);
+        const auto mu = strength_(state.masses()[static_cast<std::size_t>(i)], other_mass);
+        if (mu && *mu > 0.0) {
+            last_ = orbital_elements(r, v, *mu);
+            first_ = first_ ? first_ : last_;
+        }
+    }
+
+    [[nodiscard]] std::vector<Finding> findings() const override {
+        std::vector<Finding> found;
+        const auto add_mean = [&](const char* name, const std::optional<IntervalMean>& mean) {
+            if (mean) {
+                found.push_back({name, mean->mean, mean->standard_error});
+            }
+        };
+        add_mean("period", points_.period());
+        add_mean("precession", points_.precession());
+        for (const Apsis kind : {Apsis::pericentre, Apsis::apocentre}) {
+            for (const Passage& passage : points_.passages()) {
+                if (passage.kind == kind) {
+                    found.push_back({kind == Apsis::pericentre ? "first_pericentre" : "first_apocentre",
+                                     passage.distance, std::nullopt});
+                    break;
+                }
+            }
+        }
+        add_elements(found, "_at_start", first_);
+        add_elements(found, "_at_end", last_);
+        return found;
+    }
+
+    [[nodiscard]] std::optional<DataTable> table() const override {
+        DataTable table{"orbit", {"apocentre", "time", "distance", "angle"}, {}};
+        for (const Passage& passage : points_.passages()) {
+            table.rows.push_back(
+                {passage.kind == Apsis::apocentre ? 1.0 : 0.0, passage.time, passage.distance, passage.angle});
+        }
+        return table;
+    }
+
+  private:
+    static void add_elements(std::vector<Finding>& found, const std::string& when,
+                             const std::optional<OrbitalElements>& elements) {
+        if (elements) {
+            found.push_back({"specific_energy" + when, elements->specific_energy, std::nullopt});
+            found.push_back({"specific_angular_momentum" + when, elements->angular_momentum.norm(), std::nullopt});
+            found.push_back({"semi_major_axis" + when, elements->semi_major_axis, std::nullopt});
+            found.push_back({"eccentricity" + when, elements->eccentricity, std::nullopt});
+            found.push_back({"kepler_period" + when, elements->period, std::nullopt});
+            found.push_back({"argument_of_pericentre" + when, elements->argument_of_pericentre, std::nullopt});
+        }
+    }
+
+    Index body_;
+    std::optional<Index> about_;
+    std::function<std::optional<double>(double mass, std::optional<double> other)> strength_;
+    TurningPoints points_;
+    std::optional<OrbitalElements> first_;
+    std::optional<OrbitalElements> last_;
+};
+
+}  // namespace
+
+/// The orbit of one body about another or about the origin: every passage of the distance through an extreme, the
+/// period and the precession of the apsides from them, and, where the force is an inverse-square attraction, the
+/// osculating elements at the start and at the end.
+FewBodyAnalysisMethod orbit() {
+    return {.name = "orbit",
+            .meaning = "apsides of one body's path, with period and precession, and its orbital elements: orbit.csv",
+            .keys = {Key::integer("body").at_least(1).meaning("whose orbit, counted from 1"),
+                     Key::integer("about")
+                         .at_least(1)
+                         .optional("the origin")
+                         .meaning("the body that it goes round, counted from 1")},
+            .check = check,
+            .make = [](const Section& section, const FewBodyTarget& target) -> std::unique_ptr<FewBodyAnalysis> {
+                return std::make_unique<Orbit>(section, target);
+            }};
+}
+
+}  // namespace ljmd
