@@ -125,11 +125,11 @@ Schema thermostat_schema() {
 }
 
 Schema fluid_stage_schema() {
-    return stage_schema(Key::number("time_step")
-                            .dimension(Dimension::time)
-                            .unit("tau")
-                            .above(0.0)
-                            .meaning("below 0.02 unless --force is given"))
+    return stage_schema(DeckKind::fluid, Key::number("time_step")
+                                             .dimension(Dimension::time)
+                                             .unit("tau")
+                                             .above(0.0)
+                                             .meaning("below 0.02 unless --force is given"))
         .with({Key::number("temperature")
                    .dimension(Dimension::temperature)
                    .unit("epsilon/k_B")
@@ -192,25 +192,28 @@ Schema fluid_schema() {
 
 }  // namespace
 
-Schema stage_schema(const Key& time_step) {
+Schema stage_schema(DeckKind kind, const Key& time_step) {
     std::map<std::string, std::vector<Key>> options;
+    std::vector<std::string> names;
     std::string integrators = "integration scheme";
     for (const auto& method : all_integrators()) {
+        if (method.unbounded_only && kind == DeckKind::fluid) {
+            continue;
+        }
         integrators += "; " + method.name + ": " + method.meaning;
         options[method.name] = method.keys;
+        names.push_back(method.name);
     }
-    Schema schema(
-        "[[stage]]",
-        {Key::text("name").meaning("for messages, results and `--set stage.NAME.key=value`; unique"),
-         Key::choice("integrator", plugin_names(all_integrators())).defaults_to("velocity-verlet").meaning(integrators),
-         time_step,
-         Key::integer("steps")
-             .at_least(0)
-             .at_most(most_steps)
-             .meaning("number of steps; a run of 0 steps in all evaluates the start once"),
-         Key::flag("reverse").defaults_to(false).meaning(
-             "turn the motion round before the first step: a reversible integrator then goes back the way "
-             "it came")});
+    Schema schema("[[stage]]",
+                  {Key::text("name").meaning("for messages, results and `--set stage.NAME.key=value`; unique"),
+                   Key::choice("integrator", names).defaults_to("velocity-verlet").meaning(integrators), time_step,
+                   Key::integer("steps")
+                       .at_least(0)
+                       .at_most(most_steps)
+                       .meaning("number of steps; a run of 0 steps in all evaluates the start once"),
+                   Key::flag("reverse").defaults_to(false).meaning(
+                       "turn the motion round before the first step: a reversible integrator then goes back the way "
+                       "it came")});
     return schema.select("integrator", options);
 }
 

@@ -34,7 +34,7 @@ Schema body_schema() {
 }
 
 Schema few_body_stage_schema() {
-    return stage_schema(Key::number("time_step").above(0.0).meaning("in the deck's unit of time"))
+    return stage_schema(DeckKind::few_body, Key::number("time_step").above(0.0).meaning("in the deck's unit of time"))
         .with({Key::flag("sample").defaults_to(true).meaning("the analyses look at this stage")});
 }
 

@@ -53,7 +53,9 @@ std::string info_json() {
         integrators.push_back({{"name", method.name},
                                {"meaning", method.meaning},
                                {"order", method.order},
-                               {"reversible", method.reversible}});
+                               {"reversible", method.reversible},
+                               {"adaptive", method.adaptive},
+                               {"unbounded_only", method.unbounded_only}});
     }
     const nlohmann::ordered_json json = {{"version", build.version},
                                          {"commit", build.commit},

@@ -45,9 +45,11 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
         } else if (const auto* e = std::get_if<Evaluate>(&*op)) {
             evaluation = force_field.evaluate(
                 state, {.energy = request.energy && op + 1 == after_last, .order_independent = e->order_independent});
-        } else {
+        } else if (const auto* u = std::get_if<Update>(&*op)) {
             require_current_forces(state);
-            std::get<Update>(*op).apply(state);
+            u->apply(state);
+        } else {
+            std::get<Solve>(*op).advance(state, force_field);
         }
     }
     return evaluation;

@@ -50,6 +50,10 @@ double rounding_of(const IntegratorMethod& method) {
 TEST_CASE("every integrator has the order that it claims, in positions and reported velocities") {
     for (const IntegratorMethod& method : all_integrators()) {
         CAPTURE(method.name);
+        if (method.adaptive) {
+            CHECK(largest_error(Integrator(method, 0.5), 0.5, 8) < 1e-11);
+            continue;
+        }
         for (const double dt : {0.02, 0.01}) {
             const auto steps = static_cast<Index>(std::lround(4.0 / dt));
             const double order = std::log2(largest_error(Integrator(method, dt), dt, steps) /
@@ -78,7 +82,7 @@ TEST_CASE("every integrator that claims it returns to its start when the motion 
                                 (test::velocities(state) - start.velocities()).norm();
             if (method.reversible) {
                 CHECK(miss < rounding_of(method));
-            } else {
+            } else if (!method.adaptive) {
                 CHECK(miss > 1e-6);
             }
         }

@@ -72,6 +72,22 @@ TEST_CASE("an update runs in its place, and is refused when the forces are stale
     CHECK(test::positions(state) == 4.0 * before);
 }
 
+TEST_CASE("a method that solves by itself gets the force field, and leaves the forces stale") {
+    test::Oscillator springs(2.0);
+    State state = test::swinging(springs);
+    const Eigen::Matrix3Xd before = test::positions(state);
+    const Solve solve{[](State& s, ForceField& forces) {
+        s.write_positions() *= 2.0;
+        forces.evaluate(s, Request::forces);
+        s.write_positions() *= 2.0;
+    }};
+    const std::size_t asked = springs.requests().size();
+    apply({solve}, state, springs, energy);
+    CHECK(springs.requests().size() == asked + 1);
+    CHECK(test::positions(state) == 4.0 * before);
+    CHECK_FALSE(state.forces_are_current());
+}
+
 TEST_CASE("an evaluation passes on whether the order of sums may matter") {
     test::Oscillator springs(2.0);
     State state = test::swinging(springs);

@@ -17,7 +17,7 @@ enum class DeckKind {
 [[nodiscard]] Schema few_body_schema();
 
 /// What the stages and outputs of both kinds share.
-[[nodiscard]] Schema stage_schema(const Key& time_step);
+[[nodiscard]] Schema stage_schema(DeckKind kind, const Key& time_step);
 [[nodiscard]] Schema output_schema(const Schema& thermo, const Schema& trajectory, const std::string& thermo_default);
 
 /// The reference page of all deck keys, in Markdown.

@@ -27,7 +27,9 @@ struct IntegratorMethod {
     std::string meaning;    ///< one line for the reference page
     int order;              ///< of its global error, with its default options: halving the step divides it by 2^order
     bool reversible;        ///< returns to its start, to rounding, when velocities are reversed
-    std::vector<Key> keys;  ///< of a stage that selects it
+    bool adaptive = false;  ///< chooses steps of its own within the time step; the error hardly depends on the latter
+    bool unbounded_only = false;  ///< for systems without a box
+    std::vector<Key> keys;        ///< of a stage that selects it
     std::function<Scheme(double time_step, const Section& options)> scheme;
 };
 

@@ -30,8 +30,13 @@ struct Update {
     std::function<void(State&)> apply;
 };
 
+/// Advance by a method that evaluates the forces as often as it needs. Leaves them stale.
+struct Solve {
+    std::function<void(State&, ForceField&)> advance;
+};
+
 /// An integrator is a list of these. A backend may fuse neighbouring ones.
-using Operator = std::variant<Kick, Drift, Evaluate, Update>;
+using Operator = std::variant<Kick, Drift, Evaluate, Update, Solve>;
 
 /// Apply the operators of one step in order.
 ///

@@ -34,7 +34,7 @@ class Closest : public FewBodyAnalysis {
 /// How near any two bodies came to each other, when, and which.
 FewBodyAnalysisMethod closest_approach() {
     return {.name = "closest_approach",
-            .meaning = "the smallest distance between any two bodies, when, and which",
+            .meaning = "the smallest distance between any two bodies, when, and which; steps must resolve the encounter",
             .keys = {},
             .check =
                 [](const Section& section, const FewBodyTarget& target) {

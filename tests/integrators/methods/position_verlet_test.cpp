@@ -47,7 +47,7 @@ TEST_CASE("position Verlet follows r(t + dt) = 2 r(t) - r(t - dt) + dt^2 f / m, 
     }
 }
 
-TEST_CASE("position Verlet started by Taylor is velocity Verlet to rounding; started by Euler it is of first order") {
+TEST_CASE("position Verlet started by Taylor is velocity Verlet to rounding, started by Euler it is of first order") {
     test::Oscillator springs(2.0);
     const auto miss = [&](const std::string& start, double dt) {
         State verlet = test::swinging(springs);

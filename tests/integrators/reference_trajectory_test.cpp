@@ -1,4 +1,4 @@
-#include "ljmd/compare/reference_trajectory.hpp"
+#include "ljmd/integrators/reference_trajectory.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/three_bodies.hpp"
 #include "forces/made_few_body_force.hpp"
+#include "integrators/three_bodies.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/compare/reference_trajectory.hpp"
+#include "ljmd/integrators/reference_trajectory.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
