@@ -190,10 +190,27 @@ TEST_CASE("A hyperbola has one apsis and no period, a circle no apsis") {
     CHECK_FALSE(points.period());
     CHECK_FALSE(points.precession());
 
-    const auto circle = [](double t) {
-        return kepler::Point{Vec3(std::cos(t), std::sin(t), 0.0), Vec3(-std::sin(t), std::cos(t), 0.0)};
+    const Eigen::AngleAxisd tilt(0.4, Vec3(0.6, -0.3, 1.0).normalized());  // so that r . v is rounding, not zero
+    const auto circle = [&](double t) {
+        return kepler::Point{tilt * Vec3(std::cos(t), std::sin(t), 0.0), tilt * Vec3(-std::sin(t), std::cos(t), 0.0)};
     };
     CHECK(apsides(circle, 0.0, 30.0, 0.01).passages().empty());
+}
+
+TEST_CASE("A start at an apsis is a passage whatever the rounding of r times v") {
+    const kepler::Ellipse ellipse = kepler::sample_ellipse();
+    for (int k = 0; k < 20; ++k) {
+        CAPTURE(k);
+        const Eigen::AngleAxisd tilt(0.3 * k, Vec3(0.6, -0.3, 1.0).normalized());
+        const auto orbit = [&](double t) {
+            const kepler::Point point = ellipse.at(t);
+            return kepler::Point{tilt * point.r, tilt * point.v};
+        };
+        const TurningPoints points = apsides(orbit, 0.0, 10.0, 0.1);
+        REQUIRE(points.passages().size() == 2);
+        CHECK(points.passages()[0].kind == Apsis::pericentre);
+        CHECK(points.passages()[0].time == 0.0);
+    }
 }
 
 TEST_CASE("A radial motion has its turning points, with the angle that the caller gives") {
