@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
@@ -34,8 +35,8 @@ double skin_of(const Deck& deck) {
 }
 
 /// Seconds that a step takes here, pair search and integration included.
-double seconds_per_step(State& state, PairForceField& force_field) {
-    const Integrator integrator(find_integrator("velocity-verlet"), usual_time_step);
+double seconds_per_step(const std::string& method, State& state, PairForceField& force_field) {
+    const Integrator integrator(find_integrator(method), usual_time_step);
     force_field.evaluate(state, Request::forces);
     const auto began = std::chrono::steady_clock::now();
     std::chrono::duration<double> took{};
@@ -52,8 +53,8 @@ double seconds_per_step(State& state, PairForceField& force_field) {
     return took.count() / static_cast<double>(std::max<Index>(steps, 1));
 }
 
-/// Seconds an atom and step take here, on a stand-in for the start.
-double seconds_per_atom_step(const Deck& deck, const Start& start) {
+/// Seconds that an atom takes in all stages here, by a trial of each integrator on a stand-in for the start.
+double seconds_per_atom(const Deck& deck, const Start& start) {
     const double density = density_of(start);
     const double cutoff = deck.potential().number("cutoff");
     Index cells = nearest_cells(Lattice::fcc, std::min(start.atoms, stand_in_atoms)).above;
@@ -72,7 +73,17 @@ double seconds_per_atom_step(const Deck& deck, const Start& start) {
     draw_velocities(state, std::min(temperature, hottest_trial), 1);
     PairForceField force_field(PairPotential::from(deck.potential()),
                                make_pair_search(deck.neighbors().text("method"), deck.neighbors().number("skin")));
-    return seconds_per_step(state, force_field) / static_cast<double>(atoms);
+    std::map<std::string, double> seconds;  // a step, by integrator
+    double sum = 0.0;
+    for (const Stage& stage : deck.stages) {
+        const auto [trial, is_new] = seconds.try_emplace(stage.integrator);
+        if (is_new) {
+            State copy = state;
+            trial->second = seconds_per_step(stage.integrator, copy, force_field);
+        }
+        sum += static_cast<double>(stage.steps) * trial->second;
+    }
+    return sum / static_cast<double>(atoms);
 }
 
 double memory(const Deck& deck, const Start& start) {
@@ -115,9 +126,7 @@ std::string duration(double seconds) {
 }  // namespace
 
 Forecast forecast(const Deck& deck, const Start& start) {
-    const double steps = static_cast<double>(deck.total_steps()) + 1.0;
-    return {memory(deck, start), disk(deck, start),
-            steps * static_cast<double>(start.atoms) * seconds_per_atom_step(deck, start)};
+    return {memory(deck, start), disk(deck, start), static_cast<double>(start.atoms) * seconds_per_atom(deck, start)};
 }
 
 std::string check_report(const Deck& deck, const Start& start, const Forecast& forecast) {

@@ -22,33 +22,29 @@ class FloatingSum {
 /// result is the same to the last bit in whatever order the terms come. Half a unit is 3e-14, a hundredth of what
 /// rounding does to a sum of floating-point terms of a liquid.
 ///
-/// @throws PhysicsError (from value()) when a term or the sum left the range of +-2^19 epsilon/sigma
+/// @throws PhysicsError (from value()) when the terms together, without their signs, reach 2^18 epsilon/sigma: the sum
+/// could
+///         leave the range of the integers
 /// Source: Levesque and Verlet (1993), J. Stat. Phys. 72, 519, on why this matters
 class FixedPointSum {
   public:
     void add(double term) {
-        if (!(std::abs(term) < largest)) {  // true for NaN as well
-            overflow_ = true;
-            return;
-        }
-        const double scaled = term * scale;
-        const auto rounded = static_cast<std::int64_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
-        overflow_ |= __builtin_add_overflow(sum_, rounded, &sum_);
+        bound_ += std::abs(term);
+        sum_ += static_cast<std::uint64_t>(std::llrint(term * scale));
     }
 
     [[nodiscard]] double value() const {
-        if (overflow_) {
-            throw PhysicsError(
-                "a force is beyond 2^19 epsilon/sigma, the range of fixed-point sums: the run has blown up");
+        if (!(bound_ < largest)) {  // true for NaN as well
+            throw PhysicsError("forces reach 2^18 epsilon/sigma, the range of fixed-point sums: the run has blown up");
         }
-        return static_cast<double>(sum_) / scale;
+        return static_cast<double>(static_cast<std::int64_t>(sum_)) / scale;
     }
 
   private:
     static constexpr double scale = 0x1p44;
     static constexpr double largest = 0x1p18;
-    std::int64_t sum_ = 0;
-    bool overflow_ = false;
+    std::uint64_t sum_ = 0;  // two's complement; unsigned, because what NaN becomes may overflow
+    double bound_ = 0.0;     // no partial sum is larger
 };
 
 }  // namespace ljmd
