@@ -1,7 +1,8 @@
 """Reading a run directory of ljmd: thermo.csv, rdf.csv, results.json and run.json, checked as they are read.
 
-Plain names are in reduced units (sigma = epsilon = m = k_B = 1), energies per atom; SI columns carry a suffix
-(temperature_K, pressure_bar, time_ps, r_nm).
+What is here serves runs of a fluid; few_body_run.py reads those of few-body systems, trajectory.py trajectories. Plain
+names are in reduced units (sigma = epsilon = m = k_B = 1), energies per atom; SI columns carry a suffix (temperature_K,
+pressure_bar, time_ps, r_nm).
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ THERMO_COLUMNS = (
     "pressure",
 )
 RDF_COLUMNS = ("r", "g", "g_standard_error")
+KINDS = ("fluid", "few-body")
 
 Table = dict[str, np.ndarray]
 
@@ -79,13 +81,27 @@ class RunDirectory:
         return (step >= stage.first_step) & (step <= stage.last_step)
 
 
-def load(path: Path) -> RunDirectory:
-    """Read and check a run directory.
+def kind_of(path: Path) -> str:
+    """Whether `path` holds a run of a fluid or of a few-body system, as its run.json says.
 
-    Raises RunDirectoryError, with exit code 2 when `path` is no directory, 3 when a file is missing or damaged.
+    Raises RunDirectoryError, with exit code 2 when `path` is no directory, 3 when run.json is missing or damaged.
     """
     if not path.is_dir():
         raise RunDirectoryError(f"{path}: {'not a directory' if path.exists() else 'no such directory'}", exit_code=2)
+    record = read_json(path / "run.json")
+    kind = field(path / "run.json", record, "kind", str, default="fluid")
+    if kind not in KINDS:
+        raise damaged(path / "run.json", f"'kind' is '{kind}', must be one of {', '.join(KINDS)}")
+    return kind
+
+
+def load(path: Path) -> RunDirectory:
+    """Read and check the directory of a run of a fluid.
+
+    Raises RunDirectoryError, with exit code 2 when `path` is no such directory, 3 when a file is missing or damaged.
+    """
+    if kind_of(path) != "fluid":
+        raise RunDirectoryError(f"{path}: a run of a few-body system, a fluid is needed", exit_code=2)
     record = read_json(path / "run.json")
     observables, stages = read_results(path / "results.json")
     return RunDirectory(

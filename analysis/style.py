@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+from run_directory import RunDirectoryError  # noqa: E402
 
 DPI = 200
 
@@ -20,6 +22,7 @@ PURPLE = "#CC79A7"
 SKY = "#56B4E9"
 BLACK = "#000000"
 GREY = "#999999"
+CYCLE = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK)  # one a body, or an integrator
 
 LABELS = {
     "time": r"$t$ / $\tau$",
@@ -59,6 +62,22 @@ def use() -> None:
             "mathtext.fontset": "dejavusans",
         }
     )
+
+
+def colour(k: int) -> str:
+    """The colour of the k-th of several like things, from 0."""
+    return CYCLE[k % len(CYCLE)]
+
+
+def save(figure: plt.Figure, path: Path) -> None:
+    """Write a picture and say where it is."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        figure.savefig(path)
+    except OSError as error:
+        raise RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
+    plt.close(figure)
+    print(path)
 
 
 def plain(text: str) -> str:

@@ -1,0 +1,52 @@
+"""Decks of ljmd as tables, with every `--set` applied."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any, Sequence
+
+from run_directory import RunDirectoryError, damaged, read_text
+
+KEY_PART = re.compile(r'"([^"]*)"|([^."]+)')
+
+
+def parse(where: Path, text: str, settings: Sequence[str] = ()) -> dict[str, Any]:
+    """The tables of a deck; `settings` are applied in their order. Errors name `where`, with exit code 3."""
+    try:
+        deck = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise damaged(where, f"the deck is not valid TOML: {error}") from None
+    for setting in settings:
+        apply(where, deck, setting)
+    return deck
+
+
+def read(path: Path) -> dict[str, Any]:
+    """The tables of a deck file. A deck that is missing or is no TOML is an error with exit code 2."""
+    try:
+        return parse(path, read_text(path))
+    except RunDirectoryError as error:
+        raise RunDirectoryError(str(error), exit_code=2) from None
+
+
+def apply(where: Path, deck: dict[str, Any], setting: str) -> None:
+    """One `--set KEY=VALUE`: an element of an array of tables goes by its name; what is no TOML is text."""
+    key, equals, text = setting.partition("=")
+    parts = [quoted or bare for quoted, bare in KEY_PART.findall(key)]
+    if not equals or not parts:
+        raise damaged(where, f"'{setting}' is no setting of the form KEY=VALUE")
+    try:
+        value = tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        value = text
+    holder: Any = deck
+    for part in parts[:-1]:
+        if isinstance(holder, list):
+            holder = next((entry for entry in holder if entry.get("name") == part), None)
+        elif isinstance(holder, dict):
+            holder = holder.setdefault(part, {})
+    if not isinstance(holder, dict):
+        raise damaged(where, f"the setting '{setting}' does not fit the deck")
+    holder[parts[-1]] = value

@@ -1,0 +1,107 @@
+"""Reading a run directory of a few-body system. All quantities are in the units that its deck chose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Optional
+
+import deck
+import numpy as np
+import trajectory
+from run_directory import RunDirectoryError, Table, damaged, field, kind_of, read_json, read_table
+from trajectory import Trajectory
+
+THERMO_COLUMNS = ("step", "time", "potential_energy", "kinetic_energy", "total_energy")
+
+
+@dataclass(frozen=True)
+class FewBodyRun:
+    """What one run of a few-body system left behind."""
+
+    path: Path
+    title: str
+    force: str  # newtonian-gravity, radial-kepler, pendulum, ...
+    bodies: int
+    dimensions: int
+    deck: dict[str, Any]  # with every --set
+    thermo: Table  # energies, momenta and angular momenta of the whole system
+    trajectory: Optional[Trajectory]  # None when the run wrote none
+
+    def name(self, body: int) -> str:
+        """How a body, counted from 0, is called: by its name in the deck, else by its number from 1."""
+        tables = self.deck.get("body", [])
+        name = tables[body].get("name") if len(tables) == self.bodies else None
+        return str(name) if name else f"body {body + 1}"
+
+    @property
+    def coordinate(self) -> tuple[str, str]:
+        """Symbols of the first coordinate and of its velocity."""
+        symbols = {"radial-kepler": (r"$\rho$", r"$v_\rho$"), "pendulum": (r"$\theta$", r"$\omega$")}
+        return symbols.get(self.force, ("$x$", "$v_x$"))
+
+
+def load(path: Path) -> FewBodyRun:
+    """Read and check the directory of a few-body run.
+
+    Raises RunDirectoryError, with exit code 2 when `path` is no such directory, 3 when a file is missing or damaged.
+    """
+    if kind_of(path) != "few-body":
+        raise RunDirectoryError(f"{path}: a run of a fluid, a few-body system is needed", exit_code=2)
+    record = read_json(path / "run.json")
+    results = read_json(path / "results.json")
+    system = field(path / "results.json", results, "system", dict)
+    settings = field(path / "run.json", record, "settings", list, default=[])
+    run = FewBodyRun(
+        path=path,
+        title=field(path / "run.json", record, "title", str, default=""),
+        force=field(path / "results.json", system, "force", str),
+        bodies=field(path / "results.json", system, "bodies", int),
+        dimensions=field(path / "results.json", system, "dimensions", int),
+        deck=deck.parse(path / "run.json", field(path / "run.json", record, "deck", str), settings),
+        thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step",)),
+        trajectory=trajectory.read(path),
+    )
+    if run.trajectory is not None and run.trajectory.positions.shape[1] != run.bodies:
+        found = run.trajectory.positions.shape[1]
+        raise damaged(path, f"the trajectory has {found} bodies, results.json says {run.bodies}")
+    return run
+
+
+def plane_points(run: FewBodyRun) -> Optional[np.ndarray]:
+    """Where the bodies are in the x-y plane (F, N, 2); None where the coordinates do not lie in a plane.
+
+    Three dimensions are projected along z; a distance and an angle, and the angle of a pendulum of length 1 that hangs
+    down at 0, become points.
+    """
+    frames = run.trajectory
+    if frames is None:
+        return None
+    if frames.positions.shape[2] >= 2:
+        return frames.positions[:, :, :2]
+    first = frames.positions[:, 0, 0]
+    if run.force == "radial-kepler" and frames.angle is not None:
+        return (first * np.array([np.cos(frames.angle), np.sin(frames.angle)])).T[:, np.newaxis, :]
+    if run.force == "pendulum":
+        return np.array([np.sin(first), -np.cos(first)]).T[:, np.newaxis, :]
+    return None
+
+
+def phase_points(run: FewBodyRun) -> Optional[np.ndarray]:
+    """First coordinate and its velocity, for each body (F, N, 2); None without velocities."""
+    frames = run.trajectory
+    if frames is None or frames.velocities is None:
+        return None
+    return np.stack([frames.positions[:, :, 0], frames.velocities[:, :, 0]], axis=2)
+
+
+def body_index(run: FewBodyRun, number: int) -> int:
+    """The index of body `number`, counted from 1; an error with exit code 2 when there is no such body."""
+    if not 1 <= number <= run.bodies:
+        raise RunDirectoryError(f"there is no body {number}: {run.path} has {run.bodies}", exit_code=2)
+    return number - 1
+
+
+def relative(points: np.ndarray, body: int) -> np.ndarray:
+    """Points of all bodies (F, N, ...) as seen from one of them."""
+    return points - points[:, body : body + 1]

@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+"""Tests of analysis/deck.py. Prints "N passed, M failed"; exit code 1 if any failed."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import fixtures  # noqa: I001  (it says where the modules of analysis/ are)
+import deck
+from fixtures import refused
+
+
+def test_settings_change_a_deck(tmp: Path) -> None:
+    text = '[force]\ntype = "gravity"\n[[body]]\nname = "sun"\nmass = 1.0\n[[body]]\nname = "e.x"\nmass = 2.0\n'
+    settings = ["force.softening=0.5", "body.sun.mass=3", 'body."e.x".mass=4', "force.type=newtonian-gravity"]
+    settings.append("new.a=[1]")
+    found = deck.parse(tmp, text, settings)
+    assert found == {
+        "force": {"type": "newtonian-gravity", "softening": 0.5},
+        "body": [{"name": "sun", "mass": 3}, {"name": "e.x", "mass": 4}],
+        "new": {"a": [1]},
+    }, found
+    refused(lambda: deck.parse(tmp, text, ["body.moon.mass=3"]), "body.moon.mass=3")
+    refused(lambda: deck.parse(tmp, text, ["body"]), "KEY=VALUE")
+    refused(lambda: deck.parse(tmp, "a ="), "not valid TOML")
+    refused(lambda: deck.read(tmp / "none.toml"), "none.toml", "no such file", exit_code=2)
+
+
+if __name__ == "__main__":
+    sys.exit(fixtures.run_tests(globals()))
