@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Pictures of one run of ljmd: thermodynamics against time, and the radial distribution function.
+"""Pictures of one run of ljmd.
 
-    plot_run.py RUNDIR [--out DIR] [--format png|pdf|svg]
+    plot_run.py RUNDIR [--out DIR] [--format png|pdf|svg] [--relative-to K]
 
-Writes thermo and, where the run has rdf.csv, rdf into DIR (RUNDIR itself by default) and prints the path of each, one a
-line. Exit codes: 0 ok, 2 usage, 3 a file of the run is missing or damaged, 4 a picture cannot be written.
+Writes pictures into DIR (RUNDIR itself by default) and prints the path of each, one a line. Of a fluid: thermo
+(thermodynamics against time) and, where the run has rdf.csv, rdf (the radial distribution function). Of a few-body
+system, what suits it: energy (error and parts), orbit (x-y plane), phase (velocity against coordinate of each body),
+momentum (errors of momentum and angular momentum), relative (paths as seen from body K, 1 by default).
+Exit codes: 0 ok, 2 usage, 3 a file of the run is missing or damaged, 4 a picture cannot be written.
 """
 
 from __future__ import annotations
@@ -17,6 +20,8 @@ from typing import Optional, Sequence
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import few_body_pictures  # noqa: E402
+import few_body_run  # noqa: E402
 import run_directory  # noqa: E402
 import style  # noqa: E402
 from run_directory import RunDirectory, RunDirectoryError, Stage, Table  # noqa: E402
@@ -203,15 +208,23 @@ def plot_rdf(run: RunDirectory, table: Table) -> plt.Figure:
     return figure
 
 
-def save(figure: plt.Figure, path: Path) -> None:
-    """Write a picture and say where it is."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(path)
-    except OSError as error:
-        raise RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
-    plt.close(figure)
-    print(path)
+def draw_fluid(path: Path) -> dict[str, plt.Figure]:
+    """The pictures of a run of a fluid, by name."""
+    run = run_directory.load(path)
+    figures = {"thermo": plot_thermo(run)}
+    if run.rdf is None:
+        print(f"{run.path / 'rdf.csv'}: not there, no picture of g(r)", file=sys.stderr)
+    else:
+        figures["rdf"] = plot_rdf(run, run.rdf)
+    return figures
+
+
+def draw_few_bodies(path: Path, relative_to: int) -> dict[str, plt.Figure]:
+    """The pictures of a run of a few-body system, by name."""
+    run = few_body_run.load(path)
+    if run.trajectory is None:
+        print(f"{run.path / 'trajectory.csv'}: not there, no pictures of orbits", file=sys.stderr)
+    return few_body_pictures.pictures(run, few_body_run.body_index(run, relative_to))
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
@@ -219,16 +232,18 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("rundir", type=Path, help="directory that `ljmd run` wrote")
     parser.add_argument("--out", type=Path, help="directory for the pictures (default: the run directory)")
     parser.add_argument("--format", choices=("png", "pdf", "svg"), default="png")
+    parser.add_argument("--relative-to", type=int, metavar="K", default=1,
+                        help="few-body runs: the body, counted from 1, that the others are seen from")
     options = parser.parse_args(arguments)
     out = options.out or options.rundir
     style.use()
     try:
-        run = run_directory.load(options.rundir)
-        save(plot_thermo(run), out / f"thermo.{options.format}")
-        if run.rdf is None:
-            print(f"{run.path / 'rdf.csv'}: not there, no picture of g(r)", file=sys.stderr)
+        if run_directory.kind_of(options.rundir) == "few-body":
+            figures = draw_few_bodies(options.rundir, options.relative_to)
         else:
-            save(plot_rdf(run, run.rdf), out / f"rdf.{options.format}")
+            figures = draw_fluid(options.rundir)
+        for name, figure in figures.items():
+            style.save(figure, out / f"{name}.{options.format}")
     except RunDirectoryError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.exit_code

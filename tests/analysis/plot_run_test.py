@@ -5,21 +5,17 @@ from __future__ import annotations
 
 import json
 import math
-import struct
 import subprocess
 import sys
-import tempfile
-import traceback
 from pathlib import Path
 from typing import Any
 
-ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
-sys.path.insert(0, str(ANALYSIS))
-
-import numpy as np  # noqa: E402
-import plot_run  # noqa: E402
-import run_directory  # noqa: E402
-import style  # noqa: E402
+import fixtures
+import numpy as np
+import plot_run
+import run_directory
+import style
+from fixtures import edit, png_size
 
 HEADER = "step,time,temperature,potential_energy,kinetic_energy,total_energy,pressure"
 TIME_STEP = 0.005
@@ -66,31 +62,11 @@ def stage(name: str, first: int, last: int, sampled: bool) -> dict[str, Any]:
 
 
 def run_script(*arguments: Any) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, str(ANALYSIS / "plot_run.py"), *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+    return fixtures.run_script("plot_run.py", *arguments)
 
 
 def check_error(directory: Path, exit_code: int, *words: str) -> None:
-    """The script ends with that code and one line on stderr that holds all words."""
-    result = run_script(directory)
-    assert result.returncode == exit_code, result
-    assert result.stdout == "", result.stdout
-    lines = result.stderr.splitlines()
-    assert len(lines) == 1 and lines[0].startswith("error: "), result.stderr
-    for word in words:
-        assert word in lines[0], (word, lines[0])
-
-
-def edit(path: Path, old: str, new: str) -> None:
-    text = path.read_text()
-    assert old in text, (old, path)
-    path.write_text(text.replace(old, new, 1))
-
-
-def png_size(path: Path) -> tuple[int, int]:
-    data = path.read_bytes()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n", path
-    return struct.unpack(">II", data[16:24])
+    fixtures.check_error(run_script(directory), exit_code, *words)
 
 
 def test_pictures_are_made(tmp: Path) -> None:
@@ -273,22 +249,5 @@ def test_output_that_cannot_be_written(tmp: Path) -> None:
     assert len(result.stderr.splitlines()) == 1 and "cannot be written" in result.stderr, result.stderr
 
 
-def main() -> int:
-    passed = failed = 0
-    for name, test in sorted(globals().items()):
-        if not name.startswith("test_"):
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                test(Path(folder))
-                passed += 1
-            except Exception:  # a test that breaks down has failed; the others still count
-                failed += 1
-                print(f"FAILED {name}")
-                traceback.print_exc()
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(fixtures.run_tests(globals()))

@@ -1,0 +1,174 @@
+"""The pictures of a few-body run: orbits, phase portraits, errors of conserved quantities."""
+
+from __future__ import annotations
+
+import math
+
+import few_body_run
+import numpy as np
+import style
+from few_body_run import FewBodyRun
+from style import plt
+
+MOST_PANELS = 16
+CONSERVED = {"momentum": "$P$", "angular_momentum": "$L$"}  # prefix of the columns, symbol
+
+
+def pictures(run: FewBodyRun, relative_to: int) -> dict[str, plt.Figure]:
+    """All pictures that suit the run, by name; `relative_to` is a body, counted from 0."""
+    made = {"energy": plot_energy(run)}
+    points = few_body_run.plane_points(run)
+    if points is not None and run.force != "pendulum":  # which only ever draws its circle
+        made["orbit"] = plot_orbit(run, points)
+    if few_body_run.phase_points(run) is not None:
+        made["phase"] = plot_phase(run)
+    if momentum_columns(run):
+        made["momentum"] = plot_momentum(run)
+    if run.trajectory is not None and run.bodies > 1:
+        made["relative"] = plot_relative(run, relative_to)
+    return made
+
+
+def draw_paths(axes: plt.Axes, run: FewBodyRun, points: np.ndarray) -> None:
+    """The path of every body in a plane with equal scales: open circle at its start, full one at its end."""
+    for body in range(run.bodies):
+        x, y = points[:, body].T
+        colour = style.colour(body)
+        axes.plot(x, y, color=colour, linewidth=0.9)
+        axes.plot(x[0], y[0], "o", color=colour, markerfacecolor="white", markersize=5, zorder=3)
+        axes.plot(x[-1], y[-1], "o", color=colour, markersize=5, zorder=4, label=run.name(body))
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.margins(0.08)
+
+
+def place_legend(axes: plt.Axes, entries: int) -> None:
+    """A legend beside the panel, where it hides nothing."""
+    if entries > 1:
+        axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), ncol=math.ceil(entries / 20))
+
+
+def plane_panel(points: np.ndarray) -> tuple[plt.Figure, plt.Axes]:
+    """An empty panel about as high as the paths (..., 2) want it with equal scales."""
+    width, height = np.ptp(points.reshape(-1, 2), axis=0)
+    shape = height / width if width > 0.0 else 1.0
+    return plt.subplots(figsize=(7.0, 1.0 + 5.0 * min(max(shape, 0.5), 1.0)), constrained_layout=True)
+
+
+def plot_orbit(run: FewBodyRun, points: np.ndarray) -> plt.Figure:
+    """Where the bodies went, in the x-y plane."""
+    figure, axes = plane_panel(points)
+    draw_paths(axes, run, points)
+    if run.bodies == 1:
+        axes.plot(0.0, 0.0, "+", color=style.BLACK, markersize=9)
+    seen_along_z = run.trajectory.positions.shape[2] == 3
+    axes.set_xlabel("$x$")
+    axes.set_ylabel("$y$   (seen along $z$)" if seen_along_z else "$y$")
+    place_legend(axes, run.bodies)
+    axes.set_title(style.plain(run.title))
+    return figure
+
+
+def plot_relative(run: FewBodyRun, reference: int) -> plt.Figure:
+    """The paths as seen from one body; against time where there is but one dimension."""
+    points = few_body_run.relative(run.trajectory.positions, reference)
+    seen_from = f"from {style.plain(run.name(reference))}"
+    if points.shape[2] == 1:
+        figure, axes = plt.subplots(figsize=(7.0, 4.5), constrained_layout=True)
+        for body in range(run.bodies):
+            axes.plot(run.trajectory.time, points[:, body, 0], color=style.colour(body), label=run.name(body))
+        axes.set_xlabel("$t$")
+        axes.set_ylabel(f"$x$ {seen_from}")
+    else:
+        figure, axes = plane_panel(points[:, :, :2])
+        draw_paths(axes, run, points[:, :, :2])
+        axes.set_xlabel(f"$x$ {seen_from}")
+        axes.set_ylabel(f"$y$ {seen_from}")
+    place_legend(axes, run.bodies)
+    axes.set_title(style.plain(run.title))
+    return figure
+
+
+def plot_phase(run: FewBodyRun) -> plt.Figure:
+    """Velocity against the first coordinate, a panel for each body."""
+    points = few_body_run.phase_points(run)
+    panels = min(run.bodies, MOST_PANELS)
+    columns = panels if panels <= 3 else math.ceil(math.sqrt(panels))
+    rows = math.ceil(panels / columns)
+    size = (7.0, 5.0) if panels == 1 else (1.0 + 3.2 * columns, 0.5 + 2.8 * rows)
+    figure, grid = plt.subplots(rows, columns, squeeze=False, figsize=size, constrained_layout=True)
+    for body, axes in enumerate(grid.flat):
+        if body >= panels:
+            axes.set_visible(False)
+            continue
+        position, velocity = points[:, body].T
+        colour = style.colour(body)
+        axes.plot(position, velocity, color=colour, linewidth=0.9)
+        axes.plot(position[0], velocity[0], "o", color=colour, markerfacecolor="white", markersize=5)
+        axes.plot(position[-1], velocity[-1], "o", color=colour, markersize=5)
+        axes.set_xlabel(run.coordinate[0])
+        axes.set_ylabel(run.coordinate[1])
+        axes.margins(0.08)
+        if run.bodies > 1:
+            axes.set_title(style.plain(run.name(body)), fontsize=10)
+    shown = f" (bodies 1 to {panels} of {run.bodies})" if panels < run.bodies else ""
+    figure.suptitle(style.plain(run.title) + shown, fontsize=11)
+    return figure
+
+
+def worst(values: np.ndarray) -> float:
+    """The largest absolute value; 0 where there is no number."""
+    return float(np.nanmax(np.abs(values), initial=0.0))
+
+
+def plot_energy(run: FewBodyRun) -> plt.Figure:
+    """How far the total energy is from its start, above the energies themselves."""
+    time, energy = run.thermo["time"], run.thermo["total_energy"]
+    figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(7.0, 5.6), constrained_layout=True)
+    error = energy - energy[0]
+    marker = "." if time.size < 3 else ""
+    upper.plot(time, error, color=style.BLACK, linewidth=0.9, marker=marker)
+    upper.set_ylabel("$E - E(0)$")
+    relative = f" = {worst(error) / abs(energy[0]):.2g} $|E(0)|$" if energy[0] != 0.0 else ""
+    upper.set_title(f"largest $|E - E(0)|$ = {worst(error):.2g}{relative}", fontsize=10)
+    for name, colour, label in (
+        ("kinetic_energy", style.PURPLE, "kinetic"),
+        ("potential_energy", style.BLUE, "potential"),
+        ("total_energy", style.BLACK, "total"),
+    ):
+        lower.plot(time, run.thermo[name], color=colour, linewidth=0.9, marker=marker, label=label)
+    lower.set_xlabel("$t$")
+    lower.set_ylabel("energy")
+    lower.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    figure.suptitle(style.plain(run.title), fontsize=11)
+    return figure
+
+
+def momentum_columns(run: FewBodyRun) -> dict[str, list[str]]:
+    """Columns of the momenta, by prefix. The momentum of a single body is no error: something fixed acts on it."""
+    found = {}
+    for prefix in CONSERVED:
+        columns = [f"{prefix}_{axis}" for axis in "xyz" if f"{prefix}_{axis}" in run.thermo]
+        if columns and (prefix == "angular_momentum" or run.bodies > 1):
+            found[prefix] = columns
+    return found
+
+
+def plot_momentum(run: FewBodyRun) -> plt.Figure:
+    """How far momentum and angular momentum of the system are from their start."""
+    columns_of = momentum_columns(run)
+    size = (7.0, 0.8 + 2.4 * len(columns_of))
+    figure, grid = plt.subplots(len(columns_of), 1, sharex=True, squeeze=False, figsize=size, constrained_layout=True)
+    time = run.thermo["time"]
+    marker = "." if time.size < 3 else ""
+    for axes, (prefix, columns) in zip(grid[:, 0], columns_of.items()):
+        symbol = CONSERVED[prefix].strip("$")
+        for k, column in enumerate(columns):
+            error = run.thermo[column] - run.thermo[column][0]
+            label = f"${symbol}_{column[-1]}$ from {run.thermo[column][0]:.6g}"
+            axes.plot(time, error, color=style.colour(k), linewidth=0.9, marker=marker, label=label)
+        axes.set_ylabel(f"${symbol} - {symbol}(0)$")
+        axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    grid[-1, 0].set_xlabel("$t$")
+    figure.align_ylabels(grid[:, 0])
+    figure.suptitle(style.plain(run.title), fontsize=11)
+    return figure
