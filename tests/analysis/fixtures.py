@@ -132,6 +132,31 @@ def write_few_body(directory: Path, time: np.ndarray, r: np.ndarray, v: np.ndarr
     return directory
 
 
+def write_h5md(path: Path, positions: np.ndarray, edges: Any, unit: str) -> None:
+    """The groups of the H5MD file of ljmd that are read, every tenth step of 0.05; v = 2 r."""
+    import h5py
+
+    frames = len(positions)
+    with h5py.File(path, "w") as file:
+        group = file.create_group("particles/trajectory")
+        group["position/step"] = 10 * np.arange(frames)
+        group["position/time"] = 0.5 * np.arange(frames)
+        group["position/value"] = positions
+        group["velocity/value"] = 2.0 * positions
+        group.create_group("box")
+        if edges is not None:
+            group["box/edges/value"] = np.array([np.diag(edges)] * frames, dtype=float)
+        file.create_group("parameters/units").attrs["length"] = unit
+
+
+def write_fluid(directory: Path, positions: np.ndarray, edge: float, unit: str = "sigma") -> Path:
+    """What the film of a fluid needs: the trajectory in a cubic box, and the title."""
+    directory.mkdir(parents=True)
+    write_h5md(directory / "trajectory.h5md", positions, [edge] * 3, unit)
+    (directory / "run.json").write_text(json.dumps({"title": "made-up fluid", "argon": None}))
+    return directory
+
+
 def write_csv(path: Path, columns: dict[str, np.ndarray]) -> None:
     lines = [",".join(columns)]
     lines += [",".join(repr(value) for value in row) for row in zip(*(column.tolist() for column in columns.values()))]

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import fixtures  # noqa: I001  (it says where the modules of analysis/ are)
-import h5py
 import numpy as np
 import trajectory
 from fixtures import refused
@@ -18,17 +17,7 @@ POSITIONS = np.random.default_rng(1).normal(size=(FRAMES, 3, 3))
 
 
 def write_h5md(path: Path, box: bool = True) -> Path:
-    """The groups of the H5MD file of ljmd that are read."""
-    with h5py.File(path, "w") as file:
-        group = file.create_group("particles/trajectory")
-        group["position/step"] = 10 * np.arange(FRAMES)
-        group["position/time"] = 0.5 * np.arange(FRAMES)
-        group["position/value"] = POSITIONS
-        group["velocity/value"] = 2.0 * POSITIONS
-        group.create_group("box")
-        if box:
-            group["box/edges/value"] = np.array([np.diag([4.0, 5.0, 6.0])] * FRAMES)
-        file.create_group("parameters/units").attrs["length"] = "sigma" if box else "unit of the deck"
+    fixtures.write_h5md(path, POSITIONS, [4.0, 5.0, 6.0] if box else None, "sigma" if box else "unit of the deck")
     return path
 
 

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""A film of one run of ljmd, as an animated GIF and as an MP4.
+
+    animate.py RUNDIR [--relative-to K] [--frames N] [--fps F] [--output NAME] [--formats gif,mp4]
+
+Few bodies move in the x-y plane with trails that fade, seen from body K if asked for; bodies on a line move in the
+plane of coordinate and velocity. The atoms of a fluid (trajectory.h5md or trajectory.xyz) are seen along z, in their box. At
+most N frames are drawn (200 by default), evenly spread. Writes NAME.gif and NAME.mp4 (RUNDIR/animation by default) and
+prints the path of each, one a line. MP4 needs the program ffmpeg.
+Exit codes: 0 all that was asked for was made, 2 usage, 3 a file of the run is missing or damaged, 4 a film cannot be
+written; the GIF is written first, and stays when the MP4 fails.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+from typing import Optional, Sequence, Union
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import few_body_run  # noqa: E402
+import run_directory  # noqa: E402
+import style  # noqa: E402
+from animation_scenes import BoxScene, PathScene  # noqa: E402
+from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter  # noqa: E402
+from run_directory import RunDirectoryError, damaged  # noqa: E402
+
+FORMATS = ("gif", "mp4")  # in the order in which they are made
+DPI = 100
+
+
+def make_scene(directory: Path, most: int, relative_to: Optional[int]) -> Union[PathScene, BoxScene]:
+    """What is to be seen of a run."""
+    if run_directory.kind_of(directory) == "fluid":
+        if relative_to is not None:
+            raise RunDirectoryError("--relative-to is for runs of few bodies", exit_code=2)
+        return BoxScene(directory, most)
+    run = few_body_run.load(directory)
+    if run.trajectory is None:
+        raise damaged(directory, "no trajectory: ask the deck for one with [output] trajectory")
+    return PathScene(run, most, None if relative_to is None else few_body_run.body_index(run, relative_to))
+
+
+def make_writer(kind: str, fps: float) -> AbstractMovieWriter:
+    """What writes one kind of film. An MP4 has the colours that all players can show."""
+    if kind == "gif":
+        return PillowWriter(fps=fps)
+    if not FFMpegWriter.isAvailable():
+        message = "mp4: the program ffmpeg was not found; install it, or ask for --formats gif"
+        raise RunDirectoryError(message, exit_code=4)
+    return FFMpegWriter(fps=fps, codec="h264", extra_args=["-pix_fmt", "yuv420p"])
+
+
+def write_film(scene: Union[PathScene, BoxScene], writer: AbstractMovieWriter, path: Path) -> None:
+    """Draw every frame into a film, which has its name only when it is complete."""
+    half = path.with_name(f".half-{path.name}")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            with writer.saving(scene.figure, str(half), DPI):
+                for frame in range(len(scene.rows)):
+                    scene.draw(frame)
+                    writer.grab_frame()
+            half.replace(path)
+        finally:
+            half.unlink(missing_ok=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        reason = getattr(error, "strerror", None) or str(error).splitlines()[0]
+        raise RunDirectoryError(f"{path}: cannot be written: {reason}", exit_code=4) from None
+    print(path)
+
+
+def formats_from(text: str) -> list[str]:
+    """The kinds of film that a list like gif,mp4 names, in the order in which they are made."""
+    wanted = text.split(",")
+    unknown = [name for name in wanted if name not in FORMATS]
+    if unknown:
+        raise argparse.ArgumentTypeError(f"'{unknown[0]}' is not one of {', '.join(FORMATS)}")
+    return [name for name in FORMATS if name in wanted]
+
+
+def positive(kind: type) -> object:
+    """A reader of numbers above 0, for argparse."""
+
+    def number(text: str) -> Union[int, float]:
+        value = kind(text)
+        if not 0 < value < float("inf"):
+            raise argparse.ArgumentTypeError(f"{text} is not above 0")
+        return value
+
+    number.__name__ = kind.__name__
+    return number
+
+
+def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description="Make a film of one run of ljmd.")
+    parser.add_argument("rundir", type=Path, help="directory that `ljmd run` wrote, with a trajectory")
+    parser.add_argument("--relative-to", type=int, metavar="K", help="few bodies: seen from this one, counted from 1")
+    parser.add_argument("--frames", type=positive(int), metavar="N", default=200, help="draw at most so many (200)")
+    parser.add_argument("--fps", type=positive(float), metavar="F", default=25.0, help="frames in a second (25)")
+    parser.add_argument("--output", type=Path, metavar="NAME", help="path without .gif, .mp4 (RUNDIR/animation)")
+    parser.add_argument("--formats", type=formats_from, default=list(FORMATS), help="gif, mp4 or gif,mp4 (both)")
+    options = parser.parse_args(arguments)
+    if options.output is not None and options.output.suffix in (".gif", ".mp4"):
+        parser.error(f"--output {options.output}: without {options.output.suffix}, please; --formats tells what is made")
+    return options
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    options = parse(arguments)
+    output = options.output or options.rundir / "animation"
+    style.use()
+    try:
+        scene = make_scene(options.rundir, options.frames, options.relative_to)
+        scene.draw(0)
+        scene.figure.canvas.draw()
+        scene.figure.set_layout_engine("none")  # laid out once: a layout for each frame is slow, and may jitter
+        for kind in options.formats:
+            write_film(scene, make_writer(kind, options.fps), output.with_name(f"{output.name}.{kind}"))
+    except RunDirectoryError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return error.exit_code
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,142 @@
+"""What an animation shows: a scene has a figure and draws any of its frames into it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Optional
+
+import few_body_run
+import matplotlib.colors
+import numpy as np
+import run_directory
+import style
+import trajectory
+from few_body_run import FewBodyRun
+from matplotlib.collections import EllipseCollection, LineCollection
+from run_directory import RunDirectoryError, damaged
+from style import plt
+from trajectory import Trajectory
+
+INCHES = 6.0
+TRAIL = 0.125  # length of a trail, as a part of all frames
+TRAIL_POINTS = 200
+ANGSTROM = 10.0  # in a nanometre
+
+
+class PathScene:
+    """Points that move in a plane, each with a trail that fades."""
+
+    def __init__(self, run: FewBodyRun, most: int, relative_to: Optional[int]):
+        if relative_to is not None and run.bodies == 1:
+            raise RunDirectoryError(f"{run.path}: has one body, nothing moves relative to it", exit_code=2)
+        points = few_body_run.plane_points(run)
+        in_plane = points is not None
+        points = points if in_plane else few_body_run.phase_points(run)
+        if points is None:
+            raise damaged(run.path, "the trajectory has no velocities: a phase portrait needs them")
+        if relative_to is not None:
+            points = few_body_run.relative(points, relative_to)
+        self.points, self.time = points, run.trajectory.time
+        self.rows = trajectory.spread(len(points), most)
+        self.figure, self.axes = plt.subplots(figsize=(INCHES, INCHES), constrained_layout=True)
+        seen_from = "" if relative_to is None else f" from {style.plain(run.name(relative_to))}"
+        symbols = ("$x$", "$y$") if in_plane else run.coordinate
+        set_limits(self.axes, points, equal=in_plane)
+        self.axes.set_xlabel(symbols[0] + seen_from)
+        self.axes.set_ylabel(symbols[1] + seen_from)
+        self.rod = self.axes.plot([], [], color=style.GREY)[0] if run.force == "pendulum" else None
+        if in_plane and run.bodies == 1:
+            self.axes.plot(0.0, 0.0, "+", color=style.BLACK, markersize=9)
+        self.trails, self.dots = [], []
+        for body in range(run.bodies):
+            self.trails.append(self.axes.add_collection(LineCollection([], linewidths=1.5)))
+            self.dots += self.axes.plot([], [], "o", color=style.colour(body), markersize=6, label=run.name(body))
+        if 1 < run.bodies <= 12:
+            self.axes.legend(loc="upper right")
+        self.title = style.plain(run.title)
+
+    def draw(self, frame: int) -> None:
+        """Show the bodies at one of the frames 0 ... len(rows) - 1."""
+        row = self.rows[frame]
+        start = max(0, row - max(1, round(TRAIL * len(self.points))))
+        behind = start + trajectory.spread(row - start + 1, TRAIL_POINTS)
+        for body, (trail, dot) in enumerate(zip(self.trails, self.dots)):
+            path = self.points[behind, body]
+            colours = np.tile(matplotlib.colors.to_rgba(style.colour(body)), (max(len(path) - 1, 0), 1))
+            colours[:, 3] = np.linspace(0.0, 1.0, len(colours))
+            trail.set_segments(np.stack([path[:-1], path[1:]], axis=1))
+            trail.set_color(colours)
+            dot.set_data([self.points[row, body, 0]], [self.points[row, body, 1]])
+        if self.rod is not None:
+            self.rod.set_data([0.0, self.points[row, 0, 0]], [0.0, self.points[row, 0, 1]])
+        self.axes.set_title(f"{self.title}\n$t$ = {self.time[row]:.6g}", fontsize=10)
+
+
+class BoxScene:
+    """Atoms of a fluid in their box, seen along z: the nearer, the darker."""
+
+    def __init__(self, directory: Path, most: int):
+        frames = trajectory.read(directory, most)
+        if frames is None:
+            raise damaged(directory, "no trajectory: ask the deck for one with [output] trajectory")
+        self.frames, self.positions = frames, wrapped(frames)
+        self.rows = np.arange(len(self.positions))
+        self.figure, self.axes = plt.subplots(figsize=(INCHES, INCHES), constrained_layout=True)
+        record = run_directory.read_json(directory / "run.json")
+        diameter = atom_diameter(directory / "run.json", record, frames.length_unit)
+        size = np.full(self.positions.shape[1], diameter)
+        self.atoms = self.axes.add_collection(
+            EllipseCollection(
+                size, size, np.zeros_like(size), units="xy", offsets=self.positions[0, :, :2],
+                transOffset=self.axes.transData, cmap=plt.get_cmap("Blues"), edgecolors="white", linewidths=0.3,
+            )
+        )
+        depth = self.positions[:, :, 2]
+        low, high = np.nanmin(depth), np.nanmax(depth)
+        self.atoms.set_clim(low - 0.3 * (high - low), high)  # the farthest not quite white
+        unit = {"": "", "sigma": r" / $\sigma$", "nm": " / nm", "angstrom": r" / $\mathrm{\AA}$"}[frames.length_unit]
+        if frames.edges is None:
+            set_limits(self.axes, self.positions[:, :, :2], equal=True)
+        else:
+            self.axes.set(xlim=(0.0, frames.edges[:, 0].max()), ylim=(0.0, frames.edges[:, 1].max()), aspect="equal")
+        self.axes.set_xlabel(f"$x${unit}")
+        self.axes.set_ylabel(f"$y${unit}")
+        self.axes.grid(False)
+        self.title = style.plain(run_directory.field(directory / "run.json", record, "title", str, default=""))
+
+    def draw(self, frame: int) -> None:
+        """Show the atoms of one of the frames, the nearest on top."""
+        order = np.argsort(self.positions[frame, :, 2])
+        self.atoms.set_offsets(self.positions[frame, order, :2])
+        self.atoms.set_array(self.positions[frame, order, 2])
+        self.axes.set_title(f"{self.title}\n$t$ = {self.frames.time[frame]:.6g}", fontsize=10)
+
+
+def wrapped(frames: Trajectory) -> np.ndarray:
+    """Positions brought back into the box, where there is one."""
+    if frames.edges is None:
+        return frames.positions
+    return np.mod(frames.positions, frames.edges[:, np.newaxis, :])
+
+
+def atom_diameter(path: Path, record: dict, unit: str) -> float:
+    """One sigma in the unit of length of the trajectory."""
+    if unit not in ("nm", "angstrom"):
+        return 1.0
+    sigma = run_directory.field(path, run_directory.field(path, record, "argon", dict), "sigma_nm", float)
+    return sigma * (ANGSTROM if unit == "angstrom" else 1.0)
+
+
+def set_limits(axes: plt.Axes, points: np.ndarray, equal: bool) -> None:
+    """Limits that hold all points (..., 2) with a margin, the same for every frame."""
+    flat = points.reshape(-1, 2)
+    low, high = np.nanmin(flat, axis=0), np.nanmax(flat, axis=0)
+    span = np.maximum(high - low, 1e-12 * np.maximum(np.abs(low), np.abs(high)))
+    if equal:
+        span = np.full(2, span.max())
+    span = np.where(span > 0.0, span, 1.0)
+    middle = 0.5 * (low + high)
+    axes.set_xlim(middle[0] - 0.55 * span[0], middle[0] + 0.55 * span[0])
+    axes.set_ylim(middle[1] - 0.55 * span[1], middle[1] + 0.55 * span[1])
+    if equal:
+        axes.set_aspect("equal")
