@@ -4,9 +4,9 @@
     animate.py RUNDIR [--relative-to K] [--frames N] [--fps F] [--output NAME] [--formats gif,mp4]
 
 Few bodies move in the x-y plane with trails that fade, seen from body K if asked for; bodies on a line move in the
-plane of coordinate and velocity. The atoms of a fluid (trajectory.h5md or trajectory.xyz) are seen along z, in their box. At
-most N frames are drawn (200 by default), evenly spread. Writes NAME.gif and NAME.mp4 (RUNDIR/animation by default) and
-prints the path of each, one a line. MP4 needs the program ffmpeg.
+plane of coordinate and velocity. The atoms of a fluid (trajectory.h5md or trajectory.xyz) are seen along z, in their
+box. At most N frames are drawn (200 by default), evenly spread. Writes NAME.gif and NAME.mp4 (RUNDIR/animation by
+default) and prints the path of each, one a line. MP4 needs the program ffmpeg.
 Exit codes: 0 all that was asked for was made, 2 usage, 3 a file of the run is missing or damaged, 4 a film cannot be
 written; the GIF is written first, and stays when the MP4 fails.
 """
@@ -103,8 +103,9 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser.add_argument("--output", type=Path, metavar="NAME", help="path without .gif, .mp4 (RUNDIR/animation)")
     parser.add_argument("--formats", type=formats_from, default=list(FORMATS), help="gif, mp4 or gif,mp4 (both)")
     options = parser.parse_args(arguments)
-    if options.output is not None and options.output.suffix in (".gif", ".mp4"):
-        parser.error(f"--output {options.output}: without {options.output.suffix}, please; --formats tells what is made")
+    ending = options.output.suffix if options.output else ""
+    if ending in (".gif", ".mp4"):
+        parser.error(f"--output {options.output}: must not end in {ending}; --formats tells what is made")
     return options
 
 

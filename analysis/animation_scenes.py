@@ -44,7 +44,8 @@ class PathScene:
         set_limits(self.axes, points, equal=in_plane)
         self.axes.set_xlabel(symbols[0] + seen_from)
         self.axes.set_ylabel(symbols[1] + seen_from)
-        self.rod = self.axes.plot([], [], color=style.GREY)[0] if run.force == "pendulum" else None
+        hung = run.bodies if run.force == "pendulum" and relative_to is None else 0
+        self.rods = [self.axes.plot([], [], color=style.GREY)[0] for _ in range(hung)]
         if in_plane and run.bodies == 1:
             self.axes.plot(0.0, 0.0, "+", color=style.BLACK, markersize=9)
         self.trails, self.dots = [], []
@@ -67,8 +68,8 @@ class PathScene:
             trail.set_segments(np.stack([path[:-1], path[1:]], axis=1))
             trail.set_color(colours)
             dot.set_data([self.points[row, body, 0]], [self.points[row, body, 1]])
-        if self.rod is not None:
-            self.rod.set_data([0.0, self.points[row, 0, 0]], [0.0, self.points[row, 0, 1]])
+        for rod, (x, y) in zip(self.rods, self.points[row]):
+            rod.set_data([0.0, x], [0.0, y])
         self.axes.set_title(f"{self.title}\n$t$ = {self.time[row]:.6g}", fontsize=10)
 
 

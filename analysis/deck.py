@@ -32,7 +32,7 @@ def read(path: Path) -> dict[str, Any]:
 
 
 def apply(where: Path, deck: dict[str, Any], setting: str) -> None:
-    """One `--set KEY=VALUE`: an element of an array of tables goes by its name; what is no TOML is text."""
+    """One `--set KEY=VALUE`: an element of an array of tables goes by its name or number; what is no TOML is text."""
     key, equals, text = setting.partition("=")
     parts = [quoted or bare for quoted, bare in KEY_PART.findall(key)]
     if not equals or not parts:
@@ -44,7 +44,8 @@ def apply(where: Path, deck: dict[str, Any], setting: str) -> None:
     holder: Any = deck
     for part in parts[:-1]:
         if isinstance(holder, list):
-            holder = next((entry for entry in holder if entry.get("name") == part), None)
+            names = [entry.get("name", str(number)) for number, entry in enumerate(holder, 1)]
+            holder = holder[names.index(part)] if part in names else None
         elif isinstance(holder, dict):
             holder = holder.setdefault(part, {})
     if not isinstance(holder, dict):

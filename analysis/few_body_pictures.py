@@ -77,7 +77,7 @@ def plot_relative(run: FewBodyRun, reference: int) -> plt.Figure:
         for body in range(run.bodies):
             axes.plot(run.trajectory.time, points[:, body, 0], color=style.colour(body), label=run.name(body))
         axes.set_xlabel("$t$")
-        axes.set_ylabel(f"$x$ {seen_from}")
+        axes.set_ylabel(f"{run.coordinate[0]} {seen_from}")
     else:
         figure, axes = plane_panel(points[:, :, :2])
         draw_paths(axes, run, points[:, :, :2])

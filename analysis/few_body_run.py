@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Optional
 
@@ -29,10 +29,8 @@ class FewBodyRun:
     trajectory: Optional[Trajectory]  # None when the run wrote none
 
     def name(self, body: int) -> str:
-        """How a body, counted from 0, is called: by its name in the deck, else by its number from 1."""
-        tables = self.deck.get("body", [])
-        name = tables[body].get("name") if len(tables) == self.bodies else None
-        return str(name) if name else f"body {body + 1}"
+        """How a body, counted from 0, is called: decks count from 1."""
+        return f"body {body + 1}"
 
     @property
     def coordinate(self) -> tuple[str, str]:
@@ -62,28 +60,36 @@ def load(path: Path) -> FewBodyRun:
         thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step",)),
         trajectory=trajectory.read(path),
     )
-    if run.trajectory is not None and run.trajectory.positions.shape[1] != run.bodies:
-        found = run.trajectory.positions.shape[1]
-        raise damaged(path, f"the trajectory has {found} bodies, results.json says {run.bodies}")
-    return run
+    return run if run.trajectory is None else replace(run, trajectory=fitted(run, run.trajectory))
+
+
+def fitted(run: FewBodyRun, frames: Trajectory) -> Trajectory:
+    """The frames, checked against the run, in as many dimensions as it has: H5MD and XYZ always have three."""
+    _, bodies, dimensions = frames.positions.shape
+    if bodies != run.bodies or dimensions < run.dimensions:
+        found = f"{bodies} bodies in {dimensions} dimensions"
+        raise damaged(run.path, f"the trajectory has {found}, results.json says {run.bodies} in {run.dimensions}")
+    velocities = None if frames.velocities is None else frames.velocities[:, :, : run.dimensions]
+    return replace(frames, positions=frames.positions[:, :, : run.dimensions], velocities=velocities)
 
 
 def plane_points(run: FewBodyRun) -> Optional[np.ndarray]:
     """Where the bodies are in the x-y plane (F, N, 2); None where the coordinates do not lie in a plane.
 
-    Three dimensions are projected along z; a distance and an angle, and the angle of a pendulum of length 1 that hangs
-    down at 0, become points.
+    Three dimensions are projected along z. The distance and the angle of one body become a point, and so do the angles
+    of pendulums of length 1, which hang down at 0.
     """
     frames = run.trajectory
     if frames is None:
         return None
     if frames.positions.shape[2] >= 2:
         return frames.positions[:, :, :2]
-    first = frames.positions[:, 0, 0]
-    if run.force == "radial-kepler" and frames.angle is not None:
-        return (first * np.array([np.cos(frames.angle), np.sin(frames.angle)])).T[:, np.newaxis, :]
+    first = frames.positions[:, :, 0]
+    if run.force == "radial-kepler" and frames.angle is not None and run.bodies == 1:
+        angle = frames.angle[:, np.newaxis]
+        return np.stack([first * np.cos(angle), first * np.sin(angle)], axis=2)
     if run.force == "pendulum":
-        return np.array([np.sin(first), -np.cos(first)]).T[:, np.newaxis, :]
+        return np.stack([np.sin(first), -np.cos(first)], axis=2)
     return None
 
 

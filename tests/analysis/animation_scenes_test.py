@@ -62,12 +62,13 @@ def test_limits_hold_all_points(tmp: Path) -> None:
 def test_one_dimension(tmp: Path) -> None:
     scene = PathScene(few_body_run.load(write_few_body(tmp / "line", TIME, WAVE, -WAVE, force="harmonic")), 40, None)
     scene.draw(7)
-    assert np.array_equal(dots(scene), [[WAVE[7, 0, 0], -WAVE[7, 0, 0]]]) and scene.rod is None
+    assert np.array_equal(dots(scene), [[WAVE[7, 0, 0], -WAVE[7, 0, 0]]]) and not scene.rods
     assert scene.axes.get_ylabel() == "$v_x$"
     scene = PathScene(few_body_run.load(write_few_body(tmp / "rod", TIME, WAVE, WAVE, force="pendulum")), 40, None)
     scene.draw(7)
     angle = WAVE[7, 0, 0]
-    assert np.allclose(scene.rod.get_xydata(), [[0.0, 0.0], [np.sin(angle), -np.cos(angle)]]), scene.rod.get_xydata()
+    rod = scene.rods[0].get_xydata()
+    assert np.allclose(rod, [[0.0, 0.0], [np.sin(angle), -np.cos(angle)]]), rod
 
 
 def test_atoms_in_their_box(tmp: Path) -> None:

@@ -21,7 +21,11 @@ def test_settings_change_a_deck(tmp: Path) -> None:
         "body": [{"name": "sun", "mass": 3}, {"name": "e.x", "mass": 4}],
         "new": {"a": [1]},
     }, found
-    refused(lambda: deck.parse(tmp, text, ["body.moon.mass=3"]), "body.moon.mass=3")
+    for setting in ("body.moon.mass=3", "body.1.mass=3", "force.type.x=3"):
+        refused(lambda: deck.parse(tmp, text, [setting]), setting)
+    nameless = deck.parse(tmp, "[[body]]\n[[body]]\n", ["body.2.position=[1.0, 0.5]"])
+    assert nameless == {"body": [{}, {"position": [1.0, 0.5]}]}, nameless
+    refused(lambda: deck.parse(tmp, "[[body]]\n", ["body.2.mass=1"]), "body.2.mass=1")
     refused(lambda: deck.parse(tmp, text, ["body"]), "KEY=VALUE")
     refused(lambda: deck.parse(tmp, "a ="), "not valid TOML")
     refused(lambda: deck.read(tmp / "none.toml"), "none.toml", "no such file", exit_code=2)

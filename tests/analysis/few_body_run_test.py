@@ -26,12 +26,14 @@ def test_what_a_run_holds(tmp: Path) -> None:
     assert np.array_equal(few_body_run.phase_points(run)[:, 1, 1], run.trajectory.velocities[:, 1, 0])
 
 
-def test_names_of_bodies(tmp: Path) -> None:
-    zero = np.zeros((5, 2, 1))
-    path = write_few_body(tmp / "run", TIME, zero, zero, deck='[[body]]\nname = "sun"\n[[body]]\n')
-    run = few_body_run.load(path)
-    assert [run.name(0), run.name(1)] == ["sun", "body 2"]
-    assert few_body_run.load(write_few_body(tmp / "one", TIME, ONE, ONE)).name(0) == "body 1"
+def test_trajectory_with_three_components(tmp: Path) -> None:
+    path = write_gravity(tmp / "run", **EIGHT, masses=[1, 1, 1], steps=3)
+    (path / "trajectory.csv").unlink()
+    positions = np.random.default_rng(1).normal(size=(4, 3, 3))
+    fixtures.write_h5md(path / "trajectory.h5md", positions, None, "unit of the deck")
+    frames = few_body_run.load(path).trajectory
+    assert np.array_equal(frames.positions, positions[:, :, :2])
+    assert np.array_equal(frames.velocities, 2.0 * positions[:, :, :2])
 
 
 def test_points_in_the_plane(tmp: Path) -> None:
@@ -43,6 +45,9 @@ def test_points_in_the_plane(tmp: Path) -> None:
     run = few_body_run.load(write_few_body(tmp / "pendulum", TIME, turns, turns, force="pendulum"))
     expected = [[0, -1], [1, 0], [0, 1], [-1, 0], [0, -1]]
     assert np.allclose(few_body_run.plane_points(run)[:, 0], expected), few_body_run.plane_points(run)
+    two = np.concatenate([turns, -turns], axis=1)
+    run = few_body_run.load(write_few_body(tmp / "pendulums", TIME, two, two, force="pendulum"))
+    assert np.allclose(few_body_run.plane_points(run)[1], [[1, 0], [-1, 0]]), few_body_run.plane_points(run)
     run = few_body_run.load(write_few_body(tmp / "line", TIME, ONE, ONE, force="harmonic"))
     assert few_body_run.plane_points(run) is None
     (tmp / "line" / "trajectory.csv").unlink()
@@ -65,7 +70,7 @@ def test_runs_that_are_refused(tmp: Path) -> None:
         refused(lambda: few_body_run.body_index(run, number), f"no body {number}", exit_code=2)
     refused(lambda: run_directory.load(path), "few-body", exit_code=2)
     edit(path / "results.json", '"bodies": 3', '"bodies": 2')
-    refused(lambda: few_body_run.load(path), "3 bodies", "says 2")
+    refused(lambda: few_body_run.load(path), "3 bodies", "says 2 in 2")
     edit(path / "run.json", "few-body", "fluid")
     refused(lambda: few_body_run.load(path), "fluid", exit_code=2)
     edit(path / "run.json", "fluid", "plasma")
