@@ -11,7 +11,7 @@ rows:
     first      (x(t + h) - x(t - h)) / 2h               error of order 2, against v
     second     (x(t + h) - 2 x(t) + x(t - h)) / h^2     error of order 2, against a
 
-The error is the root mean square over all rows where the difference can be formed. Prints `slope NAME VALUE` for each,
+The error is the root mean square over all rows where the differences can be formed. Prints `slope NAME VALUE` for each,
 fitted where the error is well above round-off and small against the derivative, and draws derivatives into DIR (RUNDIR
 by default). Exit codes: 0 ok, 2 usage, 3 a file of the run is missing or damaged, 4 the picture cannot be written.
 """
@@ -36,7 +36,7 @@ from style import plt  # noqa: E402
 
 ROUND_OFF = 2.2e-16
 NOT_ROUND_OFF = 100.0  # errors so many times round-off are fitted
-SMALL = 0.1  # errors below SMALL**order of the derivative are fitted: farther out higher orders show
+SMALL = 0.04  # errors below SMALL**order of the derivative are fitted: farther out higher orders show
 
 
 KINDS = {  # name: order of the error, order of the derivative, label, colour
@@ -46,16 +46,19 @@ KINDS = {  # name: order of the error, order of the derivative, label, colour
 }
 
 
-def error_of(kind: str, m: int, interval: float, x: np.ndarray, v: np.ndarray, a: np.ndarray) -> float:
-    """Root mean square error of one difference over m rows that are `interval` apart."""
+def errors_of(kind: str, m: int, interval: float, x: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndarray:
+    """Errors of one difference over m rows that are `interval` apart, at all rows but the first and the last m."""
     h = m * interval
+    before, here, after = x[: -2 * m], x[m:-m], x[2 * m :]
     if kind == "one-sided":
-        errors = (x[m:] - x[:-m]) / h - v[:-m]
-    elif kind == "first":
-        errors = (x[2 * m :] - x[: -2 * m]) / (2.0 * h) - v[m:-m]
-    else:
-        errors = (x[2 * m :] - 2.0 * x[m:-m] + x[: -2 * m]) / h**2 - a[m:-m]
-    return float(np.sqrt(np.mean(errors**2)))
+        return (after - here) / h - v[m:-m]
+    if kind == "first":
+        return (after - before) / (2.0 * h) - v[m:-m]
+    return (after - 2.0 * here + before) / h**2 - a[m:-m]
+
+
+def root_mean_square(values: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(values**2)))
 
 
 def columns(run: FewBodyRun) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
@@ -78,12 +81,14 @@ def columns(run: FewBodyRun) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]
 def measure(run: FewBodyRun) -> tuple[np.ndarray, dict[str, tuple[np.ndarray, PowerLaw]]]:
     """The steps h, and for each kind of difference its errors and the fit through those that show its order."""
     interval, x, v, a = columns(run)
-    spans = 2 ** np.arange(int(np.log2(len(x) // 4)) + 1)
-    steps = interval * spans
+    spans = [2**k for k in range((len(x) // 4).bit_length())]
+    steps = interval * np.array(spans)
     found = {}
     for kind, (order, derivative, _, _) in KINDS.items():
-        errors = np.array([error_of(kind, int(m), interval, x, v, a) for m in spans])
-        size = float(np.sqrt(np.mean((v if derivative == 1 else a) ** 2)))
+        # The mean is over the same rows for every h, else it would change with h by itself.
+        cut = [errors_of(kind, m, interval, x, v, a)[spans[-1] - m : len(x) - spans[-1] - m] for m in spans]
+        errors = np.array([root_mean_square(values) for values in cut])
+        size = root_mean_square(v if derivative == 1 else a)
         noise = NOT_ROUND_OFF * ROUND_OFF * float(np.abs(x).max()) / steps**derivative
         fitted = (errors > noise) & (errors < SMALL**order * size)
         if np.count_nonzero(fitted) < 2:

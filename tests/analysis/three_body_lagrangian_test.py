@@ -73,7 +73,8 @@ def test_central_mass_and_settings(tmp: Path) -> None:
 def test_wrong_accelerations(tmp: Path) -> None:
     slightly, round_off, missing = 1.0 + 1e-10, 1.0 + 1e-14, float("nan")
     changes = [  # also of the heavy body, which hardly feels the light one
-        ("ax1", slightly, "FAILED"), ("ay2", slightly, "FAILED"), ("az3", slightly, "FAILED"), ("ax2", missing, "FAILED"),
+        ("ax1", slightly, "FAILED"), ("ay2", slightly, "FAILED"), ("az3", slightly, "FAILED"),
+        ("ax2", missing, "FAILED"),
         ("ay1", round_off, "ok"),
     ]
     runs = []
