@@ -1,4 +1,4 @@
-"""Decks of ljmd as tables, with every `--set` applied."""
+"""Decks of ljmd as tables, with every `--set` applied. Needs Python 3.11, for TOML."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any, Sequence
 
-from run_directory import RunDirectoryError, damaged, read_text
+from run_directory import RunDirectoryError, damaged, field, read_json, read_text
 
 KEY_PART = re.compile(r'"([^"]*)"|([^."]+)')
 
@@ -29,6 +29,13 @@ def read(path: Path) -> dict[str, Any]:
         return parse(path, read_text(path))
     except RunDirectoryError as error:
         raise RunDirectoryError(str(error), exit_code=2) from None
+
+
+def of_run(directory: Path) -> dict[str, Any]:
+    """The deck of a run, as it was used."""
+    path = directory / "run.json"
+    record = read_json(path)
+    return parse(path, field(path, record, "deck", str), field(path, record, "settings", list, default=[]))
 
 
 def apply(where: Path, deck: dict[str, Any], setting: str) -> None:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Optional
+from typing import Optional
 
-import deck
 import numpy as np
 import trajectory
 from run_directory import RunDirectoryError, Table, damaged, field, kind_of, read_json, read_table
@@ -24,7 +23,6 @@ class FewBodyRun:
     force: str  # newtonian-gravity, radial-kepler, pendulum, ...
     bodies: int
     dimensions: int
-    deck: dict[str, Any]  # with every --set
     thermo: Table  # energies, momenta and angular momenta of the whole system
     trajectory: Optional[Trajectory]  # None when the run wrote none
 
@@ -49,14 +47,12 @@ def load(path: Path) -> FewBodyRun:
     record = read_json(path / "run.json")
     results = read_json(path / "results.json")
     system = field(path / "results.json", results, "system", dict)
-    settings = field(path / "run.json", record, "settings", list, default=[])
     run = FewBodyRun(
         path=path,
         title=field(path / "run.json", record, "title", str, default=""),
         force=field(path / "results.json", system, "force", str),
         bodies=field(path / "results.json", system, "bodies", int),
         dimensions=field(path / "results.json", system, "dimensions", int),
-        deck=deck.parse(path / "run.json", field(path / "run.json", record, "deck", str), settings),
         thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step",)),
         trajectory=trajectory.read(path),
     )

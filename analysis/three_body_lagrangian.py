@@ -27,6 +27,7 @@ import numpy as np
 import sympy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import deck  # noqa: E402
 import few_body_run  # noqa: E402
 from few_body_run import FewBodyRun  # noqa: E402
 from run_directory import RunDirectoryError, damaged  # noqa: E402
@@ -110,7 +111,8 @@ def number(run: FewBodyRun, table: Any, key: str, default: Optional[float] = Non
 
 def constants(run: FewBodyRun) -> dict[Any, float]:
     """G, softening, central mass and masses of a run, by their symbols."""
-    force, bodies = run.deck.get("force", {}), run.deck.get("body", [])
+    used = deck.of_run(run.path)
+    force, bodies = used.get("force", {}), used.get("body", [])
     if len(bodies) != BODIES:
         raise damaged(run.path / "run.json", f"the deck has {len(bodies)} [[body]] tables, must have {BODIES}")
     return {

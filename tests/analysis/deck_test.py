@@ -31,5 +31,15 @@ def test_settings_change_a_deck(tmp: Path) -> None:
     refused(lambda: deck.read(tmp / "none.toml"), "none.toml", "no such file", exit_code=2)
 
 
+def test_deck_of_a_run(tmp: Path) -> None:
+    run = fixtures.write_gravity(tmp / "run", **fixtures.EIGHT, masses=[1, 2, 3], steps=1)
+    fixtures.edit(run / "run.json", '"settings": []', '"settings": ["body.2.mass=5.0", "force.softening=0.1"]')
+    found = deck.of_run(run)
+    assert [body["mass"] for body in found["body"]] == [1.0, 5.0, 3.0], found
+    assert found["force"]["softening"] == 0.1, found
+    fixtures.edit(run / "run.json", '"deck"', '"deck_text"')
+    refused(lambda: deck.of_run(run), "run.json", "'deck' is missing")
+
+
 if __name__ == "__main__":
     sys.exit(fixtures.run_tests(globals()))
