@@ -37,6 +37,13 @@ def test_slopes_of_an_oscillator(tmp: Path) -> None:
     assert png_size(run / "derivatives.png") == (1400, 1000)
 
 
+def test_short_runs_have_the_same_slopes(tmp: Path) -> None:
+    result = run_script("derivatives.py", write_oscillator(tmp / "run", 0.005 * np.arange(130)))  # a fifth of a period
+    assert result.returncode == 0, result
+    found = slopes(result.stdout)
+    assert abs(found["first"] - 2.0) < 0.001 and abs(found["second"] - 2.0) < 0.001, found
+
+
 def test_wrong_derivatives_show(tmp: Path) -> None:
     result = run_script("derivatives.py", write_oscillator(tmp / "run", 0.005 * np.arange(2001), wrong=1e-3))
     assert result.returncode == 0, result
