@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Error against time step of every integrator, for one few-body deck.
 
-    convergence.py DECK [--integrators a,b,...] [--time-steps h,h,...] [--output DIR] [--ljmd PATH]
+    convergence.py DECK [--set KEY=VALUE] [--integrators a,b,...] [--time-steps h,h,...] [--output DIR] [--ljmd PATH]
 
-Runs `ljmd compare DECK --with gsl` for each integrator (all by default) and each time step (by default the deck's, and
+Runs `ljmd compare DECK --with gsl` for each integrator (by default all that take fixed steps) and each time step (by default the deck's, and
 2, 4, 8 times as much and as little). Time steps are changed so little that a whole number of them takes the time of the
 deck, which must have one stage. Errors are the largest distance of a body from the reference, and the largest change of
 the total energy.
@@ -49,6 +49,7 @@ class Study:
     """The one stage of a deck that is repeated with other integrators and time steps."""
 
     path: Path
+    settings: tuple[str, ...]  # as options of ljmd
     title: str
     stage: str
     time_step: float
@@ -76,9 +77,9 @@ def wrong(message: str) -> RunDirectoryError:
     return RunDirectoryError(message, exit_code=2)
 
 
-def read_study(path: Path) -> Study:
+def read_study(path: Path, settings: Sequence[str]) -> Study:
     """What is needed of a deck that ljmd has found good."""
-    table = deck.read(path)
+    table = deck.read(path, settings)
     stages = table.get("stage", [])
     if len(stages) != 1:
         raise wrong(f"{path}: has {len(stages)} stages, must have one")
@@ -87,6 +88,7 @@ def read_study(path: Path) -> Study:
         raise wrong(f"{path}: steps must be above 0")
     return Study(
         path=path,
+        settings=tuple(text for setting in settings for text in ("--set", setting)),
         title=table.get("title", ""),
         stage=stage["name"],
         time_step=float(stage["time_step"]),
@@ -125,7 +127,7 @@ def measure(study: Study, ljmd: Path, integrator: str, order: Optional[int], tim
     for steps, time_step in sorted({study.divide(time_step) for time_step in time_steps}):
         settings = {"integrator": integrator, "time_step": repr(time_step), "steps": steps}
         changes = [text for key, value in settings.items() for text in ("--set", f"stage.{stage}.{key}={value}")]
-        found = run_ljmd(ljmd, "compare", study.path, "--with", "gsl", "--json", "--quiet", *changes)
+        found = run_ljmd(ljmd, "compare", study.path, "--with", "gsl", "--json", "--quiet", *study.settings, *changes)
         errors = [math.nan if found is None else found.get(f"largest_{name}", math.nan) for name in ERRORS]
         if np.all(np.isfinite(errors)):
             rows.append((time_step, *errors))
@@ -199,7 +201,8 @@ def time_steps_from(text: str) -> list[float]:
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(description="Measure the order of integrators on one few-body deck.")
     parser.add_argument("deck", type=Path, help="a few-body deck with one stage")
-    parser.add_argument("--integrators", metavar="A,B,...", help="names as in `ljmd info` (all)")
+    parser.add_argument("--set", dest="settings", action="append", default=[], metavar="KEY=VALUE", help="as of ljmd")
+    parser.add_argument("--integrators", metavar="A,B,...", help="names as in `ljmd info` (all of fixed steps)")
     parser.add_argument("--time-steps", type=time_steps_from, metavar="H,H,...", help="(the deck's, times 1/8 ... 8)")
     parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (runs/NAME-convergence)")
     parser.add_argument("--ljmd", type=Path, metavar="PATH", help="the program (build/release/ljmd, else on PATH)")
@@ -208,10 +211,13 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     output = options.output or Path("runs") / f"{options.deck.stem}-convergence"
     style.use()
     try:
-        run_ljmd(ljmd, "check", options.deck, "--json", "--quiet")  # what is wrong with a deck, ljmd says best
-        study = read_study(options.deck)
-        known = {one["name"]: one.get("order") for one in run_ljmd(ljmd, "info", "--json")["integrators"]}
-        names = options.integrators.split(",") if options.integrators else list(known)
+        changes = [text for setting in options.settings for text in ("--set", setting)]
+        run_ljmd(ljmd, "check", options.deck, "--json", "--quiet", *changes)  # what is wrong with a deck, ljmd says best
+        study = read_study(options.deck, options.settings)
+        methods = run_ljmd(ljmd, "info", "--json")["integrators"]
+        known = {one["name"]: one.get("order") for one in methods}
+        fixed = [one["name"] for one in methods if not one.get("adaptive", False)]
+        names = options.integrators.split(",") if options.integrators else fixed
         unknown = [name for name in names if name not in known]
         if unknown:
             raise wrong(f"there is no integrator '{unknown[0]}', only {', '.join(known)}")

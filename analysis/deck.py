@@ -23,10 +23,10 @@ def parse(where: Path, text: str, settings: Sequence[str] = ()) -> dict[str, Any
     return deck
 
 
-def read(path: Path) -> dict[str, Any]:
+def read(path: Path, settings: Sequence[str] = ()) -> dict[str, Any]:
     """The tables of a deck file. A deck that is missing or is no TOML is an error with exit code 2."""
     try:
-        return parse(path, read_text(path))
+        return parse(path, read_text(path), settings)
     except RunDirectoryError as error:
         raise RunDirectoryError(str(error), exit_code=2) from None
 

@@ -31,7 +31,8 @@ PROGRAM = """#!{python}
 import json, sys
 open({log!r}, "a").write(" ".join(sys.argv[1:]) + "\\n")
 if sys.argv[1:] == ["info", "--json"]:
-    print(json.dumps({{"integrators": [{{"name": "slow", "order": 1}}, {{"name": "fast", "order": 4}}]}}))
+    print(json.dumps({{"integrators": [{{"name": "slow", "order": 1}}, {{"name": "fast", "order": 4}},
+        {{"name": "exact", "order": 8, "adaptive": True}}]}}))
     sys.exit()
 if sys.argv[1] == "check":
     print("{{}}")
@@ -92,6 +93,17 @@ def test_chosen_integrators_and_time_steps(tmp: Path) -> None:
     assert steps == ["25", "333", "990", "1000", "100000"], steps  # the last is round-off, the first no orbit any more
 
 
+def test_settings(tmp: Path) -> None:
+    deck, _, log = prepare(tmp)
+    settings = ["--set", "stage.orbit.time_step=0.02", "--set", "stage.orbit.steps=500"]
+    result = run(tmp, "--integrators", "fast", "--time-steps", "0.01", *settings)
+    assert result.returncode == 0, result
+    calls = log.read_text().splitlines()
+    assert calls[0] == f"check {deck} --json --quiet {' '.join(settings)}", calls[0]
+    stage = "--set stage.orbit.integrator=fast --set stage.orbit.time_step=0.01 --set stage.orbit.steps=1000"
+    assert calls[2] == f"compare {deck} --with gsl --json --quiet {' '.join(settings)} {stage}", calls[2]
+
+
 def test_size_of_an_orbit(tmp: Path) -> None:
     bodies = [{"position": [3.0, 4.0]}, {"position": [3.0, -2.0]}]
     assert convergence.orbit_size({"body": bodies}) == 6.0
@@ -109,7 +121,7 @@ def test_nothing_to_fit(tmp: Path) -> None:
 
 def test_mistakes(tmp: Path) -> None:
     deck, program, _ = prepare(tmp)
-    check_error(run(tmp, "--integrators", "fast,quick"), 2, "no integrator 'quick'", "slow, fast")
+    check_error(run(tmp, "--integrators", "fast,quick"), 2, "no integrator 'quick'", "slow, fast, exact")
     assert run(tmp, "--time-steps", "0.1,-1").returncode == 2
     check_error(run_script("convergence.py", deck, "--ljmd", tmp / "none"), 2, "none: cannot be run", "--ljmd")
     edit(program, "sys.exit(5)", "sys.exit(2)")

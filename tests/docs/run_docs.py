@@ -3,8 +3,8 @@
 Usage: run_docs.py --ljmd PROGRAM --source ROOT
 
 - A block ```toml whose first line is `# file: NAME` is written as NAME.
-- In a block ```sh, lines that begin with `ljmd` are run, in order, in one folder for each document; lines that begin with
-  `tools/` or `analysis/` must name an executable or script of the repository.
+- In a block ```sh, lines that begin with `ljmd` or `analysis/` are run, in order, in one folder for each document, which has
+  the repository's inputs/; lines that begin with `tools/` must name an executable of the repository.
 - A block ```text that shows a message of ljmd about a deck of the same document is compared with the message that the deck
   gives after the mistake has been made in it.
 - docs/deck-reference.md must be what `ljmd info --keys` prints.
@@ -36,12 +36,16 @@ def blocks(text: str) -> list[tuple[str, str]]:
     return re.findall(r"^```(\w+)\n(.*?)^```$", text, re.M | re.S)
 
 
-def run(ljmd: str, command: str, folder: pathlib.Path) -> subprocess.CompletedProcess:
-    arguments = shlex.split(command, comments=True)
-    return subprocess.run([ljmd] + arguments[1:], cwd=folder, capture_output=True, text=True)
+def run(ljmd: str, command: str, folder: pathlib.Path, root: pathlib.Path) -> subprocess.CompletedProcess:
+    """A command of ljmd, or a script of analysis/ with this Python."""
+    first, *arguments = shlex.split(command, comments=True)
+    program = [ljmd] if first == "ljmd" else [sys.executable, str(root / first)]
+    if first == "analysis/convergence.py":  # it looks for the build of the release first
+        arguments += ["--ljmd", ljmd]
+    return subprocess.run(program + arguments, cwd=folder, capture_output=True, text=True)
 
 
-def check_message(document: str, ljmd: str, message: str, folder: pathlib.Path) -> None:
+def check_message(document: str, ljmd: str, message: str, folder: pathlib.Path, root: pathlib.Path) -> None:
     """Make the mistake that a shown message is about: its second line is the wrong line of the deck."""
     name, number = re.match(r"error: (\S+?):(\d+):", message).groups()
     wrong = re.search(r"^ *\d+ \| (.*)$", message, re.M).group(1)
@@ -50,7 +54,7 @@ def check_message(document: str, ljmd: str, message: str, folder: pathlib.Path) 
     elsewhere = folder / "wrong"
     elsewhere.mkdir()
     (elsewhere / name).write_text("\n".join(lines) + "\n")
-    said = run(ljmd, f"ljmd check {name}", elsewhere).stderr
+    said = run(ljmd, f"ljmd check {name}", elsewhere, root).stderr
     check(f"{document}: message about {name}", said == message, f"shown:\n{message}\nsaid:\n{said}")
 
 
@@ -58,19 +62,20 @@ def check_document(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
     text = path.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
+        (folder / "inputs").symlink_to(root / "inputs")
         for language, body in blocks(text):
             if language == "toml" and (match := re.match(r"# file: (\S+)\n", body)):
                 (folder / match.group(1)).write_text(body)
             elif language == "sh":
                 for command in body.splitlines():
-                    if command.startswith("ljmd "):
-                        result = run(ljmd, command, folder)
+                    if command.startswith(("ljmd ", "analysis/")):
+                        result = run(ljmd, command, folder, root)
                         check(f"{path.name}: {command}", result.returncode == 0, result.stderr)
-                    elif command.startswith(("tools/", "analysis/")):
+                    elif command.startswith("tools/"):
                         script = root / command.split()[0]
                         check(f"{path.name}: {command}", os.access(script, os.R_OK), f"{script} is not there")
             elif language == "text" and body.startswith("error: "):
-                check_message(path.name, ljmd, body, folder)
+                check_message(path.name, ljmd, body, folder, root)
     for target in re.findall(r"\]\(([^)#]+)\)", text):
         if "://" not in target:
             check(f"{path.name}: link to {target}", (path.parent / target).exists())

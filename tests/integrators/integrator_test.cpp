@@ -40,7 +40,7 @@ void advance(const IntegratorMethod& method, double dt, Index steps, State& stat
     }
 }
 
-/// Integer positions without a box are whole multiples of 2^-42, which also rounds the velocities that come of them.
+/// Integer positions without a box are whole multiples of 2^-44, which also rounds the velocities that come of them.
 double rounding_of(const IntegratorMethod& method) {
     return method.name == "bit-reversible" ? 5e-12 : 1e-12;
 }

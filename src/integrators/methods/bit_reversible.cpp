@@ -8,8 +8,8 @@ namespace {
 constexpr const char* last_displacement = "bit-reversible: displacement of the last step";
 
 /// Without a box: positions are whole multiples of this, which doubles hold exactly up to `far_out`.
-constexpr double unbounded_resolution = 0x1p-42;
-constexpr double far_out = 0x1p9;
+constexpr double unbounded_resolution = 0x1p-44;
+constexpr double far_out = 0x1p7;
 
 /// x as a whole number of grid spacings. Adding and subtracting 1.5 * 2^52 spacings rounds to the nearest one.
 Vec3 on_grid(const Vec3& x, double resolution) {
@@ -57,7 +57,7 @@ void advance(State& state, double dt) {
         r.col(i) += d.col(i);
         if (!state.has_box() && !(r.col(i).cwiseAbs().maxCoeff() < far_out)) {
             throw PhysicsError(
-                "a body is more than 512 length units from the origin, beyond the exact grid of the "
+                "a body is more than 128 length units from the origin, beyond the exact grid of the "
                 "bit-reversible integrator: choose a larger unit of length");
         }
     }
@@ -86,7 +86,7 @@ void reverse(State& state, double dt) {
 ///     r(t + dt) = 2 r(t) - r(t - dt) + [(dt^2/m) f(t)]
 ///
 /// where positions are whole numbers of a grid spacing (that of the box, about one unit in the last place of its edge;
-/// 2^-42 without a box) and [ ] rounds to whole numbers. Integer sums are exact, so r(t - dt) follows from r(t) and r(t
+/// 2^-44 without a box) and [ ] rounds to whole numbers. Integer sums are exact, so r(t - dt) follows from r(t) and r(t
 /// + dt) to the last bit: n steps forward and n back end where they began, however chaotic the motion. It needs forces
 /// that are the same function of the positions on the way back, whatever the order of the atoms in memory: they are
 /// summed in fixed point. Velocities are central differences. Second order, symplectic. Source: Levesque and Verlet
