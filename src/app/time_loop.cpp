@@ -22,8 +22,9 @@ std::unique_ptr<Thermostat> thermostat_of(const Stage& stage) {
 
 /// @param step  of the run; told as it grows, for messages
 void run_stage(const Stage& stage, State& state, ForceField& force_field, StepObserver& observer, Index& step) {
-    observer.stage_begins(stage);
     const Integrator integrator(find_integrator(stage.integrator), stage.time_step, stage.section);
+    integrator.prepare(state, force_field);
+    observer.stage_begins(stage);
     const std::unique_ptr<Thermostat> thermostat = thermostat_of(stage);
     if (stage.reverse) {
         integrator.reverse(state, force_field);

@@ -34,7 +34,10 @@ Integrator::Integrator(const IntegratorMethod& method, double time_step)
 Integrator::Integrator(const IntegratorMethod& method, double time_step, const Section& options)
     : identity_(identity(method, time_step, options)), scheme_(method.scheme(time_step, options)) {}
 
-void Integrator::begin(State& state, ForceField& force_field) const {
+void Integrator::prepare(State& state, ForceField& force_field) const {
+    if (state.phase().integrator == identity_) {
+        return;
+    }
     if (!state.forces_are_current()) {
         force_field.evaluate(state, Request::forces);
     }
@@ -43,9 +46,7 @@ void Integrator::begin(State& state, ForceField& force_field) const {
 }
 
 Evaluation Integrator::step(State& state, ForceField& force_field, Request request) const {
-    if (!continues(state)) {
-        begin(state, force_field);
-    }
+    prepare(state, force_field);
     const Index steps = state.phase().steps;
     const auto& operators = scheme_.cycle[static_cast<std::size_t>(steps) % scheme_.cycle.size()];
     const Evaluation evaluation = apply(operators, state, force_field, request);
@@ -58,9 +59,7 @@ void Integrator::reverse(State& state, ForceField& force_field) const {
         state.write_velocities() *= -1.0;
         return;
     }
-    if (!continues(state)) {
-        begin(state, force_field);
-    }
+    prepare(state, force_field);
     const State::Phase phase = state.phase();
     apply(scheme_.reverse, state, force_field, Request::forces);
     state.set_phase(phase);

@@ -107,6 +107,27 @@ TEST_CASE("a run in two parts is the run in one, to the last bit, for every inte
     }
 }
 
+TEST_CASE("a start-up done before the first step changes no bit of the steps, nor does another one between them") {
+    for (const IntegratorMethod& method : all_integrators()) {
+        CAPTURE(method.name);
+        test::Oscillator springs(2.0);
+        State plain = test::swinging(springs);
+        State prepared = plain;
+        const Integrator integrator(method, 0.1);
+        for (int n = 0; n < 5; ++n) {
+            integrator.prepare(prepared, springs);
+            const State before = prepared;
+            integrator.prepare(prepared, springs);
+            CHECK(test::positions(prepared) == before.positions());
+            CHECK(test::velocities(prepared) == before.velocities());
+            integrator.step(prepared, springs, Request::forces);
+            integrator.step(plain, springs, Request::forces);
+            CHECK(test::positions(prepared) == test::positions(plain));
+            CHECK(test::velocities(prepared) == test::velocities(plain));
+        }
+    }
+}
+
 TEST_CASE("velocities that somebody else has changed are taken up by every integrator") {
     for (const IntegratorMethod& method : all_integrators()) {
         CAPTURE(method.name);

@@ -16,6 +16,7 @@ class StepObserver {
     /// The start has been evaluated, with energy.
     virtual void started(const Evaluation& evaluation) = 0;
 
+    /// The integrator has done its start-up; if the stage is one that turns the motion round, that is still to come.
     virtual void stage_begins(const Stage& stage) = 0;
 
     /// Whether the potential energy is wanted after this step of the run.

@@ -50,6 +50,10 @@ class Integrator {
     Integrator(const IntegratorMethod& method, double time_step);
     Integrator(const IntegratorMethod& method, double time_step, const Section& options);
 
+    /// The start-up of the method, unless the state goes on from its last step. step() and reverse() do it themselves;
+    /// called before, it shows where the motion really begins: bit-reversible puts bodies without a box on its grid.
+    void prepare(State& state, ForceField& force_field) const;
+
     /// Advance by one time step; state.time and state.step are the caller's.
     /// @return what the last evaluation of the step returned, at the new positions
     /// @post forces current
@@ -59,9 +63,6 @@ class Integrator {
     void reverse(State& state, ForceField& force_field) const;
 
   private:
-    [[nodiscard]] bool continues(const State& state) const { return state.phase().integrator == identity_; }
-    void begin(State& state, ForceField& force_field) const;
-
     std::string identity_;  ///< method, time step and options
     Scheme scheme_;
 };
