@@ -64,9 +64,10 @@ DeckKind kind_of(const Table& table) {
 void explain_mixture(const Table& table, Diagnostics& diagnostics) {
     for (const char* name : {"system", "potential", "neighbors", "argon"}) {
         if (const Entry* entry = find(table, name)) {
-            diagnostics.error(entry->key_location,
-                              fmt::format("[{}] belongs to a fluid, but this deck has [force] or [[body]]", name),
-                              "a few-body deck has no box, no temperature and units of its own");
+            diagnostics.error(
+                entry->key_location,
+                fmt::format("[{}] belongs to a fluid, but this deck has [force] or [[body]]", name),
+                "a few-body deck has no box and no temperature, and its numbers are in whatever units go together");
         }
     }
 }

@@ -35,7 +35,8 @@ Schema body_schema() {
 
 Schema few_body_stage_schema() {
     return stage_schema(DeckKind::few_body, Key::number("time_step").above(0.0).meaning("in the deck's unit of time"))
-        .with({Key::flag("sample").defaults_to(true).meaning("the analyses look at this stage")});
+        .with({Key::flag("sample").defaults_to(true).meaning("the analyses look at this stage; sampled stages "
+                                                             "follow one another, and none runs backwards")});
 }
 
 Schema few_body_output_schema() {
@@ -44,7 +45,7 @@ Schema few_body_output_schema() {
                              .at_least(1)
                              .defaults_to(std::int64_t{1})
                              .meaning("steps between rows of thermo.csv, from which the largest deviations in "
-                                      "the results are taken")});
+                                      "the results are taken; the end has a row, too")});
     const Schema trajectory(
         "trajectory",
         {Key::choice("format", {"csv", "h5md", "xyz"})

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "ljmd/app/few_body.hpp"
@@ -70,6 +71,34 @@ bool is_sound(const Section& root, const FewBodyForceMethod& force) {
     return true;
 }
 
+/// Analyses follow the motion from step to step: they would take a gap for one long step, and a turn for motion.
+void check_sampled_stages(const Section& root, Diagnostics& diagnostics) {
+    const auto methods = all_few_body_analyses();
+    if (std::none_of(methods.begin(), methods.end(),
+                     [&](const auto& method) { return root.section("analysis").has(method.name); })) {
+        return;
+    }
+    const Section* last_sampled = nullptr;
+    const Section* previous = nullptr;
+    for (const Section& stage : root.sections("stage")) {
+        if (stage.flag("sample")) {
+            if (stage.flag("reverse")) {
+                diagnostics.error(
+                    stage.location("reverse"),
+                    fmt::format("stage '{}' runs backwards: analyses cannot sample it", stage.text("name")),
+                    "set sample = false in it");
+            } else if (last_sampled != nullptr && last_sampled != previous) {
+                diagnostics.error(stage.location("sample"),
+                                  fmt::format("stage '{}' is sampled and so was '{}', but '{}' between them is not: "
+                                              "analyses cannot leave a gap",
+                                              stage.text("name"), last_sampled->text("name"), previous->text("name")));
+            }
+            last_sampled = &stage;
+        }
+        previous = &stage;
+    }
+}
+
 void check_analyses(const Section& root, const FewBodyTarget& target, Diagnostics& diagnostics) {
     const Section& analysis = root.section("analysis");
     for (const auto& method : all_few_body_analyses()) {
@@ -90,6 +119,7 @@ void check_analyses(const Section& root, const FewBodyTarget& target, Diagnostic
 void check_few_body_sense(const Section& root, Diagnostics& diagnostics) {
     if (root.has("stage") && root.sound("stage")) {
         check_stage_names(root.sections("stage"), diagnostics);
+        check_sampled_stages(root, diagnostics);
     }
     const Section& output = root.section("output");
     if (output.has("directory") && output.text("directory").empty()) {

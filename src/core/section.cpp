@@ -45,7 +45,8 @@ std::vector<const Value*> tables_of(const KeyContext& context, const Value& valu
 
 void report_missing(const KeyContext& context, const Location& where) {
     const Kind kind = context.key.kind;
-    const std::string hint = allowed_hint(context.key);
+    // The range of a vector's components says less than that it is one.
+    const std::string hint = kind == Kind::vector ? "" : allowed_hint(context.key);
     context.diagnostics.error(
         where,
         fmt::format("missing {} '{}' in {}", is_table_kind(kind) ? "table" : "key", context.key.name, context.title),

@@ -319,3 +319,12 @@ TEST_CASE("a section tells stand-ins from what was given") {
     CHECK(section.sound("truncation"));         // may be left out
     CHECK(section.sound("pressure"));           // not of the schema
 }
+
+TEST_CASE("a missing vector is told how many numbers it has") {
+    Diagnostics diagnostics;
+    const Schema schema("[[body]]", {Key::vector("position").at_least(-1e100).at_most(1e100)});
+    static_cast<void>(validate({}, {}, schema, std::nullopt, diagnostics));
+    REQUIRE(diagnostics.entries().size() == 1);
+    CHECK(diagnostics.entries()[0].message == "missing key 'position' in [[body]]");
+    CHECK(diagnostics.entries()[0].hint == "an array of 1 to 3 numbers");
+}

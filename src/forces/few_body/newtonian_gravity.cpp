@@ -144,6 +144,9 @@ FewBodyForceMethod newtonian_gravity() {
             },
             .gravitational_parameter = [](const Section& section, double mass,
                                           std::optional<double> other_mass) -> std::optional<double> {
+                if (section.number("softening") > 0.0) {
+                    return std::nullopt;  // no inverse square
+                }
                 const double attracting = other_mass ? mass + *other_mass : section.number("central_mass");
                 return section.number("gravitational_constant") * attracting;
             }};

@@ -12,13 +12,26 @@ using Messages = std::vector<std::pair<std::string, std::string>>;
 
 Messages check(const Section& section, const FewBodyTarget& target) {
     Messages messages;
-    for (const char* key : {"body", "about"}) {
-        if (section.has(key) && section.integer(key) > target.bodies) {
-            messages.emplace_back(key, fmt::format("'{}' in orbit is {}, but there are {} bodies", key,
-                                                   section.integer(key), target.bodies));
-        }
+    const auto beyond = [&](const char* key) {
+        return fmt::format("'{}' in orbit is {}, but the last body is {}", key, section.integer(key), target.bodies);
+    };
+    if (section.integer("body") > target.bodies) {
+        messages.emplace_back("body", beyond("body"));
+    } else if (target.force.angular_velocity && section.integer("body") > 1) {
+        messages.emplace_back("body", fmt::format("'body' in orbit is {}, but force '{}' has the angle of body 1 alone",
+                                                  section.integer("body"), target.force.name));
     }
-    if (section.has("about") && section.integer("about") == section.integer("body")) {
+    if (!section.has("about")) {
+        return messages;
+    }
+    if (target.force.angular_velocity) {
+        messages.emplace_back(
+            "about",
+            fmt::format("'about' in orbit has no meaning for force '{}', whose coordinate is a distance already",
+                        target.force.name));
+    } else if (section.integer("about") > target.bodies) {
+        messages.emplace_back("about", beyond("about"));
+    } else if (section.sound("body") && section.integer("about") == section.integer("body")) {
         messages.emplace_back("about", "'about' in orbit is the body itself");
     }
     return messages;

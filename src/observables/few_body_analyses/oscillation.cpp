@@ -12,11 +12,11 @@ using Messages = std::vector<std::pair<std::string, std::string>>;
 Messages check(const Section& section, const FewBodyTarget& target) {
     Messages messages;
     if (section.integer("body") > target.bodies) {
-        messages.emplace_back("body", fmt::format("'body' in oscillation is {}, but there are {} bodies",
+        messages.emplace_back("body", fmt::format("'body' in oscillation is {}, but the last body is {}",
                                                   section.integer("body"), target.bodies));
     }
     if (section.integer("component") > target.dimensions) {
-        messages.emplace_back("component", fmt::format("'component' in oscillation is {}, but positions have {}",
+        messages.emplace_back("component", fmt::format("'component' in oscillation is {}, but the last component is {}",
                                                        section.integer("component"), target.dimensions));
     }
     return messages;
