@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "ljmd/core/errors.hpp"
+
 namespace ljmd {
 
 std::string checksum(State state) {
@@ -13,6 +15,9 @@ std::string checksum(State state) {
         state.wrap();
     }
     const auto r = static_cast<const State&>(state).positions();
+    if (!r.allFinite()) {
+        throw PhysicsError("a position is not finite: the run has blown up. Is the time step too large?");
+    }
     std::vector<std::array<double, 6>> atoms(static_cast<std::size_t>(state.count()));
     for (Index i = 0; i < state.count(); ++i) {
         const Eigen::Vector3d n = state.image(i).cast<double>();

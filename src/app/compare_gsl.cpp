@@ -39,7 +39,7 @@ class Comparer : private StepObserver {
           forces_(system_.force.make(deck.force())),
           reference_(system_.state, *forces_, tolerance),
           coarser_(system_.state, *forces_, coarser_tolerance),
-          every_(std::max<Index>(1, deck.total_steps() / most_rows)) {}
+          every_(std::max<Index>(1, (deck.total_steps() + most_rows - 1) / most_rows)) {}
 
     GslComparison run() {
         run_stages(deck_.stages, system_.state, *system_.force_field, *this);

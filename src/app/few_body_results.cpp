@@ -73,7 +73,8 @@ std::string few_body_results_table(const Deck& deck, const FewBodyResult& result
     for (const auto& [analysis, found] : result.findings) {
         text += fmt::format("\n  {}\n", analysis);
         for (const Finding& finding : found) {
-            const std::string error = finding.standard_error ? fmt::format(" +- {:.2g}", *finding.standard_error) : "";
+            const double deviation = finding.standard_error.value_or(std::nan(""));  // NaN for a single interval too
+            const std::string error = std::isfinite(deviation) ? fmt::format(" +- {:.2g}", deviation) : "";
             text += fmt::format("    {:<32}{:>22.13g}{}\n", finding.name, finding.value, error);
         }
     }

@@ -44,7 +44,11 @@ class FewBodyRun : private StepObserver {
 
     FewBodyResult run() {
         const auto began = std::chrono::steady_clock::now();
-        run_stages(deck_.stages, system_.state, *system_.force_field, *this);
+        try {
+            run_stages(deck_.stages, system_.state, *system_.force_field, *this);
+        } catch (const PhysicsError& error) {
+            throw PhysicsError(error.what() + save_failure(deck_, system_.state));
+        }
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
         return finish(took.count());
     }
@@ -53,13 +57,20 @@ class FewBodyRun : private StepObserver {
     void started(const Evaluation& evaluation) override {
         add_angle();
         record(evaluation);
-        sample_analyses();
         files_.write_frame(system_.state, angle_);
     }
 
     void stage_begins(const Stage& stage) override {
         listener_.stage_begins(stage);
         const State& state = system_.state;
+        if (stage.sample && !sampling_) {  // the sampled stages are one piece, see check_few_body_sense()
+            sampling_ = true;
+            sample_analyses();
+        }
+        if (stage.reverse) {
+            sense_of_angle_ = -sense_of_angle_;
+            add_angle();
+        }
         drift_ = {};
         stages_.push_back({stage.name,
                            stage.integrator,
@@ -74,7 +85,10 @@ class FewBodyRun : private StepObserver {
                            {}});
     }
 
-    [[nodiscard]] bool wants_energy(Index step) const override { return thermo_every_.due(step); }
+    /// The end has a row too: results tell of it.
+    [[nodiscard]] bool wants_energy(Index step) const override {
+        return thermo_every_.due(step) || step == deck_.total_steps();
+    }
 
     void moved(Index) override {}
 
@@ -102,7 +116,8 @@ class FewBodyRun : private StepObserver {
 
     void add_angle() {
         if (const auto& rate = system_.force.angular_velocity) {
-            angle_ = quadrature_.add(system_.state.time, rate(deck_.force(), system_.state.positions()(0, 0)));
+            angle_ = quadrature_.add(system_.state.time,
+                                     sense_of_angle_ * rate(deck_.force(), system_.state.positions()(0, 0)));
         }
     }
 
@@ -154,6 +169,8 @@ class FewBodyRun : private StepObserver {
     FewBodyDirectory files_;
     PolarAngleQuadrature quadrature_;
     std::optional<PolarAngle> angle_;
+    double sense_of_angle_ = 1.0;  ///< -1 while the motion goes backwards
+    bool sampling_ = false;        ///< a sampled stage has begun
     Index rows_ = 0;
     std::vector<FewBodyHistory> histories_;
     LinearTrend drift_;  ///< of the total energy in the stage that is running

@@ -43,7 +43,7 @@ class FluidRun : private StepObserver {
         try {
             run_stages(deck_.stages, simulation_.state, simulation_.force_field, *this);
         } catch (const PhysicsError& error) {
-            throw PhysicsError(error.what() + save_failure());
+            throw PhysicsError(error.what() + save_failure(deck_, simulation_.state));
         }
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
         return finish(took.count());
@@ -70,16 +70,6 @@ class FluidRun : private StepObserver {
 
     [[nodiscard]] std::optional<double> order() const {
         return simulation_.order ? std::optional((*simulation_.order)(simulation_.state)) : std::nullopt;
-    }
-
-    /// Write the state of a failed step. Its positions and velocities may belong to no one time, but they show where it
-    /// went wrong. @return what to tell the user of it
-    [[nodiscard]] std::string save_failure() const {
-        try {
-            return fmt::format("\n  the configuration is in {}", files_.write_failed(simulation_.state).string());
-        } catch (const FileError&) {
-            return {};  // the failure itself is what matters
-        }
     }
 
     void write_thermo(const Thermodynamics& row) {

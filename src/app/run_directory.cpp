@@ -19,12 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* failed_name = "failed.xyz";
-
 /// Every name that a run may write. `--force` removes these and nothing else.
 std::vector<std::string> output_names() {
     std::vector<std::string> names{"run.json",       "results.json",   "results.txt", "thermo.csv", "trajectory.h5md",
-                                   "trajectory.xyz", "trajectory.csv", "final.xyz",   failed_name};
+                                   "trajectory.xyz", "trajectory.csv", "final.xyz",   "failed.xyz"};
     for (const auto& method : all_analyses()) {
         names.push_back(method.name + ".csv");
     }
@@ -132,12 +130,6 @@ void RunDirectory::finish(const State& state, const RunResult& result) {
     write_file_atomically(deck_.directory / "results.json", results_json(deck_, result) + "\n");
     write_file_atomically(deck_.directory / "results.txt", results_table(deck_, result));
     record_.finish(result.seconds);
-}
-
-fs::path RunDirectory::write_failed(const State& state) const {
-    const fs::path path = deck_.directory / failed_name;
-    write_configuration(path, state, true);
-    return path;
 }
 
 }  // namespace ljmd

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/extended_xyz_writer.hpp"
 #include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
@@ -54,6 +56,16 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
                                    .creator_version = build_info().version,
                                    .author = user(),
                                    .title = deck.title});
+}
+
+std::string save_failure(const Deck& deck, const State& state) {
+    const std::filesystem::path path = deck.directory / "failed.xyz";
+    try {
+        write_configuration(path, state, true);
+    } catch (const FileError&) {
+        return {};
+    }
+    return fmt::format("\n  the configuration is in {}", path.string());
 }
 
 RunRecord::RunRecord(const Deck& deck) : deck_(deck), began_(now()) {

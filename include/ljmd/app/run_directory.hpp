@@ -42,9 +42,6 @@ class RunDirectory {
     /// Closes the outputs and writes final.xyz, the analyses' tables, results.json and .txt, and run.json once more.
     void finish(const State& state, const RunResult& result);
 
-    /// failed.xyz: the configuration at which the run was given up, whatever it is. @return its path
-    std::filesystem::path write_failed(const State& state) const;
-
   private:
     const Deck& deck_;
     RunRecord record_;

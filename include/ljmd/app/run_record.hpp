@@ -27,4 +27,9 @@ class RunRecord {
 /// The trajectory that a deck asks for, in H5MD or extended XYZ; nothing when it asks for none. @throws FileError
 [[nodiscard]] std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first);
 
+/// failed.xyz: the configuration at which a run was given up, whatever it is. Its positions and velocities may belong
+/// to no one time, but they show where it went wrong.
+/// @return what to tell the user of it; nothing when it cannot be written: the failure itself is what matters
+[[nodiscard]] std::string save_failure(const Deck& deck, const State& state);
+
 }  // namespace ljmd
