@@ -44,6 +44,51 @@ steps = 40
 sample = true
 )";
 
+/// Two stars of mass 0.5 on an ellipse about each other, a = 1/1.64, e = 0.64, beginning at apocentre 1.
+inline const std::string stars_deck = R"(title = "Two stars"
+
+[force]
+type = "newtonian-gravity"
+gravitational_constant = 1.0
+
+[[body]]
+mass = 0.5
+position = [-0.5, 0.0]
+velocity = [0.0, -0.3]
+
+[[body]]
+mass = 0.5
+position = [0.5, 0.0]
+velocity = [0.0, 0.3]
+
+[[stage]]
+name = "orbits"
+time_step = 0.01
+steps = 95
+
+[output]
+thermo = { every = 10 }
+)";
+
+/// A comet by its distance alone, beginning at pericentre.
+inline const std::string radial_deck = R"(title = "A distance"
+
+[force]
+type = "radial-kepler"
+gravitational_parameter = 1.0
+angular_momentum = 1.2
+
+[[body]]
+mass = 2.0
+position = [1.0]
+velocity = [0.0]
+
+[[stage]]
+name = "out"
+time_step = 0.01
+steps = 50
+)";
+
 inline const std::string argon_table = R"(
 [argon]
 sigma = "3.405 angstrom"
@@ -159,5 +204,19 @@ class Captured {
     std::FILE* file_;
     int saved_ = -1;
 };
+
+/// What a command says, on both streams.
+struct Said {
+    std::string out;
+    std::string err;
+};
+
+template <class Command>
+Said said(const Command& command) {
+    Captured out(stdout);
+    Captured err(stderr);
+    command();
+    return {out.text(), err.text()};
+}
 
 }  // namespace ljmd::test

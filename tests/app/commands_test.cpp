@@ -6,12 +6,6 @@
 
 #include "app/app_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
-#include "ljmd/integrators/integrator.hpp"
-#include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/potentials/pair_potential.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -19,20 +13,6 @@ using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
 namespace {
-
-/// What a command says, on both streams.
-struct Said {
-    std::string out;
-    std::string err;
-};
-
-template <class Command>
-Said said(const Command& command) {
-    Captured out(stdout);
-    Captured err(stderr);
-    command();
-    return {out.text(), err.text()};
-}
 
 struct Report {
     int code;
@@ -144,16 +124,4 @@ TEST_CASE("warnings about a deck are told unless quiet") {
                Catch::StartsWith("warning: ") && Contains("no effect without a thermostat"));
     options.quiet = true;
     CHECK(said([&] { check_command(options); }).err.empty());
-}
-
-TEST_CASE("info names every plug-in, with keys it is the reference page") {
-    const std::string text = said([] { info_command(false); }).out;
-    for (const auto& names :
-         {PairPotential::formula_names(), PairPotential::truncation_names(), pair_search_names(),
-          plugin_names(all_integrators()), plugin_names(all_thermostats()), plugin_names(all_analyses())}) {
-        for (const std::string& name : names) {
-            CHECK_THAT(text, Contains(name));
-        }
-    }
-    CHECK(said([] { info_command(true); }).out == deck_reference_page());
 }

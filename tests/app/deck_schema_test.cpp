@@ -35,10 +35,16 @@ void visit_keys(const Schema& schema, const std::string& path, const Visit& visi
     }
 }
 
-/// Every key of a deck, by its path: "stage.thermostat.every". Keys that come with several choices are found once.
+void visit_keys(const Visit& visit) {
+    for (const DeckKind kind : {DeckKind::fluid, DeckKind::few_body}) {
+        visit_keys(deck_schema(kind), "", visit);
+    }
+}
+
+/// Every key of a deck, by its path: "stage.thermostat.every". Keys of several choices or kinds are found once.
 std::map<std::string, Key> all_keys() {
     std::map<std::string, Key> keys;
-    visit_keys(deck_schema(), "", [&](const std::string& path, const Key& key) { keys.insert({path, key}); });
+    visit_keys([&](const std::string& path, const Key& key) { keys.insert({path, key}); });
     return keys;
 }
 
@@ -72,7 +78,7 @@ void check_accepted(const std::string& text) {
 }  // namespace
 
 TEST_CASE("every key of a deck says what it means, and what happens without it") {
-    visit_keys(deck_schema(), "", [](const std::string& path, const Key& key) {
+    visit_keys([](const std::string& path, const Key& key) {
         INFO(path);
         CHECK_FALSE(key.meaning_text.empty());
         CHECK(key.low <= key.high);
@@ -86,7 +92,7 @@ TEST_CASE("every key of a deck says what it means, and what happens without it")
 
 TEST_CASE("every default is a value that its key allows") {
     int defaults = 0;
-    visit_keys(deck_schema(), "", [&](const std::string& path, const Key& key) {
+    visit_keys([&](const std::string& path, const Key& key) {
         if (!key.default_value) {
             return;
         }
@@ -130,6 +136,18 @@ TEST_CASE("the names that decks are promised are there") {
                              "stage.thermostat.type",
                              "stage.thermostat.every",
                              "stage.sample",
+                             "stage.reverse",
+                             "stage.start",
+                             "force.type",
+                             "force.gravitational_constant",
+                             "force.stiffness",
+                             "body.mass",
+                             "body.position",
+                             "body.velocity",
+                             "output.trajectory.accelerations",
+                             "analysis.orbit.about",
+                             "analysis.oscillation.component",
+                             "analysis.closest_approach",
                              "output.directory",
                              "output.thermo.every",
                              "output.trajectory.format",

@@ -112,32 +112,14 @@ TEST_CASE("a potential whose parts do not go together is refused at its key") {
     }
 }
 
-TEST_CASE("stages and outputs that cannot be meant are refused at their key") {
+TEST_CASE("outputs that cannot be meant are refused at their key") {
     check_refused({
-        {{{stage, "name = \"\""}}, "name = \"\"", "1 to 64 printable", ""},
-        {{{stage, "name = \"a\\u001b[2J\""}}, "name = \"a\\u001b[2J\"", "1 to 64 printable", ""},
-        {{{stage, "name = \"" + std::string(65, 'x') + "\""}},
-         "name = \"" + std::string(65, 'x') + "\"",
-         "printable",
-         ""},
-        {{{stage, "name = \"equilibrate\""}}, "name = \"equilibrate\"", "two stages are called 'equilibrate'", ""},
         {{{"sample = true", "sample = true\n[output]\ndirectory = \"\""}}, "directory = \"\"", "empty", ""},
         {{{"sample = true", "sample = true\n[output.trajectory]\nevery = 1\nunits = \"si\""}},
          "units = \"si\"",
          "needs an [argon] table",
          ""},
     });
-    CHECK(complaints(changed(small_deck, {{stage, "name = \"" + std::string(64, 'x') + "\""}})).empty());
-}
-
-TEST_CASE("steps that a counter cannot hold are refused") {
-    std::string text = small_deck;
-    for (int k = 0; k < 4700; ++k) {
-        text += "[[stage]]\nname = \"" + std::to_string(k) + "\"\ntime_step = 0.004\nsteps = 1000000000000000\n";
-    }
-    const auto found = complaints(text);
-    REQUIRE(found.size() == 1);
-    CHECK_THAT(found[0].message, Contains("more than 2^62"));
 }
 
 TEST_CASE("what is merely unlikely is refused, and only warned of when forced") {

@@ -30,8 +30,8 @@ RunResult some_result() {
                          average("pressure", "epsilon/sigma^3", 0.5, 0.25),
                          average("compressibility_factor", "1", 0.9, unknown, unknown)},
             .order_at_sampling = 0.0125,
-            .stages = {{"equilibrate", "velocity-verlet", 0, 5000, 0.004, false, true, std::nullopt},
-                       {"production", "velocity-verlet", 5000, 25000, 0.004, true, false, -1.5e-7}},
+            .stages = {{"equilibrate", "velocity-verlet", 0, 5000, 0.004, false, true, false, std::nullopt, "a", "b"},
+                       {"production", "velocity-verlet", 5000, 25000, 0.004, true, false, false, -1.5e-7, "b", "c"}},
             .tables = {},
             .warnings = {"a doubt"},
             .search = {},
@@ -148,15 +148,6 @@ TEST_CASE("the table of a run shows what people look for, in SI too for a substa
     CHECK_THAT(line_of_table(argon, "temperature"), Catch::EndsWith(" 86.50 +- 0.25 K"));
     CHECK_THAT(line_of_table(argon, "potential_energy"), Catch::EndsWith(" -6.0632 +- 0.0012 kJ/mol"));
     CHECK_THAT(argon, Contains("density 0.8442 sigma^-3 (1.4185 g/cm3)"));
-}
-
-TEST_CASE("a title cannot write what it likes to a terminal, and a run without one goes by its deck") {
-    Deck deck = deck_with("");
-    deck.title = "a\033[2Jb\nc";
-    CHECK_THAT(results_table(deck, some_result()), Catch::StartsWith("a?[2Jb?c\n"));
-    CHECK(Json::parse(results_json(deck, some_result())).at("title") == deck.title);
-    deck.title.clear();
-    CHECK_THAT(results_table(deck, some_result()), Catch::StartsWith(deck.path + "\n"));
 }
 
 TEST_CASE("lengths in tables stand in nanometres too for a substance") {

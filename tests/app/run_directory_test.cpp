@@ -1,24 +1,21 @@
 #include "ljmd/app/run_directory.hpp"
 
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "app/app_fixtures.hpp"
 #include "ljmd/app/run.hpp"
-#include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/configuration_reader.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> own_names{"run.json",        "results.json",   "results.txt", "thermo.csv", "rdf.csv",
-                                         "trajectory.h5md", "trajectory.xyz", "final.xyz",   "failed.xyz"};
+const std::vector<std::string> own_names{"run.json",       "results.json",   "results.txt",     "thermo.csv",
+                                         "rdf.csv",        "orbit.csv",      "oscillation.csv", "trajectory.h5md",
+                                         "trajectory.xyz", "trajectory.csv", "final.xyz",       "failed.xyz"};
 
 void write_text(const fs::path& path, const std::string& text) {
     std::ofstream(path) << text;
@@ -31,10 +28,6 @@ std::map<std::string, std::string> contents(const fs::path& directory) {
         all[entry.path().filename().string()] = entry.is_regular_file() ? content_of(entry.path()) : "";
     }
     return all;
-}
-
-Json record_of(const Deck& deck) {
-    return Json::parse(content_of(deck.directory / "run.json"));
 }
 
 }  // namespace
@@ -127,82 +120,6 @@ TEST_CASE("a run does not replace the file that it starts from, by whatever name
     CHECK(content_of(out / "final.xyz") == "the start");
 }
 
-TEST_CASE("run.json says what is run by what, and whether it came to its end") {
-    const DeckFolder folder(small_deck + argon_table);
-    const Deck deck = folder.load({"title=\"Another title\""});
-    const Simulation simulation = simulation_of(deck);
-    prepare_directory(deck.directory);
-    RunDirectory files(deck, simulation.state, true);
-    const Json before = record_of(deck);
-    CHECK(before.at("program") == "ljmd");
-    CHECK(before.at("version") == build_info().version);
-    CHECK(before.at("commit") == build_info().commit);
-    CHECK_FALSE(before.at("compiler").get<std::string>().empty());
-    CHECK(before.at("deck") == content_of(folder.deck_path()));
-    CHECK(before.at("deck_file") == folder.deck_path().string());
-    CHECK(before.at("settings") == Json({"title=\"Another title\""}));
-    CHECK(before.at("title") == "Another title");
-    CHECK(before.at("seed") == 7);
-    CHECK(before.at("threads") == 1);
-    CHECK(before.at("resumed_at_steps") == Json::array());
-    CHECK(before.at("argon").at("sigma_nm").get<double>() == Approx(0.3405).epsilon(1e-12));
-    CHECK(before.at("argon").at("tau_ps").get<double>() == Approx(2.1564).epsilon(1e-4));
-    CHECK(before.at("finished") == false);
-    CHECK(before.at("ended").is_null());
-    CHECK(before.at("seconds_in_time_loop").is_null());
-
-    RunResult result{};
-    result.seconds = 1.25;
-    files.finish(simulation.state, result);
-    const Json after = record_of(deck);
-    CHECK(after.at("finished") == true);
-    CHECK(after.at("ended").get<std::string>() >= after.at("began").get<std::string>());
-    CHECK(after.at("seconds_in_time_loop") == 1.25);
-    for (const auto& [key, value] : before.items()) {
-        INFO(key);
-        CHECK((key == "finished" || key == "ended" || key == "seconds_in_time_loop" || after.at(key) == value));
-    }
-}
-
-TEST_CASE("the hash tells decks apart by text and by settings") {
-    const auto hash = [](const std::string& text, const std::vector<std::string>& settings) {
-        const DeckFolder folder(text);
-        const Deck deck = folder.load(settings);
-        prepare_directory(deck.directory);
-        const RunDirectory files(deck, State(1, Box(Vec3(1, 1, 1))), false);
-        return record_of(deck).at("deck_hash").get<std::string>();
-    };
-    const std::string plain = hash(small_deck, {});
-    CHECK(plain.size() == std::string("xxh3:0123456789abcdef").size());
-    CHECK(hash(small_deck, {}) == plain);
-    CHECK(hash(small_deck + "\n", {}) != plain);
-    CHECK(hash(small_deck, {"system.seed=7"}) != plain);
-    CHECK(hash(small_deck, {"system.seed=8"}) != hash(small_deck, {"system.seed=9"}));
-}
-
-TEST_CASE("the path of a deck need not be UTF-8") {
-    const DeckFolder folder;
-    Deck deck = folder.load();
-    deck.path = "d\xff.toml";
-    prepare_directory(deck.directory);
-    const RunDirectory files(deck, State(1, Box(Vec3(1, 1, 1))), false);
-    CHECK_THAT(record_of(deck).at("deck_file").get<std::string>(), Contains(".toml"));
-}
-
-TEST_CASE("a configuration that a run was given up at is kept as it is") {
-    const DeckFolder folder;
-    const Deck deck = folder.load();
-    Simulation simulation = simulation_of(deck);
-    prepare_directory(deck.directory);
-    const RunDirectory files(deck, simulation.state, true);
-    CHECK(files.write_failed(simulation.state) == deck.directory / "failed.xyz");
-    const Configuration kept = read_configuration(deck.directory / "failed.xyz", std::nullopt);
-    CHECK(kept.positions.size() == 108);
-    simulation.state.write_positions()(0, 0) = std::nan("");
-    CHECK_NOTHROW(files.write_failed(simulation.state));
-    CHECK_THAT(content_of(deck.directory / "failed.xyz"), Contains("nan"));
-}
-
 TEST_CASE("the frames and files that a deck asks for are written, and no others") {
     const DeckFolder folder;
     for (const char* format : {"", "xyz", "h5md"}) {
@@ -210,7 +127,7 @@ TEST_CASE("the frames and files that a deck asks for are written, and no others"
         const std::string name = std::string("out") + format;
         deck.directory = folder / name;
         if (*format != '\0') {
-            deck.trajectory = TrajectoryOutput{format, 4, false, false};
+            deck.trajectory = TrajectoryOutput{format, 4, false, false, false};
         }
         Simulation simulation = simulation_of(deck);
         prepare_directory(deck.directory);

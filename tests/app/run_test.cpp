@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "app/app_fixtures.hpp"
+#include "app/run_fixtures.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -17,23 +15,6 @@ using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
 namespace {
-
-/// Writes down what happens in a run.
-struct Recorder : RunListener {
-    void stage_begins(const Stage& stage) override { stages.push_back(stage.name); }
-    void step_done(Index step) override {
-        steps.push_back(step);
-        if (at_step) {
-            at_step(step);
-        }
-    }
-    void warning(const std::string& text) override { warnings.push_back(text); }
-
-    std::vector<std::string> stages;
-    std::vector<Index> steps;
-    std::vector<std::string> warnings;
-    std::function<void(Index)> at_step;
-};
 
 /// A deck that was run in its folder, and what came of it.
 struct Finished {
@@ -51,21 +32,6 @@ struct Finished {
     Recorder listener;
     RunResult result{};
 };
-
-/// Rows of a CSV file behind its header, fields as text.
-std::vector<std::vector<std::string>> rows(const std::string& csv) {
-    std::vector<std::vector<std::string>> all;
-    std::istringstream lines(csv);
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream fields(line);
-        all.emplace_back();
-        for (std::string field; std::getline(fields, field, ',');) {
-            all.back().push_back(field);
-        }
-    }
-    all.erase(all.begin());
-    return all;
-}
 
 const ObservableAverage& average(const RunResult& result, const std::string& name) {
     const auto found = std::find_if(result.averages.begin(), result.averages.end(),
@@ -270,4 +236,25 @@ TEST_CASE("a run that blows up ends with step, stage and the configuration") {
     CHECK_FALSE(std::filesystem::exists(deck.directory / "final.xyz"));
     CHECK(Json::parse(content_of(deck.directory / "run.json")).at("finished") == false);
     CHECK(rows(content_of(deck.directory / "thermo.csv")).size() >= 3);  // what was measured until then is there
+}
+
+TEST_CASE("a bit-reversible fluid is back where it began, to the last bit, and another is not") {
+    const auto checksums = [](const std::string& integrator) {
+        const std::string choice = "integrator = \"" + integrator + "\"\n";
+        const Finished run(
+            changed(small_deck, {{"steps = 40\nsample = true\n", "steps = 400\nsample = true\n" + choice}}) +
+                "\n[[stage]]\nname = \"back\"\ntime_step = 0.004\nsteps = 400\nreverse = true\n" + choice,
+            {"stage.equilibrate.steps=0", "neighbors.skin=0.2"});
+        CHECK(run.result.search.rebuilds > 10);
+        REQUIRE(run.result.stages.size() == 3);
+        CHECK(run.result.stages[2].reversed);
+        CHECK(run.result.stages[2].checksum_at_start == run.result.stages[1].checksum_at_end);
+        CHECK(run.result.stages[1].checksum_at_start != run.result.stages[1].checksum_at_end);
+        return std::pair(run.result.stages[1].checksum_at_start, run.result.stages[2].checksum_at_end);
+    };
+    const auto [start, end] = checksums("bit-reversible");
+    CHECK(end == start);
+    const auto [other_start, other_end] = checksums("velocity-verlet");
+    CHECK(other_start == start);
+    CHECK(other_end != other_start);
 }

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/app_fixtures.hpp"
+#include "ljmd/app/run.hpp"
+
+namespace ljmd::test {
+
+/// Writes down what happens in a run.
+struct Recorder : RunListener {
+    void stage_begins(const Stage& stage) override { stages.push_back(stage.name); }
+    void step_done(Index step) override {
+        steps.push_back(step);
+        if (at_step) {
+            at_step(step);
+        }
+    }
+    void warning(const std::string& text) override { warnings.push_back(text); }
+
+    std::vector<std::string> stages;
+    std::vector<Index> steps;
+    std::vector<std::string> warnings;
+    std::function<void(Index)> at_step;
+};
+
+/// The header of a CSV file.
+inline std::string header(const std::string& csv) {
+    return csv.substr(0, csv.find('\n'));
+}
+
+/// Rows of a CSV file behind its header, fields as text.
+inline std::vector<std::vector<std::string>> rows(const std::string& csv) {
+    std::vector<std::vector<std::string>> all;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        all.emplace_back();
+        for (std::string field; std::getline(fields, field, ',');) {
+            all.back().push_back(field);
+        }
+    }
+    all.erase(all.begin());
+    return all;
+}
+
+/// One column of a CSV file as numbers.
+inline std::vector<double> column(const std::string& csv, const std::string& name) {
+    std::istringstream names(header(csv));
+    std::size_t at = 0;
+    std::string found;
+    while (std::getline(names, found, ',') && found != name) {
+        ++at;
+    }
+    INFO(name << " in " << header(csv));
+    REQUIRE(found == name);
+    std::vector<double> numbers;
+    for (const auto& row : rows(csv)) {
+        numbers.push_back(std::stod(row.at(at)));
+    }
+    return numbers;
+}
+
+}  // namespace ljmd::test

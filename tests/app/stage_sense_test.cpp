@@ -1,0 +1,63 @@
+#include "ljmd/app/stage_sense.hpp"
+
+#include "app/app_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::string fluid_stage = "name = \"production\"";
+const std::string few_body_stage = "name = \"orbits\"";
+
+/// The one thing that is said of a deck of either kind whose stage is called so, and the line it is said of.
+void check_refused(const std::string& name, const std::string& message) {
+    const std::string line = "name = \"" + name + "\"";
+    for (const std::string& text :
+         {changed(small_deck, {{fluid_stage, line}}), changed(stars_deck, {{few_body_stage, line}})}) {
+        INFO(text);
+        const auto found = complaints(text);
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].severity == Severity::error);
+        CHECK(line_shown(found[0]) == line);
+        CHECK_THAT(found[0].message, Contains(message));
+    }
+}
+
+std::string another_stage(const std::string& name, const std::string& steps) {
+    return "\n[[stage]]\nname = \"" + name + "\"\ntime_step = 0.004\nsteps = " + steps + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("a stage's name is one that can be spoken of, in both kinds of deck") {
+    check_refused("", "1 to 64 printable");
+    check_refused("a\\u001b[2J", "1 to 64 printable");
+    check_refused(std::string(65, 'x'), "1 to 64 printable");
+    const std::string longest = "name = \"" + std::string(64, 'x') + "\"";
+    CHECK(complaints(changed(small_deck, {{fluid_stage, longest}})).empty());
+    CHECK(complaints(changed(stars_deck, {{few_body_stage, longest}})).empty());
+}
+
+TEST_CASE("two stages of one name are refused at the second, in both kinds of deck") {
+    for (const auto& [text, name] : {std::pair{small_deck, "equilibrate"}, std::pair{stars_deck, "orbits"}}) {
+        const auto found = complaints(text + another_stage(name, "1"));
+        REQUIRE(found.size() == 1);
+        CHECK_THAT(found[0].message, Contains(std::string("two stages are called '") + name + "'"));
+        CHECK(found[0].location.line > 15);
+        CHECK(complaints(text + another_stage("another", "1")).empty());
+    }
+}
+
+TEST_CASE("steps that a counter cannot hold are refused") {
+    std::string many;
+    for (int k = 0; k < 4700; ++k) {
+        many += another_stage(std::to_string(k), "1000000000000000");
+    }
+    for (const std::string& text : {small_deck, stars_deck}) {
+        const auto found = complaints(text + many);
+        REQUIRE(found.size() == 1);
+        CHECK_THAT(found[0].message, Contains("more than 2^62"));
+    }
+}
