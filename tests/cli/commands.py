@@ -4,7 +4,7 @@ import json
 import re
 from pathlib import Path
 
-from harness import ARGON, DECK, Case
+from harness import ARGON, DECK, STARS, Case
 
 INPUTS = Path(__file__).resolve().parents[2] / "inputs"
 
@@ -12,12 +12,12 @@ INPUTS = Path(__file__).resolve().parents[2] / "inputs"
 def no_arguments(t):
     result = t.expect(2, t.run())
     t.equal(result.out, "", "stdout")
-    for word in ("Usage: ljmd", "run", "check", "info"):
+    for word in ("Usage: ljmd", "run", "check", "compare", "info"):
         t.contains(result.err, word)
 
 
 def help_goes_to_stdout(t):
-    for arguments in (["--help"], ["run", "--help"], ["check", "-h"]):
+    for arguments in (["--help"], ["run", "--help"], ["check", "-h"], ["compare", "--help"]):
         result = t.run_well(*arguments)
         t.contains(result.out, "Usage: ljmd")
         t.equal(result.err, "", "stderr")
@@ -42,8 +42,21 @@ def info(t):
     result = t.run_well("info")
     t.equal(result.err, "", "stderr")
     for word in ("ljmd ", "compiler", "flags", "simd", "lennard-jones", "morse", "force-shifted", "verlet-list",
-                 "velocity-verlet", "rescale", "rdf", "h5md, xyz"):
+                 "velocity-verlet", "rescale", "rdf", "h5md, xyz", "newtonian-gravity", "orbit"):
         t.contains(result.out, word)
+
+
+def info_json(t):
+    result = t.run_well("info", "--json")
+    t.equal(result.err, "", "stderr")
+    found = json.loads(result.out)
+    text = t.run_well("info").out
+    t.contains(text, f"ljmd {found['version']} (commit {found['commit']})\n")
+    for key in ("potentials", "truncations", "pair_searches", "forces", "thermostats", "analyses", "few_body_analyses"):
+        t.check(found[key] and all(isinstance(name, str) for name in found[key]), f"{key}: {found[key]}")
+        t.contains(text, ", ".join(found[key]) + "\n")
+    orders = {method["name"]: method["order"] for method in found["integrators"]}
+    t.check(orders["velocity-verlet"] == 2 and orders["euler"] == 1, f"orders of integrators: {orders}")
 
 
 def toml_keys(text):
@@ -59,6 +72,9 @@ def info_keys(t):
     t.check(len(wanted) > 25, f"the test finds only {sorted(wanted)} in the deck")
     missing = [key for key in sorted(wanted) if f"`{key}`" not in page and f"[{key}]" not in page]
     t.equal(missing, [], "keys of argon-864.toml that are not in the reference page")
+    wanted = set().union(*(toml_keys(deck.read_text(encoding="utf-8")) for deck in (INPUTS / "fewbody").glob("*.toml")))
+    missing = [key for key in sorted(wanted) if f"`{key}`" not in page and f"[{key}]" not in page]
+    t.equal(missing, [], "keys of the few-body decks that are not in the reference page")
     t.check(page.startswith("# "), "the page is not Markdown")
 
 
@@ -110,9 +126,68 @@ def forced_values_are_warned_of(t):
     t.golden(t.run_well("check", "deck.toml", "--force").err)
 
 
+def check_few_bodies(t):
+    t.deck(text=STARS)
+    result = t.run_well("check", "deck.toml")
+    t.equal(result.err, "", "stderr")
+    t.golden(result.out)
+    found = json.loads(t.run_well("check", "deck.toml", "--json", "--set", "stage.orbits.steps=50").out)
+    t.equal((found["bodies"], found["dimensions"], found["steps"]), (2, 2, 50), "bodies, dimensions, steps")
+    t.equal(t.files(), ["deck.toml"], "files after check")
+
+
+def compare_text(t):
+    t.deck(text=STARS)
+    result = t.run_well("compare", "deck.toml", "--with", "gsl", "--quiet")
+    t.equal(result.err, "", "stderr")
+    t.equal(t.files(), ["deck.toml"], "files after compare")
+    lines = result.out.splitlines()
+    t.equal(lines[0], "stars", "title")
+    t.equal(lines[3].split()[:4], ["time", "position", "velocity", "energy"], "columns")
+    last = next(line for line in reversed(lines) if line.split()[:1] == ["1"]).split()
+    t.check(1e-8 < float(last[1]) < 1e-3, f"position error at the end: {last[1]}")
+    t.check(float(last[5]) < 1e-10, f"error of the reference: {last[5]}")
+
+
+def compare_files(t):
+    t.deck(text=STARS)
+    printed = t.run_well("compare", "deck.toml", "--with", "gsl", "--json", "--out", "some/where").out
+    t.equal(t.files(), ["deck.toml", "some", "some/where", "some/where/compare-gsl.csv", "some/where/compare-gsl.json"],
+            "files after compare")
+    t.equal(t.read("some/where/compare-gsl.json"), printed, "compare-gsl.json")
+    found = json.loads(printed)
+    t.check(found["passed"] is True, f"checks: {found['checks']}")
+    columns = t.columns("some/where/compare-gsl.csv")
+    t.equal(columns["step"], [float(n) for n in range(101)], "steps")
+    for name in ("position_error", "velocity_error", "energy_error", "angular_momentum_error", "reference_error"):
+        t.equal(columns[name], [row[name] for row in found["rows"]], name)
+
+
+def compare_halved(t):
+    """Half the step, a quarter of the error: it is the integrator's."""
+    t.deck(text=STARS)
+    errors = []
+    for step, steps in ((0.01, 200), (0.005, 400)):
+        arguments = ["--set", f"stage.orbits.time_step={step}", "--set", f"stage.orbits.steps={steps}"]
+        out = t.run_well("compare", "deck.toml", "--with", "gsl", "--json", "--quiet", *arguments).out
+        errors.append(json.loads(out)["largest_position_error"])
+    t.check(3.8 < errors[0] / errors[1] < 4.2, f"position errors {errors}")
+
+
+def compare_refused(text, *arguments):
+    def test(t):
+        t.deck(text=text)
+        result = t.expect(2, t.run("compare", "deck.toml", "--out", "out", *arguments))
+        t.equal(result.out, "", "stdout")
+        t.equal(t.files(), ["deck.toml"], "files")
+        t.golden(result.err)
+    return test
+
+
 def cases():
     result = [Case(test.__name__.replace("_", " "), test)
               for test in (no_arguments, help_goes_to_stdout, version, info, info_keys, check_text, check_json,
+                           info_json, check_few_bodies, compare_text, compare_files, compare_halved,
                            check_predicts, check_tells_of_warnings, a_large_cutoff_is_warned_of,
                            forced_values_are_warned_of)]
     for name, arguments in [
@@ -121,6 +196,13 @@ def cases():
             ("run without a deck", ["run"]), ("check without a deck", ["check"]),
             ("run with two decks", ["run", "deck.toml", "other.toml"]), ("--set without a value", ["run", "deck.toml", "--set"]),
             ("--out without a value", ["run", "deck.toml", "--out"]), ("check with --out", ["check", "deck.toml", "--out", "x"]),
-            ("two commands", ["info", "check", "deck.toml"]), ("info of a deck", ["info", "deck.toml"])]:
+            ("two commands", ["info", "check", "deck.toml"]), ("info of a deck", ["info", "deck.toml"]),
+            ("info with keys and JSON", ["info", "--keys", "--json"]), ("compare without a program", ["compare", "deck.toml"]),
+            ("compare without a deck", ["compare", "--with", "gsl"])]:
         result.append(Case(name, bad_usage(*arguments)))
+    back = STARS.replace("[output]", '[[stage]]\nname = "back"\ntime_step = 0.01\nsteps = 1\nreverse = true\n\n[output]')
+    result += [Case("compare a fluid with gsl", compare_refused(DECK, "--with", "gsl")),
+               Case("compare with an unknown program", compare_refused(STARS, "--with", "lammps")),
+               Case("compare a motion that turns round", compare_refused(back, "--with", "gsl")),
+               Case("compare a deck with a mistake", compare_refused(STARS, "--with", "gsl", "--set", "body.1.mass=0"))]
     return result

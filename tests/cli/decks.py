@@ -37,6 +37,22 @@ def provide_start(t, text):
         t.run_well("run", other, "--quiet", "--out", start.group(1), *shortened(other.read_text(encoding="utf-8")))
 
 
+def is_few_body(deck):
+    return "[[body]]" in deck.read_text(encoding="utf-8")
+
+
+def compare(deck):
+    """A few-body deck, shortened, is near its adaptive solution, which conserves its energy."""
+    def test(t):
+        text = deck.read_text(encoding="utf-8")
+        found = json.loads(t.run_well("compare", deck, "--with", "gsl", "--json", *shortened(text)).out)
+        t.check(found["passed"], f"checks: {found['checks']}")
+        t.equal(found["rows"][-1]["step"], STEPS, "last step")
+        t.check(found["largest_position_error"] < 0.01, f"position error {found['largest_position_error']}")
+        t.equal(t.files(), [], "files")
+    return test
+
+
 def check(deck):
     def test(t):
         provide_start(t, deck.read_text(encoding="utf-8"))
@@ -62,6 +78,12 @@ def run(deck):
             t.check(all(map(math.isfinite, column)), f"{name} in thermo.csv")
         if "rdf = " in text:
             t.check(all(map(math.isfinite, t.columns("out/rdf.csv")["g"])), "g in rdf.csv")
+        for table in re.findall(r"^(orbit|oscillation) = ", text, flags=re.M):
+            t.check((t.dir / f"out/{table}.csv").exists(), f"no {table}.csv")
+        if "[[body]]" in text and "trajectory = " in text:
+            columns = t.columns("out/trajectory.csv")
+            t.equal(columns["step"], [0.0, 4.0, 8.0, 12.0], "frames")
+            t.check(all(map(math.isfinite, sum(columns.values(), []))), "numbers in trajectory.csv")
     return test
 
 
@@ -71,7 +93,8 @@ def every_deck_has_a_title(t):
 
 
 def there_are_decks(t):
-    t.check(len(decks()) >= 9, f"only {len(decks())} decks under {INPUTS}")
+    t.check(len(decks()) >= 19, f"only {len(decks())} decks under {INPUTS}")
+    t.check(sum(map(is_few_body, decks())) >= 10, "only a few of them are of few bodies")
 
 
 def cases():
@@ -79,4 +102,6 @@ def cases():
     for deck in decks():
         name = deck.relative_to(INPUTS).as_posix()
         result += [Case(f"check {name}", check(deck)), Case(f"run {name}", run(deck))]
+        if is_few_body(deck):
+            result.append(Case(f"compare {name}", compare(deck)))
     return result

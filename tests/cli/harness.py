@@ -50,6 +50,33 @@ sample = true
 thermo = { every = 5 }
 """
 
+STARS = """\
+title = "stars"
+
+[force]
+type = "newtonian-gravity"
+gravitational_constant = 1.0
+softening = 0.0
+
+[[body]]
+mass = 3.0
+position = [-1.0, 0.0]
+velocity = [0.0, -0.5]
+
+[[body]]
+mass = 1.5
+position = [2.0, 0.0]
+velocity = [0.0, 1.0]
+
+[[stage]]
+name = "orbits"
+time_step = 0.01
+steps = 100
+
+[output]
+thermo = { every = 10 }
+"""
+
 ARGON = """\
 [argon]
 sigma = "3.405 angstrom"

@@ -4,7 +4,7 @@ import json
 import math
 import re
 
-from harness import ARGON, DECK, Case, snapshot
+from harness import ARGON, DECK, STARS, Case, snapshot
 
 SUBSTANCE = DECK.replace("[system]", ARGON + "\n[system]")
 ALL_OUTPUTS = ('thermo = { every = 5 }',
@@ -245,6 +245,26 @@ def another_seed_is_another_run(t):
     t.equal(len(finals), 2, "different last configurations")
 
 
+def few_bodies(t):
+    """A few-body run there and back on integer positions: all its files, and the checksum it began with."""
+    stage = 'integrator = "bit-reversible"\n'
+    t.deck(("steps = 100", "steps = 100\n" + stage),
+           ("[output]", '[[stage]]\nname = "back"\ntime_step = 0.01\nsteps = 100\nreverse = true\nsample = false\n' + stage +
+            "\n[analysis]\norbit = { body = 2, about = 1 }\n\n[output]\ntrajectory = { every = 20 }"), text=STARS)
+    printed = t.run_well("run", "deck.toml", "--quiet", "--out", "out").out
+    t.equal(t.files("out"), ["final.xyz", "orbit.csv", "results.json", "results.txt", "run.json", "thermo.csv",
+                             "trajectory.csv"], "files")
+    t.equal(t.read("out/results.txt"), printed, "results.txt")
+    stages = t.json("out/results.json")["stages"]
+    t.equal(stages[1]["checksum_at_end"], stages[0]["checksum_at_start"], "checksum")
+    t.check(stages[0]["checksum_at_end"] != stages[0]["checksum_at_start"], "nothing moved")
+    path = t.columns("out/trajectory.csv")
+    t.equal(path["step"], [20.0 * k for k in range(11)], "frames")
+    t.equal(path["x2"], path["x2"][::-1], "the way back is the way there")
+    t.equal(list(path), "step,time,x1,y1,vx1,vy1,x2,y2,vx2,vy2".split(","), "columns")
+    t.equal(t.expect(2, t.run("run", "deck.toml", "--out", "out")).out, "", "stdout of a second run")
+
+
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
             for test in (files_written, h5md_is_the_default, default_directory, directory_of_the_deck, thermo_csv, si_columns,
@@ -252,4 +272,4 @@ def cases():
                          existing_run_is_refused, force_replaces_its_own_files_only, a_refused_deck_costs_nothing,
                          the_start_is_not_replaced, output_is_a_file, json_on_stdout, table_on_stdout,
                          a_title_cannot_play_tricks, same_deck_same_bytes, output_does_not_disturb,
-                         another_seed_is_another_run)]
+                         another_seed_is_another_run, few_bodies)]
