@@ -186,15 +186,18 @@ TEST_CASE("a failure names step and stage") {
 }
 
 TEST_CASE("a thermostat acts after the particles have moved, and only in its stage") {
-    const Deck deck = DeckFolder(small_deck).load({"stage.equilibrate.temperature=1.3"});
+    const Deck deck = DeckFolder(small_deck +
+                                 "\n[[stage]]\nname = \"again\"\ntime_step = 0.004\nsteps = 10\n"
+                                 "temperature = 1.3\nthermostat = { type = \"rescale\", every = 4 }\n")
+                          .load({"stage.equilibrate.temperature=1.3", "stage.production.steps=41"});
     Simulation simulation = simulation_of(deck);
     Log log(simulation.state);
     run_stages(deck.stages, simulation.state, simulation.force_field, log);
     const double wanted = 1.3 * 1.5 * (108.0 - 1.0);  // 3 (N - 1) degrees of freedom
-    REQUIRE(log.kinetic_when_done.size() == 60);
+    REQUIRE(log.kinetic_when_done.size() == 71);
     for (const auto& [step, kinetic] : log.kinetic_when_done) {
         INFO(step);
-        const bool acts = step <= 20 && step % 5 == 0;
+        const bool acts = (step <= 20 && step % 5 == 0) || step == 61 + 4 || step == 61 + 8;
         CHECK((kinetic != log.kinetic_when_moved.at(step)) == acts);
         if (acts) {
             CHECK(kinetic == Approx(wanted).epsilon(1e-12));
