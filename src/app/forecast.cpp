@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/integrator.hpp"
@@ -75,13 +76,14 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
                                make_pair_search(deck.neighbors().text("method"), deck.neighbors().number("skin")));
     std::map<std::string, double> seconds;  // a step, by integrator
     double sum = 0.0;
+    Index evaluations_of_start = 1;  // takes about as long as a step
     for (const Stage& stage : deck.stages) {
         const auto [trial, is_new] = seconds.try_emplace(stage.integrator);
         if (is_new) {
             State copy = state;
             trial->second = seconds_per_step(stage.integrator, copy, force_field);
         }
-        sum += static_cast<double>(stage.steps) * trial->second;
+        sum += static_cast<double>(stage.steps + std::exchange(evaluations_of_start, 0)) * trial->second;
     }
     return sum / static_cast<double>(atoms);
 }
