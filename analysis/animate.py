@@ -25,7 +25,7 @@ import run_directory  # noqa: E402
 import style  # noqa: E402
 from animation_scenes import BoxScene, PathScene  # noqa: E402
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter  # noqa: E402
-from run_directory import RunDirectoryError, damaged  # noqa: E402
+from run_directory import RunDirectoryError, damaged, reports_errors  # noqa: E402
 
 FORMATS = ("gif", "mp4")  # in the order in which they are made
 DPI = 100
@@ -109,20 +109,17 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     return options
 
 
+@reports_errors
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     options = parse(arguments)
     output = options.output or options.rundir / "animation"
     style.use()
-    try:
-        scene = make_scene(options.rundir, options.frames, options.relative_to)
-        scene.draw(0)
-        scene.figure.canvas.draw()
-        scene.figure.set_layout_engine("none")  # laid out once: a layout for each frame is slow, and may jitter
-        for kind in options.formats:
-            write_film(scene, make_writer(kind, options.fps), output.with_name(f"{output.name}.{kind}"))
-    except RunDirectoryError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return error.exit_code
+    scene = make_scene(options.rundir, options.frames, options.relative_to)
+    scene.draw(0)
+    scene.figure.canvas.draw()
+    scene.figure.set_layout_engine("none")  # laid out once: a layout for each frame is slow, and may jitter
+    for kind in options.formats:
+        write_film(scene, make_writer(kind, options.fps), output.with_name(f"{output.name}.{kind}"))
     return 0
 
 

@@ -32,7 +32,7 @@ import deck  # noqa: E402
 import fitting  # noqa: E402
 import style  # noqa: E402
 from fitting import PowerLaw  # noqa: E402
-from run_directory import RunDirectoryError  # noqa: E402
+from run_directory import RunDirectoryError, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
 ROUND_OFF = 1e-11
@@ -198,6 +198,7 @@ def time_steps_from(text: str) -> list[float]:
     return values
 
 
+@reports_errors
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(description="Measure the order of integrators on one few-body deck.")
     parser.add_argument("deck", type=Path, help="a few-body deck with one stage")
@@ -210,25 +211,21 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     ljmd = options.ljmd or (RELEASE if RELEASE.exists() else Path("ljmd"))
     output = options.output or Path("runs") / f"{options.deck.stem}-convergence"
     style.use()
-    try:
-        changes = [text for setting in options.settings for text in ("--set", setting)]
-        run_ljmd(ljmd, "check", options.deck, "--json", "--quiet", *changes)  # what is wrong with a deck, ljmd says best
-        study = read_study(options.deck, options.settings)
-        methods = run_ljmd(ljmd, "info", "--json")["integrators"]
-        known = {one["name"]: one.get("order") for one in methods}
-        fixed = [one["name"] for one in methods if not one.get("adaptive", False)]
-        names = options.integrators.split(",") if options.integrators else fixed
-        unknown = [name for name in names if name not in known]
-        if unknown:
-            raise wrong(f"there is no integrator '{unknown[0]}', only {', '.join(known)}")
-        time_steps = options.time_steps or [factor * study.time_step for factor in FACTORS]
-        series = [measure(study, ljmd, name, known[name], time_steps) for name in names]
-        print_slopes(series)
-        save_table(series, output / "convergence.csv")
-        style.save(plot(study, series), output / "convergence.png")
-    except RunDirectoryError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return error.exit_code
+    changes = [text for setting in options.settings for text in ("--set", setting)]
+    run_ljmd(ljmd, "check", options.deck, "--json", "--quiet", *changes)  # what is wrong with a deck, ljmd says best
+    study = read_study(options.deck, options.settings)
+    methods = run_ljmd(ljmd, "info", "--json")["integrators"]
+    known = {one["name"]: one.get("order") for one in methods}
+    fixed = [one["name"] for one in methods if not one.get("adaptive", False)]
+    names = options.integrators.split(",") if options.integrators else fixed
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        raise wrong(f"there is no integrator '{unknown[0]}', only {', '.join(known)}")
+    time_steps = options.time_steps or [factor * study.time_step for factor in FACTORS]
+    series = [measure(study, ljmd, name, known[name], time_steps) for name in names]
+    print_slopes(series)
+    save_table(series, output / "convergence.csv")
+    style.save(plot(study, series), output / "convergence.png")
     return 0
 
 

@@ -31,7 +31,7 @@ import fitting  # noqa: E402
 import style  # noqa: E402
 from few_body_run import FewBodyRun  # noqa: E402
 from fitting import PowerLaw  # noqa: E402
-from run_directory import RunDirectoryError, damaged  # noqa: E402
+from run_directory import RunDirectoryError, damaged, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
 ROUND_OFF = 2.2e-16
@@ -111,6 +111,7 @@ def plot(run: FewBodyRun, steps: np.ndarray, found: dict[str, tuple[np.ndarray, 
     return figure
 
 
+@reports_errors
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(description="Compare finite differences with velocity and acceleration.")
     parser.add_argument("rundir", type=Path, help="directory that `ljmd run` wrote")
@@ -118,15 +119,11 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--format", choices=("png", "pdf", "svg"), default="png")
     options = parser.parse_args(arguments)
     style.use()
-    try:
-        run = few_body_run.load(options.rundir)
-        steps, found = measure(run)
-        for kind, (_, law) in found.items():
-            print(f"slope {kind} {law.slope:.3f}")
-        style.save(plot(run, steps, found), (options.out or options.rundir) / f"derivatives.{options.format}")
-    except RunDirectoryError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return error.exit_code
+    run = few_body_run.load(options.rundir)
+    steps, found = measure(run)
+    for kind, (_, law) in found.items():
+        print(f"slope {kind} {law.slope:.3f}")
+    style.save(plot(run, steps, found), (options.out or options.rundir) / f"derivatives.{options.format}")
     return 0
 
 

@@ -24,7 +24,7 @@ import few_body_pictures  # noqa: E402
 import few_body_run  # noqa: E402
 import run_directory  # noqa: E402
 import style  # noqa: E402
-from run_directory import RunDirectory, RunDirectoryError, Stage, Table  # noqa: E402
+from run_directory import RunDirectory, Stage, Table, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
 BLOCKS = 20
@@ -227,6 +227,7 @@ def draw_few_bodies(path: Path, relative_to: int) -> dict[str, plt.Figure]:
     return few_body_pictures.pictures(run, few_body_run.body_index(run, relative_to))
 
 
+@reports_errors
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(description="Make the pictures of one run of ljmd.")
     parser.add_argument("rundir", type=Path, help="directory that `ljmd run` wrote")
@@ -237,16 +238,12 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     options = parser.parse_args(arguments)
     out = options.out or options.rundir
     style.use()
-    try:
-        if run_directory.kind_of(options.rundir) == "few-body":
-            figures = draw_few_bodies(options.rundir, options.relative_to)
-        else:
-            figures = draw_fluid(options.rundir)
-        for name, figure in figures.items():
-            style.save(figure, out / f"{name}.{options.format}")
-    except RunDirectoryError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return error.exit_code
+    if run_directory.kind_of(options.rundir) == "few-body":
+        figures = draw_few_bodies(options.rundir, options.relative_to)
+    else:
+        figures = draw_fluid(options.rundir)
+    for name, figure in figures.items():
+        style.save(figure, out / f"{name}.{options.format}")
     return 0
 
 

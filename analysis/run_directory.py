@@ -8,11 +8,13 @@ pressure_bar, time_ps, r_nm).
 from __future__ import annotations
 
 import csv
+import functools
 import json
 import math
+import sys
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Callable, Optional, Sequence
 
 import numpy as np
 
@@ -37,6 +39,20 @@ class RunDirectoryError(Exception):
     def __init__(self, message: str, exit_code: int):
         super().__init__(message)
         self.exit_code = exit_code
+
+
+def reports_errors(main: Callable[[Optional[Sequence[str]]], int]) -> Callable[..., int]:
+    """The main() of a script, which ends a RunDirectoryError as one line on stderr and its exit code."""
+
+    @functools.wraps(main)
+    def guarded(arguments: Optional[Sequence[str]] = None) -> int:
+        try:
+            return main(arguments)
+        except RunDirectoryError as error:
+            print(f"error: {error}", file=sys.stderr)
+            return error.exit_code
+
+    return guarded
 
 
 def damaged(path: Path, what: str) -> RunDirectoryError:

@@ -30,7 +30,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import deck  # noqa: E402
 import few_body_run  # noqa: E402
 from few_body_run import FewBodyRun  # noqa: E402
-from run_directory import RunDirectoryError, damaged  # noqa: E402
+from run_directory import RunDirectoryError, damaged, reports_errors  # noqa: E402
 
 TOLERANCE = 1e-12
 BODIES = 3
@@ -145,6 +145,7 @@ def largest_difference(run: FewBodyRun) -> float:
     return float(worst.max())  # not a number, if any is
 
 
+@reports_errors
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(description="Derive the motion of three bodies, and check runs against it.")
     parser.add_argument("rundirs", type=Path, nargs="*", metavar="RUNDIR", help="directory that `ljmd run` wrote")
@@ -155,15 +156,11 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     if options.print:
         print(show(options.print))
     failed = False
-    try:
-        for path in options.rundirs:
-            difference = largest_difference(few_body_run.load(path))
-            verdict = "ok" if difference <= TOLERANCE else f"FAILED, above {TOLERANCE:g}"
-            failed |= verdict != "ok"
-            print(f"{path}: largest relative difference {difference:.3g} {verdict}")
-    except RunDirectoryError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return error.exit_code
+    for path in options.rundirs:
+        difference = largest_difference(few_body_run.load(path))
+        verdict = "ok" if difference <= TOLERANCE else f"FAILED, above {TOLERANCE:g}"
+        failed |= verdict != "ok"
+        print(f"{path}: largest relative difference {difference:.3g} {verdict}")
     return 1 if failed else 0
 
 

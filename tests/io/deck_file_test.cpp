@@ -6,26 +6,22 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "io/output_fixtures.hpp"
+#include "io/parsed_deck.hpp"
 #include "ljmd/core/section.hpp"
 
 using namespace ljmd;
+using namespace ljmd::test;
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for the files of one test.
-struct Folder {
-    Folder() { REQUIRE(mkdtemp(name.data())); }
-    ~Folder() { fs::remove_all(name); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    [[nodiscard]] fs::path file(const std::string& base, const std::string& content) const {
-        std::ofstream(fs::path(name) / base, std::ios::binary) << content;
-        return fs::path(name) / base;
-    }
-    std::string name = (fs::temp_directory_path() / "ljmd-deck-XXXXXX").string();
-};
+/// A file in a folder that the test has for itself.
+fs::path written(const TemporaryFolder& folder, const std::string& base, const std::string& content) {
+    std::ofstream(folder / base, std::ios::binary) << content;
+    return folder / base;
+}
 
 const std::string good_deck = R"(title = "Liquid argon"   # Å
 units = "reduced"
@@ -63,12 +59,6 @@ Schema deck_schema() {
                                Key::table("system", system), Key::tables("stage", stage)});
 }
 
-std::vector<std::string> formatted(const Diagnostics& diagnostics) {
-    std::vector<std::string> all;
-    for (const Diagnostic& diagnostic : diagnostics.entries()) all.push_back(format(diagnostic));
-    return all;
-}
-
 /// The one error that a text gives, without "error: ".
 std::string mistake(const std::string& text) {
     Diagnostics diagnostics;
@@ -85,23 +75,6 @@ std::string read_mistake(const fs::path& path) {
     REQUIRE(diagnostics.entries().size() == 1);
     CHECK(deck.source->name == path.string());
     return diagnostics.entries().front().message;
-}
-
-Table parsed(const std::string& text) {
-    Diagnostics diagnostics;
-    Table table = parse_deck("d", text, diagnostics).table;
-    CHECK(formatted(diagnostics).empty());
-    return table;
-}
-
-const Value& at(const Table& table, const std::string& key) {
-    const Entry* entry = find(table, key);
-    REQUIRE(entry);
-    return entry->value;
-}
-
-const Table& inner(const Table& table, const std::string& key) {
-    return std::get<Table>(at(table, key).data);
 }
 
 }  // namespace
@@ -151,11 +124,11 @@ TEST_CASE("dates of every kind are kept as text, dotted and quoted keys work") {
 }
 
 TEST_CASE("a byte order mark and CRLF change nothing") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Diagnostics diagnostics;
-    const DeckFile deck = read_deck(folder.file("bom.toml",
-                                                "\xEF\xBB\xBF"
-                                                "a = 1\r\n[b]\r\nc = 'x'\r\n"),
+    const DeckFile deck = read_deck(written(folder, "bom.toml",
+                                            "\xEF\xBB\xBF"
+                                            "a = 1\r\n[b]\r\nc = 'x'\r\n"),
                                     diagnostics);
     CHECK(formatted(diagnostics).empty());
     CHECK(find(deck.table, "a")->key_location.column == 1);
@@ -164,29 +137,30 @@ TEST_CASE("a byte order mark and CRLF change nothing") {
 }
 
 TEST_CASE("what is no deck file is refused by name") {
-    const Folder folder;
-    CHECK(read_mistake(fs::path(folder.name) / "none.toml") == "no such file");
-    CHECK(read_mistake(fs::path(folder.name) / std::string(1000, 'x')) == "cannot be read: File name too long");
-    CHECK(read_mistake(folder.name) == "a directory, not a deck");
+    const TemporaryFolder folder;
+    CHECK(read_mistake(folder / "none.toml") == "no such file");
+    CHECK(read_mistake(folder / std::string(1000, 'x')) == "cannot be read: File name too long");
+    CHECK(read_mistake(folder / "") == "a directory, not a deck");
     CHECK(read_mistake("/dev/zero") == "not a regular file");
-    const fs::path fifo = fs::path(folder.name) / "fifo";
+    const fs::path fifo = folder / "fifo";
     REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
     CHECK(read_mistake(fifo) == "not a regular file");
-    CHECK(read_mistake(folder.file("empty.toml", "")) == "the deck is empty");
-    CHECK(read_mistake(folder.file("comment.toml", "# nothing\n\n")) == "the deck is empty");
-    CHECK(read_mistake(folder.file("binary.toml", std::string("a = 1\n\0\0", 8))) == "binary data (a NUL byte)");
+    CHECK(read_mistake(written(folder, "empty.toml", "")) == "the deck is empty");
+    CHECK(read_mistake(written(folder, "comment.toml", "# nothing\n\n")) == "the deck is empty");
+    CHECK(read_mistake(written(folder, "binary.toml", std::string("a = 1\n\0\0", 8))) == "binary data (a NUL byte)");
     const std::size_t mebibyte = std::size_t{1} << 20;
-    CHECK(read_mistake(folder.file("large.toml", std::string(mebibyte + 1, '#'))) ==
+    CHECK(read_mistake(written(folder, "large.toml", std::string(mebibyte + 1, '#'))) ==
           "larger than 1 MiB, which no deck is");
-    const fs::path sparse = folder.file("huge.toml", "a = 1\n");
+    const fs::path sparse = written(folder, "huge.toml", "a = 1\n");
     fs::resize_file(sparse, std::uintmax_t{1} << 30);
     CHECK(read_mistake(sparse) == "larger than 1 MiB, which no deck is");
-    const fs::path locked = folder.file("locked.toml", "a = 1\n");
+    const fs::path locked = written(folder, "locked.toml", "a = 1\n");
     fs::permissions(locked, fs::perms::none);
     if (geteuid() != 0) CHECK(read_mistake(locked) == "cannot be read: Permission denied");
 
     Diagnostics diagnostics;
-    static_cast<void>(read_deck(folder.file("full.toml", "a = 1\n#" + std::string(mebibyte - 7, 'x')), diagnostics));
+    static_cast<void>(
+        read_deck(written(folder, "full.toml", "a = 1\n#" + std::string(mebibyte - 7, 'x')), diagnostics));
     CHECK(formatted(diagnostics).empty());
 }
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "io/parsed_deck.hpp"
 #include "ljmd/core/section.hpp"
 #include "ljmd/io/deck_file.hpp"
 
 using namespace ljmd;
+using namespace ljmd::test;
 
 namespace {
 
@@ -40,29 +42,6 @@ Schema deck_schema() {
     const Schema stage("[[stage]]", {Key::text("name"), Key::integer("steps").at_least(0)});
     const Schema body("[[body]]", {Key::number("mass").above(0.0), Key::vector("position")});
     return Schema("the deck", {Key::table("system", system), Key::tables("stage", stage), Key::tables("body", body)});
-}
-
-std::vector<std::string> formatted(const Diagnostics& diagnostics) {
-    std::vector<std::string> all;
-    for (const Diagnostic& diagnostic : diagnostics.entries()) all.push_back(format(diagnostic));
-    return all;
-}
-
-Table parsed(const std::string& text) {
-    Diagnostics diagnostics;
-    Table table = parse_deck("d", text, diagnostics).table;
-    CHECK(formatted(diagnostics).empty());
-    return table;
-}
-
-const Value& at(const Table& table, const std::string& key) {
-    const Entry* entry = find(table, key);
-    REQUIRE(entry);
-    return entry->value;
-}
-
-const Table& inner(const Table& table, const std::string& key) {
-    return std::get<Table>(at(table, key).data);
 }
 
 /// A table after settings that must succeed.
