@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "ljmd/app/checksum.hpp"
 #include "ljmd/app/few_body_directory.hpp"
 #include "ljmd/app/time_loop.hpp"
-#include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/few_body.hpp"
@@ -42,16 +40,7 @@ class FewBodyRun : private StepObserver {
     FewBodyRun(const Deck& deck, FewBodySystem& system, RunListener& listener)
         : deck_(deck), system_(system), listener_(listener), thermo_every_(deck.thermo_every), files_(deck, system) {}
 
-    FewBodyResult run() {
-        const auto began = std::chrono::steady_clock::now();
-        try {
-            run_stages(deck_.stages, system_.state, *system_.force_field, *this);
-        } catch (const PhysicsError& error) {
-            throw PhysicsError(error.what() + save_failure(deck_, system_.state));
-        }
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-        return finish(took.count());
-    }
+    FewBodyResult run() { return finish(run_stages(deck_, system_.state, *system_.force_field, *this)); }
 
   private:
     void started(const Evaluation& evaluation) override {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "ljmd/app/checksum.hpp"
@@ -10,7 +9,6 @@
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/stability.hpp"
 #include "ljmd/app/time_loop.hpp"
-#include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/observables/linear_trend.hpp"
 
@@ -38,16 +36,7 @@ class FluidRun : private StepObserver {
           files_(deck, simulation.state, simulation.order.has_value()),
           averages_(simulation.state.count(), density()) {}
 
-    RunResult run() {
-        const auto began = std::chrono::steady_clock::now();
-        try {
-            run_stages(deck_.stages, simulation_.state, simulation_.force_field, *this);
-        } catch (const PhysicsError& error) {
-            throw PhysicsError(error.what() + save_failure(deck_, simulation_.state));
-        }
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-        return finish(took.count());
-    }
+    RunResult run() { return finish(run_stages(deck_, simulation_.state, simulation_.force_field, *this)); }
 
   private:
     void started(const Evaluation& evaluation) override {

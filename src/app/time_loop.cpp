@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <memory>
 
+#include "ljmd/app/run_record.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -59,6 +61,16 @@ void run_stages(const std::vector<Stage>& stages, State& state, ForceField& forc
     } catch (const PhysicsError& error) {
         throw PhysicsError(fmt::format("step {}{}: {}", step, where, error.what()));
     }
+}
+
+double run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer) {
+    const auto began = std::chrono::steady_clock::now();
+    try {
+        run_stages(deck.stages, state, force_field, observer);
+    } catch (const PhysicsError& error) {
+        throw PhysicsError(error.what() + save_failure(deck, state));
+    }
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
 }  // namespace ljmd

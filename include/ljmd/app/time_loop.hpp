@@ -42,4 +42,9 @@ class StepObserver {
 /// @throws PhysicsError naming the step and the stage
 void run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer);
 
+/// The same for a run with an output directory, where a failure leaves failed.xyz.
+/// @return wall time [s]
+/// @throws PhysicsError naming the step, the stage and that file
+double run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer);
+
 }  // namespace ljmd
