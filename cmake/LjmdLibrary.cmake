@@ -1,8 +1,8 @@
 # The library ljmd::ljmd and the program ljmd.
 file(GLOB_RECURSE ljmd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
-list(REMOVE_ITEM ljmd_sources ${PROJECT_SOURCE_DIR}/src/app/main.cpp)
+list(REMOVE_ITEM ljmd_sources ${PROJECT_SOURCE_DIR}/src/app/main.cpp ${ljmd_simd_sources})
 
-add_library(ljmd_library STATIC ${ljmd_sources} ${ljmd_generated_sources})
+add_library(ljmd_library STATIC ${ljmd_sources} ${ljmd_generated_sources} ${ljmd_simd_objects})
 add_library(ljmd::ljmd ALIAS ljmd_library)
 add_dependencies(ljmd_library ljmd_version_header)
 set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
@@ -17,7 +17,7 @@ target_include_directories(ljmd_library SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
 target_link_libraries(ljmd_library
     PUBLIC Eigen3::Eigen
     PRIVATE $<BUILD_INTERFACE:ljmd_options> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
-            fmt::fmt GSL::gsl PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5)
+            fmt::fmt OpenMP::OpenMP_CXX GSL::gsl PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5)
 
 add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/app/main.cpp)
 target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)

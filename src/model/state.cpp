@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/threads.hpp"
 
 namespace ljmd {
 
@@ -13,33 +15,39 @@ namespace {
 
 constexpr std::size_t stride = 4;
 
+/// Ghosts may reach half an edge and a skin out of the box: where the far point is, nothing of the box is within a
+/// cutoff.
+constexpr double far_in_edges = 4.0;
+constexpr double far_beyond = 100.0;
+
 /// An atom this many edges away from its box has not diffused there.
 constexpr double most_crossings = 1e6;
 
-VectorView view(std::vector<double>& data, Index first, Index count) {
+VectorView view(AlignedVector<double>& data, Index first, Index count) {
     return {data.data() + stride * static_cast<std::size_t>(first), 3, count};
 }
 
-ConstVectorView view(const std::vector<double>& data, Index count) {
+ConstVectorView view(const AlignedVector<double>& data, Index count) {
     return {data.data(), 3, count};
 }
 
-template <class T>
-std::vector<T> permuted(const std::vector<T>& old, const std::vector<Index>& order) {
-    std::vector<T> result(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        result[k] = old[static_cast<std::size_t>(order[k])];
-    }
+template <class Vector>
+Vector permuted(const Vector& old, const std::vector<Index>& order) {
+    Vector result(order.size());
+    for_each_index(static_cast<Index>(order.size()), [&](Index k) {
+        const auto i = static_cast<std::size_t>(k);
+        result[i] = old[static_cast<std::size_t>(order[i])];
+    });
     return result;
 }
 
-std::vector<double> permuted_vectors(const std::vector<double>& old, const std::vector<Index>& order) {
-    std::vector<double> result(stride * order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        for (std::size_t a = 0; a < stride; ++a) {
-            result[stride * k + a] = old[stride * static_cast<std::size_t>(order[k]) + a];
-        }
-    }
+AlignedVector<double> permuted_vectors(const AlignedVector<double>& old, const std::vector<Index>& order) {
+    AlignedVector<double> result(stride * order.size());
+    for_each_index(static_cast<Index>(order.size()), [&](Index k) {
+        const auto i = static_cast<std::size_t>(k);
+        std::copy_n(old.begin() + static_cast<Index>(stride) * order[i], stride,
+                    result.begin() + static_cast<Index>(stride) * k);
+    });
     return result;
 }
 
@@ -55,7 +63,7 @@ std::size_t checked(Index count) {
 State::State(Index count, std::optional<Box> box)
     : count_(count),
       box_(std::move(box)),
-      positions_(stride * checked(count)),
+      positions_(),
       velocities_(stride * checked(count)),
       forces_(stride * checked(count)),
       masses_(checked(count), 1.0),
@@ -64,6 +72,7 @@ State::State(Index count, std::optional<Box> box)
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         ids_[i] = static_cast<Index>(i);
     }
+    set_ghost_count(0);
 }
 
 const Box& State::box() const {
@@ -76,8 +85,8 @@ const Box& State::box() const {
 void State::rescale_to(const Box& box) {
     const Vec3 factor = box.edges().array() / this->box().edges().array();
     wrap();
-    set_ghost_count(0);
     box_ = box;
+    set_ghost_count(0);
     auto r = write_positions();
     for (Index i = 0; i < count_; ++i) {
         r.col(i) = box.snap(r.col(i).cwiseProduct(factor));
@@ -115,7 +124,7 @@ VectorView State::write_ghosts() {
 
 void State::wrap() {
     auto r = view(positions_, 0, count_);
-    for (Index i = 0; i < count_; ++i) {
+    for_each_index(count_, [&](Index i) {
         const Vec3 n = box().crossings(r.col(i));
         if (!(n.array().abs() < most_crossings).all()) {  // true for NaN as well; maxCoeff may pass over it
             throw PhysicsError(
@@ -125,7 +134,7 @@ void State::wrap() {
         }
         r.col(i) -= n.cwiseProduct(box().edges());
         images_[static_cast<std::size_t>(i)] += n.cast<int>();
-    }
+    });
 }
 
 Vec3 State::unwrapped(Index i) const {
@@ -136,7 +145,6 @@ void State::reorder(const std::vector<Index>& order) {
     if (static_cast<Index>(order.size()) != count_) {
         throw ContractViolation("a new order must name every atom once");
     }
-    set_ghost_count(0);
     ++order_version_;
     positions_ = permuted_vectors(positions_, order);
     velocities_ = permuted_vectors(velocities_, order);
@@ -147,11 +155,14 @@ void State::reorder(const std::vector<Index>& order) {
     for (auto& extra : registered_) {
         extra.data = permuted_vectors(extra.data, order);
     }
+    set_ghost_count(0);
 }
 
 void State::set_ghost_count(Index count) {
-    positions_.resize(stride * (checked(count_) + checked(count)));
+    positions_.resize(stride * (checked(count_) + checked(count) + 1));
     ghost_count_ = count;
+    const double far = box_ ? -far_in_edges * box_->edges().maxCoeff() - far_beyond : 0.0;
+    std::fill_n(positions_.end() - static_cast<Index>(stride), stride - 1, far);
 }
 
 std::vector<Index> State::index_of() const {
@@ -168,7 +179,7 @@ std::size_t State::register_vectors(const std::string& name) {
             return k;
         }
     }
-    registered_.push_back({name, std::vector<double>(stride * checked(count_))});
+    registered_.push_back({name, AlignedVector<double>(stride * checked(count_))});
     return registered_.size() - 1;
 }
 

@@ -4,29 +4,58 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
 #include <numeric>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/threads.hpp"
 
 namespace ljmd {
 
 namespace {
 
-/// Cells a little wider than they must be, so that the rounding in `position * inverse_width` cannot move a neighbour
-/// out of reach.
+/// Cells and ranges a little wider than they must be, so that the rounding in `position * inverse_width` cannot move a
+/// neighbour out of reach.
 constexpr double safety = 1.0 + 0x1p-40;
 
-/// Cells of half the range are tested 1.7 times less often in vain than cells of the whole range.
-constexpr double cells_per_range = 2.0;
+/// Rows of half the range are tested 1.7 times less often in vain than rows of the whole range; along x, where cells of
+/// a row follow each other in memory, finer cells cost nothing.
+const Vec3 cells_per_range(8.0, 2.0, 2.0);
 
 /// More cells than this for each atom cost more memory than they save tests.
-constexpr double most_cells_per_atom = 4.0;
+constexpr double most_cells_per_atom = 3.0;
+
+/// Cells and places are counted in 32 bits.
+constexpr Index most_points = Index{1} << 30;
+
+/// The largest whole number not above x. @pre -2^31 < x < 2^31
+int floor_of(double x) {
+    const int n = static_cast<int>(x);  // towards zero; std::floor is a call where the processor may be old
+    return n - (n > x ? 1 : 0);
+}
+
+/// Counting sort: the places of keys 0 ... bins-1. `starts` gets bins + 1 entries, `order` the indices by key and, of
+/// equal keys, as they come.
+void sort_by(const std::vector<std::uint32_t>& keys, std::size_t bins, std::vector<std::uint32_t>& starts,
+             std::vector<std::int32_t>& order) {
+    starts.assign(bins + 1, 0);
+    for (const std::uint32_t key : keys) {
+        ++starts[key + 1];
+    }
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    order.resize(keys.size());
+    // starts[k] serves as the next free place of bin k and ends as the start of bin k + 1.
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        order[starts[keys[i]]++] = static_cast<std::int32_t>(i);
+    }
+    std::copy_backward(starts.begin(), starts.end() - 1, starts.end());
+    starts[0] = 0;
+}
 
 }  // namespace
 
 void CellGrid::configure(const Box& box, double range, Index atoms) {
-    const Vec3 fitting = box.edges() * (cells_per_range / (range * safety));
+    const Vec3 fitting = box.edges().cwiseProduct(cells_per_range) / (range * safety);
     const double most_cells = most_cells_per_atom * static_cast<double>(std::max<Index>(atoms, 1));
     const double coarser = std::max(1.0, std::cbrt(fitting.cwiseMax(1.0).prod() / most_cells));
     for (int a = 0; a < 3; ++a) {
@@ -35,13 +64,30 @@ void CellGrid::configure(const Box& box, double range, Index atoms) {
         inverse_width_[a] = inner_[k] / box.edges()[a];
         reach_[k] = static_cast<int>(std::ceil(range * safety * inverse_width_[a]));
     }
+    find_rows(range * safety);
+}
+
+void CellGrid::find_rows(double range) {
+    rows_.clear();
+    // Between cells that lie n apart along an axis there are n - 1 whole ones.
+    const auto between = [&](int offset, int axis) { return std::max(0, std::abs(offset) - 1) / inverse_width_[axis]; };
+    for (int dz = -reach_[2]; dz <= reach_[2]; ++dz) {
+        for (int dy = -reach_[1]; dy <= reach_[1]; ++dy) {
+            const double left = range * range - std::pow(between(dy, 1), 2) - std::pow(between(dz, 2), 2);
+            if (left >= 0.0) {
+                rows_.push_back(
+                    {dz * static_cast<std::ptrdiff_t>(layer()) + dy * static_cast<std::ptrdiff_t>(row_length()),
+                     static_cast<std::size_t>(std::ceil(std::sqrt(left) * inverse_width_[0]))});
+            }
+        }
+    }
 }
 
 CellGrid::Cell CellGrid::cell_of(const Vec3& position) const {
     Cell cell{};
     for (int a = 0; a < 3; ++a) {
         const auto k = static_cast<std::size_t>(a);
-        const int n = static_cast<int>(std::floor(position[a] * inverse_width_[a]));
+        const int n = floor_of(position[a] * inverse_width_[a]);
         cell[k] = std::clamp(n, 0, inner_[k] - 1) + reach_[k];
     }
     return cell;
@@ -51,58 +97,53 @@ CellGrid::Cell CellGrid::clamped_cell_of(const Vec3& position) const {
     Cell cell{};
     for (int a = 0; a < 3; ++a) {
         const auto k = static_cast<std::size_t>(a);
-        const int n = static_cast<int>(std::floor(position[a] * inverse_width_[a])) + reach_[k];
+        const int n = floor_of(position[a] * inverse_width_[a]) + reach_[k];
         cell[k] = std::clamp(n, 0, inner_[k] + 2 * reach_[k] - 1);
     }
     return cell;
 }
 
 std::size_t CellGrid::flat(const Cell& cell) const {
-    const auto width = [this](std::size_t k) {
-        return static_cast<std::size_t>(inner_[k]) + 2 * static_cast<std::size_t>(reach_[k]);
-    };
-    return (static_cast<std::size_t>(cell[2]) * width(1) + static_cast<std::size_t>(cell[1])) * width(0) +
+    return static_cast<std::size_t>(cell[2]) * layer() + static_cast<std::size_t>(cell[1]) * row_length() +
            static_cast<std::size_t>(cell[0]);
+}
+
+std::size_t CellGrid::cell_count() const {
+    return layer() * static_cast<std::size_t>(inner_[2] + 2 * reach_[2]);
 }
 
 std::vector<Index> CellGrid::spatial_order(const State& state) const {
     const auto r = state.positions();
-    std::vector<std::size_t> cell(static_cast<std::size_t>(state.count()));
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-        cell[i] = flat(cell_of(r.col(static_cast<Index>(i))));
-    }
+    std::vector<std::uint32_t> cell(static_cast<std::size_t>(state.count()));
+    for_each_index(state.count(), [&](Index i) {
+        cell[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(flat(cell_of(r.col(i))));
+    });
+    std::vector<std::uint32_t> starts;
+    std::vector<std::int32_t> sorted;
+    sort_by(cell, cell_count(), starts, sorted);
     std::vector<Index> order(cell.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::sort(order.begin(), order.end(), [&](Index i, Index j) {
-        const auto a = static_cast<std::size_t>(i);
-        const auto b = static_cast<std::size_t>(j);
-        return cell[a] != cell[b] ? cell[a] < cell[b] : state.ids()[a] < state.ids()[b];
+    for_each_block(static_cast<Index>(starts.size()) - 1, usual_block, [&](Index first, Index last) {
+        for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
+            const auto begin = sorted.begin() + starts[c];
+            const auto end = sorted.begin() + starts[c + 1];
+            std::sort(begin, end, [&](std::int32_t i, std::int32_t j) {
+                return state.ids()[static_cast<std::size_t>(i)] < state.ids()[static_cast<std::size_t>(j)];
+            });
+            std::copy(begin, end, order.begin() + starts[c]);
+        }
     });
     return order;
 }
 
 void CellGrid::fill(const ConstVectorView& points) {
-    if (points.cols() > std::numeric_limits<std::int32_t>::max()) {
+    if (points.cols() > most_points) {
         throw InputError(fmt::format("{} atoms and images are more than one process can hold", points.cols()));
     }
-    std::size_t cells = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-        cells *= static_cast<std::size_t>(inner_[k]) + 2 * static_cast<std::size_t>(reach_[k]);
-    }
-    // Counting sort: starts_[c + 1] counts, then sums, then serves as the next free place of cell c.
-    starts_.assign(cells + 1, 0);
-    std::vector<std::size_t> cell(static_cast<std::size_t>(points.cols()));
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-        cell[i] = flat(clamped_cell_of(points.col(static_cast<Index>(i))));
-        ++starts_[cell[i] + 1];
-    }
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    entries_.resize(cell.size());
-    std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-        const auto r = points.col(static_cast<Index>(i));
-        entries_[next[cell[i]]++] = {r[0], r[1], r[2], static_cast<std::int32_t>(i)};
-    }
+    std::vector<std::uint32_t> cell(static_cast<std::size_t>(points.cols()));
+    for_each_index(points.cols(), [&](Index i) {
+        cell[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(flat(clamped_cell_of(points.col(i))));
+    });
+    sort_by(cell, cell_count(), starts_, order_);
 }
 
 }  // namespace ljmd

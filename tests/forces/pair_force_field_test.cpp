@@ -3,29 +3,19 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "forces/every_potential.hpp"
 #include "ljmd/core/errors.hpp"
 #include "neighbors/sample_states.hpp"
-#include "potentials/potential_from_deck.hpp"
 
 using namespace ljmd;
 
 namespace {
 
-constexpr Cutoff usual{2.5, 2.0};
+using test::every_potential;
+constexpr Cutoff usual = test::usual_cutoff;
 
 PairForceField lennard_jones(const std::string& truncation, const std::string& search, const Cutoff& cutoff = usual) {
     return {PairPotential::lennard_jones(truncation, cutoff), make_pair_search(search, 0.3)};
-}
-
-/// Every formula with every truncation.
-std::vector<PairPotential> every_potential() {
-    std::vector<PairPotential> potentials;
-    for (const std::string& formula : PairPotential::formula_names()) {
-        for (const std::string& truncation : PairPotential::truncation_names()) {
-            potentials.push_back(test::potential_from_deck(formula, truncation, usual));
-        }
-    }
-    return potentials;
 }
 
 /// 108 atoms of a dense fluid; L = 5.04 is hardly more than 2 rc.

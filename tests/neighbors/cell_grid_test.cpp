@@ -14,23 +14,15 @@ using namespace ljmd;
 
 namespace {
 
-/// What a grid yields for one atom: how often each point, and whether its place is the right one.
-struct Found {
-    std::vector<int> times;
-    bool places_are_right = true;
-};
-
-Found points_around(const CellGrid& grid, const State& state, Index i) {
-    const auto all = state.positions_and_ghosts();
-    Found found{std::vector<int>(static_cast<std::size_t>(all.cols())), true};
-    grid.for_each_run(all.col(i), [&](std::span<const CellGrid::Entry> run) {
-        for (const CellGrid::Entry& entry : run) {
-            ++found.times[static_cast<std::size_t>(entry.index)];
-            const Vec3 r(entry.x, entry.y, entry.z);
-            found.places_are_right = found.places_are_right && r == all.col(entry.index);
+/// How often a grid yields each point for one atom.
+std::vector<int> times_met(const CellGrid& grid, const State& state, Index i) {
+    std::vector<int> times(static_cast<std::size_t>(state.positions_and_ghosts().cols()));
+    grid.for_each_run(state.positions().col(i), [&](CellGrid::Run run) {
+        for (std::int32_t k = run.first; k < run.last; ++k) {
+            ++times[static_cast<std::size_t>(grid.order()[static_cast<std::size_t>(k)])];
         }
     });
-    return found;
+    return times;
 }
 
 CellGrid filled(State& state, double range) {
@@ -45,12 +37,9 @@ CellGrid filled(State& state, double range) {
 bool finds_everything(const State& state, const CellGrid& grid, double range) {
     const auto all = state.positions_and_ghosts();
     for (Index i = 0; i < state.count(); ++i) {
-        const Found found = points_around(grid, state, i);
-        if (!found.places_are_right) {
-            return false;
-        }
+        const std::vector<int> met = times_met(grid, state, i);
         for (Index j = 0; j < all.cols(); ++j) {
-            const int times = found.times[static_cast<std::size_t>(j)];
+            const int times = met[static_cast<std::size_t>(j)];
             const bool near = (all.col(i) - all.col(j)).norm() <= range;
             if (times > 1 || (near && times == 0)) {
                 return false;
@@ -61,10 +50,9 @@ bool finds_everything(const State& state, const CellGrid& grid, double range) {
 }
 
 double candidates_per_atom(const State& state, const CellGrid& grid) {
-    std::size_t candidates = 0;
+    std::int64_t candidates = 0;
     for (Index i = 0; i < state.count(); ++i) {
-        grid.for_each_run(state.positions().col(i),
-                          [&](std::span<const CellGrid::Entry> run) { candidates += run.size(); });
+        grid.for_each_run(state.positions().col(i), [&](CellGrid::Run run) { candidates += run.length(); });
     }
     return static_cast<double>(candidates) / static_cast<double>(state.count());
 }
@@ -123,9 +111,7 @@ TEST_CASE("a nearly empty box is cut into few cells") {
     CellGrid grid;
     grid.configure(state.box(), 2.5, state.count());
     grid.fill(static_cast<const State&>(state).positions_and_ghosts());
-    std::size_t runs = 0;
-    grid.for_each_run(state.positions().col(0), [&](std::span<const CellGrid::Entry>) { ++runs; });
-    CHECK(runs == 9);  // cells wider than the range: one to each side
+    CHECK(grid.run_count() == 9);  // cells wider than the range: one to each side
     CHECK(finds_everything(state, filled(state, 2.5), 2.5));
 }
 
@@ -150,7 +136,7 @@ TEST_CASE("the spatial order sorts by cell and by id within it, and no present o
 
     // Atoms of the same cell follow each other with ascending ids; cells follow each other along x, then y, then z.
     state.reorder(grid.spatial_order(state));
-    const Vec3 cells(6.0, 5.0, 7.0);  // floor(2 L / range)
+    const Vec3 cells(25.0, 5.0, 7.0);  // floor(8 L / range), floor(2 L / range)
     const auto cell_of = [&](Index i) {
         const Vec3 c = state.positions().col(i).cwiseQuotient(state.box().edges()).cwiseProduct(cells).array().floor();
         return (c[2] * cells[1] + c[1]) * cells[0] + c[0];

@@ -1,10 +1,19 @@
 #pragma once
 
+#include "ljmd/core/aligned_vector.hpp"
+#include "ljmd/core/simd.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
 namespace ljmd {
+
+/// What a pair sum is computed with. Through a Verlet list vectors of the SIMD level do it, in either precision; the
+/// other searches, and order-independent forces, are summed by scalar code in double (see sum_pairs).
+struct PairArithmetic {
+    SimdLevel simd = default_simd_level();
+    Precision precision = Precision::double_precision;
+};
 
 /// Pair forces in a periodic box: f_i = sum over j with r_ij < rc of w(r_ij) (r_i - r_j).
 ///
@@ -13,18 +22,24 @@ namespace ljmd {
 class PairForceField : public ForceField {
   public:
     /// @pre potential.cutoff().radius <= L/2 for every box that will be evaluated (checked: ContractViolation)
-    PairForceField(PairPotential potential, PairSearch search)
-        : potential_(std::move(potential)), search_(std::move(search)) {}
+    /// @throws ContractViolation when mixed precision is wanted without a Verlet list
+    PairForceField(PairPotential potential, PairSearch search, PairArithmetic arithmetic = {});
 
     [[nodiscard]] const PairPotential& potential() const { return potential_; }
     [[nodiscard]] const PairSearch& search() const { return search_; }
+    [[nodiscard]] const PairArithmetic& arithmetic() const { return arithmetic_; }
     [[nodiscard]] const SearchStatistics& search_statistics() const;
 
   private:
     Evaluation compute(State& state, Request request) override;
 
+    [[nodiscard]] Evaluation sum_by_kernel(const VerletList& list, State& state, bool energy);
+    void update_fixed_positions(const FixedPoint& fixed_point, const State& state);
+
     PairPotential potential_;
     PairSearch search_;
+    PairArithmetic arithmetic_;
+    AlignedVector<std::int32_t> fixed_positions_;  ///< 4 a point; for mixed precision
 };
 
 }  // namespace ljmd

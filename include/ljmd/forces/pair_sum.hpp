@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <vector>
 
+#include "ljmd/core/threads.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/forces/force_sum.hpp"
 
@@ -23,11 +25,11 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
     auto forces = state.write_forces();
     const State& atoms = state;
 
-    Evaluation total;
-    for (Index first = 0; first < state.count(); first += block_length) {
+    std::vector<Evaluation> blocks(static_cast<std::size_t>((state.count() + block_length - 1) / block_length));
+    for_each_block(state.count(), block_length, [&](Index first, Index last) {
         double u = 0.0;
         std::array<double, 6> virial{};  // xx yy zz xy xz yz
-        for (Index i = first; i < std::min(first + block_length, state.count()); ++i) {
+        for (Index i = first; i < last; ++i) {
             Sum fx;
             Sum fy;
             Sum fz;
@@ -53,11 +55,17 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
             forces.col(i) << fx.value(), fy.value(), fz.value();
         }
         if constexpr (what.energy) {
-            total.potential_energy += 0.5 * u;  // every pair was seen from both sides
-            Mat3 block;
-            block << virial[0], virial[3], virial[4], virial[3], virial[1], virial[5], virial[4], virial[5], virial[2];
-            total.virial += 0.5 * block;
+            Evaluation& block = blocks[static_cast<std::size_t>(first / block_length)];
+            block.potential_energy = 0.5 * u;  // every pair was seen from both sides
+            block.virial << virial[0], virial[3], virial[4], virial[3], virial[1], virial[5], virial[4], virial[5],
+                virial[2];
+            block.virial *= 0.5;
         }
+    });
+    Evaluation total;
+    for (const Evaluation& block : blocks) {
+        total.potential_energy += block.potential_energy;
+        total.virial += block.virial;
     }
     return total;
 }

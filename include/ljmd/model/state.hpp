@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ljmd/core/aligned_vector.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/model/box.hpp"
 
@@ -13,6 +14,8 @@ namespace ljmd {
 /// Views of per-atom vectors: column i is atom i. The layout behind them is private to State and may change; use
 /// `view.col(i)`. A view is valid until the next call that may reorder atoms or change their number
 /// (ForceField::evaluate, State::reorder, State::set_ghosts).
+/// Column i begins at a multiple of 32 bytes; the number behind its three is zero and may be computed with, for the
+/// sake of whole vectors, as long as it stays zero.
 using VectorView = Eigen::Map<Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
 using ConstVectorView = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
 
@@ -80,6 +83,10 @@ class State {
     void set_ghost_count(Index count);
     [[nodiscard]] VectorView write_ghosts();
 
+    /// Index of one more point behind the ghosts that is out of reach of all others: kernels fill up the lanes of
+    /// vectors with it.
+    [[nodiscard]] Index far_point() const { return count_ + ghost_count_; }
+
     /// index_of()[id] is where that atom lies now.
     [[nodiscard]] std::vector<Index> index_of() const;
 
@@ -109,16 +116,16 @@ class State {
   private:
     struct Registered {
         std::string name;
-        std::vector<double> data;
+        AlignedVector<double> data;
     };
 
     Index count_;
     Index ghost_count_ = 0;
     Index order_version_ = 0;
     std::optional<Box> box_;
-    std::vector<double> positions_;  // 4 doubles an atom: x y z and padding
-    std::vector<double> velocities_;
-    std::vector<double> forces_;
+    AlignedVector<double> positions_;  // 4 doubles an atom: x y z and padding
+    AlignedVector<double> velocities_;
+    AlignedVector<double> forces_;
     std::vector<double> masses_;
     std::vector<Index> ids_;
     std::vector<Eigen::Vector3i> images_;

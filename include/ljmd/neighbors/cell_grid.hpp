@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,8 +14,9 @@ namespace ljmd {
 /// Linked cells: points sorted into a grid of cells over the box and a halo around it, so that all points within
 /// `range` of an atom are found in a fixed number of cells, whatever the number of atoms.
 ///
-/// The box is cut into whole cells of about range/2; the halo is as many layers of cells as cover `range`. Rows of
-/// cells along x lie one after the other in memory, so the neighbourhood of a cell is a few contiguous runs of points.
+/// Cells are about range/2 wide along y and z and range/8 along x; the halo is as many layers of cells as cover
+/// `range`. Rows of cells along x lie one after the other in memory, so the neighbourhood of a cell is one contiguous
+/// run of points a row; of each row only the part that can lie within `range` of the cell belongs to it.
 class CellGrid {
   public:
     /// Fix the cells for a box, a range and a number of atoms (a nearly empty box gets larger cells, so that memory
@@ -28,26 +30,31 @@ class CellGrid {
     /// Sort local atoms and ghosts into the cells.
     void fill(const ConstVectorView& points);
 
-    /// A point in its cell.
-    struct Entry {
-        double x, y, z;
-        std::int32_t index;  ///< column in the view given to fill()
+    /// Columns of the view given to fill(), in the order of the cells.
+    [[nodiscard]] std::span<const std::int32_t> order() const { return order_; }
+
+    /// Places [first, last) in order().
+    struct Run {
+        std::int32_t first;
+        std::int32_t last;
+        [[nodiscard]] std::int32_t length() const { return last - first; }
     };
 
-    /// Call visit(entries) for each contiguous run of points that can lie within range of `position`.
+    /// Call visit(run) for runs that together hold every point within range of `position`, each once.
     /// @param position  in [0, L)
     template <class Visit>
     void for_each_run(const Vec3& position, Visit&& visit) const {
-        const auto home = cell_of(position);
-        for (int dz = -reach_[2]; dz <= reach_[2]; ++dz) {
-            for (int dy = -reach_[1]; dy <= reach_[1]; ++dy) {
-                const std::size_t row = flat({home[0], home[1] + dy, home[2] + dz});
-                const std::size_t first = starts_[row - static_cast<std::size_t>(reach_[0])];
-                const std::size_t last = starts_[row + static_cast<std::size_t>(reach_[0]) + 1];
-                visit(std::span<const Entry>(entries_.data() + first, last - first));
-            }
+        const std::size_t home = flat(cell_of(position));
+        for (const Row& row : rows_) {
+            const std::size_t middle =
+                home + static_cast<std::size_t>(row.shift);  // modulo 2^64: shifts may be negative
+            visit(Run{static_cast<std::int32_t>(starts_[middle - row.reach]),
+                      static_cast<std::int32_t>(starts_[middle + row.reach + 1])});
         }
     }
+
+    /// Runs of every position.
+    [[nodiscard]] std::size_t run_count() const { return rows_.size(); }
 
   private:
     using Cell = std::array<int, 3>;
@@ -57,12 +64,26 @@ class CellGrid {
     /// The cell of any point, moved to the border of the grid when it lies outside.
     [[nodiscard]] Cell clamped_cell_of(const Vec3& position) const;
     [[nodiscard]] std::size_t flat(const Cell& cell) const;
+    [[nodiscard]] std::size_t cell_count() const;
+
+    [[nodiscard]] std::size_t row_length() const { return static_cast<std::size_t>(inner_[0] + 2 * reach_[0]); }
+    [[nodiscard]] std::size_t layer() const {
+        return row_length() * static_cast<std::size_t>(inner_[1] + 2 * reach_[1]);
+    }
+    void find_rows(double range);
+
+    /// The part of a row that belongs to the neighbourhood of a cell.
+    struct Row {
+        std::ptrdiff_t shift;  ///< from the cell to the one in this row with the same x
+        std::size_t reach;     ///< cells to each side of that one
+    };
 
     Vec3 inverse_width_ = Vec3::Zero();
     Cell inner_{};  ///< cells along each edge of the box
     Cell reach_{};  ///< cells to look to each side, and layers of the halo
-    std::vector<std::size_t> starts_;
-    std::vector<Entry> entries_;
+    std::vector<Row> rows_;
+    std::vector<std::uint32_t> starts_;
+    std::vector<std::int32_t> order_;
 };
 
 }  // namespace ljmd

@@ -20,11 +20,14 @@ class LinkedCells {
 
     template <class Visit>
     void for_each_candidate(const State& state, Index i, Visit&& visit) const {
-        const Vec3 r = state.positions().col(i);
-        grid_.for_each_run(r, [&](std::span<const CellGrid::Entry> run) {
-            for (const CellGrid::Entry& other : run) {
-                if (other.index != i) {
-                    visit(Index{other.index}, r[0] - other.x, r[1] - other.y, r[2] - other.z);
+        const auto all = state.positions_and_ghosts();
+        const Vec3 r = all.col(i);
+        grid_.for_each_run(r, [&](CellGrid::Run run) {
+            for (std::int32_t k = run.first; k < run.last; ++k) {
+                const Index j = grid_.order()[static_cast<std::size_t>(k)];
+                if (j != i) {
+                    const auto other = all.col(j);
+                    visit(j, r[0] - other[0], r[1] - other[1], r[2] - other[2]);
                 }
             }
         });

@@ -60,6 +60,9 @@ class PairPotential {
         return std::visit(std::forward<Visitor>(visitor), pair_);
     }
 
+    /// Which of the types of AnyPair it is.
+    [[nodiscard]] std::size_t index() const { return pair_.index(); }
+
     /// The truncated pair term at distance r [sigma]; zero at and beyond the cutoff.
     [[nodiscard]] PairTerm<double> operator()(double r) const;
 

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+#include "ljmd/core/simd_intrinsics.hpp"
+
+/// Vectors of numbers for code that is compiled once for each SIMD level.
+///
+/// A translation unit of a level is compiled with its flags and with LJMD_SIMD_LEVEL, the level's name; `Here` is then
+/// a type of that level alone. Every template that it instantiates depends on it, so the linker never takes a function
+/// compiled for one processor to be the same as one compiled for another. Nothing of the standard library but plain
+/// functions is called.
+///
+/// Arithmetic is that of the compilers' vector extension (gcc 12, clang); what it lacks is in simd_intrinsics.hpp.
+namespace ljmd::simd {
+
+/// `lanes` numbers of type T. Operators act lane by lane and round as those of T do; no operation is fused unless fma()
+/// is called.
+/// @tparam Level  tag, see above
+template <class T, int lanes_, class Level>
+struct Vec {
+    static constexpr int lanes = lanes_;
+    using Value = T;
+    using Raw = RawVector<T, lanes_>;
+
+    Raw raw;
+
+    Vec() = default;
+    LJMD_INLINE explicit Vec(Raw r) : raw(r) {}
+    /// All lanes x.
+    template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+    LJMD_INLINE explicit Vec(Number x) : raw(static_cast<T>(x) - Raw{}) {}
+
+    LJMD_INLINE friend Vec operator+(Vec a, Vec b) { return Vec(a.raw + b.raw); }
+    LJMD_INLINE friend Vec operator-(Vec a, Vec b) { return Vec(a.raw - b.raw); }
+    LJMD_INLINE friend Vec operator*(Vec a, Vec b) { return Vec(a.raw * b.raw); }
+    LJMD_INLINE friend Vec operator/(Vec a, Vec b) { return Vec(a.raw / b.raw); }
+    LJMD_INLINE friend Vec operator-(Vec a) { return Vec(-a.raw); }
+    LJMD_INLINE Vec& operator+=(Vec b) { return *this = *this + b; }
+
+    /// a b + c, rounded once where the level has an instruction for it (v3, v4), else twice.
+    LJMD_INLINE friend Vec fma(Vec a, Vec b, Vec c) { return Vec(multiply_add<T, lanes_>(a.raw, b.raw, c.raw)); }
+
+    LJMD_INLINE friend Vec sqrt(Vec a) { return Vec(square_root<T, lanes_>(a.raw)); }
+
+    /// Lane by lane the larger one; b where a is NaN.
+    LJMD_INLINE friend Vec max(Vec a, Vec b) { return Vec(a.raw > b.raw ? a.raw : b.raw); }
+    LJMD_INLINE friend Vec min(Vec a, Vec b) { return Vec(a.raw < b.raw ? a.raw : b.raw); }
+
+    /// x in the lanes where a < b, 0 elsewhere, also where x is infinite or NaN.
+    LJMD_INLINE friend Vec where_less(Vec a, Vec b, Vec x) { return Vec(keep_where<T, lanes_>(a.raw < b.raw, x.raw)); }
+};
+
+/// e^x within 2 units in the last place for x from -708 (-87 in single precision) to 709 (88); below 0, as x = -708
+/// gives.
+///
+/// x = k ln 2 + s, |s| <= ln(2)/2: e^x = 2^k e^s, with Taylor's polynomial of degree 13 (7) for e^s.
+template <class T, int lanes, class Level>
+LJMD_INLINE Vec<T, lanes, Level> exp(Vec<T, lanes, Level> x) {
+    using V = Vec<T, lanes, Level>;
+    using Bits = typename Integer<T>::Type;
+    using RawBits = RawVector<Bits, lanes>;
+    constexpr bool is_double = std::is_same_v<T, double>;
+    constexpr int mantissa = is_double ? 52 : 23;
+    constexpr int bias = is_double ? 1023 : 127;
+    // Adding 1.5 * 2^mantissa leaves the nearest integer in the lowest bits of the sum.
+    const V shift(is_double ? 0x1.8p52 : 0x1.8p23);
+    const V lowest(is_double ? -708.0 : -87.0);
+    x = max(x, lowest);
+    const V shifted = x * V(1.4426950408889634) + shift;
+    const V k = shifted - shift;
+    // ln 2 in two parts, the first with enough zeros at its end for k times it to be exact.
+    const V s = (x - k * V(is_double ? 0x1.62e42feep-1 : 0x1.62e4p-1)) -
+                k * V(is_double ? 0x1.a39ef35793c76p-33 : 0x1.7f7d1cp-20);
+    V sum(is_double ? 1.0 / 6227020800.0 : 1.0 / 5040.0);
+    constexpr double inverse_factorials[] = {1.0 / 479001600.0,
+                                             1.0 / 39916800.0,
+                                             1.0 / 3628800.0,
+                                             1.0 / 362880.0,
+                                             1.0 / 40320.0,
+                                             1.0 / 5040.0,
+                                             1.0 / 720.0,
+                                             1.0 / 120.0,
+                                             1.0 / 24.0,
+                                             1.0 / 6.0,
+                                             0.5,
+                                             1.0,
+                                             1.0};
+    for (int n = is_double ? 0 : 6; n < 13; ++n) {
+        sum = fma(sum, s, V(inverse_factorials[n]));
+    }
+    const RawBits exponent = ((reinterpret<RawBits>(shifted.raw) - reinterpret<RawBits>(shift.raw)) + bias) << mantissa;
+    return sum * V(reinterpret<typename V::Raw>(exponent));
+}
+
+/// Sum of all lanes, halves first, in double.
+template <int lanes>
+LJMD_INLINE double sum_of(RawVector<double, lanes> v) {
+    if constexpr (lanes == 2) {
+        return v[0] + v[1];
+    } else {
+        return sum_of<lanes / 2>(low_half<double, lanes>(v) + high_half<double, lanes>(v));
+    }
+}
+template <class Level, int lanes>
+LJMD_INLINE double sum(Vec<double, lanes, Level> v) {
+    return sum_of<lanes>(v.raw);
+}
+template <class Level, int lanes>
+LJMD_INLINE double sum(Vec<float, lanes, Level> v) {
+    using Half = RawVector<double, lanes / 2>;
+    return sum_of<lanes / 2>(__builtin_convertvector((low_half<float, lanes>(v.raw)), Half) +
+                             __builtin_convertvector((high_half<float, lanes>(v.raw)), Half));
+}
+
+#ifdef LJMD_SIMD_LEVEL
+/// The level that this translation unit is compiled for.
+struct LJMD_SIMD_LEVEL;
+using Here = LJMD_SIMD_LEVEL;
+
+/// As wide as the registers of this level.
+using Doubles = Vec<double, register_bytes / 8, Here>;
+using Floats = Vec<float, register_bytes / 4, Here>;
+#endif
+
+}  // namespace ljmd::simd

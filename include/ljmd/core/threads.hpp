@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+
+#include "ljmd/core/types.hpp"
+
+namespace ljmd {
+
+/// How many threads loops over atoms are shared among. No result depends on it: work is cut into blocks of fixed
+/// length, and what blocks yield is put together in their order.
+
+/// Processors that this process may run on, at least 1.
+[[nodiscard]] int available_processors();
+
+/// Threads worth having for that many atoms on this machine: beyond, waiting for each other costs more than it gains.
+[[nodiscard]] int sensible_threads(Index atoms);
+
+/// In use: 1 until set. @throws ContractViolation if count < 1
+[[nodiscard]] int thread_count();
+void set_thread_count(int count);
+
+/// A reference to something that can be called with (first, last); it must outlive the call.
+class BlockFunction {
+  public:
+    template <class F, class = std::enable_if_t<!std::is_same_v<std::remove_cvref_t<F>, BlockFunction>>>
+    BlockFunction(F&& function)  // NOLINT(*-explicit-*): made from lambdas at calls of for_each_block
+        : object_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
+          call_([](void* object, Index first, Index last) {
+              (*static_cast<std::remove_reference_t<F>*>(object))(first, last);
+          }) {}
+
+    void operator()(Index first, Index last) const { call_(object_, first, last); }
+
+  private:
+    void* object_;
+    void (*call_)(void*, Index, Index);
+};
+
+/// Call function(first, last) for [0, L), [L, 2 L), ... up to `count`, L = block_length, by all threads; consecutive
+/// blocks go to one thread. Returns when all are done.
+/// @pre blocks do not write what other blocks read or write; block_length > 0
+/// @throws what the first block that threw has thrown; later blocks may not have been called
+void for_each_block(Index count, Index block_length, BlockFunction function);
+
+/// Atoms a block, where nothing else is asked for.
+inline constexpr Index usual_block = 1024;
+
+/// function(i) for i in [0, count), by all threads. @pre as for_each_block
+template <class F>
+void for_each_index(Index count, F&& function) {
+    for_each_block(count, usual_block, [&function](Index first, Index last) {
+        for (Index i = first; i < last; ++i) {
+            function(i);
+        }
+    });
+}
+
+}  // namespace ljmd

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "ljmd/core/types.hpp"
+#include "ljmd/model/box.hpp"
+
+namespace ljmd {
+
+/// Coordinates as 32-bit whole numbers of a power of two, counted from the middle of the box. Their differences are
+/// exact, so a separation is known to the same absolute precision everywhere in the box (about 2^-29 of its edge),
+/// which single-precision coordinates cannot offer; and comparing them takes half the room of doubles.
+class FixedPoint {
+  public:
+    FixedPoint() = default;
+
+    /// For points up to `halo` outside the box. @pre halo >= 0
+    FixedPoint(const Box& box, double halo)
+        : origin_(0.5 * box.edges()),
+          unit_(std::exp2(std::ceil(std::log2((0.5 * box.edges().maxCoeff() + halo) / largest)))) {}
+
+    /// What 1 stands for [sigma].
+    [[nodiscard]] double unit() const { return unit_; }
+    /// What stands for 0 [sigma].
+    [[nodiscard]] const Vec3& origin() const { return origin_; }
+
+    /// The nearest whole number. @pre inside the box and its halo, or hardly outside
+    [[nodiscard]] std::int32_t operator()(double x, int axis) const {
+        return static_cast<std::int32_t>(std::lrint((x - origin_[axis]) / unit_));
+    }
+
+    /// Out of reach of every point: no difference from it overflows, none is shorter than the halo.
+    static constexpr std::int32_t far_away = 1 << 30;
+
+  private:
+    static constexpr double largest = 0x1p29;
+
+    Vec3 origin_ = Vec3::Zero();
+    double unit_ = 1.0;
+};
+
+}  // namespace ljmd

@@ -1,0 +1,71 @@
+#include "ljmd/core/simd.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <string>
+
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+/// LJMD_SIMD as given until the end of the scope.
+class EnvironmentGuard {
+  public:
+    explicit EnvironmentGuard(const char* level) {
+        if (const char* before = std::getenv("LJMD_SIMD")) {
+            before_ = before;
+        }
+        setenv("LJMD_SIMD", level, 1);
+    }
+    ~EnvironmentGuard() { setenv("LJMD_SIMD", before_.c_str(), 1); }
+    EnvironmentGuard(const EnvironmentGuard&) = delete;
+    EnvironmentGuard& operator=(const EnvironmentGuard&) = delete;
+
+  private:
+    std::string before_;
+};
+
+}  // namespace
+
+TEST_CASE("the usable SIMD levels are among those compiled in, lowest first, portable always") {
+    const auto compiled = compiled_simd_levels();
+    const auto usable = usable_simd_levels();
+    REQUIRE(!usable.empty());
+    CHECK(usable.front() == SimdLevel::portable);
+    CHECK(std::is_sorted(usable.begin(), usable.end()));
+    CHECK(std::includes(compiled.begin(), compiled.end(), usable.begin(), usable.end()));
+    for (const SimdLevel level : usable) {
+        CHECK(usable_simd_level(std::string(name(level))) == level);
+    }
+}
+
+TEST_CASE("a SIMD level that is unknown, or that this processor lacks, is refused with those there are") {
+    CHECK_THROWS_WITH(usable_simd_level("avx3"), Catch::StartsWith("unknown SIMD level 'avx3', usable here: portable"));
+    const auto usable = usable_simd_levels();
+    for (const char* level : {"x86-64-v2", "x86-64-v3", "x86-64-v4"}) {
+        if (std::none_of(usable.begin(), usable.end(), [&](SimdLevel here) { return name(here) == level; })) {
+            CHECK_THROWS_WITH(usable_simd_level(level), Catch::Contains("cannot be used here"));
+        }
+    }
+}
+
+TEST_CASE("the default SIMD level is the highest usable one, or what LJMD_SIMD says") {
+    {
+        const EnvironmentGuard nothing("");
+        CHECK(default_simd_level() == usable_simd_levels().back());
+    }
+    {
+        const EnvironmentGuard portable("portable");
+        CHECK(default_simd_level() == SimdLevel::portable);
+    }
+    const EnvironmentGuard wrong("fastest");
+    CHECK_THROWS_AS(default_simd_level(), InputError);
+}
+
+TEST_CASE("precisions have names") {
+    CHECK(name(Precision::double_precision) == "double");
+    CHECK(name(Precision::mixed) == "mixed");
+}

@@ -1,0 +1,149 @@
+#include "ljmd/core/simd_vector.hpp"
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+using namespace ljmd;
+
+namespace {
+
+/// Vectors of any width, compiled for the processor of the tests: the compilers split those that are too wide.
+struct Test;
+template <class T, int lanes>
+using Vec = simd::Vec<T, lanes, Test>;
+
+template <class V>
+V ramp(double first, double step) {
+    V v;
+    for (int k = 0; k < V::lanes; ++k) {
+        v.raw[k] = static_cast<typename V::Value>(first + step * k);
+    }
+    return v;
+}
+
+/// f in each lane, by the vector and by the number.
+template <class V, class F, class G>
+void same_in_every_lane(const V& x, F by_vector, G by_number) {
+    const V result = by_vector(x);
+    for (int k = 0; k < V::lanes; ++k) {
+        CHECK(result.raw[k] == by_number(x.raw[k]));
+    }
+}
+
+/// Largest error of exp, in units in the last place of the result.
+template <class V>
+double worst_exp(double from, double to) {
+    double worst = 0.0;
+    constexpr int steps = 20000;
+    for (int n = 0; n < steps; ++n) {
+        const V x = ramp<V>(from + (to - from) * n / steps, (to - from) / steps / V::lanes);
+        const V result = exp(x);
+        for (int k = 0; k < V::lanes; ++k) {
+            const long double exact = std::exp(static_cast<long double>(x.raw[k]));
+            const double ulp = static_cast<double>(exact) * std::numeric_limits<typename V::Value>::epsilon();
+            worst =
+                std::max(worst, static_cast<double>(std::abs(static_cast<long double>(result.raw[k]) - exact)) / ulp);
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("vectors compute lane by lane what numbers do", "", (Vec<double, 2>), (Vec<double, 4>),
+                   (Vec<double, 8>), (Vec<float, 4>), (Vec<float, 8>), (Vec<float, 16>)) {
+    using V = TestType;
+    using T = typename V::Value;
+    const V x = ramp<V>(0.3, 1.7);
+    same_in_every_lane(
+        x, [](V v) { return v + V(0.1); }, [](T v) { return v + T(0.1); });
+    same_in_every_lane(
+        x, [](V v) { return v - V(0.1); }, [](T v) { return v - T(0.1); });
+    same_in_every_lane(
+        x, [](V v) { return v * V(0.1); }, [](T v) { return v * T(0.1); });
+    same_in_every_lane(
+        x, [](V v) { return V(1) / v; }, [](T v) { return T(1) / v; });
+    same_in_every_lane(
+        x, [](V v) { return -v; }, [](T v) { return -v; });
+    same_in_every_lane(
+        x, [](V v) { return sqrt(v); }, [](T v) { return std::sqrt(v); });
+    same_in_every_lane(
+        x, [](V v) { return max(v, V(3)); }, [](T v) { return std::max(v, T(3)); });
+    same_in_every_lane(
+        x, [](V v) { return min(v, V(3)); }, [](T v) { return std::min(v, T(3)); });
+    same_in_every_lane(
+        x, [](V v) { return where_less(v, V(3), V(7)); }, [](T v) { return v < T(3) ? T(7) : T(0); });
+    same_in_every_lane(
+        x, [](V v) { return fma(v, V(2), V(1)); }, [](T v) { return v * T(2) + T(1); });
+    V sum = x;
+    sum += x;
+    same_in_every_lane(
+        sum, [](V v) { return v; }, [](T v) { return v; });
+    CHECK(sum.raw[1] == 2 * x.raw[1]);
+}
+
+TEMPLATE_TEST_CASE("what where_less leaves out is zero even if it is no number", "", (Vec<double, 4>),
+                   (Vec<float, 8>)) {
+    using V = TestType;
+    const V nothing = where_less(V(2), V(1), V(std::numeric_limits<double>::quiet_NaN()));
+    const V none_of_nan = where_less(V(std::numeric_limits<double>::quiet_NaN()), V(1), V(5));
+    for (int k = 0; k < V::lanes; ++k) {
+        CHECK(nothing.raw[k] == 0);
+        CHECK(none_of_nan.raw[k] == 0);
+    }
+}
+
+TEMPLATE_TEST_CASE("a sum takes every lane once", "", (Vec<double, 2>), (Vec<double, 4>), (Vec<double, 8>),
+                   (Vec<float, 4>), (Vec<float, 8>), (Vec<float, 16>)) {
+    using V = TestType;
+    for (int k = 0; k < V::lanes; ++k) {
+        V one(0);
+        one.raw[k] = 3;
+        CHECK(sum(one) == 3.0);
+    }
+    CHECK(sum(V(1)) == V::lanes);
+}
+
+TEST_CASE("sums of single-precision lanes are made in double") {
+    Vec<float, 8> v(0x1p-30);
+    v.raw[0] = 1.0F;
+    CHECK(sum(v) == 1.0 + 7 * 0x1p-30);
+}
+
+TEST_CASE("exp is right to two units in the last place, over the range of its numbers") {
+    CHECK(worst_exp<Vec<double, 2>>(-708.0, 709.0) < 2.0);
+    CHECK(worst_exp<Vec<double, 8>>(-1.0, 1.0) < 2.0);
+    CHECK(worst_exp<Vec<float, 4>>(-87.0, 88.0) < 2.0);
+    CHECK(worst_exp<Vec<float, 16>>(-1.0, 1.0) < 2.0);
+    CHECK(exp(Vec<double, 4>(0)).raw[3] == 1.0);
+    CHECK(exp(Vec<double, 4>(-1e6)).raw[0] == exp(Vec<double, 4>(-708)).raw[0]);
+    CHECK(exp(Vec<float, 8>(-1e6)).raw[0] < 1e-37F);
+}
+
+TEMPLATE_TEST_CASE_SIG("selected lanes are stored in order", "", ((int lanes), lanes), 4, 8, 16) {
+    std::array<std::int32_t, static_cast<std::size_t>(lanes)> values{};
+    simd::RawVector<std::int32_t, lanes> v;
+    for (int k = 0; k < lanes; ++k) {
+        v[k] = 100 + k;
+    }
+    for (unsigned wanted = 0; wanted < (1U << lanes); wanted += lanes == 16 ? 37 : 1) {
+        simd::RawVector<std::int32_t, lanes> condition;
+        for (int k = 0; k < lanes; ++k) {
+            condition[k] = (wanted >> k & 1U) != 0 ? -1 : 0;
+        }
+        const unsigned bits = simd::bits_of<lanes>(condition);
+        CHECK(bits == wanted);
+        const int count = simd::store_selected<lanes>(values.data(), v, bits);
+        int expected = 0;
+        bool in_order = true;
+        for (int k = 0; k < lanes; ++k) {
+            if ((wanted >> k & 1U) != 0) {
+                in_order = in_order && values[static_cast<std::size_t>(expected++)] == 100 + k;
+            }
+        }
+        CHECK(count == expected);
+        CHECK(in_order);
+    }
+}

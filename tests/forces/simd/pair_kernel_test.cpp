@@ -1,0 +1,111 @@
+#include <catch2/catch.hpp>
+
+#include "core/thread_guard.hpp"
+#include "forces/every_potential.hpp"
+#include "ljmd/forces/pair_force_field.hpp"
+#include "neighbors/sample_states.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+struct Evaluated {
+    Eigen::Matrix3Xd forces;  ///< by id
+    Evaluation sums;
+};
+
+Evaluated evaluated(const PairPotential& potential, const char* search, PairArithmetic arithmetic, State state,
+                    Request request = Request::forces_and_energy) {
+    PairForceField force_field(potential, make_pair_search(search, 0.3), arithmetic);
+    const Evaluation sums = force_field.evaluate(state, request);
+    return {test::by_id(state, state.forces()), sums};
+}
+
+double rms(const Eigen::Matrix3Xd& f) {
+    return f.norm() / std::sqrt(static_cast<double>(f.cols()));
+}
+
+/// 500 atoms of a dense fluid, no whole number of blocks, and far from the edge of a cell.
+State fluid() {
+    return test::shaken_crystal(5, 0.8442, 0.1, 7);
+}
+
+}  // namespace
+
+TEST_CASE("kernels of every SIMD level in double give what the scalar sum gives, for every potential") {
+    for (const PairPotential& potential : test::every_potential()) {
+        const Evaluated expected = evaluated(potential, "cells", {}, fluid());
+        for (const SimdLevel level : usable_simd_levels()) {
+            CAPTURE(potential.formula(), potential.truncation(), name(level));
+            const Evaluated found = evaluated(potential, "verlet-list", {level, Precision::double_precision}, fluid());
+            CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < 1e-13 * rms(expected.forces));
+            CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(1e-13));
+            CHECK((found.sums.virial - expected.sums.virial).norm() < 1e-13 * expected.sums.virial.norm());
+        }
+    }
+}
+
+TEST_CASE("kernels of every SIMD level in mixed precision give what the scalar sum gives, to single precision") {
+    for (const PairPotential& potential : test::every_potential()) {
+        const Evaluated expected = evaluated(potential, "cells", {}, fluid());
+        for (const SimdLevel level : usable_simd_levels()) {
+            CAPTURE(potential.formula(), potential.truncation(), name(level));
+            const Evaluated found = evaluated(potential, "verlet-list", {level, Precision::mixed}, fluid());
+            CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < 1e-5 * rms(expected.forces));
+            CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(1e-6));
+            CHECK((found.sums.virial - expected.sums.virial).norm() < 1e-6 * expected.sums.virial.norm());
+        }
+    }
+}
+
+TEST_CASE("kernels give the same forces to the last bit with and without energy, for any number of threads") {
+    const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
+    for (const SimdLevel level : usable_simd_levels()) {
+        for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
+            CAPTURE(name(level), name(precision));
+            const Evaluated one = evaluated(potential, "verlet-list", {level, precision}, fluid());
+            CHECK(evaluated(potential, "verlet-list", {level, precision}, fluid(), Request::forces).forces ==
+                  one.forces);
+            for (const int threads : {2, 3, 8}) {
+                const test::ThreadGuard guard(threads);
+                const Evaluated several = evaluated(potential, "verlet-list", {level, precision}, fluid());
+                CHECK(several.forces == one.forces);
+                CHECK(several.sums.potential_energy == one.sums.potential_energy);
+                CHECK(several.sums.virial == one.sums.virial);
+            }
+        }
+    }
+}
+
+TEST_CASE("kernels handle atoms without neighbours, and blocks that are not full") {
+    const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
+    for (const Index atoms : {1, 2, 63, 64, 65, 130}) {
+        const State gas = test::random_state(atoms, Box(Vec3::Constant(60.0)), 11);
+        const Evaluated expected = evaluated(potential, "all-pairs", {}, gas);
+        for (const SimdLevel level : usable_simd_levels()) {
+            for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
+                CAPTURE(atoms, name(level), name(precision));
+                const Evaluated found = evaluated(potential, "verlet-list", {level, precision}, gas);
+                const double tolerance = precision == Precision::mixed ? 1e-4 : 1e-12;
+                CHECK((found.forces - expected.forces).norm() <= tolerance * expected.forces.norm());
+                CHECK(found.sums.potential_energy ==
+                      Approx(expected.sums.potential_energy).epsilon(tolerance).margin(0));
+            }
+        }
+    }
+}
+
+TEST_CASE("the error of mixed precision does not grow with the box") {
+    const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
+    // Two atoms in the far corner of boxes: single-precision coordinates would leave an error of 1e-3 in the last.
+    for (const double edge : {10.0, 100.0, 1000.0, 10000.0}) {
+        const Vec3 corner = Vec3::Constant(0.99 * edge);
+        const State pair = test::state_of({corner, corner + Vec3(0.9, 0.3, 0.2)}, Box(Vec3::Constant(edge)));
+        const Evaluated exact = evaluated(potential, "all-pairs", {}, pair);
+        const Evaluated mixed = evaluated(potential, "verlet-list", {default_simd_level(), Precision::mixed}, pair);
+        const double unit = FixedPoint(pair.box(), 2.0 * 2.8).unit();
+        CAPTURE(edge, unit);
+        CHECK((mixed.forces - exact.forces).norm() < (1e-6 + 40.0 * unit) * exact.forces.norm());
+        CHECK(unit < 4e-8 * std::max(edge, 100.0) / 10.0);
+    }
+}
