@@ -22,6 +22,7 @@ foreach(level IN LISTS ljmd_simd_levels)
         # All functions with vectors as arguments are inlined: how they would be passed is of no account.
         -Wno-psabi
         # Before version 13 gcc takes its own headers of AVX-512 to use what is not set (its bug 105593).
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_compile_definitions(ljmd_simd_${level} PRIVATE LJMD_SIMD_LEVEL=${level})
     target_include_directories(ljmd_simd_${level} PRIVATE ${PROJECT_SOURCE_DIR}/include

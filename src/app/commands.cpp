@@ -5,6 +5,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/bench.hpp"
 #include "ljmd/app/compare_gsl.hpp"
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/app/few_body_check.hpp"
@@ -14,8 +15,12 @@
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/scratch_directory.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/simd.hpp"
+#include "ljmd/core/threads.hpp"
+#include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
 
@@ -31,7 +36,15 @@ void print_warnings(const Diagnostics& diagnostics) {
 
 /// @throws InputError with every mistake of the deck
 Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
-    auto deck = load_deck(options.deck, options.settings, options.force, diagnostics);
+    if (!options.simd.empty()) {
+        set_default_simd_level(usable_simd_level(options.simd));
+    }
+    static_cast<void>(default_simd_level());  // a wrong LJMD_SIMD is an error before anything is done
+    std::vector<std::string> settings = options.settings;
+    if (!options.precision.empty()) {
+        settings.push_back("performance.precision=" + options.precision);
+    }
+    auto deck = load_deck(options.deck, settings, options.force, diagnostics);
     diagnostics.throw_if_errors();
     return std::move(*deck);
 }
@@ -39,6 +52,7 @@ Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
 /// The start of a fluid, with which its deck is right in every respect.
 Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
     Start start = find_start(deck);
+    set_thread_count(options.threads > 0 ? options.threads : default_thread_count());
     if (start.configuration) {  // only now is the box known
         check_box(deck.root, start.box, diagnostics);
         diagnostics.throw_if_errors();
@@ -126,6 +140,24 @@ void compare_command(const DeckOptions& options, const std::string& with, const 
     if (!comparison.passed()) {
         throw PhysicsError("the reference does not conserve the energy: bodies come too close for it");
     }
+}
+
+void bench_command(const DeckOptions& options) {
+    std::optional<ScratchDirectory> scratch;
+    DeckOptions chosen = options;
+    if (chosen.deck.empty()) {
+        scratch.emplace();
+        chosen.deck = (scratch->path() / "melt-32k.toml").string();
+        write_file_atomically(chosen.deck, std::string(melt_deck()));
+    }
+    Diagnostics diagnostics;
+    Deck deck = load(chosen, diagnostics);
+    if (deck.kind == DeckKind::few_body) {
+        throw InputError("a few-body deck has no speed worth measuring: `ljmd bench` wants a fluid");
+    }
+    Start start = checked_start(deck, chosen, diagnostics);
+    const BenchResult result = bench(std::move(deck), std::move(start));
+    print_result(options.json ? bench_json(result) : bench_report(result));
 }
 
 int report_current_exception() {

@@ -48,7 +48,7 @@ std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& d
 
 /// Tables with nothing but optional keys may be left out: they then exist with their defaults.
 void add_optional_tables(Table& table, DeckKind kind, const Location& where) {
-    for (const char* name : {"neighbors", "output", "analysis"}) {
+    for (const char* name : {"neighbors", "performance", "output", "analysis"}) {
         if (deck_schema(kind).find(name) != nullptr && find(table, name) == nullptr) {
             table.push_back({name, where, Value{Table{}, where}});
         }

@@ -110,7 +110,21 @@ Schema neighbors_schema() {
                        .at_most(largest_skin)
                        .defaults_to(0.3)
                        .meaning("the list holds pairs within cutoff + skin, and is rebuilt when an atom has moved "
-                                "by skin/2")});
+                                "by skin/2"),
+                   Key::integer("every")
+                       .at_least(1)
+                       .at_most(most_steps)
+                       .optional("whenever an atom has moved by skin/2")
+                       .meaning("rebuild the list every so many steps, whatever the atoms do, as other programs may: "
+                                "pairs can be missed; verlet-list only")});
+}
+
+Schema performance_schema() {
+    return Schema("[performance]",
+                  {Key::choice("precision", {"double", "mixed"})
+                       .defaults_to("double")
+                       .meaning("of pair terms; mixed: in single precision from exact differences of positions, summed "
+                                "in double; verlet-list only")});
 }
 
 Schema thermostat_schema() {
@@ -185,6 +199,7 @@ Schema fluid_schema() {
          Key::table("system", system_schema()).meaning("atoms and box"),
          Key::table("potential", potential_schema()).meaning("forces"),
          Key::table("neighbors", neighbors_schema()).optional("all defaults").meaning("pair search"),
+         Key::table("performance", performance_schema()).optional("all defaults").meaning("how forces are computed"),
          Key::tables("stage", fluid_stage_schema()).meaning("what is done, one stage after the other"),
          Key::table("output", fluid_output_schema()).optional("all defaults").meaning("files"),
          Key::table("analysis", fluid_analysis_schema()).optional("none").meaning("measured in the sampled stages")});

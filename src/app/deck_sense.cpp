@@ -151,6 +151,27 @@ void check_potential(const Section& potential, Diagnostics& diagnostics) {
     }
 }
 
+/// What only a Verlet list can do.
+void check_search(const Section& root, Diagnostics& diagnostics) {
+    const Section& neighbors = root.section("neighbors");
+    if (!neighbors.sound("method") || neighbors.text("method") == "verlet-list") {
+        return;
+    }
+    const std::string& method = neighbors.text("method");
+    if (given(neighbors, "every")) {
+        diagnostics.error(neighbors.location("every"),
+                          fmt::format("'every' in [neighbors] has no meaning for method = \"{}\"", method),
+                          "only a list is kept for some steps");
+    }
+    const Section& performance = root.section("performance");
+    if (performance.sound("precision") && performance.text("precision") == "mixed") {
+        diagnostics.error(
+            performance.location("precision"),
+            fmt::format("'precision' in [performance] is 'mixed', which method = \"{}\" does not have", method),
+            "verlet-list has it");
+    }
+}
+
 void check_stages(const std::vector<Section>& stages, bool force, Diagnostics& diagnostics) {
     check_stage_names(stages, diagnostics);
     for (const Section& stage : stages) {
@@ -217,6 +238,9 @@ void check_sense(const Section& root, bool has_units, bool force, Diagnostics& d
     }
     if (root.sound("potential")) {
         check_potential(root.section("potential"), diagnostics);
+    }
+    if (root.sound("neighbors") && root.sound("performance")) {
+        check_search(root, diagnostics);
     }
     check_stages(root.sections("stage"), force, diagnostics);
     check_output(root.section("output"), has_units, diagnostics);

@@ -137,9 +137,9 @@ class FewBodyRun : private StepObserver {
         }
     }
 
-    FewBodyResult finish(double seconds) {
+    FewBodyResult finish(const LoopSeconds& seconds) {
         FewBodyResult result{
-            system_.state.count(), system_.dimensions, system_.force.name, histories_, stages_, {}, seconds};
+            system_.state.count(), system_.dimensions, system_.force.name, histories_, stages_, {}, seconds.all};
         std::vector<DataTable> tables;
         for (const auto& [name, analysis] : system_.analyses) {
             result.findings.emplace_back(name, analysis->findings());

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -72,8 +73,7 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
     }
     const double temperature = deck.system().has("temperature") ? deck.system().number("temperature") : 1.0;
     draw_velocities(state, std::min(temperature, hottest_trial), 1);
-    PairForceField force_field(PairPotential::from(deck.potential()),
-                               make_pair_search(deck.neighbors().text("method"), deck.neighbors().number("skin")));
+    PairForceField force_field = make_force_field(deck);
     std::map<std::string, double> seconds;  // a step, by integrator
     double sum = 0.0;
     Index evaluations_of_start = 1;  // takes about as long as a step
@@ -125,6 +125,10 @@ std::string duration(double seconds) {
                               : fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
+std::string threads_text() {
+    return thread_count() == 1 ? "one thread" : fmt::format("{} threads", thread_count());
+}
+
 }  // namespace
 
 Forecast forecast(const Deck& deck, const Start& start) {
@@ -146,8 +150,8 @@ std::string check_report(const Deck& deck, const Start& start, const Forecast& f
     }
     text += fmt::format("  memory    about {}\n", bytes(forecast.memory_bytes));
     text += fmt::format("  disk      about {} in {}\n", bytes(forecast.disk_bytes), deck.directory.string());
-    text += fmt::format("  time      about {} on one core of this machine, analyses not counted\n",
-                        duration(forecast.seconds));
+    text += fmt::format("  time      about {} on this machine with {}, analyses not counted\n",
+                        duration(forecast.seconds), threads_text());
     return text;
 }
 

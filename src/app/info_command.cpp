@@ -8,6 +8,8 @@
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
+#include "ljmd/core/simd.hpp"
+#include "ljmd/core/threads.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -19,7 +21,13 @@ namespace ljmd {
 
 namespace {
 
-constexpr const char* simd = "none (portable scalar code), double precision, one thread";
+std::vector<std::string_view> usable_levels() {
+    std::vector<std::string_view> names;
+    for (const SimdLevel level : usable_simd_levels()) {
+        names.push_back(name(level));
+    }
+    return names;
+}
 
 /// What decks can select, by the word that `ljmd info` puts before it.
 std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
@@ -39,7 +47,10 @@ std::string info_text() {
     std::string text = fmt::format("ljmd {} (commit {})\n", build.version, build.commit);
     text += fmt::format("compiler      {} {}, {}\nflags         {}\n", build.compiler, build.compiler_version,
                         build.build_type, build.flags);
-    text += fmt::format("simd          {}\n", simd);
+    text += fmt::format("simd          {} (usable here: {})\n", name(default_simd_level()),
+                        fmt::join(usable_levels(), ", "));
+    text += fmt::format("threads       {} of {} processors, unless --threads says otherwise\n", default_thread_count(),
+                        available_processors());
     for (const auto& [word, names] : selectable()) {
         text += fmt::format("{:<14}{}\n", word, fmt::join(names, ", "));
     }
@@ -62,7 +73,9 @@ std::string info_json() {
                                          {"compiler", build.compiler + " " + build.compiler_version},
                                          {"build_type", build.build_type},
                                          {"flags", build.flags},
-                                         {"simd", simd},
+                                         {"simd", name(default_simd_level())},
+                                         {"simd_levels", usable_levels()},
+                                         {"processors", available_processors()},
                                          {"potentials", PairPotential::formula_names()},
                                          {"truncations", PairPotential::truncation_names()},
                                          {"pair_searches", pair_search_names()},

@@ -10,14 +10,26 @@
 
 namespace {
 
-void add_deck_options(CLI::App& command, ljmd::DeckOptions& options) {
-    command.add_option("deck", options.deck, "deck (TOML); all keys: ljmd info --keys")->required()->type_name("DECK");
+constexpr int most_threads = 4096;
+
+void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_is_required = true) {
+    command.add_option("deck", options.deck, "deck (TOML); all keys: ljmd info --keys")
+        ->required(deck_is_required)
+        ->type_name("DECK");
     command.add_option("--set", options.settings, "replace a value of the deck, e.g. --set system.density=0.8")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command.add_flag("--force", options.force, "accept unlikely values; replace an earlier run");
     command.add_flag("--quiet", options.quiet, "no progress, no warnings about the deck");
     command.add_flag("--json", options.json, "print the result as JSON");
+    command
+        .add_option("--threads", options.threads,
+                    "threads to share the work, 1 or OMP_NUM_THREADS by default; no result depends on it")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_threads));
+    command.add_option("--precision", options.precision, "double or mixed, instead of the deck's")->type_name("P");
+    command.add_option("--simd", options.simd, "instruction set of the kernels, one that `ljmd info` lists")
+        ->type_name("LEVEL");
 }
 
 constexpr int usage_error = 2;
@@ -75,6 +87,9 @@ int main(int argc, char** argv) {
         ->required()
         ->type_name("PROGRAM");
     compare.add_option("--out", out, "write the comparison into this directory too")->type_name("DIR");
+    CLI::App& bench = *app.add_subcommand(
+        "bench", "measure how fast a deck runs; without one, the Lennard-Jones melt of 32000 atoms");
+    add_deck_options(bench, options, false);
     CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select");
     CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
     info.add_flag("--json", json, "print it as JSON")->excludes(page);
@@ -97,6 +112,8 @@ int main(int argc, char** argv) {
             ljmd::check_command(options);
         } else if (compare.parsed()) {
             ljmd::compare_command(options, with, out);
+        } else if (bench.parsed()) {
+            ljmd::bench_command(options);
         } else {
             ljmd::info_command(keys, json);
         }

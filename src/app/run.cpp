@@ -10,6 +10,7 @@
 #include "ljmd/app/stability.hpp"
 #include "ljmd/app/time_loop.hpp"
 #include "ljmd/core/schedule.hpp"
+#include "ljmd/core/stopwatch.hpp"
 #include "ljmd/observables/linear_trend.hpp"
 
 namespace ljmd {
@@ -43,6 +44,11 @@ class FluidRun : private StepObserver {
         const Thermodynamics row = thermodynamics_of(evaluation);
         files_.write_frame(simulation_.state);
         write_thermo(row);
+        first_ = row;
+        // The time loop begins: what was spent before does not count.
+        seconds_ = {};
+        force_before_ = simulation_.force_field.seconds_summing();
+        search_before_ = simulation_.force_field.search_statistics();
         if (deck_.total_steps() == 0) {
             averages_.add(row);
             sample_analyses(true);
@@ -62,7 +68,11 @@ class FluidRun : private StepObserver {
     }
 
     void write_thermo(const Thermodynamics& row) {
-        files_.write_thermo(simulation_.state.step, simulation_.state.time, row, order());
+        last_ = row;
+        const std::optional<double> order_now = order();
+        Stopwatch watch;
+        files_.write_thermo(simulation_.state.step, simulation_.state.time, row, order_now);
+        seconds_.write += watch.lap();
     }
 
     void sample_analyses(bool always) {
@@ -117,7 +127,11 @@ class FluidRun : private StepObserver {
         if (stage.sample) {
             sample_analyses(false);
         }
-        files_.write_frame_if_due(state);
+        if (files_.frame_is_due(state)) {
+            Stopwatch watch;
+            files_.write_frame(state);
+            seconds_.write += watch.lap();
+        }
         listener_.step_done(state.step);
     }
 
@@ -128,7 +142,18 @@ class FluidRun : private StepObserver {
         stage.checksum_at_end = checksum(simulation_.state);
     }
 
-    RunResult finish(double seconds) {
+    [[nodiscard]] PhaseSeconds phases(const LoopSeconds& loop) const {
+        const SearchStatistics& search = simulation_.force_field.search_statistics();
+        PhaseSeconds seconds = seconds_;
+        seconds.force = simulation_.force_field.seconds_summing() - force_before_;
+        seconds.list = search.seconds_listing - search_before_.seconds_listing;
+        seconds.sort = search.seconds_sorting - search_before_.seconds_sorting;
+        seconds.integrate = loop.steps - seconds.force - seconds.list - seconds.sort;
+        seconds.observe = loop.all - loop.steps - seconds.write;
+        return seconds;
+    }
+
+    RunResult finish(const LoopSeconds& loop) {
         const State& state = simulation_.state;
         RunResult result{state.count(),
                          density(),
@@ -139,7 +164,9 @@ class FluidRun : private StepObserver {
                          {},
                          {},
                          simulation_.force_field.search_statistics(),
-                         seconds};
+                         phases(loop),
+                         first_,
+                         last_};
         for (const auto& analysis : simulation_.analyses) {
             if (analysis->samples() > 0) {
                 result.tables.push_back(analysis->result());
@@ -197,8 +224,13 @@ class FluidRun : private StepObserver {
     RunAverages averages_;
     std::optional<double> order_at_sampling_;
     std::optional<StabilityWatch> watch_;  ///< of the stage that is running
-    LinearTrend drift_;                    ///< of the total energy in it
+    Thermodynamics first_;
+    Thermodynamics last_;
+    LinearTrend drift_;  ///< of the total energy in it
     std::vector<StageResult> stages_;
+    PhaseSeconds seconds_;            ///< what is spent here
+    double force_before_ = 0.0;       ///< seconds that the force field
+    SearchStatistics search_before_;  ///< and its search had spent when the time loop began
 };
 
 }  // namespace

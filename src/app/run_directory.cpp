@@ -112,10 +112,8 @@ void RunDirectory::write_frame(const State& state) {
     }
 }
 
-void RunDirectory::write_frame_if_due(const State& state) {
-    if (trajectory_ && state.step % deck_.trajectory->every == 0) {
-        trajectory_->write(state);
-    }
+bool RunDirectory::frame_is_due(const State& state) const {
+    return trajectory_ && state.step % deck_.trajectory->every == 0;
 }
 
 void RunDirectory::finish(const State& state, const RunResult& result) {
@@ -129,7 +127,7 @@ void RunDirectory::finish(const State& state, const RunResult& result) {
     }
     write_file_atomically(deck_.directory / "results.json", results_json(deck_, result) + "\n");
     write_file_atomically(deck_.directory / "results.txt", results_table(deck_, result));
-    record_.finish(result.seconds);
+    record_.finish(result.seconds.sum(), result.seconds);
 }
 
 }  // namespace ljmd

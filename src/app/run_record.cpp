@@ -11,6 +11,8 @@
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/simd.hpp"
+#include "ljmd/core/threads.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
 #include "ljmd/io/output_file.hpp"
 
@@ -69,14 +71,14 @@ std::string save_failure(const Deck& deck, const State& state) {
 }
 
 RunRecord::RunRecord(const Deck& deck) : deck_(deck), began_(now()) {
-    write(false, 0.0);
+    write(false, 0.0, std::nullopt);
 }
 
-void RunRecord::finish(double seconds) const {
-    write(true, seconds);
+void RunRecord::finish(double seconds, const std::optional<PhaseSeconds>& phases) const {
+    write(true, seconds, phases);
 }
 
-void RunRecord::write(bool finished, double seconds) const {
+void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const {
     const BuildInfo& build = build_info();
     const bool few_body = deck_.kind == DeckKind::few_body;
     nlohmann::ordered_json record = {
@@ -86,8 +88,9 @@ void RunRecord::write(bool finished, double seconds) const {
         {"compiler", build.compiler + " " + build.compiler_version},
         {"build_type", build.build_type},
         {"flags", build.flags},
-        {"simd", "none (portable scalar code)"},
-        {"threads", 1},
+        {"simd", few_body ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name(default_simd_level()))},
+        {"precision", few_body ? "double" : deck_.performance().text("precision")},
+        {"threads", thread_count()},
         {"host", host()},
         {"title", deck_.title},
         {"deck_file", deck_.path},
@@ -102,6 +105,9 @@ void RunRecord::write(bool finished, double seconds) const {
         {"finished", finished},
         {"seconds_in_time_loop", finished ? nlohmann::ordered_json(seconds) : nlohmann::ordered_json(nullptr)},
         {"resumed_at_steps", nlohmann::ordered_json::array()}};
+    if (phases) {
+        record["seconds_per_phase"] = phases_json(*phases);
+    }
     record["argon"] = nullptr;
     if (deck_.units) {
         record["argon"] = {{"sigma_nm", deck_.units->nanometre()},

@@ -120,16 +120,22 @@ Start find_start(const Deck& deck) {
     return {atoms, cubic_box(atoms, system.number("density")), std::nullopt};
 }
 
+PairForceField make_force_field(const Deck& deck) {
+    const Section& neighbors = deck.neighbors();
+    const auto every = neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt;
+    return {PairPotential::from(deck.potential()),
+            make_pair_search(neighbors.text("method"), neighbors.number("skin"), every),
+            {default_simd_level(), precision_of(deck.performance().text("precision"))}};
+}
+
 Simulation make_simulation(const Deck& deck, Start start, const std::function<void(const std::string&)>& warn) {
     const Section& system = deck.system();
-    const PairPotential potential = PairPotential::from(deck.potential());
     const bool tail = deck.potential().has("tail") && deck.potential().flag("tail");
-    Simulation simulation{
-        State(start.atoms, start.box),
-        PairForceField(potential, make_pair_search(deck.neighbors().text("method"), deck.neighbors().number("skin"))),
-        tail ? TailCorrection(potential) : TailCorrection(),
-        std::nullopt,
-        {}};
+    Simulation simulation{State(start.atoms, start.box),
+                          make_force_field(deck),
+                          tail ? TailCorrection(PairPotential::from(deck.potential())) : TailCorrection(),
+                          std::nullopt,
+                          {}};
 
     if (start.configuration) {
         place_from_file(simulation.state, *start.configuration);

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 
 #include "ljmd/app/run_record.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/stopwatch.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 
@@ -23,7 +23,8 @@ std::unique_ptr<Thermostat> thermostat_of(const Stage& stage) {
 }
 
 /// @param step  of the run; told as it grows, for messages
-void run_stage(const Stage& stage, State& state, ForceField& force_field, StepObserver& observer, Index& step) {
+/// @return seconds spent on steps
+double run_stage(const Stage& stage, State& state, ForceField& force_field, StepObserver& observer, Index& step) {
     const Integrator integrator(find_integrator(stage.integrator), stage.time_step, stage.section);
     integrator.prepare(state, force_field);
     observer.stage_begins(stage);
@@ -32,10 +33,13 @@ void run_stage(const Stage& stage, State& state, ForceField& force_field, StepOb
         integrator.reverse(state, force_field);
     }
     const double first_time = state.time;
+    double seconds = 0.0;
     for (Index n = 1; n <= stage.steps; ++n) {
         ++step;
+        Stopwatch watch;
         const Evaluation evaluation =
             integrator.step(state, force_field, {.energy = observer.wants_energy(step), .order_independent = false});
+        seconds += watch.lap();
         state.step = step;
         state.time = first_time + static_cast<double>(n) * stage.time_step;
         observer.moved(n);
@@ -45,32 +49,36 @@ void run_stage(const Stage& stage, State& state, ForceField& force_field, StepOb
         observer.step_done(stage, evaluation);
     }
     observer.stage_ends(stage);
+    return seconds;
 }
 
 }  // namespace
 
-void run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer) {
+LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field,
+                       StepObserver& observer) {
     Index step = state.step;
     std::string where;
     try {
         observer.started(force_field.evaluate(state, Request::forces_and_energy));
+        LoopSeconds seconds;
+        Stopwatch watch;
         for (const Stage& stage : stages) {
             where = fmt::format(" (stage '{}')", stage.name);
-            run_stage(stage, state, force_field, observer, step);
+            seconds.steps += run_stage(stage, state, force_field, observer, step);
         }
+        seconds.all = watch.lap();
+        return seconds;
     } catch (const PhysicsError& error) {
         throw PhysicsError(fmt::format("step {}{}: {}", step, where, error.what()));
     }
 }
 
-double run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer) {
-    const auto began = std::chrono::steady_clock::now();
+LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer) {
     try {
-        run_stages(deck.stages, state, force_field, observer);
+        return run_stages(deck.stages, state, force_field, observer);
     } catch (const PhysicsError& error) {
         throw PhysicsError(error.what() + save_failure(deck, state));
     }
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
 }  // namespace ljmd

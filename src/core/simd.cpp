@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <optional>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/simd_levels.hpp"
@@ -12,6 +13,8 @@
 namespace ljmd {
 
 namespace {
+
+std::optional<SimdLevel> chosen_level;
 
 constexpr std::array level_names{"portable", "x86-64-v2", "x86-64-v3", "x86-64-v4"};
 
@@ -86,12 +89,28 @@ SimdLevel usable_simd_level(const std::string& wanted) {
 }
 
 SimdLevel default_simd_level() {
+    if (chosen_level) {
+        return *chosen_level;
+    }
     const char* wanted = std::getenv("LJMD_SIMD");  // NOLINT(concurrency-mt-unsafe): nobody writes the environment
     return wanted != nullptr && *wanted != '\0' ? usable_simd_level(wanted) : usable_simd_levels().back();
 }
 
+void set_default_simd_level(SimdLevel level) {
+    chosen_level = level;
+}
+
 std::string_view name(Precision precision) {
     return precision == Precision::mixed ? "mixed" : "double";
+}
+
+Precision precision_of(const std::string& wanted) {
+    for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
+        if (name(precision) == wanted) {
+            return precision;
+        }
+    }
+    throw InputError(fmt::format("unknown precision '{}', allowed: double, mixed", wanted));
 }
 
 }  // namespace ljmd

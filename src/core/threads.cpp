@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <limits>
 
@@ -13,9 +14,6 @@ namespace ljmd {
 
 namespace {
 
-/// A thread that has fewer atoms than this waits longer than it computes.
-constexpr Index fewest_atoms_per_thread = 400;
-
 int threads_in_use = 1;
 
 }  // namespace
@@ -24,9 +22,9 @@ int available_processors() {
     return std::max(1, omp_get_num_procs());
 }
 
-int sensible_threads(Index atoms) {
-    const Index useful = std::max<Index>(1, atoms / fewest_atoms_per_thread);
-    return static_cast<int>(std::min<Index>(useful, available_processors()));
+int default_thread_count() {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody writes the environment
+    return std::getenv("OMP_NUM_THREADS") != nullptr ? std::max(1, omp_get_max_threads()) : 1;
 }
 
 int thread_count() {

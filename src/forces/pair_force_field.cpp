@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/stopwatch.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/forces/pair_sum.hpp"
 #include "simd/pair_kernel.hpp"
@@ -30,6 +31,14 @@ Evaluation PairForceField::compute(State& state, Request request) {
             fmt::format("cutoff {} exceeds half the shortest edge {} of the box", cutoff, state.box().shortest_edge()));
     }
     std::visit([&](auto& search) { search.prepare(state, cutoff); }, search_);
+    Stopwatch watch;
+    const Evaluation evaluation = sum(state, request);
+    seconds_summing_ += watch.lap();
+    return evaluation;
+}
+
+Evaluation PairForceField::sum(State& state, Request request) {
+    const double cutoff = potential_.cutoff().radius;
     if (const auto* list = std::get_if<VerletList>(&search_); list != nullptr && !request.order_independent) {
         return sum_by_kernel(*list, state, request.energy);
     }

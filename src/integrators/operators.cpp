@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/threads.hpp"
 
 namespace ljmd {
 
@@ -14,21 +15,40 @@ void require_current_forces(const State& state) {
     }
 }
 
+/// Four numbers an atom: the fourth of positions, velocities and forces is zero and stays so (see VectorView).
+using Atom = Eigen::Map<Eigen::Array4d>;
+using ConstAtom = Eigen::Map<const Eigen::Array4d>;
+
 void kick(State& state, double dt) {
     require_current_forces(state);
-    auto v = state.write_velocities();
-    const auto f = static_cast<const State&>(state).forces();
-    for (Index i = 0; i < state.count(); ++i) {
-        v.col(i) += dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
-    }
+    double* v = state.write_velocities().data();
+    const double* f = static_cast<const State&>(state).forces().data();
+    const double* m = state.masses().data();
+    for_each_index(state.count(), [=](Index i) { Atom(v + 4 * i) += dt / m[i] * ConstAtom(f + 4 * i); });
 }
 
 void drift(State& state, double dt) {
-    auto r = state.write_positions();
-    const auto v = static_cast<const State&>(state).velocities();
-    for (Index i = 0; i < state.count(); ++i) {
-        r.col(i) = state.snapped(r.col(i) + dt * v.col(i));
-    }
+    double* r = state.write_positions().data();
+    const double* v = static_cast<const State&>(state).velocities().data();
+    const double rounding = state.rounding();
+    for_each_index(state.count(), [=](Index i) {
+        Atom(r + 4 * i) = (Atom(r + 4 * i) + dt * ConstAtom(v + 4 * i) + rounding) - rounding;
+    });
+}
+
+/// A kick and the drift that follows it in one pass over the atoms: the same bits, and half the traffic of memory.
+void kick_and_drift(State& state, double dt_kick, double dt_drift) {
+    require_current_forces(state);
+    double* v = state.write_velocities().data();
+    double* r = state.write_positions().data();
+    const double* f = static_cast<const State&>(state).forces().data();
+    const double* m = state.masses().data();
+    const double rounding = state.rounding();
+    for_each_index(state.count(), [=](Index i) {
+        const Eigen::Array4d velocity = ConstAtom(v + 4 * i) + dt_kick / m[i] * ConstAtom(f + 4 * i);
+        Atom(v + 4 * i) = velocity;
+        Atom(r + 4 * i) = (Atom(r + 4 * i) + dt_drift * velocity + rounding) - rounding;
+    });
 }
 
 }  // namespace
@@ -39,7 +59,13 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
     Evaluation evaluation;
     for (auto op = operators.begin(); op != operators.end(); ++op) {
         if (const auto* k = std::get_if<Kick>(&*op)) {
-            kick(state, k->dt);
+            const auto next = op + 1;
+            if (const auto* d = next != operators.end() ? std::get_if<Drift>(&*next) : nullptr) {
+                kick_and_drift(state, k->dt, d->dt);
+                ++op;
+            } else {
+                kick(state, k->dt);
+            }
         } else if (const auto* d = std::get_if<Drift>(&*op)) {
             drift(state, d->dt);
         } else if (const auto* e = std::get_if<Evaluate>(&*op)) {

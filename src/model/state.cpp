@@ -125,6 +125,9 @@ VectorView State::write_ghosts() {
 void State::wrap() {
     auto r = view(positions_, 0, count_);
     for_each_index(count_, [&](Index i) {
+        if ((r.col(i).array() >= 0.0).all() && (r.col(i).array() < box().edges().array()).all()) {
+            return;  // nearly all atoms, nearly always
+        }
         const Vec3 n = box().crossings(r.col(i));
         if (!(n.array().abs() < most_crossings).all()) {  // true for NaN as well; maxCoeff may pass over it
             throw PhysicsError(

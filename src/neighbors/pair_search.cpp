@@ -10,9 +10,9 @@ std::vector<std::string> pair_search_names() {
     return {std::string(VerletList::name), std::string(LinkedCells::name), std::string(AllPairs::name)};
 }
 
-PairSearch make_pair_search(const std::string& name, double skin) {
+PairSearch make_pair_search(const std::string& name, double skin, std::optional<Index> every) {
     if (name == VerletList::name) {
-        return VerletList(skin);
+        return VerletList(skin, every);
     }
     if (name == LinkedCells::name) {
         return LinkedCells();

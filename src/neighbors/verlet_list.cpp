@@ -1,9 +1,12 @@
 #include "ljmd/neighbors/verlet_list.hpp"
 
+#include <algorithm>
 #include <atomic>
-#include <numeric>
+#include <bit>
+#include <limits>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/stopwatch.hpp"
 #include "ljmd/core/threads.hpp"
 #include "simd/list_kernel.hpp"
 
@@ -24,6 +27,48 @@ void make_room(std::vector<std::int32_t>& entries, std::size_t size) {
     }
 }
 
+/// Runs of points, cut into pieces of as many as a kernel takes at a time.
+class Pieces {
+  public:
+    /// @pre length is a power of two
+    explicit Pieces(int length) : length_(length), shift_(std::countr_zero(static_cast<unsigned>(length))) {}
+
+    void clear() { count_ = 0; }
+    [[nodiscard]] const CellGrid::Run* data() const { return pieces_.data(); }
+    [[nodiscard]] int count() const { return count_; }
+
+    void add(CellGrid::Run run) {
+        const int needed = (run.length() + length_ - 1) >> shift_;  // a division would take longer than the rest
+        const auto room = static_cast<std::size_t>(count_ + std::max(needed, usual));
+        if (pieces_.size() < room) {
+            pieces_.resize(2 * room);
+        }
+        // The usual number is written whether there are so many or not: nothing then depends on a branch that the
+        // processor cannot foresee.
+        CellGrid::Run* piece = pieces_.data() + count_;
+        for (int k = 0; k < usual; ++k) {
+            piece[k] = piece_of(run, k);
+        }
+        for (int k = usual; k < needed; ++k) {
+            piece[k] = piece_of(run, k);
+        }
+        count_ += needed;
+    }
+
+  private:
+    static constexpr int usual = 3;
+
+    [[nodiscard]] CellGrid::Run piece_of(CellGrid::Run run, int k) const {
+        const std::int32_t first = run.first + k * length_;
+        return {first, std::min(first + length_, run.last)};
+    }
+
+    int length_;
+    int shift_;
+    int count_ = 0;
+    std::vector<CellGrid::Run> pieces_;
+};
+
 }  // namespace
 
 void VerletList::prepare_for(SimdLevel level, int lanes) {
@@ -36,13 +81,17 @@ void VerletList::prepare_for(SimdLevel level, int lanes) {
 
 void VerletList::prepare(State& state, double cutoff) {
     ++statistics_.preparations;
+    Stopwatch watch;
     if (still_valid(state, cutoff)) {
         ++age_;
         ghosts_.update(state);
     } else {
-        rebuild(state, cutoff);
+        sort(state, cutoff + skin_);
+        statistics_.seconds_sorting += watch.lap();
+        build(state, cutoff);
         age_ = 1;
     }
+    statistics_.seconds_listing += watch.lap();
 }
 
 bool VerletList::still_valid(State& state, double cutoff) {
@@ -55,31 +104,37 @@ bool VerletList::still_valid(State& state, double cutoff) {
 }
 
 bool VerletList::nothing_moved_too_far(State& state) const {
-    const auto reference = static_cast<const State&>(state).registered(reference_of(state));
-    const auto r = static_cast<const State&>(state).positions();
+    const double* reference = static_cast<const State&>(state).registered(reference_of(state)).data();
+    const double* r = static_cast<const State&>(state).positions().data();
     const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // a hair less, for the rounding in the distances
     const double limit2 = limit * limit;
     std::atomic<bool> valid = true;
     for_each_block(state.count(), usual_block, [&](Index first, Index last) {
-        bool near = true;
+        Index near = 0;
         for (Index i = first; i < last; ++i) {
-            near = near && (r.col(i) - reference.col(i)).squaredNorm() <= limit2;  // NaN counts as moved
+            const double dx = r[4 * i] - reference[4 * i];
+            const double dy = r[4 * i + 1] - reference[4 * i + 1];
+            const double dz = r[4 * i + 2] - reference[4 * i + 2];
+            near += dx * dx + dy * dy + dz * dz <= limit2 ? 1 : 0;  // NaN counts as moved
         }
-        if (!near) {
+        if (near < last - first) {
             valid = false;
         }
     });
     return valid;
 }
 
-void VerletList::rebuild(State& state, double cutoff) {
-    const double range = cutoff + skin_;
+void VerletList::sort(State& state, double range) {
     state.wrap();
     grid_.configure(state.box(), range, state.count());
     state.reorder(grid_.spatial_order(state));
     ghosts_.create(state, range);
+    grid_.fill(static_cast<const State&>(state).positions_and_ghosts());
+}
+
+void VerletList::build(State& state, double cutoff) {
+    const double range = cutoff + skin_;
     const State& atoms = state;
-    grid_.fill(atoms.positions_and_ghosts());
     fixed_point_ = FixedPoint(state.box(), 2.0 * range);
     gather_candidates(atoms.positions_and_ghosts());
 
@@ -107,16 +162,17 @@ void VerletList::rebuild(State& state, double cutoff) {
 
 void VerletList::gather_candidates(const ConstVectorView& points) {
     const auto order = grid_.order();
-    for (auto& values : candidates_) {
+    for (auto& values : candidate_places_) {
         values.resize(order.size() + list_kernel_slack);
     }
+    candidate_entries_.resize(order.size() + list_kernel_slack);
     for_each_index(static_cast<Index>(order.size()), [&](Index k) {
         const auto place = static_cast<std::size_t>(k);
         const auto r = points.col(order[place]);
         for (int a = 0; a < 3; ++a) {
-            candidates_[static_cast<std::size_t>(a)][place] = fixed_point_(r[a], a);
+            candidate_places_[static_cast<std::size_t>(a)][place] = static_cast<float>(fixed_point_(r[a], a));
         }
-        candidates_[3][place] = static_cast<std::int32_t>(4U * static_cast<std::uint32_t>(order[place]));
+        candidate_entries_[place] = static_cast<std::int32_t>(4U * static_cast<std::uint32_t>(order[place]));
     });
 }
 
@@ -124,31 +180,37 @@ std::array<Index, 2> VerletList::fill_block(Block& block, const State& state, In
                                             double range) const {
     const auto r = state.positions();
     const ListKernel kernel = list_kernel(level_);
-    const Candidates candidates{candidates_[0].data(), candidates_[1].data(), candidates_[2].data(),
-                                candidates_[3].data()};
-    // Both points may be off by half a unit, and the kernel rounds to single precision: no pair within range is lost,
-    // and one that is hardly farther away may be on the list.
-    const double units = range / fixed_point_.unit() + 2.0;
+    const Candidates candidates{candidate_places_[0].data(), candidate_places_[1].data(), candidate_places_[2].data(),
+                                candidate_entries_.data()};
+    const auto place = [&](double x, int axis) { return static_cast<float>(fixed_point_(x, axis)); };
+    // Each coordinate may be off by 16.5 units, a distance by twice the root of three of that, and the kernel rounds:
+    // no pair within range is lost, and one that is hardly farther away may be on the list.
+    const double units = range / fixed_point_.unit() + 58.0;
     const auto range2 = static_cast<float>(units * units * (1.0 + 1e-6));
     const auto filling = static_cast<std::int32_t>(4U * static_cast<std::uint32_t>(state.far_point()));
 
     std::array<Index, 2> counts{};
-    std::vector<CellGrid::Run> runs(grid_.run_count());
+    // Of the cell that the atom is in; the next atom is often in the same one.
+    Pieces pieces(kernel.lanes);
+    std::size_t cell_of_pieces = std::numeric_limits<std::size_t>::max();
+    std::int32_t tests = 0;
     std::size_t end = 0;
     block.starts.fill(0);
     for (Index i = first; i < last; ++i) {
         const Vec3 center = r.col(i);
-        int run_count = 0;
-        std::int32_t tests = 0;
-        grid_.for_each_run(center, [&](CellGrid::Run run) {
-            runs[static_cast<std::size_t>(run_count)] = run;
-            run_count += run.length() > 0 ? 1 : 0;
-            tests += run.length();
-        });
+        if (const std::size_t cell = grid_.cell_at(center); cell != cell_of_pieces) {
+            cell_of_pieces = cell;
+            tests = 0;
+            pieces.clear();
+            grid_.for_each_run(cell, [&](CellGrid::Run run) {
+                tests += run.length();
+                pieces.add(run);
+            });
+        }
         make_room(block.entries, end + static_cast<std::size_t>(tests) + 2 * list_kernel_slack);
-        const int found =
-            kernel(candidates, runs.data(), run_count, fixed_point_(center[0], 0), fixed_point_(center[1], 1),
-                   fixed_point_(center[2], 2), static_cast<std::int32_t>(4 * i), range2, block.entries.data() + end);
+        const int found = kernel.neighbors_of(candidates, pieces.data(), pieces.count(), place(center[0], 0),
+                                              place(center[1], 1), place(center[2], 2),
+                                              static_cast<std::int32_t>(4 * i), range2, block.entries.data() + end);
         counts[0] += found;
         counts[1] += tests;
         end += static_cast<std::size_t>(found);

@@ -1,5 +1,7 @@
 #include "ljmd/parallel/ghost_exchange.hpp"
 
+#include "ljmd/core/threads.hpp"
+
 namespace ljmd {
 
 void GhostExchange::create(State& state, double halo) {
@@ -7,22 +9,31 @@ void GhostExchange::create(State& state, double halo) {
     const auto r = static_cast<const State&>(state).positions();
     const Vec3& edges = state.box().edges();
     for (int a = 0; a < 3; ++a) {
-        const auto append_images = [&](Index owner, const Vec3& shift) {
+        const auto append_images = [&](std::vector<Image>& images, Index owner, const Vec3& shift) {
             const double x = r(a, owner) + shift[a];
             for (double n = 1.0; x + n * edges[a] < edges[a] + halo; n += 1.0) {
-                images_.push_back({owner, shift + n * edges[a] * Vec3::Unit(a)});
+                images.push_back({owner, shift + n * edges[a] * Vec3::Unit(a)});
             }
             for (double n = 1.0; x - n * edges[a] >= -halo; n += 1.0) {
-                images_.push_back({owner, shift - n * edges[a] * Vec3::Unit(a)});
+                images.push_back({owner, shift - n * edges[a] * Vec3::Unit(a)});
             }
         };
-        const std::size_t before = images_.size();
-        for (Index i = 0; i < state.count(); ++i) {
-            append_images(i, Vec3::Zero());
-        }
-        for (std::size_t k = 0; k < before; ++k) {
-            const Image image = images_[k];  // a copy: append_images may move the vector
-            append_images(image.owner, image.shift);
+        // Of the atoms first, then of the images along the axes before.
+        const Index candidates = state.count() + static_cast<Index>(images_.size());
+        std::vector<std::vector<Image>> found(static_cast<std::size_t>((candidates + usual_block - 1) / usual_block));
+        for_each_block(candidates, usual_block, [&](Index first, Index last) {
+            auto& images = found[static_cast<std::size_t>(first / usual_block)];
+            for (Index k = first; k < last; ++k) {
+                if (k < state.count()) {
+                    append_images(images, k, Vec3::Zero());
+                } else {
+                    const Image& image = images_[static_cast<std::size_t>(k - state.count())];
+                    append_images(images, image.owner, image.shift);
+                }
+            }
+        });
+        for (const auto& images : found) {
+            images_.insert(images_.end(), images.begin(), images.end());
         }
     }
     state.set_ghost_count(static_cast<Index>(images_.size()));
@@ -30,11 +41,14 @@ void GhostExchange::create(State& state, double halo) {
 }
 
 void GhostExchange::update(State& state) const {
-    const auto r = static_cast<const State&>(state).positions();
-    auto ghosts = state.write_ghosts();
-    for (std::size_t k = 0; k < images_.size(); ++k) {
-        ghosts.col(static_cast<Index>(k)) = r.col(images_[k].owner) + images_[k].shift;
-    }
+    const double* r = static_cast<const State&>(state).positions().data();
+    double* ghosts = state.write_ghosts().data();
+    for_each_index(count(), [&](Index k) {
+        const Image& image = images_[static_cast<std::size_t>(k)];
+        for (int a = 0; a < 3; ++a) {
+            ghosts[4 * k + a] = r[4 * image.owner + a] + image.shift[a];
+        }
+    });
 }
 
 }  // namespace ljmd

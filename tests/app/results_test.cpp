@@ -35,7 +35,9 @@ RunResult some_result() {
             .tables = {},
             .warnings = {"a doubt"},
             .search = {},
-            .seconds = 1.0};
+            .seconds = {},
+            .first = {},
+            .last = {}};
 }
 
 Deck deck_with(const std::string& extra) {

@@ -214,7 +214,8 @@ TEST_CASE("run.json tells a run that goes on from one that has ended") {
     CHECK(looks == 60);
     const Json record = Json::parse(content_of(deck.directory / "run.json"));
     CHECK(record.at("finished") == true);
-    CHECK(record.at("seconds_in_time_loop") == result.seconds);
+    CHECK(record.at("seconds_in_time_loop") == result.seconds.sum());
+    CHECK(record.at("seconds_per_phase").at("force").get<double>() > 0.0);
 }
 
 TEST_CASE("a run that blows up ends with step, stage and the configuration") {

@@ -39,7 +39,7 @@ LAYERS = {
 PHYSICS = {"model", "potentials", "neighbors", "forces", "integrators", "observables", "reference"}
 
 # Written by the build, not in the tree.
-GENERATED = {"ljmd/core/version.hpp", "ljmd/potentials/formula_list.hpp"}
+GENERATED = {"ljmd/app/bench_deck.hpp", "ljmd/core/simd_levels.hpp", "ljmd/core/version.hpp", "ljmd/potentials/formula_list.hpp"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 CONDITIONAL = re.compile(r"^\s*#\s*(if|ifdef|ifndef|elif|elifdef|elifndef)\b")

@@ -17,7 +17,7 @@ namespace {
 /// How often a grid yields each point for one atom.
 std::vector<int> times_met(const CellGrid& grid, const State& state, Index i) {
     std::vector<int> times(static_cast<std::size_t>(state.positions_and_ghosts().cols()));
-    grid.for_each_run(state.positions().col(i), [&](CellGrid::Run run) {
+    grid.for_each_run(grid.cell_at(state.positions().col(i)), [&](CellGrid::Run run) {
         for (std::int32_t k = run.first; k < run.last; ++k) {
             ++times[static_cast<std::size_t>(grid.order()[static_cast<std::size_t>(k)])];
         }
@@ -52,7 +52,8 @@ bool finds_everything(const State& state, const CellGrid& grid, double range) {
 double candidates_per_atom(const State& state, const CellGrid& grid) {
     std::int64_t candidates = 0;
     for (Index i = 0; i < state.count(); ++i) {
-        grid.for_each_run(state.positions().col(i), [&](CellGrid::Run run) { candidates += run.length(); });
+        grid.for_each_run(grid.cell_at(state.positions().col(i)),
+                          [&](CellGrid::Run run) { candidates += run.length(); });
     }
     return static_cast<double>(candidates) / static_cast<double>(state.count());
 }
@@ -136,7 +137,7 @@ TEST_CASE("the spatial order sorts by cell and by id within it, and no present o
 
     // Atoms of the same cell follow each other with ascending ids; cells follow each other along x, then y, then z.
     state.reorder(grid.spatial_order(state));
-    const Vec3 cells(25.0, 5.0, 7.0);  // floor(8 L / range), floor(2 L / range)
+    const Vec3 cells(6.0, 5.0, 7.0);  // floor(2 L / range)
     const auto cell_of = [&](Index i) {
         const Vec3 c = state.positions().col(i).cwiseQuotient(state.box().edges()).cwiseProduct(cells).array().floor();
         return (c[2] * cells[1] + c[1]) * cells[0] + c[0];

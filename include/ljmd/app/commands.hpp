@@ -13,6 +13,9 @@ struct DeckOptions {
     bool force = false;
     bool quiet = false;
     bool json = false;
+    std::string precision{};  ///< replaces the deck's unless empty
+    std::string simd{};       ///< SIMD level to use; empty: LJMD_SIMD, else the highest
+    int threads = 0;          ///< 0: OMP_NUM_THREADS, or 1
 };
 
 // Each command prints results to stdout and talk to stderr, and throws the typed errors of core/errors.hpp.
@@ -27,6 +30,9 @@ void check_command(const DeckOptions& options);
 /// @param with  "gsl": the deck's integrators against an adaptive solution of high order; few-body decks
 /// @param out   directory for compare-gsl.csv and compare-gsl.json; empty: the comparison is only printed
 void compare_command(const DeckOptions& options, const std::string& with, const std::string& out);
+
+/// ljmd bench [DECK]: how fast a deck runs. An empty options.deck means the Lennard-Jones melt.
+void bench_command(const DeckOptions& options);
 
 /// ljmd info
 /// @param keys  print the reference page of all deck keys instead

@@ -51,6 +51,7 @@ struct Deck {
     [[nodiscard]] const Section& system() const { return root.section("system"); }
     [[nodiscard]] const Section& potential() const { return root.section("potential"); }
     [[nodiscard]] const Section& neighbors() const { return root.section("neighbors"); }
+    [[nodiscard]] const Section& performance() const { return root.section("performance"); }
     // Tables of a few-body system.
     [[nodiscard]] const Section& force() const { return root.section("force"); }
     [[nodiscard]] const std::vector<Section>& bodies() const { return root.sections("body"); }

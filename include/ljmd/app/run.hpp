@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/app/phase_seconds.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/observables/run_averages.hpp"
 
@@ -35,7 +36,9 @@ struct RunResult {
     std::vector<DataTable> tables;      ///< of the analyses
     std::vector<std::string> warnings;  ///< about the results
     SearchStatistics search;
-    double seconds;  ///< wall time of the time loop
+    PhaseSeconds seconds;  ///< wall time of the time loop
+    Thermodynamics first;  ///< of the start
+    Thermodynamics last;   ///< of the last row of thermo.csv
 };
 
 /// Receives what happens during a run. The default ignores it all.

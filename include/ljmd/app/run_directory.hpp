@@ -37,7 +37,7 @@ class RunDirectory {
 
     void write_thermo(Index step, double time, const Thermodynamics& row, std::optional<double> order_parameter);
     void write_frame(const State& state);
-    void write_frame_if_due(const State& state);
+    [[nodiscard]] bool frame_is_due(const State& state) const;
 
     /// Closes the outputs and writes final.xyz, the analyses' tables, results.json and .txt, and run.json once more.
     void finish(const State& state, const RunResult& result);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "ljmd/app/deck.hpp"
+#include "ljmd/app/phase_seconds.hpp"
 #include "ljmd/io/trajectory_writer.hpp"
 
 namespace ljmd {
@@ -15,10 +17,11 @@ class RunRecord {
     explicit RunRecord(const Deck& deck);
 
     /// @param seconds  wall time of the time loop
-    void finish(double seconds) const;
+    /// @param phases   where it went, if that was measured
+    void finish(double seconds, const std::optional<PhaseSeconds>& phases = std::nullopt) const;
 
   private:
-    void write(bool finished, double seconds) const;
+    void write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const;
 
     const Deck& deck_;
     std::string began_;

@@ -37,6 +37,9 @@ struct Simulation {
     Index relaxation_iterations = 0;  ///< of a random start
 };
 
+/// The forces of a deck on a fluid.
+[[nodiscard]] PairForceField make_force_field(const Deck& deck);
+
 /// Place the atoms, draw or take velocities, and set up forces and analyses.
 /// @param warn  receives one line for each thing a user should know
 /// @pre the deck has been checked against the start's box

@@ -36,15 +36,20 @@ class StepObserver {
     StepObserver& operator=(const StepObserver&) = default;
 };
 
+/// Wall time of a time loop [s]. The evaluation of the start is not counted.
+struct LoopSeconds {
+    double all = 0.0;
+    double steps = 0.0;  ///< integrators, with the forces they ask for
+};
+
 /// The one time loop: evaluates the start, then takes every step of every stage.
 ///
 /// Time grows in all stages, also in those that run the motion backwards.
 /// @throws PhysicsError naming the step and the stage
-void run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer);
+LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer);
 
 /// The same for a run with an output directory, where a failure leaves failed.xyz.
-/// @return wall time [s]
 /// @throws PhysicsError naming the step, the stage and that file
-double run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer);
+LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer);
 
 }  // namespace ljmd

@@ -25,9 +25,13 @@ enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4 };
 /// The level of that name. @throws InputError for one that is unknown, or that this processor or program does not have
 [[nodiscard]] SimdLevel usable_simd_level(const std::string& name);
 
-/// The one named by the environment variable LJMD_SIMD, else the highest usable.
+/// What kernels use that are not told otherwise: the level set, else the one named by the environment variable
+/// LJMD_SIMD, else the highest usable.
 /// @throws InputError as usable_simd_level
 [[nodiscard]] SimdLevel default_simd_level();
+
+/// Set it for this process. @pre level is usable here
+void set_default_simd_level(SimdLevel level);
 
 /// Numbers that the pair sum computes in. Positions, velocities, totals and integration are in double always.
 enum class Precision {
@@ -38,5 +42,8 @@ enum class Precision {
 
 /// "double", "mixed"
 [[nodiscard]] std::string_view name(Precision precision);
+
+/// @throws InputError for another name
+[[nodiscard]] Precision precision_of(const std::string& name);
 
 }  // namespace ljmd

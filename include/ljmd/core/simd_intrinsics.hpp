@@ -127,6 +127,30 @@ LJMD_INLINE RawVector<T, lanes / 2> high_half(RawVector<T, lanes> v) {
     return half;
 }
 
+/// One vector of two: the opposite of low_half and high_half. With gcc's shuffle the second would not be taken straight
+/// from memory.
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, 2 * lanes> joined(RawVector<T, lanes> low, RawVector<T, lanes> high) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(low) == 32) {
+        return reinterpret<RawVector<T, 2 * lanes>>(
+            _mm512_inserti64x4(_mm512_castsi256_si512(reinterpret<__m256i>(low)), reinterpret<__m256i>(high), 1));
+    } else
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(low) == 16) {
+        return reinterpret<RawVector<T, 2 * lanes>>(
+            _mm256_insertf128_pd(_mm256_castpd128_pd256(reinterpret<__m128d>(low)), reinterpret<__m128d>(high), 1));
+    } else
+#endif
+    {
+        RawVector<T, 2 * lanes> both;
+        __builtin_memcpy(&both, &low, sizeof low);
+        __builtin_memcpy(reinterpret_cast<char*>(&both) + sizeof low, &high, sizeof high);
+        return both;
+    }
+}
+
 /// One bit a lane. @param condition  all bits set or none in each lane
 template <int lanes>
 LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, lanes> condition) {

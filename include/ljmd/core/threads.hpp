@@ -13,8 +13,9 @@ namespace ljmd {
 /// Processors that this process may run on, at least 1.
 [[nodiscard]] int available_processors();
 
-/// Threads worth having for that many atoms on this machine: beyond, waiting for each other costs more than it gains.
-[[nodiscard]] int sensible_threads(Index atoms);
+/// As many as the environment variable OMP_NUM_THREADS says, 1 without it. On a machine that others use too, more
+/// threads than free processors are slower than one, so nobody gets them who has not asked.
+[[nodiscard]] int default_thread_count();
 
 /// In use: 1 until set. @throws ContractViolation if count < 1
 [[nodiscard]] int thread_count();

@@ -29,10 +29,13 @@ class PairForceField : public ForceField {
     [[nodiscard]] const PairSearch& search() const { return search_; }
     [[nodiscard]] const PairArithmetic& arithmetic() const { return arithmetic_; }
     [[nodiscard]] const SearchStatistics& search_statistics() const;
+    /// Wall time spent on sums over pairs, neighbour search left out.
+    [[nodiscard]] double seconds_summing() const { return seconds_summing_; }
 
   private:
     Evaluation compute(State& state, Request request) override;
 
+    [[nodiscard]] Evaluation sum(State& state, Request request);
     [[nodiscard]] Evaluation sum_by_kernel(const VerletList& list, State& state, bool energy);
     void update_fixed_positions(const FixedPoint& fixed_point, const State& state);
 
@@ -40,6 +43,7 @@ class PairForceField : public ForceField {
     PairSearch search_;
     PairArithmetic arithmetic_;
     AlignedVector<std::int32_t> fixed_positions_;  ///< 4 a point; for mixed precision
+    double seconds_summing_ = 0.0;
 };
 
 }  // namespace ljmd

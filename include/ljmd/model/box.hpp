@@ -27,6 +27,9 @@ class Box {
     /// finer (below), and exactness is no longer promised.
     [[nodiscard]] Vec3 snap(const Vec3& r) const { return (r.array() + rounding_) - rounding_; }
 
+    /// What snap() adds and takes away again.
+    [[nodiscard]] double rounding() const { return rounding_; }
+
     /// How many edges r lies beyond [0, L) in each direction, as whole numbers: r - edges * crossings is inside. Exact
     /// for r on the grid and within +-3 L; further out the product rounds, and the result may miss [0, L) by that
     /// rounding.

@@ -59,6 +59,9 @@ class State {
     /// r on the grid of the box; r itself when there is no box.
     [[nodiscard]] Vec3 snapped(const Vec3& r) const { return box_ ? box_->snap(r) : r; }
 
+    /// Adding this to a coordinate and taking it away again is what `snapped` does; 0 without a box.
+    [[nodiscard]] double rounding() const { return box_ ? box_->rounding() : 0.0; }
+
     /// Bring every local atom into [0, L), counting the edges crossed. Exact (see Box::crossings), so forces stay
     /// current.
     /// @throws PhysicsError naming the atom (counted from 1) when one is not finite or a million edges away

@@ -14,9 +14,9 @@ namespace ljmd {
 /// Linked cells: points sorted into a grid of cells over the box and a halo around it, so that all points within
 /// `range` of an atom are found in a fixed number of cells, whatever the number of atoms.
 ///
-/// Cells are about range/2 wide along y and z and range/8 along x; the halo is as many layers of cells as cover
-/// `range`. Rows of cells along x lie one after the other in memory, so the neighbourhood of a cell is one contiguous
-/// run of points a row; of each row only the part that can lie within `range` of the cell belongs to it.
+/// Cells are about range/2 wide; the halo is as many layers of cells as cover `range`. Rows of cells along x lie one
+/// after the other in memory, so the neighbourhood of a cell is one contiguous run of points a row; of each row only
+/// the part that can lie within `range` of the cell belongs to it.
 class CellGrid {
   public:
     /// Fix the cells for a box, a range and a number of atoms (a nearly empty box gets larger cells, so that memory
@@ -40,20 +40,21 @@ class CellGrid {
         [[nodiscard]] std::int32_t length() const { return last - first; }
     };
 
-    /// Call visit(run) for runs that together hold every point within range of `position`, each once.
-    /// @param position  in [0, L)
+    /// Number of the cell that holds a position. @param position  in [0, L)
+    [[nodiscard]] std::size_t cell_at(const Vec3& position) const { return flat(cell_of(position)); }
+
+    /// Call visit(run) for runs that together hold every point within range of the positions of a cell, each once.
     template <class Visit>
-    void for_each_run(const Vec3& position, Visit&& visit) const {
-        const std::size_t home = flat(cell_of(position));
+    void for_each_run(std::size_t cell, Visit&& visit) const {
         for (const Row& row : rows_) {
             const std::size_t middle =
-                home + static_cast<std::size_t>(row.shift);  // modulo 2^64: shifts may be negative
+                cell + static_cast<std::size_t>(row.shift);  // modulo 2^64: shifts may be negative
             visit(Run{static_cast<std::int32_t>(starts_[middle - row.reach]),
                       static_cast<std::int32_t>(starts_[middle + row.reach + 1])});
         }
     }
 
-    /// Runs of every position.
+    /// Runs of every cell.
     [[nodiscard]] std::size_t run_count() const { return rows_.size(); }
 
   private:

@@ -22,7 +22,7 @@ class LinkedCells {
     void for_each_candidate(const State& state, Index i, Visit&& visit) const {
         const auto all = state.positions_and_ghosts();
         const Vec3 r = all.col(i);
-        grid_.for_each_run(r, [&](CellGrid::Run run) {
+        grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {
             for (std::int32_t k = run.first; k < run.last; ++k) {
                 const Index j = grid_.order()[static_cast<std::size_t>(k)];
                 if (j != i) {

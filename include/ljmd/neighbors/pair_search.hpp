@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,8 +26,10 @@ using PairSearch = std::variant<AllPairs, LinkedCells, VerletList>;
 /// The names that [neighbors] method takes, with their meaning.
 [[nodiscard]] std::vector<std::string> pair_search_names();
 
-/// @param skin  extra radius of the list [sigma], >= 0; only `verlet-list` uses it
+/// @param skin   extra radius of the list [sigma], >= 0; only `verlet-list` uses it
+/// @param every  keep each list for that many evaluations, see VerletList; only `verlet-list` uses it
 /// @throws InputError for an unknown name
-[[nodiscard]] PairSearch make_pair_search(const std::string& name, double skin);
+[[nodiscard]] PairSearch make_pair_search(const std::string& name, double skin,
+                                          std::optional<Index> every = std::nullopt);
 
 }  // namespace ljmd

@@ -6,9 +6,11 @@ namespace ljmd {
 
 /// What a pair search did since it was made.
 struct SearchStatistics {
-    Index preparations = 0;    ///< calls of prepare()
-    Index rebuilds = 0;        ///< how many of them built cells or lists anew
-    Index distance_tests = 0;  ///< pairs looked at while building lists (Verlet list only)
+    Index preparations = 0;        ///< calls of prepare()
+    Index rebuilds = 0;            ///< how many of them built cells or lists anew
+    Index distance_tests = 0;      ///< pairs looked at while building lists (Verlet list only)
+    double seconds_sorting = 0.0;  ///< atoms put in order, ghosts made anew
+    double seconds_listing = 0.0;  ///< lists checked and built, ghosts moved
 };
 
 }  // namespace ljmd

@@ -82,7 +82,9 @@ class VerletList {
     /// True when no atom has moved by more than skin/2 since the list was built for this cutoff and box.
     [[nodiscard]] bool still_valid(State& state, double cutoff);
     [[nodiscard]] bool nothing_moved_too_far(State& state) const;
-    void rebuild(State& state, double cutoff);
+    /// Atoms into the order of their cells, ghosts around them, all into the grid.
+    void sort(State& state, double range);
+    void build(State& state, double cutoff);
     /// The points in the order of the cells, as the kernel wants them.
     void gather_candidates(const ConstVectorView& points);
     /// @return {neighbours, distance tests}
@@ -100,7 +102,8 @@ class VerletList {
     CellGrid grid_;
     GhostExchange ghosts_;
     FixedPoint fixed_point_;
-    std::array<std::vector<std::int32_t>, 4> candidates_;  ///< x, y, z, entry
+    std::array<std::vector<float>, 3> candidate_places_;  ///< in the order of the cells, units of fixed_point_
+    std::vector<std::int32_t> candidate_entries_;
     std::vector<Block> blocks_;
     Index entries_ = 0;
     SearchStatistics statistics_;

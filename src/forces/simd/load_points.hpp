@@ -16,10 +16,11 @@ struct Points {
     RawVector<T, lanes> z;
 };
 
+/// @pre aligned to its own size
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes> load(const T* from) {
     RawVector<T, lanes> v;
-    __builtin_memcpy(&v, from, sizeof v);
+    __builtin_memcpy(&v, __builtin_assume_aligned(from, sizeof v), sizeof v);
     return v;
 }
 
@@ -40,7 +41,7 @@ LJMD_INLINE Points<double, 2> load_points2(const double* points, const std::int3
 
 /// x y (or z 0) of two points.
 LJMD_INLINE RawVector<double, 4> two_halves(const double* a, const double* b) {
-    return __builtin_shufflevector((load<double, 2>(a)), (load<double, 2>(b)), 0, 1, 2, 3);
+    return joined<double, 2>(load<double, 2>(a), load<double, 2>(b));
 }
 
 LJMD_INLINE Points<double, 4> load_points4(const double* points, const std::int32_t* entries) {
@@ -58,8 +59,7 @@ LJMD_INLINE Points<double, 4> load_points4(const double* points, const std::int3
 
 /// Two whole points.
 LJMD_INLINE RawVector<double, 8> two_points(const double* points, std::int32_t a, std::int32_t b) {
-    return __builtin_shufflevector((load<double, 4>(address(points, a))), (load<double, 4>(address(points, b))), 0, 1,
-                                   2, 3, 4, 5, 6, 7);
+    return joined<double, 4>(load<double, 4>(address(points, a)), load<double, 4>(address(points, b)));
 }
 
 LJMD_INLINE Points<double, 8> load_points8(const double* points, const std::int32_t* e) {
@@ -97,8 +97,8 @@ LJMD_INLINE Points<std::int32_t, 4> load_points4(const std::int32_t* points, con
 /// The same in each half of a register.
 LJMD_INLINE Points<std::int32_t, 8> load_points8(const std::int32_t* points, const std::int32_t* e) {
     const auto pair = [&](int k) {
-        return __builtin_shufflevector((load<std::int32_t, 4>(address(points, e[k]))),
-                                       (load<std::int32_t, 4>(address(points, e[k + 4]))), 0, 1, 2, 3, 4, 5, 6, 7);
+        return joined<std::int32_t, 4>(load<std::int32_t, 4>(address(points, e[k])),
+                                       load<std::int32_t, 4>(address(points, e[k + 4])));
     };
     const Ints8 a = pair(0);
     const Ints8 b = pair(1);
@@ -116,12 +116,10 @@ LJMD_INLINE Points<std::int32_t, 8> load_points8(const std::int32_t* points, con
 /// The same in each quarter.
 LJMD_INLINE Points<std::int32_t, 16> load_points16(const std::int32_t* points, const std::int32_t* e) {
     const auto two = [&](int k) {
-        return __builtin_shufflevector((load<std::int32_t, 4>(address(points, e[k]))),
-                                       (load<std::int32_t, 4>(address(points, e[k + 4]))), 0, 1, 2, 3, 4, 5, 6, 7);
+        return joined<std::int32_t, 4>(load<std::int32_t, 4>(address(points, e[k])),
+                                       load<std::int32_t, 4>(address(points, e[k + 4])));
     };
-    const auto four = [&](int k) {
-        return __builtin_shufflevector(two(k), two(k + 8), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-    };
+    const auto four = [&](int k) { return joined<std::int32_t, 8>(two(k), two(k + 8)); };
     const Ints16 a = four(0);
     const Ints16 b = four(1);
     const Ints16 c = four(2);

@@ -119,15 +119,15 @@ template <class Arithmetic, bool with_energy, class Pair>
         Sums<V, with_energy> sum_of_atom;
         const std::uint32_t last = task.starts[k + 1];
         for (std::uint32_t e = task.starts[k] + V::lanes; e < last; e += V::lanes) {
-            const Separation<V> next = arithmetic.separation(task.entries + e);
-            sum_of_atom.add(pair, cutoff2, current);
-            current = next;
+            const Separation<V> before = current;
+            current = arithmetic.separation(task.entries + e);
+            sum_of_atom.add(pair, cutoff2, before);
         }
         const int following = k + 1 < task.count ? k + 1 : k;
         arithmetic.go_to(task.first + following);
-        const Separation<V> next = arithmetic.separation(task.entries + task.starts[following]);
-        sum_of_atom.add(pair, cutoff2, current);
-        current = next;
+        const Separation<V> before = current;
+        current = arithmetic.separation(task.entries + task.starts[following]);
+        sum_of_atom.add(pair, cutoff2, before);
 
         double* force = task.forces + 4 * (task.first + k);
         force[0] = sum(sum_of_atom.fx) * arithmetic.unit();

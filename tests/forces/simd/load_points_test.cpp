@@ -7,12 +7,14 @@
 #include <random>
 #include <vector>
 
+#include "ljmd/core/aligned_vector.hpp"
+
 using namespace ljmd;
 
 TEMPLATE_TEST_CASE_SIG("scattered points become vectors of x, y and z, each point in one lane", "",
                        ((class T, int lanes), T, lanes), (double, 2), (double, 4), (double, 8), (std::int32_t, 4),
                        (std::int32_t, 8), (std::int32_t, 16)) {
-    std::vector<T> points(4 * 50);
+    AlignedVector<T> points(4 * 50);
     std::iota(points.begin(), points.end(), T(1000));
     std::array<std::int32_t, static_cast<std::size_t>(lanes)> entries{};
     std::mt19937 generator(3);

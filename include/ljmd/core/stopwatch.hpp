@@ -1,0 +1,23 @@
+#pragma once
+
+#include <chrono>
+
+namespace ljmd {
+
+/// Time that has passed since it was made or last read.
+class Stopwatch {
+  public:
+    /// [s]; the next reading counts from here
+    double lap() {
+        const auto now = Clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return seconds;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace ljmd

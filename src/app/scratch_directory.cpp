@@ -1,0 +1,30 @@
+#include "ljmd/app/scratch_directory.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <system_error>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+ScratchDirectory::ScratchDirectory() {
+    std::error_code error;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+    std::string pattern = ((error ? std::filesystem::path("/tmp") : parent) / "ljmd-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) {
+        throw FileError(fmt::format("cannot create {}: {}", pattern, std::strerror(errno)));
+    }
+    path_ = pattern;
+}
+
+ScratchDirectory::~ScratchDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace ljmd
