@@ -1,0 +1,153 @@
+"""The record of a benchmark: a versioned JSON object, and a Markdown page made from it.
+
+    schema        "ljmd-benchmark"
+    version       1; higher when a reader of lower versions would go wrong
+    date, host, ljmd, options
+    workload      of workload.py, with the list policy
+    programs      name -> precision, note, identity (version and build; null: not installed)
+    peaks         of peaks.cpp; null without a compiler
+    checks        runs of a fixed number of steps on one thread: energies per atom
+    runs          every timed run: program, atoms, threads, round, steps, seconds, rate [atom-steps/s], energies per atom,
+                  details
+    failures      program, atoms, threads, round and words of every run that went wrong
+    rates         program, atoms, threads: median, minimum, maximum, rounds
+    ratios        program, peer, atoms, threads: of rate(program)/rate(peer) within a round
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, Iterable, Sequence
+
+import ratios
+import run_directory
+import workload
+
+SCHEMA = "ljmd-benchmark"
+VERSION = 1
+
+Record = dict[str, Any]
+
+
+def begin(**parts: Any) -> Record:
+    """A record without runs. `parts`: date, host, ljmd, options, programs, peaks, policy."""
+    work = {"name": "Lennard-Jones melt", "density": workload.DENSITY, "temperature": workload.TEMPERATURE,
+            "cutoff": workload.CUTOFF, "skin": workload.SKIN, "time_step": workload.TIME_STEP,
+            "thermo_every": workload.THERMO_EVERY, "rebuild_every": workload.REBUILD_EVERY, "seed": workload.SEED,
+            "policy": parts.pop("policy")}
+    return {"schema": SCHEMA, "version": VERSION, **parts, "workload": work, "checks": [], "runs": [], "failures": [],
+            "rates": [], "ratios": []}
+
+
+def ours(record: Record) -> list[str]:
+    """Names of the variants of ljmd."""
+    return [name for name in record["programs"] if name.split()[0] == "ljmd"]
+
+
+def peers(record: Record) -> list[str]:
+    """Names of the peers that are installed."""
+    return [name for name, program in record["programs"].items()
+            if name not in ours(record) and program["identity"] is not None]
+
+
+def summarise(record: Record) -> None:
+    """Work out rates and ratios anew from the runs."""
+    record["rates"] = ratios.rates(record["runs"], [*ours(record), *peers(record)])
+    record["ratios"] = ratios.ratios(record["runs"], ours(record), peers(record))
+
+
+def write(record: Record, path: Path) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(json.dumps(record, indent=1) + "\n")
+    except OSError as error:
+        raise run_directory.RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
+
+
+def read(path: Path) -> Record:
+    """A record that `write` wrote. Raises RunDirectoryError for anything else."""
+    record = run_directory.read_json(path)
+    if record.get("schema") != SCHEMA or record.get("version") != VERSION:
+        raise run_directory.damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
+    return record
+
+
+def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    """Lines of a Markdown table of numbers; only a column of programs is words."""
+    lines = [header, ["---" if name == "program" else "---:" for name in header], *rows]
+    return ["| " + " | ".join(line) + " |" for line in lines]
+
+
+def cell(found: Sequence[Record], scale: float, digits: int) -> str:
+    """Median with its extremes, of the one summary that was found; a dash for none."""
+    if not found:
+        return "-"
+    one = found[0]
+    numbers = [f"{one[key] * scale:.{digits}f}" for key in ("median", "minimum", "maximum")]
+    return f"{numbers[0]} ({numbers[1]} .. {numbers[2]})"
+
+
+def ratio_tables(record: Record) -> list[str]:
+    names = peers(record)
+    lines = []
+    for program in ours(record) if names else []:
+        rows = []
+        for atoms, threads in ratios.groups(record["runs"]):
+            found = [ratios.select(record["ratios"], program=program, peer=peer, atoms=atoms, threads=threads)
+                     for peer in names]
+            rows.append([f"{atoms}", f"{threads}", *(cell(one, 1.0, 2) for one in found)])
+        lines += [f"## {program} / peer", "", *table(["atoms", "threads", *names], rows), ""]
+    return lines
+
+
+def rate_table(record: Record) -> list[str]:
+    names = [*ours(record), *peers(record)]
+    rows = []
+    for atoms, threads in ratios.groups(record["runs"]):
+        found = [ratios.select(record["rates"], program=name, atoms=atoms, threads=threads) for name in names]
+        rows.append([f"{atoms}", f"{threads}", *(cell(one, 1e-6, 2) for one in found)])
+    return ["## Million atom-steps a second", "", *table(["atoms", "threads", *names], rows), ""]
+
+
+def check_table(record: Record) -> list[str]:
+    if not record["checks"]:
+        return []
+    rows = [[str(one["atoms"]), one["program"], f"{one['potential_energy_initial']:.9f}",
+             f"{one['potential_energy_final']:.9f}", f"{one['total_energy_final']:.9f}"] for one in record["checks"]]
+    steps = record["checks"][0]["steps"]
+    header = ["atoms", "program", "U/N at the start", f"U/N after {steps} steps", f"E/N after {steps} steps"]
+    return ["## The same start, the same motion", "", *table(header, rows), ""]
+
+
+def program_list(record: Record) -> list[str]:
+    lines = ["## Programs", ""]
+    for name, program in record["programs"].items():
+        identity = program["identity"]
+        known = [f"{key} {value}" for key, value in (identity or {}).items() if value]
+        words = "absent" if identity is None else ", ".join(known)
+        note = f"; {program['note']}" if program["note"] else ""
+        lines.append(f"- {name}: {program['precision']} precision{note}; {words}")
+    return [*lines, ""]
+
+
+def failure_list(record: Record) -> list[str]:
+    if not record["failures"]:
+        return []
+    lines = [f"- {one['program']}, {one['atoms']} atoms, threads {one['threads']}: {one['words']}"
+             for one in record["failures"]]
+    return ["## What went wrong", "", *lines, ""]
+
+
+def markdown(record: Record) -> str:
+    """The page: ratios first, as rates alone say more of the machine than of the program."""
+    host, work = record["host"], record["workload"]
+    lines = [
+        f"# {work['name']}, lists {work['policy']}",
+        "",
+        f"{record['date']}, {host['cpu']}, {host['cores']} cores, load {host['load_average']:.1f} at the start. Medians "
+        f"of {record['options']['repeats']} interleaved rounds (minimum .. maximum); time loops alone, start-up excluded.",
+        "",
+        *ratio_tables(record), *rate_table(record), *check_table(record), *program_list(record), *failure_list(record),
+    ]
+    return "\n".join(lines).rstrip() + "\n"
