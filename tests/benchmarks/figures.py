@@ -70,7 +70,7 @@ def draw_rates(record: Record) -> plt.Figure:
         for k, name in enumerate([*report.ours(record), *report.peers(record)]):
             draw_series(axes, ratios.select(record["rates"], program=name, threads=threads), 1e-6, k,
                         label_of(record, name))
-    axes_of[0][1].set_ylim(bottom=0.0)  # the panels share the axis
+    axes_of[0][1].set_ylim(bottom=0.0)  # of all panels, which share it
     axes_of[0][1].set_ylabel(RATE_LABEL)
     axes_of[-1][1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     figure.suptitle(style.plain(caption(record)), fontsize=10)
@@ -78,7 +78,7 @@ def draw_rates(record: Record) -> plt.Figure:
 
 
 def draw_ratios(record: Record) -> plt.Figure:
-    """One series for each variant of ljmd and peer; colours are those of the peer's rates, lines those of the variant."""
+    """One series for each variant of ljmd and peer; colours are those of the peer's rates, lines the variant's."""
     figure, axes_of = panels(record)
     names = [*report.ours(record), *report.peers(record)]
     for threads, axes in axes_of:

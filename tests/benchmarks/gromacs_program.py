@@ -83,8 +83,8 @@ class Gromacs(Program):
         self.precision = "double" if double else "mixed"
 
     def tolerance(self, atoms: int) -> float:
-        """In mixed precision N/4 terms, one a cluster, are added up in single precision: in a crystal they are alike, and
-        may all be rounded the same way."""
+        """In mixed precision N/4 terms, one a cluster, are added up in single precision: in a crystal they are alike,
+        and may all be rounded the same way."""
         return super().tolerance(atoms) if self.precision == "double" else max(1e-6, atoms / 4 * 2.0**-24)
 
     def identify(self) -> Optional[dict[str, Any]]:

@@ -70,7 +70,8 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description="Time ljmd beside other programs on exactly the same work.")
     parser.add_argument("--ljmd", type=Path, default=ROOT / "build" / "release" / "ljmd")
     parser.add_argument("--sizes", type=numbers, metavar="N,N", default=list(workload.SIZES), help="4 n^3 atoms each")
-    parser.add_argument("--threads", type=numbers, metavar="n,n", default=[1, 2])
+    parser.add_argument("--threads", type=numbers, metavar="n,n",
+                        default=[count for count in (1, 2) if count <= machine.cores()])
     parser.add_argument("--peers", type=words, metavar="a,b", default=words(DEFAULT_PEERS),
                         help=f"of {', '.join(PEERS)}; '' for none")
     parser.add_argument("--precision", type=words, metavar="a,b", default=["double"], help="of double, mixed")

@@ -7,8 +7,8 @@
     programs      name -> precision, note, identity (version and build; null: not installed)
     peaks         of peaks.cpp; null without a compiler
     checks        runs of a fixed number of steps on one thread: energies per atom
-    runs          every timed run: program, atoms, threads, round, steps, seconds, rate [atom-steps/s], energies per atom,
-                  details
+    runs          every timed run: program, atoms, threads, round, steps, seconds, rate [atom-steps/s], energies per
+                  atom, details
     failures      program, atoms, threads, round and words of every run that went wrong
     rates         program, atoms, threads: median, minimum, maximum, rounds
     ratios        program, peer, atoms, threads: of rate(program)/rate(peer) within a round
@@ -26,6 +26,7 @@ import workload
 
 SCHEMA = "ljmd-benchmark"
 VERSION = 1
+WORDS = ("program", "family", "system")
 
 Record = dict[str, Any]
 
@@ -74,8 +75,8 @@ def read(path: Path) -> Record:
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
-    """Lines of a Markdown table of numbers; only a column of programs is words."""
-    lines = [header, ["---" if name == "program" else "---:" for name in header], *rows]
+    """Lines of a Markdown table; columns are of numbers but for those named in WORDS."""
+    lines = [header, ["---" if name in WORDS else "---:" for name in header], *rows]
     return ["| " + " | ".join(line) + " |" for line in lines]
 
 
@@ -145,8 +146,9 @@ def markdown(record: Record) -> str:
     lines = [
         f"# {work['name']}, lists {work['policy']}",
         "",
-        f"{record['date']}, {host['cpu']}, {host['cores']} cores, load {host['load_average']:.1f} at the start. Medians "
-        f"of {record['options']['repeats']} interleaved rounds (minimum .. maximum); time loops alone, start-up excluded.",
+        f"{record['date']}, {host['cpu']}, {host['cores']} cores, load {host['load_average']:.1f} at the start. "
+        f"Medians of {record['options']['repeats']} interleaved rounds (minimum .. maximum); time loops alone, without "
+        "start-up.",
         "",
         *ratio_tables(record), *rate_table(record), *check_table(record), *program_list(record), *failure_list(record),
     ]

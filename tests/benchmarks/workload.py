@@ -85,7 +85,7 @@ def melt(atoms: int) -> Configuration:
 
 
 def steps_for(atoms: int, seconds: float) -> int:
-    """Steps that take about `seconds` at NOMINAL_RATE: whole periods of thermodynamics or, if they are few, of lists."""
+    """Steps that take about `seconds` at NOMINAL_RATE: whole periods of thermodynamics or, if few, of lists."""
     steps = seconds * NOMINAL_RATE / atoms
     period = THERMO_EVERY if steps >= THERMO_EVERY else REBUILD_EVERY
     return max(FEWEST_STEPS, round(steps / period) * period)
