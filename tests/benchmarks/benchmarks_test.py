@@ -233,6 +233,15 @@ def test_processor(tmp: Path) -> None:
     assert machine.cpu("")["simd"] == []
 
 
+def test_other_work(tmp: Path) -> None:
+    tick = os.sysconf("SC_CLK_TCK")
+    text = f"cpu  {3 * tick} {tick} {2 * tick} {900 * tick} {50 * tick} {tick} 0 {4 * tick} 0 0\ncpu0 1 1 1 1 1 1 1 1\n"
+    assert machine.busy_seconds(text) == 11.0 and machine.busy_seconds("") == 0.0
+    others = machine.OtherWork()
+    assert 0.0 <= others.cores() and others.cores() < float("inf")
+    machine.wait_for_idle(1000, limit=0.0)  # does not wait
+
+
 def prepare(tmp: Path, log: str) -> tuple[Path, Path]:
     """The made-up ljmd, and a folder with the made-up LAMMPS."""
     (tmp / "bin").mkdir()

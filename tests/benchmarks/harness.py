@@ -2,13 +2,14 @@
 """Times ljmd beside other programs on exactly the same work, the melt of workload.py.
 
     harness.py --ljmd PATH [--sizes N,N] [--threads n,n] [--peers a,b] [--precision double,mixed] [--simd LEVEL]
-               [--policy fixed|strict] [--repeats 5] [--seconds 3] [--out DIR] [--quick]
+               [--policy fixed|strict] [--repeats 5] [--seconds 3] [--wait 0] [--out DIR] [--quick]
     harness.py --redraw DIR        page and figures anew from DIR/benchmark.json
 
 All programs start from the same positions and velocities, and must find the same potential energy for them. For each
 size and number of threads, every round runs each program once, one after the other; what is reported of ljmd and a peer
 is the median over the rounds of the ratio of their rates, with minimum and maximum. A peer that is not installed is
-reported as absent; one that fails is reported, too, and the others go on.
+reported as absent; one that fails is reported, too, and the others go on. Every run is recorded with the number of
+cores that other work kept busy meanwhile.
 
 Writes DIR/benchmark.json (see report.py), DIR/benchmark.md and the figures rates.png, ratios.png and roofline.png
 (DIR: runs/benchmark by default).
@@ -23,7 +24,7 @@ import sys
 import tempfile
 from dataclasses import asdict
 from pathlib import Path
-from typing import Callable, Optional, Sequence
+from typing import Any, Callable, Optional, Sequence
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
@@ -79,6 +80,8 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser.add_argument("--policy", choices=workload.POLICIES, default="fixed", help="when lists are made anew")
     parser.add_argument("--repeats", type=int, default=5, help="rounds")
     parser.add_argument("--seconds", type=float, default=3.0, help="that a run is to take, about")
+    parser.add_argument("--wait", type=float, default=0.0, metavar="SECONDS",
+                        help="wait at most so long before a run until other work leaves its cores idle")
     parser.add_argument("--out", type=Path, default=Path("runs/benchmark"))
     parser.add_argument("--quick", action="store_true", help="two small sizes, two rounds, short runs: a look")
     parser.add_argument("--redraw", type=Path, metavar="DIR", help="only make page and figures anew")
@@ -159,12 +162,14 @@ class Benchmark:
         return self.attempt(program, case, 1, 0, lambda p: self.keep(p, case, p.check(case, CHECK_STEPS), "checks"))
 
     def time(self, program: Program, case: Case, steps: int, threads: int, turn: int) -> None:
+        machine.wait_for_idle(threads, self.options.wait)
+        others = machine.OtherWork()
         measurement = program.run(case, steps, threads)
-        self.keep(program, case, measurement, "runs", threads=threads, round=turn)
+        self.keep(program, case, measurement, "runs", threads=threads, round=turn, other_work=others.cores())
         say(f"{case.atoms} atoms, threads {threads}, round {turn + 1}: {program.name:16} "
             f"{measurement.rate / 1e6:8.3f} million atom-steps/s")
 
-    def keep(self, program: Program, case: Case, measurement: Measurement, place: str, **more: int) -> None:
+    def keep(self, program: Program, case: Case, measurement: Measurement, place: str, **more: Any) -> None:
         """Put a measurement into the record, if it has the energy that all other runs of the case started with."""
         known = [one for one in [*self.record["checks"], *self.record["runs"]] if one["atoms"] == case.atoms]
         if known:

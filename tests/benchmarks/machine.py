@@ -1,10 +1,12 @@
-"""The machine that benchmarks run on, as it is written into their records."""
+"""The machine that benchmarks run on, as it is written into their records, and the other work on it."""
 
 from __future__ import annotations
 
 import os
 import platform
 import re
+import resource
+import time
 from pathlib import Path
 from typing import Any
 
@@ -31,3 +33,40 @@ def describe() -> dict[str, Any]:
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     return {**cpu(text), "cores": cores(), "memory_bytes": memory, "system": platform.platform(),
             "load_average": os.getloadavg()[0]}
+
+
+def busy_seconds(text: str) -> float:
+    """Seconds that all cores together have worked, from the text of /proc/stat; 0 without it."""
+    first = re.match(r"cpu +(.*)", text)
+    if not first:
+        return 0.0
+    user, nice, system, _idle, _waiting, interrupt, soft_interrupt, stolen = map(int, first.group(1).split()[:8])
+    return (user + nice + system + interrupt + soft_interrupt + stolen) / os.sysconf("SC_CLK_TCK")
+
+
+class OtherWork:
+    """How many cores have been busy with something else than this process' children, since this was made."""
+
+    def __init__(self) -> None:
+        self.start = self.now()
+
+    @staticmethod
+    def now() -> tuple[float, float, float]:
+        statistics = Path("/proc/stat")
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        busy = busy_seconds(statistics.read_text()) if statistics.exists() else 0.0
+        return time.monotonic(), busy, usage.ru_utime + usage.ru_stime
+
+    def cores(self) -> float:
+        elapsed, busy, own = (after - before for before, after in zip(self.start, self.now()))
+        return max(0.0, (busy - own) / elapsed) if elapsed > 0.0 else 0.0
+
+
+def wait_for_idle(needed: int, limit: float) -> None:
+    """Return once other work leaves `needed` cores idle, or after `limit` seconds."""
+    deadline = time.monotonic() + limit
+    while time.monotonic() < deadline:
+        others = OtherWork()
+        time.sleep(1.0)
+        if cores() - others.cores() > needed - 0.2:
+            return

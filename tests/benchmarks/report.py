@@ -8,7 +8,7 @@
     peaks         of peaks.cpp; null without a compiler
     checks        runs of a fixed number of steps on one thread: energies per atom
     runs          every timed run: program, atoms, threads, round, steps, seconds, rate [atom-steps/s], energies per
-                  atom, details
+                  atom, details, other_work (mean number of cores busy with something else)
     failures      program, atoms, threads, round and words of every run that went wrong
     rates         program, atoms, threads: median, minimum, maximum, rounds
     ratios        program, peer, atoms, threads: of rate(program)/rate(peer) within a round
@@ -140,6 +140,12 @@ def failure_list(record: Record) -> list[str]:
     return ["## What went wrong", "", *lines, ""]
 
 
+def other_work(record: Record) -> str:
+    """How quiet the machine was."""
+    found = ratios.summary(run["other_work"] for run in record["runs"])
+    return f"Other work on {found['median']:.2f} cores (at most {found['maximum']:.2f})." if found else ""
+
+
 def markdown(record: Record) -> str:
     """The page: ratios first, as rates alone say more of the machine than of the program."""
     host, work = record["host"], record["workload"]
@@ -148,7 +154,7 @@ def markdown(record: Record) -> str:
         "",
         f"{record['date']}, {host['cpu']}, {host['cores']} cores, load {host['load_average']:.1f} at the start. "
         f"Medians of {record['options']['repeats']} interleaved rounds (minimum .. maximum); time loops alone, without "
-        "start-up.",
+        f"start-up. {other_work(record)}",
         "",
         *ratio_tables(record), *rate_table(record), *check_table(record), *program_list(record), *failure_list(record),
     ]
