@@ -2,7 +2,7 @@
 """Times ljmd beside other programs on exactly the same work, the melt of workload.py.
 
     harness.py --ljmd PATH [--sizes N,N] [--threads n,n] [--peers a,b] [--precision double,mixed] [--simd LEVEL]
-               [--policy fixed|strict] [--repeats 5] [--seconds 3] [--wait 0] [--out DIR] [--quick]
+               [--policy fixed|strict] [--repeats 5] [--seconds 3] [--wait 0] [--share] [--out DIR] [--quick]
     harness.py --redraw DIR        page and figures anew from DIR/benchmark.json
 
 All programs start from the same positions and velocities, and must find the same potential energy for them. For each
@@ -83,6 +83,8 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser.add_argument("--wait", type=float, default=0.0, metavar="SECONDS",
                         help="wait at most so long before a run until other work leaves its cores idle")
     parser.add_argument("--out", type=Path, default=Path("runs/benchmark"))
+    parser.add_argument("--share", action="store_true",
+                        help="for a machine with other work: whoever waits for another thread gives up its core")
     parser.add_argument("--quick", action="store_true", help="two small sizes, two rounds, short runs: a look")
     parser.add_argument("--redraw", type=Path, metavar="DIR", help="only make page and figures anew")
     options = parser.parse_args(arguments)
@@ -121,7 +123,8 @@ class Benchmark:
             date=datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
             host=machine.describe(),
             ljmd=identities[own[0].name],
-            options={"repeats": options.repeats, "seconds": options.seconds, "simd": options.simd},
+            options={"repeats": options.repeats, "seconds": options.seconds, "simd": options.simd,
+                     "share": options.share},
             programs={program.name: {"precision": program.precision, "note": program.note,
                                      "identity": identities[program.name]} for program in self.programs},
             peaks=roofline.peaks(),
@@ -204,6 +207,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         report.summarise(record)
         publish(record, options.redraw)
         return 0
+    if options.share:
+        machine.share_cores()
     try:
         benchmark = Benchmark(options)
     except ProgramFailed as error:

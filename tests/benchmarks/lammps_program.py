@@ -87,9 +87,8 @@ class Lammps(Program):
 def mpi(processes: int) -> list[str]:
     """The words before a command that has this many processes. Open MPI must be told that root may do it.
 
-    Processes are free to change cores, and yield while they wait for a message: on a machine with other work they
-    otherwise wait in vain for the one that has no core."""
+    Processes are not bound to cores, as the threads of the other programs are not."""
     if processes == 1:
         return []
     root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
-    return ["mpirun", *root, "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "-np", str(processes)]
+    return ["mpirun", *root, "--bind-to", "none", "-np", str(processes)]

@@ -37,6 +37,8 @@ steps = {steps}
 thermo = {{ every = {thermo_every} }}
 """
 
+DETAILS = ("simd", "threads", "lists", "list_rebuilds", "seconds_per_phase", "bytes_per_atom")
+
 
 @dataclass(frozen=True)
 class Variant:
@@ -114,5 +116,5 @@ class Ljmd(Program):
             potential_energy_initial=found["potential_energy_initial"],
             potential_energy_final=found["potential_energy_final"],
             total_energy_final=found["total_energy_final"],
-            details={key: found.get(key) for key in ("simd", "threads", "seconds_per_phase", "bytes_per_atom")},
+            details={key: found.get(key) for key in DETAILS},
         )

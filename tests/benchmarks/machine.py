@@ -62,6 +62,16 @@ class OtherWork:
         return max(0.0, (busy - own) / elapsed) if elapsed > 0.0 else 0.0
 
 
+def share_cores() -> None:
+    """Let all programs that are started from now on give up a core while they wait for other threads or processes.
+
+    As a rule they keep it, which is fastest on a machine of their own. Where there is other work, the one that is
+    waited for may be without a core all that time, and the whole program slower by a factor of ten.
+    """
+    os.environ["OMP_WAIT_POLICY"] = "passive"
+    os.environ["OMPI_MCA_mpi_yield_when_idle"] = "1"
+
+
 def wait_for_idle(needed: int, limit: float) -> None:
     """Return once other work leaves `needed` cores idle, or after `limit` seconds."""
     deadline = time.monotonic() + limit

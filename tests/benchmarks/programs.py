@@ -60,10 +60,11 @@ class Program(ABC):
 def execute(command: Sequence[Any], folder: Path, typed: str = "", **variables: str) -> str:
     """Run a command in a folder and return what it wrote to stdout.
 
-    `typed` is its stdin. Variables of OpenMP are taken out of its environment, then `variables` put in.
-    Raises ProgramFailed if it cannot be run or fails, with the last line that it wrote.
+    `typed` is its stdin. Variables of OpenMP but OMP_WAIT_POLICY are taken out of its environment, then `variables` put
+    in. Raises ProgramFailed if it cannot be run or fails, with the last line that it wrote.
     """
-    environment = {name: value for name, value in os.environ.items() if not name.startswith("OMP_")}
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith("OMP_") or name == "OMP_WAIT_POLICY"}
     words = [str(word) for word in command]
     try:
         done = subprocess.run(words, cwd=folder, input=typed, capture_output=True, text=True, check=False,

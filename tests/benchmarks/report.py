@@ -107,8 +107,12 @@ def rate_table(record: Record) -> list[str]:
     rows = []
     for atoms, threads in ratios.groups(record["runs"]):
         found = [ratios.select(record["rates"], program=name, atoms=atoms, threads=threads) for name in names]
-        rows.append([f"{atoms}", f"{threads}", *(cell(one, 1e-6, 2) for one in found)])
-    return ["## Million atom-steps a second", "", *table(["atoms", "threads", *names], rows), ""]
+        others = ratios.summary(run["other_work"] for run in record["runs"]
+                                if (run["atoms"], run["threads"]) == (atoms, threads))
+        busy = cell([others] if others else [], 1.0, 1)
+        rows.append([f"{atoms}", f"{threads}", *(cell(one, 1e-6, 2) for one in found), busy])
+    header = ["atoms", "threads", *names, "cores busy with other work"]
+    return ["## Million atom-steps a second", "", *table(header, rows), ""]
 
 
 def check_table(record: Record) -> list[str]:
@@ -140,21 +144,16 @@ def failure_list(record: Record) -> list[str]:
     return ["## What went wrong", "", *lines, ""]
 
 
-def other_work(record: Record) -> str:
-    """How quiet the machine was."""
-    found = ratios.summary(run["other_work"] for run in record["runs"])
-    return f"Other work on {found['median']:.2f} cores (at most {found['maximum']:.2f})." if found else ""
-
-
 def markdown(record: Record) -> str:
     """The page: ratios first, as rates alone say more of the machine than of the program."""
     host, work = record["host"], record["workload"]
+    shared = " Threads and processes that wait give up their core." if record["options"]["share"] else ""
     lines = [
         f"# {work['name']}, lists {work['policy']}",
         "",
         f"{record['date']}, {host['cpu']}, {host['cores']} cores, load {host['load_average']:.1f} at the start. "
         f"Medians of {record['options']['repeats']} interleaved rounds (minimum .. maximum); time loops alone, without "
-        f"start-up. {other_work(record)}",
+        f"start-up.{shared}",
         "",
         *ratio_tables(record), *rate_table(record), *check_table(record), *program_list(record), *failure_list(record),
     ]

@@ -2,7 +2,7 @@
 """Cost of ljmd for an atom and a step, and its memory, over sizes, densities, cutoffs, small boxes and shapes.
 
     scaling.py --ljmd PATH [--families a,b] [--largest 1100000] [--threads 1] [--precision double] [--simd LEVEL]
-               [--policy strict|fixed] [--repeats 3] [--seconds 1] [--out DIR] [--quick]
+               [--policy strict|fixed] [--repeats 3] [--seconds 1] [--share] [--out DIR] [--quick]
     scaling.py --redraw DIR        page and figure anew from DIR/scaling.json
 
 Families: size, density, cutoff, small box, shape. Every round runs each system once; reported are medians, minima and
@@ -46,6 +46,7 @@ from style import plt  # noqa: E402
 
 SCHEMA = "ljmd-scaling"
 VERSION = 1
+OPTIONS = ("threads", "precision", "simd", "policy", "repeats", "share")  # of the record
 QUICK_LARGEST = 40_000
 # seconds for an atom and a step, without and for each neighbour, from which numbers of steps are chosen
 NOMINAL_COST = (50e-9, 3e-9)
@@ -63,6 +64,8 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser.add_argument("--repeats", type=int, default=3, help="rounds")
     parser.add_argument("--seconds", type=float, default=1.0, help="that a run is to take, about")
     parser.add_argument("--out", type=Path, default=Path("runs/scaling"))
+    parser.add_argument("--share", action="store_true",
+                        help="for a machine with other work: whoever waits for another thread gives up its core")
     parser.add_argument("--quick", action="store_true", help="small sizes, one round, short runs: a look")
     parser.add_argument("--redraw", type=Path, metavar="DIR", help="only make page and figure anew")
     options = parser.parse_args(arguments)
@@ -95,7 +98,7 @@ def measure(options: argparse.Namespace, systems: Sequence[System], folder: Path
         "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
         "host": machine.describe(),
         "ljmd": identity,
-        "options": {key: getattr(options, key) for key in ("threads", "precision", "simd", "policy", "repeats")},
+        "options": {key: getattr(options, key) for key in OPTIONS},
         "systems": [],
         "failures": [],
     }
@@ -246,6 +249,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     if options.redraw:
         publish(read(options.redraw / "scaling.json"), options.redraw)
         return 0
+    if options.share:
+        machine.share_cores()
     systems = [one for one in scaling_cases.systems(options.largest) if one.family in options.families]
     with tempfile.TemporaryDirectory(prefix="ljmd-scaling-") as folder:
         record = measure(options, systems, Path(folder))
