@@ -5,8 +5,10 @@
 
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/streams.hpp"
+#include "ljmd/app/wait_policy.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/diagnostics.hpp"
+#include "ljmd/core/threads.hpp"
 
 namespace {
 
@@ -105,6 +107,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report_usage(app, error);
     }
+    ljmd::wait_actively(options.threads > 0 ? options.threads : ljmd::default_thread_count(), argv);
     try {
         if (run.parsed()) {
             ljmd::run_command(options, out);

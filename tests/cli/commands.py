@@ -46,6 +46,34 @@ def info(t):
         t.contains(result.out, word)
 
 
+def bench(t):
+    t.deck()
+    found = json.loads(t.run_well("bench", "deck.toml", "--json", "--threads", "2", "--precision", "mixed").out)
+    t.equal(t.files(), ["deck.toml"], "files")
+    t.equal((found["threads"], found["precision"]), (2, "mixed"), "threads and precision")
+    t.check(found["atom_steps_per_second"] > 0.0, f"rate: {found['atom_steps_per_second']}")
+    spent = sum(found["seconds_per_phase"].values())
+    t.check(abs(spent - found["seconds"]) < 1e-9, f"phases take {spent} of {found['seconds']} s")
+
+
+def threads_and_simd_change_no_result(t):
+    """Threads change no bit; the lowest SIMD level gives the same physics."""
+    t.deck()
+    levels = json.loads(t.run_well("info", "--json").out)["simd_levels"]
+    for name, options in (("one", []), ("two", ["--threads", "2"]), ("low", ["--simd", levels[0]])):
+        t.run_well("run", "deck.toml", "--quiet", "--out", name, *options)
+    t.check(t.read("one/thermo.csv") == t.read("two/thermo.csv"), "thermo.csv of two threads is another")
+    record = json.loads(t.read("low/run.json"))
+    t.equal((record["simd"], record["precision"]), (levels[0], "double"), "what run.json says of the kernels")
+    last = [float(t.read(f"{name}/thermo.csv").splitlines()[-1].split(",")[5]) for name in ("one", "low")]
+    t.check(abs(last[0] - last[1]) < 1e-9 * abs(last[0]), f"total energies {last}")
+
+
+def unknown_simd_level(t):
+    result = t.expect(2, t.run("bench", "--simd", "sse9"))
+    t.check(result.err.startswith("error: unknown SIMD level 'sse9', usable here: portable"), f"stderr: {result.err}")
+
+
 def info_json(t):
     result = t.run_well("info", "--json")
     t.equal(result.err, "", "stderr")
@@ -187,13 +215,13 @@ def compare_refused(text, *arguments):
 def cases():
     result = [Case(test.__name__.replace("_", " "), test)
               for test in (no_arguments, help_goes_to_stdout, version, info, info_keys, check_text, check_json,
-                           info_json, check_few_bodies, compare_text, compare_files, compare_halved,
+                           info_json, bench, threads_and_simd_change_no_result, unknown_simd_level, check_few_bodies, compare_text, compare_files, compare_halved,
                            check_predicts, check_tells_of_warnings, a_large_cutoff_is_warned_of,
                            forced_values_are_warned_of)]
     for name, arguments in [
             ("unknown command", ["rnu", "deck.toml"]), ("unknown command without a likeness", ["simulate", "deck.toml"]),
             ("unknown option", ["run", "deck.toml", "--walltme", "2h"]), ("unknown option of ljmd", ["--verbose"]),
-            ("run without a deck", ["run"]), ("check without a deck", ["check"]),
+            ("run without a deck", ["run"]), ("no threads", ["run", "deck.toml", "--threads", "0"]), ("check without a deck", ["check"]),
             ("run with two decks", ["run", "deck.toml", "other.toml"]), ("--set without a value", ["run", "deck.toml", "--set"]),
             ("--out without a value", ["run", "deck.toml", "--out"]), ("check with --out", ["check", "deck.toml", "--out", "x"]),
             ("two commands", ["info", "check", "deck.toml"]), ("info of a deck", ["info", "deck.toml"]),
