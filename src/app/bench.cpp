@@ -31,7 +31,17 @@ double memory_at_peak() {
     return static_cast<double>(usage.ru_maxrss) * 1024.0;
 }
 
-struct Silence : RunListener {};
+/// Says nothing, and looks at the memory when the last step is done: writing the results takes some more.
+struct MemoryAtEnd : RunListener {
+    explicit MemoryAtEnd(Index last) : last_step(last) {}
+    void step_done(Index step) override {
+        if (step == last_step) {
+            peak = memory_at_peak();
+        }
+    }
+    Index last_step;
+    double peak = memory_at_peak();
+};
 
 std::string list_policy(const Section& neighbors) {
     if (neighbors.text("method") != "verlet-list") {
@@ -53,15 +63,15 @@ BenchResult bench(Deck deck, Start start) {
     const double before = memory_now();
     const Index atoms = start.atoms;
     Simulation simulation = make_simulation(deck, std::move(start), [](const std::string&) {});
-    Silence nobody;
-    const RunResult result = run_deck(deck, simulation, nobody);
+    MemoryAtEnd memory(deck.total_steps());
+    const RunResult result = run_deck(deck, simulation, memory);
     return {atoms,
             deck.total_steps(),
             result.search.rebuilds,
             list_policy(deck.neighbors()),
             deck.performance().text("precision"),
             result.seconds,
-            (memory_at_peak() - before) / static_cast<double>(atoms),
+            (memory.peak - before) / static_cast<double>(atoms),
             result.first,
             result.last};
 }

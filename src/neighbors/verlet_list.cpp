@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
@@ -19,11 +21,13 @@ std::size_t reference_of(State& state) {
     return state.register_vectors("neighbour list: positions at the last rebuild");
 }
 
-/// Room that grows by an eighth more than is asked for: by half, as vectors do, a list would waste too much memory.
-void make_room(std::vector<std::int32_t>& entries, std::size_t size) {
+/// Room that grows by a sixteenth more than is asked for: by as much again, as vectors do, a list would waste memory.
+/// @param usual  what a first list begins with, so that it need not grow many times
+void make_room(std::vector<std::int32_t>& entries, std::size_t size, std::size_t usual) {
     if (entries.size() < size) {
-        entries.reserve(size + size / 8);
-        entries.resize(size + size / 8);
+        const std::size_t room = entries.empty() ? std::max(size, usual) : size + size / 16;
+        entries.reserve(room);
+        entries.resize(room);
     }
 }
 
@@ -189,6 +193,11 @@ std::array<Index, 2> VerletList::fill_block(Block& block, const State& state, In
     const auto range2 = static_cast<float>(units * units * (1.0 + 1e-6));
     const auto filling = static_cast<std::int32_t>(4U * static_cast<std::uint32_t>(state.far_point()));
 
+    // Neighbours at the mean density and half a vector of filling, and some more for density's ups and downs.
+    const double mean = static_cast<double>(state.count()) / state.box().volume() * 4.0 / 3.0 * std::numbers::pi *
+                        range * range * range;
+    const auto usual = static_cast<std::size_t>(1.06 * static_cast<double>(atoms_per_block) * (mean + 0.5 * lanes_));
+
     std::array<Index, 2> counts{};
     // Of the cell that the atom is in; the next atom is often in the same one.
     Pieces pieces(kernel.lanes);
@@ -207,7 +216,7 @@ std::array<Index, 2> VerletList::fill_block(Block& block, const State& state, In
                 pieces.add(run);
             });
         }
-        make_room(block.entries, end + static_cast<std::size_t>(tests) + 2 * list_kernel_slack);
+        make_room(block.entries, end + static_cast<std::size_t>(tests) + 2 * list_kernel_slack, usual);
         const int found = kernel.neighbors_of(candidates, pieces.data(), pieces.count(), place(center[0], 0),
                                               place(center[1], 1), place(center[2], 2),
                                               static_cast<std::int32_t>(4 * i), range2, block.entries.data() + end);

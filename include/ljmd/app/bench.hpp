@@ -14,7 +14,8 @@ struct BenchResult {
     std::string lists;      ///< when they are rebuilt
     std::string precision;  ///< of pair terms
     PhaseSeconds seconds;   ///< of the time loop
-    double bytes_per_atom;  ///< memory at its peak, without what the program had before the atoms were there
+    double bytes_per_atom;  ///< memory at its peak until the last step, without what the program had before the atoms
+                            ///< were there
     Thermodynamics first;   ///< at the start
     Thermodynamics last;    ///< at the last thermo step
 
