@@ -46,6 +46,7 @@ bool processor_has(SimdLevel level) {
 
 std::vector<std::string_view> names(const std::vector<SimdLevel>& levels) {
     std::vector<std::string_view> result;
+    result.reserve(levels.size());
     for (const SimdLevel level : levels) {
         result.push_back(name(level));
     }
@@ -64,6 +65,7 @@ std::vector<SimdLevel> compiled_simd_levels() {
 
 std::vector<SimdLevel> usable_simd_levels() {
     std::vector<SimdLevel> usable;
+    usable.reserve(simd::levels.size());
     for (const SimdLevel level : simd::levels) {
         if (processor_has(level)) {
             usable.push_back(level);

@@ -108,7 +108,7 @@ std::size_t CellGrid::flat(const Cell& cell) const {
 }
 
 std::size_t CellGrid::cell_count() const {
-    return layer() * static_cast<std::size_t>(inner_[2] + 2 * reach_[2]);
+    return layer() * width(2);
 }
 
 std::vector<Index> CellGrid::spatial_order(const State& state) const {

@@ -43,7 +43,7 @@ class Pieces {
 
     void add(CellGrid::Run run) {
         const int needed = (run.length() + length_ - 1) >> shift_;  // a division would take longer than the rest
-        const auto room = static_cast<std::size_t>(count_ + std::max(needed, usual));
+        const auto room = static_cast<std::size_t>(count_) + static_cast<std::size_t>(std::max(needed, usual));
         if (pieces_.size() < room) {
             pieces_.resize(2 * room);
         }
@@ -216,7 +216,7 @@ std::array<Index, 2> VerletList::fill_block(Block& block, const State& state, In
                 pieces.add(run);
             });
         }
-        make_room(block.entries, end + static_cast<std::size_t>(tests) + 2 * list_kernel_slack, usual);
+        make_room(block.entries, end + static_cast<std::size_t>(tests) + std::size_t{2} * list_kernel_slack, usual);
         const int found = kernel.neighbors_of(candidates, pieces.data(), pieces.count(), place(center[0], 0),
                                               place(center[1], 1), place(center[2], 2),
                                               static_cast<std::int32_t>(4 * i), range2, block.entries.data() + end);

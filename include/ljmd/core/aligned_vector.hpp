@@ -9,7 +9,7 @@ namespace ljmd {
 /// Memory that begins at a whole cache line, which is also the widest vector register.
 template <class T>
 struct AlignedAllocator {
-    using value_type = T;
+    using value_type = T;  // NOLINT(readability-identifier-naming): the standard asks for this name
     static constexpr std::align_val_t alignment{64};
 
     AlignedAllocator() = default;

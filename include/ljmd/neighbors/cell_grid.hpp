@@ -67,10 +67,13 @@ class CellGrid {
     [[nodiscard]] std::size_t flat(const Cell& cell) const;
     [[nodiscard]] std::size_t cell_count() const;
 
-    [[nodiscard]] std::size_t row_length() const { return static_cast<std::size_t>(inner_[0] + 2 * reach_[0]); }
-    [[nodiscard]] std::size_t layer() const {
-        return row_length() * static_cast<std::size_t>(inner_[1] + 2 * reach_[1]);
+    /// Cells along an axis, halo included.
+    [[nodiscard]] std::size_t width(std::size_t axis) const {
+        const int cells = inner_[axis] + 2 * reach_[axis];
+        return static_cast<std::size_t>(cells);
     }
+    [[nodiscard]] std::size_t row_length() const { return width(0); }
+    [[nodiscard]] std::size_t layer() const { return width(0) * width(1); }
     void find_rows(double range);
 
     /// The part of a row that belongs to the neighbourhood of a cell.
