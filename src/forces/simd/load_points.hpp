@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "ljmd/core/simd_intrinsics.hpp"
 
@@ -76,80 +78,57 @@ LJMD_INLINE Points<double, 8> load_points8(const double* points, const std::int3
             __builtin_shufflevector(xz0145, xz2367, 2, 3, 6, 7, 10, 11, 14, 15)};
 }
 
-using Ints4 = RawVector<std::int32_t, 4>;
-using Ints8 = RawVector<std::int32_t, 8>;
-using Ints16 = RawVector<std::int32_t, 16>;
+/// Shuffles within each 16 bytes of two vectors: lane I of the result is lane `pick[I mod 4]` of the 8 numbers that the
+/// two have there.
+template <int... pick>
+struct InEachQuarter {
+    template <class V, int... lane>
+    LJMD_INLINE static V of(V p, V q, std::integer_sequence<int, lane...>) {
+        constexpr int picks[] = {pick...};
+        constexpr int lanes = sizeof...(lane);
+        return __builtin_shufflevector(p, q,
+                                       (lane / 4 * 4 + picks[lane % 4] % 4 + (picks[lane % 4] < 4 ? 0 : lanes))...);
+    }
+};
 
-LJMD_INLINE Points<std::int32_t, 4> load_points4(const std::int32_t* points, const std::int32_t* e) {
-    const auto point = [&](int k) { return load<std::int32_t, 4>(address(points, e[k])); };
-    const Ints4 a = point(0);
-    const Ints4 b = point(1);
-    const Ints4 c = point(2);
-    const Ints4 d = point(3);
-    const Ints4 xy01 = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-    const Ints4 xy23 = __builtin_shufflevector(c, d, 0, 4, 1, 5);
-    const Ints4 z01 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-    const Ints4 z23 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    return {__builtin_shufflevector(xy01, xy23, 0, 1, 4, 5), __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7),
-            __builtin_shufflevector(z01, z23, 0, 1, 4, 5)};
+/// Point k in the first 16 bytes, point k + 4 in the second, and so on.
+template <int lanes>
+LJMD_INLINE RawVector<std::int32_t, lanes> every_fourth_point(const std::int32_t* points, const std::int32_t* entries) {
+    if constexpr (lanes == 4) {
+        return load<std::int32_t, 4>(address(points, entries[0]));
+    } else {
+        return joined<std::int32_t, lanes / 2>(every_fourth_point<lanes / 2>(points, entries),
+                                               every_fourth_point<lanes / 2>(points, entries + lanes / 2));
+    }
 }
 
-/// The same in each half of a register.
-LJMD_INLINE Points<std::int32_t, 8> load_points8(const std::int32_t* points, const std::int32_t* e) {
-    const auto pair = [&](int k) {
-        return joined<std::int32_t, 4>(load<std::int32_t, 4>(address(points, e[k])),
-                                       load<std::int32_t, 4>(address(points, e[k + 4])));
-    };
-    const Ints8 a = pair(0);
-    const Ints8 b = pair(1);
-    const Ints8 c = pair(2);
-    const Ints8 d = pair(3);
-    const Ints8 xy01 = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
-    const Ints8 xy23 = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
-    const Ints8 z01 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
-    const Ints8 z23 = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
-    return {__builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13),
-            __builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15),
-            __builtin_shufflevector(z01, z23, 0, 1, 8, 9, 4, 5, 12, 13)};
-}
-
-/// The same in each quarter.
-LJMD_INLINE Points<std::int32_t, 16> load_points16(const std::int32_t* points, const std::int32_t* e) {
-    const auto two = [&](int k) {
-        return joined<std::int32_t, 4>(load<std::int32_t, 4>(address(points, e[k])),
-                                       load<std::int32_t, 4>(address(points, e[k + 4])));
-    };
-    const auto four = [&](int k) { return joined<std::int32_t, 8>(two(k), two(k + 8)); };
-    const Ints16 a = four(0);
-    const Ints16 b = four(1);
-    const Ints16 c = four(2);
-    const Ints16 d = four(3);
-    const auto low = [](Ints16 p, Ints16 q) {
-        return __builtin_shufflevector(p, q, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
-    };
-    const auto high = [](Ints16 p, Ints16 q) {
-        return __builtin_shufflevector(p, q, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
-    };
-    const auto first_pairs = [](Ints16 p, Ints16 q) {
-        return __builtin_shufflevector(p, q, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
-    };
-    const auto second_pairs = [](Ints16 p, Ints16 q) {
-        return __builtin_shufflevector(p, q, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
-    };
-    return {first_pairs(low(a, b), low(c, d)), second_pairs(low(a, b), low(c, d)), first_pairs(high(a, b), high(c, d))};
+template <int lanes>
+LJMD_INLINE Points<std::int32_t, lanes> load_fixed_points(const std::int32_t* points, const std::int32_t* entries) {
+    using V = RawVector<std::int32_t, lanes>;
+    constexpr auto all = std::make_integer_sequence<int, lanes>();
+    const V a = every_fourth_point<lanes>(points, entries);
+    const V b = every_fourth_point<lanes>(points, entries + 1);
+    const V c = every_fourth_point<lanes>(points, entries + 2);
+    const V d = every_fourth_point<lanes>(points, entries + 3);
+    const V xy01 = InEachQuarter<0, 4, 1, 5>::of(a, b, all);
+    const V xy23 = InEachQuarter<0, 4, 1, 5>::of(c, d, all);
+    const V z01 = InEachQuarter<2, 6, 3, 7>::of(a, b, all);
+    const V z23 = InEachQuarter<2, 6, 3, 7>::of(c, d, all);
+    return {InEachQuarter<0, 1, 4, 5>::of(xy01, xy23, all), InEachQuarter<2, 3, 6, 7>::of(xy01, xy23, all),
+            InEachQuarter<0, 1, 4, 5>::of(z01, z23, all)};
 }
 
 /// `lanes` points. @param entries  4 j of each point j
 template <class T, int lanes>
 LJMD_INLINE Points<T, lanes> load_points(const T* points, const std::int32_t* entries) {
-    if constexpr (lanes == 2) {
+    if constexpr (std::is_same_v<T, std::int32_t>) {
+        return load_fixed_points<lanes>(points, entries);
+    } else if constexpr (lanes == 2) {
         return load_points2(points, entries);
     } else if constexpr (lanes == 4) {
         return load_points4(points, entries);
-    } else if constexpr (lanes == 8) {
-        return load_points8(points, entries);
     } else {
-        return load_points16(points, entries);
+        return load_points8(points, entries);
     }
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+/// For functions of kernels: inlined in every build, so that no copy for one processor can be shared with another.
+#define LJMD_INLINE [[gnu::always_inline]] inline
+
+namespace ljmd::simd {
+
+/// Width of the vector registers that this translation unit is compiled for: the alignment that their types ask for.
+inline constexpr int register_bytes = __BIGGEST_ALIGNMENT__;
+
+/// A vector of the compilers' extension.
+template <class T, int lanes>
+struct RawVectorOf {
+    typedef T Type __attribute__((vector_size(lanes * sizeof(T))));  // NOLINT(modernize-use-using): gcc wants a typedef
+};
+template <class T, int lanes>
+using RawVector = typename RawVectorOf<T, lanes>::Type;
+
+/// The signed integer as wide as T.
+template <class T>
+struct Integer;
+template <>
+struct Integer<double> {
+    using Type = std::int64_t;
+};
+template <>
+struct Integer<float> {
+    using Type = std::int32_t;
+};
+
+/// The same bits as another type.
+template <class To, class From>
+LJMD_INLINE To reinterpret(From from) {
+    return __builtin_bit_cast(To, from);
+}
+
+}  // namespace ljmd::simd

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <immintrin.h>
+
+#include <cstdint>
+
+#include "ljmd/core/simd_raw.hpp"
+
+/// Instructions of x86-64 for what simd_intrinsics.hpp offers, as overloads for the vectors that they are there for.
+/// For the others it has portable bodies.
+namespace ljmd::simd::native {
+
+LJMD_INLINE RawVector<double, 2> square_root(RawVector<double, 2> x) {
+    return _mm_sqrt_pd(x);
+}
+LJMD_INLINE RawVector<float, 4> square_root(RawVector<float, 4> x) {
+    return _mm_sqrt_ps(x);
+}
+LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 4> condition) {
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret<__m128>(condition)));
+}
+
+#if defined(__AVX2__) && defined(__FMA__)
+LJMD_INLINE RawVector<double, 4> multiply_add(RawVector<double, 4> a, RawVector<double, 4> b, RawVector<double, 4> c) {
+    return _mm256_fmadd_pd(a, b, c);
+}
+LJMD_INLINE RawVector<float, 8> multiply_add(RawVector<float, 8> a, RawVector<float, 8> b, RawVector<float, 8> c) {
+    return _mm256_fmadd_ps(a, b, c);
+}
+LJMD_INLINE RawVector<double, 4> square_root(RawVector<double, 4> x) {
+    return _mm256_sqrt_pd(x);
+}
+LJMD_INLINE RawVector<float, 8> square_root(RawVector<float, 8> x) {
+    return _mm256_sqrt_ps(x);
+}
+LJMD_INLINE RawVector<double, 4> joined(RawVector<double, 2> low, RawVector<double, 2> high) {
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
+}
+LJMD_INLINE RawVector<std::int32_t, 8> joined(RawVector<std::int32_t, 4> low, RawVector<std::int32_t, 4> high) {
+    return reinterpret<RawVector<std::int32_t, 8>>(
+        _mm256_inserti128_si256(_mm256_castsi128_si256(reinterpret<__m128i>(low)), reinterpret<__m128i>(high), 1));
+}
+LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 8> condition) {
+    return static_cast<unsigned>(_mm256_movemask_ps(reinterpret<__m256>(condition)));
+}
+
+/// Row b: the positions of the bits set in b, in ascending order, as 8 bytes.
+struct BitPositions {
+    std::uint64_t rows[256];
+};
+consteval BitPositions bit_positions() {
+    BitPositions table{};
+    for (unsigned bits = 0; bits < 256; ++bits) {
+        int next = 0;
+        for (unsigned k = 0; k < 8; ++k) {
+            if ((bits >> k & 1U) != 0) {
+                table.rows[bits] |= std::uint64_t{k} << (8 * next++);
+            }
+        }
+    }
+    return table;
+}
+inline constexpr BitPositions positions_of_bits = bit_positions();
+
+LJMD_INLINE int store_selected(std::int32_t* out, RawVector<std::int32_t, 8> v, unsigned bits) {
+    const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(positions_of_bits.rows[bits])));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(reinterpret<__m256i>(v), order));
+    return __builtin_popcount(bits);
+}
+#endif
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+LJMD_INLINE RawVector<double, 8> multiply_add(RawVector<double, 8> a, RawVector<double, 8> b, RawVector<double, 8> c) {
+    return _mm512_fmadd_pd(a, b, c);
+}
+LJMD_INLINE RawVector<float, 16> multiply_add(RawVector<float, 16> a, RawVector<float, 16> b, RawVector<float, 16> c) {
+    return _mm512_fmadd_ps(a, b, c);
+}
+LJMD_INLINE RawVector<double, 8> square_root(RawVector<double, 8> x) {
+    return _mm512_sqrt_pd(x);
+}
+LJMD_INLINE RawVector<float, 16> square_root(RawVector<float, 16> x) {
+    return _mm512_sqrt_ps(x);
+}
+LJMD_INLINE RawVector<double, 8> joined(RawVector<double, 4> low, RawVector<double, 4> high) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
+}
+LJMD_INLINE RawVector<std::int32_t, 16> joined(RawVector<std::int32_t, 8> low, RawVector<std::int32_t, 8> high) {
+    return reinterpret<RawVector<std::int32_t, 16>>(
+        _mm512_inserti64x4(_mm512_castsi256_si512(reinterpret<__m256i>(low)), reinterpret<__m256i>(high), 1));
+}
+LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 16> condition) {
+    return _mm512_movepi32_mask(reinterpret<__m512i>(condition));
+}
+LJMD_INLINE int store_selected(std::int32_t* out, RawVector<std::int32_t, 16> v, unsigned bits) {
+    // To a register and then to memory: compressing stores are slow on some processors.
+    _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), reinterpret<__m512i>(v)));
+    return __builtin_popcount(bits);
+}
+#endif
+
+}  // namespace ljmd::simd::native
