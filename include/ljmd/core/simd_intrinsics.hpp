@@ -8,8 +8,10 @@ namespace ljmd::simd::native {
 
 /// Stands for processors without an overload of their own, which the names below must find something of.
 struct None {};
+void keep_where(None);
 void multiply_add(None);
 void square_root(None);
+void widened(None);
 void joined(None);
 void bits_of(None);
 void store_selected(None);
@@ -28,8 +30,12 @@ namespace ljmd::simd {
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes> keep_where(RawVector<typename Integer<T>::Type, lanes> condition,
                                            RawVector<T, lanes> x) {
-    using Bits = RawVector<typename Integer<T>::Type, lanes>;
-    return reinterpret<RawVector<T, lanes>>(condition & reinterpret<Bits>(x));
+    if constexpr (requires { native::keep_where(condition, x); }) {
+        return native::keep_where(condition, x);
+    } else {
+        using Bits = RawVector<typename Integer<T>::Type, lanes>;
+        return reinterpret<RawVector<T, lanes>>(condition & reinterpret<Bits>(x));
+    }
 }
 
 /// a b + c
@@ -52,6 +58,16 @@ LJMD_INLINE RawVector<T, lanes> square_root(RawVector<T, lanes> x) {
             result[k] = static_cast<T>(__builtin_sqrt(x[k]));  // of a float it is the float's, rounded once
         }
         return result;
+    }
+}
+
+/// Each lane in double. With gcc 12 the compilers' own conversion goes through memory.
+template <int lanes>
+LJMD_INLINE RawVector<double, lanes> widened(RawVector<float, lanes> x) {
+    if constexpr (requires { native::widened(x); }) {
+        return native::widened(x);
+    } else {
+        return __builtin_convertvector(x, RawVector<double, lanes>);
     }
 }
 

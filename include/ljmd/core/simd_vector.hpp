@@ -110,9 +110,8 @@ LJMD_INLINE double sum(Vec<double, lanes, Level> v) {
 }
 template <class Level, int lanes>
 LJMD_INLINE double sum(Vec<float, lanes, Level> v) {
-    using Half = RawVector<double, lanes / 2>;
-    return sum_of<lanes / 2>(__builtin_convertvector((low_half<float, lanes>(v.raw)), Half) +
-                             __builtin_convertvector((high_half<float, lanes>(v.raw)), Half));
+    return sum_of<lanes / 2>(widened<lanes / 2>(low_half<float, lanes>(v.raw)) +
+                             widened<lanes / 2>(high_half<float, lanes>(v.raw)));
 }
 
 #ifdef LJMD_SIMD_LEVEL

@@ -33,6 +33,16 @@ LJMD_INLINE RawVector<double, 4> square_root(RawVector<double, 4> x) {
 LJMD_INLINE RawVector<float, 8> square_root(RawVector<float, 8> x) {
     return _mm256_sqrt_ps(x);
 }
+// The compilers' operator would be the integers' instruction, whose result reaches the next one a cycle later.
+LJMD_INLINE RawVector<double, 4> keep_where(RawVector<std::int64_t, 4> condition, RawVector<double, 4> x) {
+    return _mm256_and_pd(reinterpret<__m256d>(condition), x);
+}
+LJMD_INLINE RawVector<float, 8> keep_where(RawVector<std::int32_t, 8> condition, RawVector<float, 8> x) {
+    return _mm256_and_ps(reinterpret<__m256>(condition), x);
+}
+LJMD_INLINE RawVector<double, 4> widened(RawVector<float, 4> x) {
+    return _mm256_cvtps_pd(x);
+}
 LJMD_INLINE RawVector<double, 4> joined(RawVector<double, 2> low, RawVector<double, 2> high) {
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
 }
@@ -81,6 +91,9 @@ LJMD_INLINE RawVector<double, 8> square_root(RawVector<double, 8> x) {
 }
 LJMD_INLINE RawVector<float, 16> square_root(RawVector<float, 16> x) {
     return _mm512_sqrt_ps(x);
+}
+LJMD_INLINE RawVector<double, 8> widened(RawVector<float, 8> x) {
+    return _mm512_cvtps_pd(x);
 }
 LJMD_INLINE RawVector<double, 8> joined(RawVector<double, 4> low, RawVector<double, 4> high) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
