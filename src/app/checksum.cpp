@@ -4,28 +4,29 @@
 #include <xxhash.h>
 
 #include <array>
-#include <vector>
+#include <memory>
 
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {
 
-std::string checksum(State state) {
-    if (state.has_box()) {
-        state.wrap();
-    }
-    const auto r = static_cast<const State&>(state).positions();
+std::string checksum(const State& state) {
+    const auto r = state.positions();
     if (!r.allFinite()) {
         throw PhysicsError("a position is not finite: the run has blown up. Is the time step too large?");
     }
-    std::vector<std::array<double, 6>> atoms(static_cast<std::size_t>(state.count()));
-    for (Index i = 0; i < state.count(); ++i) {
-        const Eigen::Vector3d n = state.image(i).cast<double>();
+    const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
+    XXH3_64bits_reset(hash.get());
+    for (const Index i : state.index_of()) {
+        const Vec3 n = state.has_box() ? state.box().crossings(r.col(i)) : Vec3::Zero();
+        const Vec3 wrapped = state.has_box() ? Vec3(r.col(i) - n.cwiseProduct(state.box().edges())) : Vec3(r.col(i));
+        const Vec3 image = state.image(i).cast<double>() + n;
         // Adding zero makes -0 and +0 the same.
-        atoms[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])] = {
-            r(0, i) + 0.0, r(1, i) + 0.0, r(2, i) + 0.0, n[0], n[1], n[2]};
+        const std::array<double, 6> atom{wrapped[0] + 0.0, wrapped[1] + 0.0, wrapped[2] + 0.0,
+                                         image[0] + 0.0,   image[1] + 0.0,   image[2] + 0.0};
+        XXH3_64bits_update(hash.get(), atom.data(), sizeof(atom));
     }
-    return fmt::format("xxh3:{:016x}", XXH3_64bits(atoms.data(), atoms.size() * sizeof(atoms.front())));
+    return fmt::format("xxh3:{:016x}", XXH3_64bits_digest(hash.get()));
 }
 
 }  // namespace ljmd

@@ -10,6 +10,6 @@ namespace ljmd {
 /// it, with the number of edges crossed, in the order of ids. Equal for states that differ only in the order of atoms
 /// in memory or in when they were last wrapped.
 /// @throws PhysicsError when a position is not finite
-[[nodiscard]] std::string checksum(State state);
+[[nodiscard]] std::string checksum(const State& state);
 
 }  // namespace ljmd
