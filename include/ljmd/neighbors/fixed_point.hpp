@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -19,7 +20,8 @@ class FixedPoint {
     /// For points up to `halo` outside the box. @pre halo >= 0
     FixedPoint(const Box& box, double halo)
         : origin_(0.5 * box.edges()),
-          unit_(std::exp2(std::ceil(std::log2((0.5 * box.edges().maxCoeff() + halo) / largest)))) {}
+          unit_(std::exp2(std::ceil(std::log2((0.5 * box.edges().maxCoeff() + halo) / largest)))),
+          per_unit_(1.0 / unit_) {}
 
     /// What 1 stands for [sigma].
     [[nodiscard]] double unit() const { return unit_; }
@@ -28,7 +30,9 @@ class FixedPoint {
 
     /// The nearest whole number. @pre inside the box and its halo, or hardly outside
     [[nodiscard]] std::int32_t operator()(double x, int axis) const {
-        return static_cast<std::int32_t>(std::lrint((x - origin_[axis]) / unit_));
+        // Where doubles lie 1 apart, the last bits of one are the whole number: faster than calls of std::lrint.
+        constexpr double shift = 0x1.8p52;
+        return static_cast<std::int32_t>(std::bit_cast<std::int64_t>((x - origin_[axis]) * per_unit_ + shift));
     }
 
     /// Out of reach of every point: no difference from it overflows, none is shorter than the halo.
@@ -39,6 +43,7 @@ class FixedPoint {
 
     Vec3 origin_ = Vec3::Zero();
     double unit_ = 1.0;
+    double per_unit_ = 1.0;  ///< exact: unit_ is a power of two
 };
 
 }  // namespace ljmd
