@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <memory>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
@@ -31,24 +33,20 @@ ConstVectorView view(const AlignedVector<double>& data, Index count) {
     return {data.data(), 3, count};
 }
 
-template <class Vector>
-Vector permuted(const Vector& old, const std::vector<Index>& order) {
-    Vector result(order.size());
-    for_each_index(static_cast<Index>(order.size()), [&](Index k) {
-        const auto i = static_cast<std::size_t>(k);
-        result[i] = old[static_cast<std::size_t>(order[i])];
+/// What `width` numbers from width k on are becomes what those from width order[k] on were.
+/// @pre room in `spare` for as many bytes as all of them have
+template <std::size_t width, class Vector>
+void permute(Vector& data, const std::vector<Index>& order, std::byte* spare) {
+    constexpr std::size_t bytes = width * sizeof(typename Vector::value_type);
+    auto* moved = reinterpret_cast<std::byte*>(data.data());
+    for_each_block(static_cast<Index>(order.size()), usual_block, [&](Index first, Index last) {
+        std::memcpy(spare + bytes * static_cast<std::size_t>(first), moved + bytes * static_cast<std::size_t>(first),
+                    bytes * static_cast<std::size_t>(last - first));
     });
-    return result;
-}
-
-AlignedVector<double> permuted_vectors(const AlignedVector<double>& old, const std::vector<Index>& order) {
-    AlignedVector<double> result(stride * order.size());
     for_each_index(static_cast<Index>(order.size()), [&](Index k) {
-        const auto i = static_cast<std::size_t>(k);
-        std::copy_n(old.begin() + static_cast<Index>(stride) * order[i], stride,
-                    result.begin() + static_cast<Index>(stride) * k);
+        const auto to = static_cast<std::size_t>(k);
+        std::memcpy(moved + bytes * to, spare + bytes * static_cast<std::size_t>(order[to]), bytes);
     });
-    return result;
 }
 
 std::size_t checked(Index count) {
@@ -149,20 +147,25 @@ void State::reorder(const std::vector<Index>& order) {
         throw ContractViolation("a new order must name every atom once");
     }
     ++order_version_;
-    positions_ = permuted_vectors(positions_, order);
-    velocities_ = permuted_vectors(velocities_, order);
-    forces_ = permuted_vectors(forces_, order);
-    masses_ = permuted(masses_, order);
-    ids_ = permuted(ids_, order);
-    images_ = permuted(images_, order);
+    const auto spare = std::make_unique_for_overwrite<std::byte[]>(stride * sizeof(double) * order.size());
+    permute<stride>(positions_, order, spare.get());
+    permute<stride>(velocities_, order, spare.get());
+    if (forces_current_) {
+        permute<stride>(forces_, order, spare.get());
+    }
+    permute<1>(masses_, order, spare.get());
+    permute<1>(ids_, order, spare.get());
+    permute<1>(images_, order, spare.get());
     for (auto& extra : registered_) {
-        extra.data = permuted_vectors(extra.data, order);
+        permute<stride>(extra.data, order, spare.get());
     }
     set_ghost_count(0);
 }
 
 void State::set_ghost_count(Index count) {
-    positions_.resize(stride * (checked(count_) + checked(count) + 1));
+    const std::size_t size = stride * (checked(count_) + checked(count) + 1);
+    positions_.reserve(size > positions_.capacity() ? size + size / 32 : 0);  // resize alone would take twice as much
+    positions_.resize(size);
     ghost_count_ = count;
     const double far = box_ ? -far_in_edges * box_->edges().maxCoeff() - far_beyond : 0.0;
     std::fill_n(positions_.end() - static_cast<Index>(stride), stride - 1, far);

@@ -75,7 +75,8 @@ class State {
     [[nodiscard]] const Eigen::Vector3i& image(Index i) const { return images_[static_cast<std::size_t>(i)]; }
     void set_image(Index i, const Eigen::Vector3i& image) { images_[static_cast<std::size_t>(i)] = image; }
 
-    /// Rearrange all per-atom data: atom k of the new order is atom order[k] of the old. Ghosts are dropped.
+    /// Rearrange all per-atom data, stale forces excepted: atom k of the new order is atom order[k] of the old. Ghosts
+    /// are dropped.
     /// @pre order is a permutation of 0 ... N-1
     void reorder(const std::vector<Index>& order);
 
@@ -93,8 +94,8 @@ class State {
     /// index_of()[id] is where that atom lies now.
     [[nodiscard]] std::vector<Index> index_of() const;
 
-    /// Register a per-atom vector that must be sorted with the atoms (reference positions of a list, previous positions
-    /// of a multistep integrator). Calling again with the same name returns the same handle. Starts as zeros.
+    /// Register a per-atom vector that must be sorted with the atoms (previous positions of a multistep integrator).
+    /// Calling again with the same name returns the same handle. Starts as zeros.
     [[nodiscard]] std::size_t register_vectors(const std::string& name);
     [[nodiscard]] VectorView registered(std::size_t handle);
     [[nodiscard]] ConstVectorView registered(std::size_t handle) const;
