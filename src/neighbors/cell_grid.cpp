@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/threads.hpp"
@@ -51,6 +52,20 @@ void sort_by(const std::vector<std::uint32_t>& keys, std::size_t bins, std::vect
     starts[0] = 0;
 }
 
+void require_countable(Index points) {
+    if (points > most_points) {
+        throw InputError(fmt::format("{} atoms and images are more than one process can hold", points));
+    }
+}
+
+/// first, first + 1, ... behind what is there.
+void append_range(std::vector<std::int32_t>& numbers, Index first, Index count) {
+    const std::size_t size = numbers.size();
+    require_countable(static_cast<Index>(size) + count);
+    numbers.resize(size + static_cast<std::size_t>(count));
+    std::iota(numbers.begin() + static_cast<Index>(size), numbers.end(), static_cast<std::int32_t>(first));
+}
+
 }  // namespace
 
 void CellGrid::configure(const Box& box, double range, Index atoms) {
@@ -92,57 +107,79 @@ CellGrid::Cell CellGrid::cell_of(const Vec3& position) const {
     return cell;
 }
 
-CellGrid::Cell CellGrid::clamped_cell_of(const Vec3& position) const {
-    Cell cell{};
-    for (int a = 0; a < 3; ++a) {
-        const auto k = static_cast<std::size_t>(a);
-        const int n = floor_of(position[a] * inverse_width_[a]) + reach_[k];
-        cell[k] = std::clamp(n, 0, inner_[k] + 2 * reach_[k] - 1);
-    }
-    return cell;
-}
-
 std::size_t CellGrid::flat(const Cell& cell) const {
     return static_cast<std::size_t>(cell[2]) * layer() + static_cast<std::size_t>(cell[1]) * row_length() +
            static_cast<std::size_t>(cell[0]);
 }
 
 std::size_t CellGrid::cell_count() const {
-    return layer() * width(2);
+    return layer() * static_cast<std::size_t>(cells_along(2));
 }
 
-std::vector<Index> CellGrid::spatial_order(const State& state) const {
+void CellGrid::sort(State& state, GhostExchange& ghosts) {
+    require_countable(state.count());
+    state.wrap();
+    state.reorder(spatial_order(state));
+    ghosts.create(state, place_atoms_and_images(state));
+}
+
+std::vector<Index> CellGrid::spatial_order(const State& state) {
     const auto r = state.positions();
     std::vector<std::uint32_t> cell(static_cast<std::size_t>(state.count()));
     for_each_index(state.count(), [&](Index i) {
         cell[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(flat(cell_of(r.col(i))));
     });
-    std::vector<std::uint32_t> starts;
-    std::vector<std::int32_t> sorted;
-    sort_by(cell, cell_count(), starts, sorted);
+    sort_by(cell, cell_count(), starts_, order_);
     std::vector<Index> order(cell.size());
-    for_each_block(static_cast<Index>(starts.size()) - 1, usual_block, [&](Index first, Index last) {
+    for_each_block(static_cast<Index>(cell_count()), usual_block, [&](Index first, Index last) {
         for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
-            const auto begin = sorted.begin() + starts[c];
-            const auto end = sorted.begin() + starts[c + 1];
+            const auto begin = order_.begin() + starts_[c];
+            const auto end = order_.begin() + starts_[c + 1];
             std::sort(begin, end, [&](std::int32_t i, std::int32_t j) {
                 return state.ids()[static_cast<std::size_t>(i)] < state.ids()[static_cast<std::size_t>(j)];
             });
-            std::copy(begin, end, order.begin() + starts[c]);
+            std::copy(begin, end, order.begin() + starts_[c]);
         }
     });
     return order;
 }
 
-void CellGrid::fill(const ConstVectorView& points) {
-    if (points.cols() > most_points) {
-        throw InputError(fmt::format("{} atoms and images are more than one process can hold", points.cols()));
+std::vector<GhostExchange::Run> CellGrid::place_atoms_and_images(const State& state) {
+    const std::vector<std::uint32_t> atoms = std::exchange(starts_, {});  // of each cell in the box
+    starts_.reserve(atoms.size());
+    order_.clear();
+    std::vector<GhostExchange::Run> images;
+    Index ghosts = 0;
+    // How many edges away the image is that a cell belongs to; 0 in the box.
+    const auto crossings = [&](int cell, std::size_t axis) {
+        return floor_of(static_cast<double>(cell - reach_[axis]) / inner_[axis]);
+    };
+    for (int z = 0; z < cells_along(2); ++z) {
+        for (int y = 0; y < cells_along(1); ++y) {
+            for (int x = 0; x < cells_along(0); ++x) {
+                const Cell n{crossings(x, 0), crossings(y, 1), crossings(z, 2)};
+                const std::size_t owner = flat({x - n[0] * inner_[0], y - n[1] * inner_[1], z - n[2] * inner_[2]});
+                const auto first = static_cast<Index>(atoms[owner]);
+                const Index count = static_cast<Index>(atoms[owner + 1]) - first;
+                starts_.push_back(static_cast<std::uint32_t>(order_.size()));
+                if (n == Cell{}) {
+                    append_range(order_, first, count);
+                    continue;
+                }
+                append_range(order_, state.count() + ghosts, count);
+                ghosts += count;
+                const Vec3 shift = Vec3(n[0], n[1], n[2]).cwiseProduct(state.box().edges());
+                if (!images.empty() && images.back().first + images.back().count == first &&
+                    images.back().shift == shift) {
+                    images.back().count += count;
+                } else {
+                    images.push_back({first, count, shift});
+                }
+            }
+        }
     }
-    std::vector<std::uint32_t> cell(static_cast<std::size_t>(points.cols()));
-    for_each_index(points.cols(), [&](Index i) {
-        cell[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(flat(clamped_cell_of(points.col(i))));
-    });
-    sort_by(cell, cell_count(), starts_, order_);
+    starts_.push_back(static_cast<std::uint32_t>(order_.size()));
+    return images;
 }
 
 }  // namespace ljmd

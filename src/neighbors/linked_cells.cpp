@@ -6,11 +6,8 @@ namespace ljmd {
 
 void LinkedCells::prepare(State& state, double cutoff) {
     Stopwatch watch;
-    state.wrap();
     grid_.configure(state.box(), cutoff, state.count());
-    state.reorder(grid_.spatial_order(state));
-    ghosts_.create(state, cutoff);
-    grid_.fill(state.positions_and_ghosts());
+    grid_.sort(state, ghosts_);
     statistics_.seconds_sorting += watch.lap();
     ++statistics_.preparations;
     ++statistics_.rebuilds;

@@ -1,52 +1,42 @@
 #include "ljmd/parallel/ghost_exchange.hpp"
 
+#include <utility>
+
 #include "ljmd/core/threads.hpp"
 
 namespace ljmd {
 
-void GhostExchange::create(State& state, double halo) {
-    images_.clear();
-    const auto r = static_cast<const State&>(state).positions();
-    const Vec3& edges = state.box().edges();
-    for (int a = 0; a < 3; ++a) {
-        const auto append_images = [&](std::vector<Image>& images, Index owner, const Vec3& shift) {
-            const double x = r(a, owner) + shift[a];
-            for (double n = 1.0; x + n * edges[a] < edges[a] + halo; n += 1.0) {
-                images.push_back({owner, shift + n * edges[a] * Vec3::Unit(a)});
-            }
-            for (double n = 1.0; x - n * edges[a] >= -halo; n += 1.0) {
-                images.push_back({owner, shift - n * edges[a] * Vec3::Unit(a)});
-            }
-        };
-        // Of the atoms first, then of the images along the axes before.
-        const Index candidates = state.count() + static_cast<Index>(images_.size());
-        std::vector<std::vector<Image>> found(static_cast<std::size_t>((candidates + usual_block - 1) / usual_block));
-        for_each_block(candidates, usual_block, [&](Index first, Index last) {
-            auto& images = found[static_cast<std::size_t>(first / usual_block)];
-            for (Index k = first; k < last; ++k) {
-                if (k < state.count()) {
-                    append_images(images, k, Vec3::Zero());
-                } else {
-                    const Image& image = images_[static_cast<std::size_t>(k - state.count())];
-                    append_images(images, image.owner, image.shift);
-                }
-            }
-        });
-        for (const auto& images : found) {
-            images_.insert(images_.end(), images.begin(), images.end());
-        }
+namespace {
+
+constexpr Index runs_per_block = 16;
+
+}  // namespace
+
+void GhostExchange::create(State& state, std::vector<Run> runs) {
+    runs_ = std::move(runs);
+    places_.clear();
+    places_.reserve(runs_.size());
+    count_ = 0;
+    for (const Run& run : runs_) {
+        places_.push_back(count_);
+        count_ += run.count;
     }
-    state.set_ghost_count(static_cast<Index>(images_.size()));
+    state.set_ghost_count(count_);
     update(state);
 }
 
 void GhostExchange::update(State& state) const {
     const double* r = static_cast<const State&>(state).positions().data();
     double* ghosts = state.write_ghosts().data();
-    for_each_index(count(), [&](Index k) {
-        const Image& image = images_[static_cast<std::size_t>(k)];
-        for (int a = 0; a < 3; ++a) {
-            ghosts[4 * k + a] = r[4 * image.owner + a] + image.shift[a];
+    for_each_block(static_cast<Index>(runs_.size()), runs_per_block, [&](Index first, Index last) {
+        for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+            const Run& run = runs_[k];
+            const Eigen::Array4d shift(run.shift[0], run.shift[1], run.shift[2], 0.0);
+            const double* atom = r + 4 * run.first;
+            double* ghost = ghosts + 4 * places_[k];
+            for (Index i = 0; i < run.count; ++i) {
+                Eigen::Map<Eigen::Array4d>(ghost + 4 * i) = Eigen::Map<const Eigen::Array4d>(atom + 4 * i) + shift;
+            }
         }
     });
 }

@@ -1,6 +1,7 @@
 #include "ljmd/neighbors/cell_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <numeric>
 #include <set>
@@ -28,8 +29,8 @@ std::vector<int> times_met(const CellGrid& grid, const State& state, Index i) {
 CellGrid filled(State& state, double range) {
     CellGrid grid;
     grid.configure(state.box(), range, state.count());
-    GhostExchange().create(state, range);
-    grid.fill(static_cast<const State&>(state).positions_and_ghosts());
+    GhostExchange ghosts;
+    grid.sort(state, ghosts);
     return grid;
 }
 
@@ -90,6 +91,42 @@ TEST_CASE("an atom on the last grid point before the far wall is found and finds
     CHECK(finds_everything(state, filled(state, 2.5), 2.5));
 }
 
+TEST_CASE("every image within range of the box is a ghost exactly once, whatever range and box") {
+    const Vec3 edges = GENERATE(Vec3(5.0, 5.0, 5.0), Vec3(3.1, 4.7, 11.3));
+    const double range = GENERATE(0.3, 1.6, 2.5, 3.1, 4.0, 5.0, 6.3, 7.9);  // L/2 = 2.5 or 1.55, L = 5 or 3.1
+    CAPTURE(edges.transpose(), range);
+    State state = test::random_state(40, Box(edges), 7);
+    const CellGrid grid = filled(state, range);
+
+    std::vector<std::array<double, 3>> ghosts;
+    const auto all = static_cast<const State&>(state).positions_and_ghosts();
+    for (Index k = state.count(); k < all.cols(); ++k) {
+        ghosts.push_back({all(0, k), all(1, k), all(2, k)});
+    }
+    std::sort(ghosts.begin(), ghosts.end());
+    CHECK(std::adjacent_find(ghosts.begin(), ghosts.end()) == ghosts.end());
+
+    std::size_t images = 0;
+    bool complete = true;
+    constexpr int reach = 5;
+    for (Index i = 0; i < state.count(); ++i) {
+        for (int x = -reach; x <= reach; ++x) {
+            for (int y = -reach; y <= reach; ++y) {
+                for (int z = -reach; z <= reach; ++z) {
+                    const Vec3 r = all.col(i) + Vec3(x, y, z).cwiseProduct(edges);
+                    const bool found = std::binary_search(ghosts.begin(), ghosts.end(), std::array{r[0], r[1], r[2]});
+                    const bool inside = (r.array() >= -range).all() && (r.array() < edges.array() + range).all();
+                    const bool image = x != 0 || y != 0 || z != 0;
+                    images += found && image ? 1 : 0;
+                    complete = complete && (found || !image || !inside);
+                }
+            }
+        }
+    }
+    CHECK(complete);
+    CHECK(images == ghosts.size());  // there is nothing else among them
+}
+
 TEST_CASE("candidates per atom do not grow with the number of atoms") {
     // 6, 12 and 18 cells along the edges: the neighbourhoods are alike.
     const double density = 0.8442;
@@ -109,20 +146,15 @@ TEST_CASE("candidates per atom do not grow with the number of atoms") {
 
 TEST_CASE("a nearly empty box is cut into few cells") {
     State state = test::random_state(8, Box(Vec3::Constant(1000.0)), 2);
-    CellGrid grid;
-    grid.configure(state.box(), 2.5, state.count());
-    grid.fill(static_cast<const State&>(state).positions_and_ghosts());
+    const CellGrid grid = filled(state, 2.5);
     CHECK(grid.run_count() == 9);  // cells wider than the range: one to each side
-    CHECK(finds_everything(state, filled(state, 2.5), 2.5));
+    CHECK(finds_everything(state, grid, 2.5));
 }
 
-TEST_CASE("the spatial order sorts by cell and by id within it, and no present order changes it") {
+TEST_CASE("atoms are sorted by cell and by id within it, and no present order changes that") {
     State state = test::random_state(400, Box(Vec3(8.0, 7.0, 9.0)), 31);
-    CellGrid grid;
-    grid.configure(state.box(), 2.5, state.count());
-
-    const auto ids_in_order = [&grid](State atoms) {
-        atoms.reorder(grid.spatial_order(atoms));
+    const auto ids_in_order = [](State atoms) {
+        const CellGrid grid = filled(atoms, 2.5);
         return atoms.ids();
     };
     const std::vector<Index> expected = ids_in_order(state);
@@ -136,7 +168,7 @@ TEST_CASE("the spatial order sorts by cell and by id within it, and no present o
     CHECK(ids_in_order(state) == expected);
 
     // Atoms of the same cell follow each other with ascending ids; cells follow each other along x, then y, then z.
-    state.reorder(grid.spatial_order(state));
+    const CellGrid grid = filled(state, 2.5);
     const Vec3 cells(6.0, 5.0, 7.0);  // floor(2 L / range)
     const auto cell_of = [&](Index i) {
         const Vec3 c = state.positions().col(i).cwiseQuotient(state.box().edges()).cwiseProduct(cells).array().floor();
@@ -153,11 +185,11 @@ TEST_CASE("the spatial order sorts by cell and by id within it, and no present o
 
 TEST_CASE("a grid is usable again after another box, range and number of atoms") {
     CellGrid grid;
+    GhostExchange ghosts;
     for (const double edge : {12.0, 5.0, 9.0}) {
         State state = test::random_state(static_cast<Index>(edge * 10), Box(Vec3::Constant(edge)), 3);
-        GhostExchange().create(state, 2.2);
         grid.configure(state.box(), 2.2, state.count());
-        grid.fill(static_cast<const State&>(state).positions_and_ghosts());
+        grid.sort(state, ghosts);
         CHECK(finds_everything(state, grid, 2.2));
     }
 }

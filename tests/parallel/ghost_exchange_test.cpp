@@ -1,144 +1,78 @@
 #include "ljmd/parallel/ghost_exchange.hpp"
 
-#include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
+#include <random>
 #include <vector>
 
+#include "core/thread_guard.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
 
 namespace {
 
-using Place = std::array<double, 3>;
-
-Place place(const Vec3& r) {
-    return {r[0], r[1], r[2]};
-}
-
-std::vector<Place> sorted(std::vector<Place> places) {
-    std::sort(places.begin(), places.end());
-    return places;
-}
-
-std::vector<Place> ghosts_of(const State& state) {
-    std::vector<Place> places;
-    for (Index k = 0; k < state.ghost_count(); ++k) {
-        places.push_back(place(state.positions_and_ghosts().col(state.count() + k)));
-    }
-    return sorted(places);
-}
-
-/// Every image but the atom itself inside [-halo, L + halo), from all combinations of up to `reach` edges.
-std::vector<Place> images_by_brute_force(const State& state, double halo, int reach) {
-    const Vec3& edges = state.box().edges();
-    std::vector<Place> places;
-    for (Index i = 0; i < state.count(); ++i) {
-        for (int x = -reach; x <= reach; ++x) {
-            for (int y = -reach; y <= reach; ++y) {
-                for (int z = -reach; z <= reach; ++z) {
-                    const Vec3 r = state.positions().col(i) + Vec3(x, y, z).cwiseProduct(edges);
-                    const bool inside = (r.array() >= -halo).all() && (r.array() < edges.array() + halo).all();
-                    if (inside && (x != 0 || y != 0 || z != 0)) {
-                        places.push_back(place(r));
-                    }
-                }
+/// Every ghost is its atom plus whole edges, to the last bit, in the order of the runs.
+bool ghosts_follow(const State& state, const std::vector<GhostExchange::Run>& runs) {
+    const auto all = state.positions_and_ghosts();
+    Index ghost = state.count();
+    for (const auto& run : runs) {
+        for (Index i = run.first; i < run.first + run.count; ++i, ++ghost) {
+            if (ghost >= all.cols() || all.col(ghost) != all.col(i) + run.shift ||
+                all.col(ghost) - run.shift != all.col(i)) {
+                return false;
             }
         }
     }
-    return sorted(places);
+    return ghost == all.cols();
 }
 
 }  // namespace
 
-TEST_CASE("every image within the halo is a ghost exactly once, whatever halo and box") {
-    const Vec3 edges = GENERATE(Vec3(5.0, 5.0, 5.0), Vec3(3.1, 4.7, 11.3));
-    const double halo = GENERATE(1e-9, 0.3, 1.6, 2.5, 3.1, 4.0, 5.0, 6.3, 7.9);  // L/2 = 2.5 or 1.55, L = 5 or 3.1
-    const State random = test::random_state(40, Box(edges), 7);
-    State state = random;
-    GhostExchange().create(state, halo);
-    CAPTURE(edges.transpose(), halo);
-    CHECK(ghosts_of(state) == images_by_brute_force(random, halo, 4));
-    CHECK(state.positions() == random.positions());
-    CHECK(state.ids() == random.ids());
-}
-
-TEST_CASE("the halo holds its lower end and not its upper one") {
-    // By hand, L = 4, halo = 1: images along x of x = 3 at -1 (in), of x = 1 at 5 (out), of x = 0 at 4 (in).
-    State state = test::state_of({{3.0, 2.0, 2.0}, {1.0, 2.0, 2.0}, {0.0, 2.0, 2.0}}, Box(Vec3::Constant(4.0)));
-    GhostExchange().create(state, 1.0);
-    CHECK(ghosts_of(state) == std::vector<Place>{{-1.0, 2.0, 2.0}, {4.0, 2.0, 2.0}});
-}
-
-TEST_CASE("an atom in a corner has images across faces, edges and the corner") {
-    State state = test::state_of({Vec3::Zero()}, Box(Vec3::Constant(4.0)));
-    GhostExchange().create(state, 1.0);
-    CHECK(state.ghost_count() == 7);
-}
-
-TEST_CASE("an atom in the middle of a large box has no images") {
-    State state = test::state_of({Vec3::Constant(2.0)}, Box(Vec3::Constant(4.0)));
-    GhostExchange ghosts;
-    ghosts.create(state, 1.0);
-    CHECK(state.ghost_count() == 0);
-    CHECK(ghosts.count() == 0);
-}
-
-TEST_CASE("ghosts follow their atoms to the last bit") {
-    const double halo = GENERATE(1.0, 3.5, 8.0);
+TEST_CASE("ghosts are the atoms of the runs, whole edges away, and follow them to the last bit") {
+    const test::ThreadGuard guard(GENERATE(1, 3));
     const Box box(Vec3(4.3, 5.1, 6.7));
     State state = test::random_state(60, box, 3);
-    GhostExchange ghosts;
-    ghosts.create(state, halo);
-    CHECK(ghosts.count() == state.ghost_count());
-
-    // Who belongs to whom, and by how many edges, from the positions at the start.
-    struct Image {
-        Index owner;
-        Vec3 edges;
-    };
-    std::vector<Image> images;
-    const Eigen::Matrix3Xd start = state.positions_and_ghosts();
-    for (Index k = state.count(); k < start.cols(); ++k) {
-        for (Index i = 0; i < state.count(); ++i) {
-            const Vec3 n = (start.col(k) - start.col(i)).cwiseQuotient(box.edges()).array().round();
-            if (start.col(k) == start.col(i) + n.cwiseProduct(box.edges())) {
-                images.push_back({i, n});
-            }
-        }
+    std::vector<GhostExchange::Run> runs;
+    for (Index k = 0; k < 50; ++k) {  // more than one thread takes at a time
+        const Vec3 edges(static_cast<double>(k % 3 - 1), static_cast<double>(k % 5 - 2), 1.0);
+        runs.push_back({k, k % 10, edges.cwiseProduct(box.edges())});
     }
-    REQUIRE(static_cast<Index>(images.size()) == state.ghost_count());
+    GhostExchange ghosts;
+    ghosts.create(state, runs);
+    CHECK(ghosts.count() == 225);
+    CHECK(state.ghost_count() == 225);
+    CHECK(ghosts_follow(state, runs));
 
     std::mt19937_64 generator(11);
     for (int step = 0; step < 20; ++step) {
         test::displace(state, 0.05, generator);  // atoms leave the box
+        CHECK_FALSE(ghosts_follow(state, runs));
         ghosts.update(state);
-        const auto all = static_cast<const State&>(state).positions_and_ghosts();
-        bool exact = true;
-        for (std::size_t k = 0; k < images.size(); ++k) {
-            const Vec3 shift = images[k].edges.cwiseProduct(box.edges());
-            const Vec3 ghost = all.col(state.count() + static_cast<Index>(k));
-            exact = exact && ghost == all.col(images[k].owner) + shift && ghost - shift == all.col(images[k].owner);
-        }
-        CHECK(exact);
+        CHECK(ghosts_follow(state, runs));
     }
 }
 
-TEST_CASE("ghosts leave the forces current and are replaced by the next ones") {
-    State state = test::random_state(40, Box(Vec3::Constant(5.0)), 5);
+TEST_CASE("ghosts leave atoms and the forces' being current, and are replaced by the next ones") {
+    const Box box(Vec3::Constant(5.0));
+    const State before = test::random_state(40, box, 5);
+    State state = before;
     GhostExchange ghosts;
     state.mark_forces_current();
-    ghosts.create(state, 2.0);
-    const Index many = state.ghost_count();
-    ghosts.create(state, 0.5);
+    ghosts.create(state, {{0, 40, Vec3(5.0, 0.0, 0.0)}, {0, 40, Vec3(-5.0, 0.0, 0.0)}});
+    CHECK(state.ghost_count() == 80);
+    const std::vector<GhostExchange::Run> fewer{{7, 3, Vec3(0.0, -5.0, 0.0)}};
+    ghosts.create(state, fewer);
+    CHECK(ghosts.count() == 3);
+    CHECK(ghosts_follow(state, fewer));
     CHECK(state.forces_are_current());
-    CHECK(state.ghost_count() < many);
-    CHECK(ghosts_of(state) == images_by_brute_force(state, 0.5, 1));
+    CHECK(state.positions() == before.positions());
+    CHECK(state.ids() == before.ids());
 }
 
-TEST_CASE("a box without atoms has no ghosts") {
+TEST_CASE("without runs there are no ghosts") {
     State state(0, Box(Vec3::Constant(5.0)));
-    GhostExchange().create(state, 2.0);
+    GhostExchange ghosts;
+    ghosts.create(state, {});
+    CHECK(ghosts.count() == 0);
     CHECK(state.ghost_count() == 0);
 }

@@ -8,29 +8,30 @@
 
 #include "ljmd/core/types.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/parallel/ghost_exchange.hpp"
 
 namespace ljmd {
 
-/// Linked cells: points sorted into a grid of cells over the box and a halo around it, so that all points within
+/// Linked cells: atoms sorted into a grid of cells over the box and a halo around it, so that all points within
 /// `range` of an atom are found in a fixed number of cells, whatever the number of atoms.
 ///
-/// Cells are about range/2 wide; the halo is as many layers of cells as cover `range`. Rows of cells along x lie one
-/// after the other in memory, so the neighbourhood of a cell is one contiguous run of points a row; of each row only
-/// the part that can lie within `range` of the cell belongs to it.
+/// Cells are about range/2 wide, and the edges of the box are a whole number of them; the halo is as many layers of
+/// cells as cover `range`. Each of its cells is the image of one in the box and holds the ghosts of that one's atoms.
+/// Rows of cells along x lie one after the other in memory, so the neighbourhood of a cell is one contiguous run of
+/// points a row; of each row only the part that can lie within `range` of the cell belongs to it.
 class CellGrid {
   public:
     /// Fix the cells for a box, a range and a number of atoms (a nearly empty box gets larger cells, so that memory
     /// stays in proportion to the atoms). @pre range > 0
     void configure(const Box& box, double range, Index atoms);
 
-    /// Order of the local atoms by cell, and by id within a cell: the order that results rest on.
-    /// @pre atoms in [0, L)
-    [[nodiscard]] std::vector<Index> spatial_order(const State& state) const;
+    /// Sort atoms and ghosts into the cells: atoms are wrapped into the box and reordered by cell, and by id within a
+    /// cell (the order that results rest on); their images in the halo become the ghosts.
+    /// @pre configured for the box and number of atoms of this state
+    /// @throws InputError when there are more points than can be counted
+    void sort(State& state, GhostExchange& ghosts);
 
-    /// Sort local atoms and ghosts into the cells.
-    void fill(const ConstVectorView& points);
-
-    /// Columns of the view given to fill(), in the order of the cells.
+    /// Atoms and ghosts, by their index, in the order of the cells.
     [[nodiscard]] std::span<const std::int32_t> order() const { return order_; }
 
     /// Places [first, last) in order().
@@ -60,20 +61,21 @@ class CellGrid {
   private:
     using Cell = std::array<int, 3>;
 
-    /// The cell of a local atom, halo layers included in the count.
+    /// The cell of a position in the box, halo layers included in the count.
     [[nodiscard]] Cell cell_of(const Vec3& position) const;
-    /// The cell of any point, moved to the border of the grid when it lies outside.
-    [[nodiscard]] Cell clamped_cell_of(const Vec3& position) const;
     [[nodiscard]] std::size_t flat(const Cell& cell) const;
     [[nodiscard]] std::size_t cell_count() const;
 
-    /// Cells along an axis, halo included.
-    [[nodiscard]] std::size_t width(std::size_t axis) const {
-        const int cells = inner_[axis] + 2 * reach_[axis];
-        return static_cast<std::size_t>(cells);
-    }
-    [[nodiscard]] std::size_t row_length() const { return width(0); }
-    [[nodiscard]] std::size_t layer() const { return width(0) * width(1); }
+    /// Order of the atoms by cell and id; starts_ become those of the cells in the box.
+    [[nodiscard]] std::vector<Index> spatial_order(const State& state);
+    /// Places for the atoms, once they are in spatial order, and for their images in the halo: starts_ and order_
+    /// become those of all cells. @return the images
+    [[nodiscard]] std::vector<GhostExchange::Run> place_atoms_and_images(const State& state);
+
+    /// Halo included.
+    [[nodiscard]] int cells_along(std::size_t axis) const { return inner_[axis] + 2 * reach_[axis]; }
+    [[nodiscard]] std::size_t row_length() const { return static_cast<std::size_t>(cells_along(0)); }
+    [[nodiscard]] std::size_t layer() const { return row_length() * static_cast<std::size_t>(cells_along(1)); }
     void find_rows(double range);
 
     /// The part of a row that belongs to the neighbourhood of a cell.

@@ -79,14 +79,18 @@ class VerletList {
   private:
     static Index point(std::int32_t entry) { return Index{static_cast<std::uint32_t>(entry)} / 4; }
 
+    /// Points as the kernel wants them, with room for whole vectors behind them.
+    struct CandidateArrays {
+        void resize(std::size_t size);
+        std::array<std::vector<float>, 3> places;  ///< in units of fixed_point_
+        std::vector<std::int32_t> index;
+    };
+
     /// True when no atom has moved by more than skin/2 since the list was built for this cutoff and box.
-    [[nodiscard]] bool still_valid(State& state, double cutoff);
-    [[nodiscard]] bool nothing_moved_too_far(State& state) const;
-    /// Atoms into the order of their cells, ghosts around them, all into the grid.
-    void sort(State& state, double range);
-    void build(State& state, double cutoff);
-    /// The points in the order of the cells, as the kernel wants them.
-    void gather_candidates(const ConstVectorView& points);
+    [[nodiscard]] bool still_valid(const State& state, double cutoff) const;
+    [[nodiscard]] bool nothing_moved_too_far(const State& state) const;
+    void build(const State& state, double cutoff);
+    void find_candidates(const ConstVectorView& points);
     /// @return {neighbours, distance tests}
     std::array<Index, 2> fill_block(Block& block, const State& state, Index first, Index last, double range) const;
 
@@ -102,8 +106,8 @@ class VerletList {
     CellGrid grid_;
     GhostExchange ghosts_;
     FixedPoint fixed_point_;
-    std::array<std::vector<float>, 3> candidate_places_;  ///< in the order of the cells, units of fixed_point_
-    std::vector<std::int32_t> candidate_entries_;
+    CandidateArrays candidates_;       ///< all points, in the order of the cells
+    AlignedVector<double> reference_;  ///< positions when the list was built, 4 numbers each
     std::vector<Block> blocks_;
     Index entries_ = 0;
     SearchStatistics statistics_;

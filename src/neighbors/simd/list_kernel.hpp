@@ -7,30 +7,36 @@
 
 namespace ljmd {
 
-/// Points among which neighbours are sought, in the order of the cells, in units of FixedPoint. Rounding them to single
-/// precision moves each coordinate by at most 16 units.
-struct Candidates {
-    const float* x;
-    const float* y;
-    const float* z;
-    const std::int32_t* entries;  ///< what the list is to hold of each
+/// Points among which neighbours are sought, in units of FixedPoint. Rounding them to single precision moves each
+/// coordinate by at most 16 units.
+template <class Real, class Integer>
+struct PointArrays {
+    Real* x;
+    Real* y;
+    Real* z;
+    Integer* index;
 };
+using Candidates = PointArrays<float, std::int32_t>;
+using ConstCandidates = PointArrays<const float, const std::int32_t>;
 
-/// The arrays of Candidates, and what a kernel writes to, have room for so many numbers more than they hold.
+/// Kernels read and write whole vectors: behind what they are asked for there must be so many numbers more.
 inline constexpr int list_kernel_slack = 16;
 
-/// Builds the list of one atom.
+/// Builds lists.
 struct ListKernel {
-    int lanes;  ///< points that are looked at together
+    /// Copy the points of some runs, one after the other, and fill up the last vector with points that are near nobody.
+    /// @return how many there are, without the filling
+    /// @pre room in `to` for all of them and list_kernel_slack more, and as many in `from` behind each run
+    int (*gather)(const ConstCandidates& from, const CellGrid::Run* runs, int run_count, const Candidates& to);
 
-    /// Write the entries of all points of some runs whose squared distance from (x, y, z) is below `range2`, but for
-    /// `self`. Squared distances are computed in single precision, their relative error is below 5e-7.
-    /// @param runs    none longer than `lanes`: loops of unforeseeable length would cost more than the work in them
-    /// @param range2  in units of FixedPoint, squared
+    /// Write 4 j for all points j whose squared distance from (x, y, z) is below `range2`, but for `self`. Squared
+    /// distances are computed in single precision, their relative error is below 5e-7.
+    /// @param candidates  what gather() wrote, so many as it said
+    /// @param range2      in units of FixedPoint, squared
     /// @return how many were written
-    /// @pre room at `out` for as many as the runs hold, and list_kernel_slack more
-    int (*neighbors_of)(const Candidates& candidates, const CellGrid::Run* runs, int run_count, float x, float y,
-                        float z, std::int32_t self, float range2, std::int32_t* out);
+    /// @pre room at `out` for as many as there are candidates, and list_kernel_slack more
+    int (*neighbors_of)(const Candidates& candidates, int count, float x, float y, float z, std::int32_t self,
+                        float range2, std::int32_t* out);
 };
 
 /// The one compiled for a level; the level must be usable here.
