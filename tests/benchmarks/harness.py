@@ -28,6 +28,7 @@ from typing import Any, Callable, Optional, Sequence
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
+import command_line  # noqa: E402
 import figures  # noqa: E402
 import machine  # noqa: E402
 import report  # noqa: E402
@@ -68,25 +69,17 @@ def words(text: str) -> list[str]:
 
 
 def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description="Time ljmd beside other programs on exactly the same work.")
-    parser.add_argument("--ljmd", type=Path, default=ROOT / "build" / "release" / "ljmd")
+    parser = command_line.parser("Time ljmd beside other programs on exactly the same work.", policy="fixed",
+                                 repeats=5, seconds=3.0, out="runs/benchmark")
     parser.add_argument("--sizes", type=numbers, metavar="N,N", default=list(workload.SIZES), help="4 n^3 atoms each")
     parser.add_argument("--threads", type=numbers, metavar="n,n",
                         default=[count for count in (1, 2) if count <= machine.cores()])
     parser.add_argument("--peers", type=words, metavar="a,b", default=words(DEFAULT_PEERS),
                         help=f"of {', '.join(PEERS)}; '' for none")
     parser.add_argument("--precision", type=words, metavar="a,b", default=["double"], help="of double, mixed")
-    parser.add_argument("--simd", help="instructions that ljmd may use (default: the best it finds)")
-    parser.add_argument("--policy", choices=workload.POLICIES, default="fixed", help="when lists are made anew")
-    parser.add_argument("--repeats", type=int, default=5, help="rounds")
-    parser.add_argument("--seconds", type=float, default=3.0, help="that a run is to take, about")
     parser.add_argument("--wait", type=float, default=0.0, metavar="SECONDS",
                         help="wait at most so long before a run until other work leaves its cores idle")
-    parser.add_argument("--out", type=Path, default=Path("runs/benchmark"))
-    parser.add_argument("--share", action="store_true",
-                        help="for a machine with other work: whoever waits for another thread gives up its core")
     parser.add_argument("--quick", action="store_true", help="two small sizes, two rounds, short runs: a look")
-    parser.add_argument("--redraw", type=Path, metavar="DIR", help="only make page and figures anew")
     options = parser.parse_args(arguments)
     if options.quick:
         options.sizes, options.repeats, options.seconds = [864, 4000], 2, 0.5

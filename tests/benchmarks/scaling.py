@@ -31,6 +31,7 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
+import command_line  # noqa: E402
 import ljmd_program  # noqa: E402
 import machine  # noqa: E402
 import report  # noqa: E402
@@ -53,21 +54,13 @@ NOMINAL_COST = (50e-9, 3e-9)
 
 
 def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description="Cost and memory of ljmd over sizes, densities, cutoffs and shapes.")
-    parser.add_argument("--ljmd", type=Path, default=ROOT / "build" / "release" / "ljmd")
+    parser = command_line.parser("Cost and memory of ljmd over sizes, densities, cutoffs and shapes.", policy="strict",
+                                 repeats=3, seconds=1.0, out="runs/scaling")
     parser.add_argument("--families", type=lambda text: text.split(","), default=list(scaling_cases.FAMILIES))
     parser.add_argument("--largest", type=int, default=1_100_000, help="atoms in the family 'size', at most 10061824")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--precision", choices=("double", "mixed"), default="double")
-    parser.add_argument("--simd", help="instructions that ljmd may use (default: the best it finds)")
-    parser.add_argument("--policy", choices=workload.POLICIES, default="strict", help="when lists are made anew")
-    parser.add_argument("--repeats", type=int, default=3, help="rounds")
-    parser.add_argument("--seconds", type=float, default=1.0, help="that a run is to take, about")
-    parser.add_argument("--out", type=Path, default=Path("runs/scaling"))
-    parser.add_argument("--share", action="store_true",
-                        help="for a machine with other work: whoever waits for another thread gives up its core")
     parser.add_argument("--quick", action="store_true", help="small sizes, one round, short runs: a look")
-    parser.add_argument("--redraw", type=Path, metavar="DIR", help="only make page and figure anew")
     options = parser.parse_args(arguments)
     if options.quick:
         options.largest, options.repeats, options.seconds = QUICK_LARGEST, 1, 0.2
