@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "ljmd/observables/linear_trend.hpp"
 #include "physics/liquid.hpp"
 
 using namespace ljmd;
@@ -50,20 +49,10 @@ TEST_CASE(
     "the energy of a force-shifted liquid of 256 atoms drifts less than 1e-7 and keeps its momentum over 1e5 steps") {
     State state = test::liquid(4, 7);
     auto force_field = test::lennard_jones("force-shifted");
-    const Integrator integrator(find_integrator("velocity-verlet"), 0.004);
     force_field.evaluate(state, Request::forces);
-    LinearTrend energy;
-    for (Index n = 1; n <= 100000; ++n) {
-        const bool sample = n % 10 == 0;
-        const auto evaluation =
-            integrator.step(state, force_field, sample ? Request::forces_and_energy : Request::forces);
-        if (sample) {
-            const double total = evaluation.potential_energy + kinetic_energy(state);
-            energy.add(0.004 * static_cast<double>(n), total / static_cast<double>(state.count()));
-        }
-    }
-    CAPTURE(*energy.slope(), total_momentum(state).norm());
-    CHECK(std::abs(*energy.slope()) < 1e-7);
+    const double drift = test::energy_drift(state, force_field, 0.004, 100000);
+    CAPTURE(drift, total_momentum(state).norm());
+    CHECK(std::abs(drift) < 1e-7);
     CHECK(total_momentum(state).norm() < 1e-10);
     // Hot enough to be a liquid that diffuses: otherwise the run would prove little.
     CHECK(*temperature(state) > 0.5);

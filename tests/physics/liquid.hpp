@@ -6,6 +6,7 @@
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/linear_trend.hpp"
 
 namespace ljmd::test {
 
@@ -56,6 +57,23 @@ inline State liquid(Index cells, std::uint64_t seed, const std::string& truncati
 /// Total energy from a fresh evaluation (the state is copied: atoms may be rearranged by it).
 inline double total_energy(State state, PairForceField force_field) {
     return force_field.evaluate(state, Request::forces_and_energy).potential_energy + kinetic_energy(state);
+}
+
+/// Drift of the total energy per atom [epsilon/tau] over some steps of velocity Verlet, from every tenth of them.
+/// @pre at least 20 steps
+inline double energy_drift(State& state, ForceField& force_field, double dt, Index steps) {
+    const Integrator integrator(find_integrator("velocity-verlet"), dt);
+    LinearTrend energy;
+    for (Index n = 1; n <= steps; ++n) {
+        const bool sample = n % 10 == 0;
+        const auto evaluation =
+            integrator.step(state, force_field, sample ? Request::forces_and_energy : Request::forces);
+        if (sample) {
+            const double total = evaluation.potential_energy + kinetic_energy(state);
+            energy.add(dt * static_cast<double>(n), total / static_cast<double>(state.count()));
+        }
+    }
+    return energy.slope().value();
 }
 
 /// Column id of the result belongs to atom id.

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "ljmd/observables/linear_trend.hpp"
 #include "physics/liquid.hpp"
 
 using namespace ljmd;
@@ -25,19 +24,9 @@ double energy_per_atom(const State& state, const PairForceField& force_field) {
 TEST_CASE("in mixed precision the energy of 256 atoms drifts less than 1e-6 over 1e5 steps, and momentum stays small") {
     State state = test::liquid(4, 7);
     auto force_field = lennard_jones("force-shifted", Precision::mixed);
-    const Integrator integrator(find_integrator("velocity-verlet"), 0.004);
-    LinearTrend energy;
-    for (Index n = 1; n <= 100000; ++n) {
-        const bool sample = n % 10 == 0;
-        const auto evaluation =
-            integrator.step(state, force_field, sample ? Request::forces_and_energy : Request::forces);
-        if (sample) {
-            const double total = evaluation.potential_energy + kinetic_energy(state);
-            energy.add(0.004 * static_cast<double>(n), total / static_cast<double>(state.count()));
-        }
-    }
-    CAPTURE(*energy.slope(), total_momentum(state).norm());
-    CHECK(std::abs(*energy.slope()) < 1e-6);
+    const double drift = test::energy_drift(state, force_field, 0.004, 100000);
+    CAPTURE(drift, total_momentum(state).norm());
+    CHECK(std::abs(drift) < 1e-6);
     CHECK(total_momentum(state).norm() < 1e-2);
     CHECK(*temperature(state) > 0.5);
 }
