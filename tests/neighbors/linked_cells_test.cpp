@@ -4,20 +4,9 @@
 #include <limits>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/neighbors/all_pairs.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
-
-namespace {
-
-std::vector<test::OrderedPair> oracle(State state, double cutoff) {
-    AllPairs search;
-    search.prepare(state, cutoff);
-    return test::pairs_within(search, state, cutoff);
-}
-
-}  // namespace
 
 TEST_CASE("linked cells find the pairs of all-pairs in random boxes") {
     const Vec3 shape = GENERATE(Vec3(1.0, 1.0, 1.0), Vec3(1.0, 1.3, 3.0), Vec3(4.0, 1.0, 1.0));
@@ -27,7 +16,7 @@ TEST_CASE("linked cells find the pairs of all-pairs in random boxes") {
     const auto atoms = static_cast<Index>(std::min(density * box.volume(), 1000.0));
     State state = test::random_state(atoms, box, 41);
     CAPTURE(shape.transpose(), cutoff, density, atoms);
-    const auto expected = oracle(state, cutoff);
+    const auto expected = test::all_pairs_within(state, cutoff);
     LinkedCells search;
     search.prepare(state, cutoff);
     CHECK(test::pairs_within(search, state, cutoff) == expected);
@@ -40,7 +29,7 @@ TEST_CASE("linked cells stay right while atoms move without bounds") {
     LinkedCells search;
     for (int step = 0; step < 20; ++step) {
         test::displace(state, 0.4, generator);
-        const auto expected = oracle(state, cutoff);
+        const auto expected = test::all_pairs_within(state, cutoff);
         search.prepare(state, cutoff);
         CHECK(test::pairs_within(search, state, cutoff) == expected);
     }
@@ -54,7 +43,7 @@ TEST_CASE("linked cells agree with all-pairs on shells of a crystal that lie at 
     const double shell = GENERATE(0.5, 1.0, 1.5, 2.0);  // r^2 in units of the lattice constant's
     const double cutoff = constant * std::sqrt(shell);
     State state = test::crystal_state(lattice, 4, Box(Vec3::Constant(4.0 * constant)));
-    const auto expected = oracle(state, cutoff);
+    const auto expected = test::all_pairs_within(state, cutoff);
     LinkedCells search;
     search.prepare(state, cutoff);
     CAPTURE(constant, shell);

@@ -9,6 +9,7 @@
 
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/neighbors/all_pairs.hpp"
 
 namespace ljmd::test {
 
@@ -93,6 +94,13 @@ std::vector<OrderedPair> pairs_within(const Search& search, const State& state, 
     }
     std::sort(pairs.begin(), pairs.end());
     return pairs;
+}
+
+/// All ordered pairs with r < cutoff, sorted, by all-pairs: what every other search has to find.
+inline std::vector<OrderedPair> all_pairs_within(State state, double cutoff) {
+    AllPairs search;
+    search.prepare(state, cutoff);
+    return pairs_within(search, state, cutoff);
 }
 
 /// True when the separations r_i - r_j < cutoff that atoms see are to the last bit the opposites of those seen by the

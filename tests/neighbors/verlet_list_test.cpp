@@ -5,22 +5,15 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
-#include "ljmd/neighbors/all_pairs.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
 
 namespace {
 
-std::vector<test::OrderedPair> oracle(State state, double cutoff) {
-    AllPairs search;
-    search.prepare(state, cutoff);
-    return test::pairs_within(search, state, cutoff);
-}
-
 /// Bring the list up to date and compare its pairs with those of all-pairs.
 bool agrees(VerletList& list, State& state, double cutoff) {
-    const auto expected = oracle(state, cutoff);
+    const auto expected = test::all_pairs_within(state, cutoff);
     list.prepare(state, cutoff);
     return test::pairs_within(list, state, cutoff) == expected;
 }
@@ -162,7 +155,7 @@ TEST_CASE("the list is full: entries stand on both sides, as many as all-pairs f
     State state = test::random_state(300, Box(Vec3(7.0, 6.0, 8.0)), 61);
     VerletList list(0.35);
     list.prepare(state, 2.5);
-    const auto within_range = oracle(state, 2.85);
+    const auto within_range = test::all_pairs_within(state, 2.85);
     CHECK(list.entries() == static_cast<Index>(within_range.size()));
     CHECK(test::pairs_within(list, state, 1e3) == within_range);
     for (const auto& [i, j] : within_range) {

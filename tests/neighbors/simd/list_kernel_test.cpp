@@ -1,21 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include "core/thread_guard.hpp"
-#include "ljmd/neighbors/all_pairs.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
-
-namespace {
-
-std::vector<test::OrderedPair> oracle(State state, double cutoff) {
-    AllPairs search;
-    search.prepare(state, cutoff);
-    return test::pairs_within(search, state, cutoff);
-}
-
-}  // namespace
 
 TEST_CASE("list kernels of every SIMD level find the pairs of all-pairs, for any filling and number of threads") {
     const int lanes = GENERATE(1, 4, 16);
@@ -23,7 +12,7 @@ TEST_CASE("list kernels of every SIMD level find the pairs of all-pairs, for any
     const test::ThreadGuard guard(threads);
     for (const double density : {0.02, 0.8442, 1.3}) {
         State state = test::random_state(400, cubic_box(400, density), 19);
-        const auto expected = oracle(state, 2.5);
+        const auto expected = test::all_pairs_within(state, 2.5);
         for (const SimdLevel level : usable_simd_levels()) {
             CAPTURE(name(level), lanes, threads, density);
             VerletList list(0.3);
