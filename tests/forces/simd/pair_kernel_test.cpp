@@ -30,32 +30,29 @@ State fluid() {
     return test::shaken_crystal(5, 0.8442, 0.1, 7);
 }
 
-}  // namespace
-
-TEST_CASE("kernels of every SIMD level in double give what the scalar sum gives, for every potential") {
+/// Forces, to a part of their root mean square, and energy and virial, to a part of themselves, of every potential on
+/// every SIMD level.
+void check_against_scalar_sum(Precision precision, double tolerance_of_forces, double tolerance_of_sums) {
     for (const PairPotential& potential : test::every_potential()) {
         const Evaluated expected = evaluated(potential, "cells", {}, fluid());
         for (const SimdLevel level : usable_simd_levels()) {
             CAPTURE(potential.formula(), potential.truncation(), name(level));
-            const Evaluated found = evaluated(potential, "verlet-list", {level, Precision::double_precision}, fluid());
-            CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < 1e-13 * rms(expected.forces));
-            CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(1e-13));
-            CHECK((found.sums.virial - expected.sums.virial).norm() < 1e-13 * expected.sums.virial.norm());
+            const Evaluated found = evaluated(potential, "verlet-list", {level, precision}, fluid());
+            CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < tolerance_of_forces * rms(expected.forces));
+            CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(tolerance_of_sums));
+            CHECK((found.sums.virial - expected.sums.virial).norm() < tolerance_of_sums * expected.sums.virial.norm());
         }
     }
 }
 
+}  // namespace
+
+TEST_CASE("kernels of every SIMD level in double give what the scalar sum gives, for every potential") {
+    check_against_scalar_sum(Precision::double_precision, 1e-13, 1e-13);
+}
+
 TEST_CASE("kernels of every SIMD level in mixed precision give what the scalar sum gives, to single precision") {
-    for (const PairPotential& potential : test::every_potential()) {
-        const Evaluated expected = evaluated(potential, "cells", {}, fluid());
-        for (const SimdLevel level : usable_simd_levels()) {
-            CAPTURE(potential.formula(), potential.truncation(), name(level));
-            const Evaluated found = evaluated(potential, "verlet-list", {level, Precision::mixed}, fluid());
-            CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < 1e-5 * rms(expected.forces));
-            CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(1e-6));
-            CHECK((found.sums.virial - expected.sums.virial).norm() < 1e-6 * expected.sums.virial.norm());
-        }
-    }
+    check_against_scalar_sum(Precision::mixed, 1e-5, 1e-6);
 }
 
 TEST_CASE("kernels give the same forces to the last bit with and without energy, for any number of threads") {
