@@ -2,33 +2,12 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <string>
 
+#include "core/environment_guard.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;
-
-namespace {
-
-/// LJMD_SIMD as given until the end of the scope.
-class EnvironmentGuard {
-  public:
-    explicit EnvironmentGuard(const char* level) {
-        if (const char* before = std::getenv("LJMD_SIMD")) {
-            before_ = before;
-        }
-        setenv("LJMD_SIMD", level, 1);
-    }
-    ~EnvironmentGuard() { setenv("LJMD_SIMD", before_.c_str(), 1); }
-    EnvironmentGuard(const EnvironmentGuard&) = delete;
-    EnvironmentGuard& operator=(const EnvironmentGuard&) = delete;
-
-  private:
-    std::string before_;
-};
-
-}  // namespace
 
 TEST_CASE("the usable SIMD levels are among those compiled in, lowest first, portable always") {
     const auto compiled = compiled_simd_levels();
@@ -54,14 +33,14 @@ TEST_CASE("a SIMD level that is unknown, or that this processor lacks, is refuse
 
 TEST_CASE("the default SIMD level is the highest usable one, or what LJMD_SIMD says") {
     {
-        const EnvironmentGuard nothing("");
+        const test::EnvironmentGuard nothing("LJMD_SIMD", "");
         CHECK(default_simd_level() == usable_simd_levels().back());
     }
     {
-        const EnvironmentGuard portable("portable");
+        const test::EnvironmentGuard portable("LJMD_SIMD", "portable");
         CHECK(default_simd_level() == SimdLevel::portable);
     }
-    const EnvironmentGuard wrong("fastest");
+    const test::EnvironmentGuard wrong("LJMD_SIMD", "fastest");
     CHECK_THROWS_AS(default_simd_level(), InputError);
 }
 
