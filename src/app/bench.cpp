@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/bench_deck.hpp"
-#include "ljmd/app/scratch_directory.hpp"
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
+#include "ljmd/io/scratch_directory.hpp"
 
 namespace ljmd {
 

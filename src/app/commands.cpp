@@ -15,12 +15,12 @@
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
-#include "ljmd/app/scratch_directory.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/output_file.hpp"
+#include "ljmd/io/scratch_directory.hpp"
 
 namespace ljmd {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <csignal>
@@ -10,30 +9,21 @@
 #include <iterator>
 #include <string>
 
+#include "ljmd/io/scratch_directory.hpp"
+
 namespace ljmd::test {
 
 /// A folder of its own for each test, removed afterwards.
 class TemporaryFolder {
   public:
-    TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "ljmd-XXXXXX").string();
-        REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-        path_ = pattern;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return directory_.path() / name; }
     [[nodiscard]] std::ptrdiff_t count_files() const {
-        return std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator());
+        return std::distance(std::filesystem::directory_iterator(directory_.path()),
+                             std::filesystem::directory_iterator());
     }
 
   private:
-    std::filesystem::path path_;
+    ScratchDirectory directory_;
 };
 
 /// While it lives, no file can grow beyond so many bytes: a disk that is full, for this process alone.

@@ -1,34 +1,22 @@
 #pragma once
 
-#include <unistd.h>
-
-#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/scratch_directory.hpp"
 
 namespace ljmd::test {
 
 /// A file of the given bytes in a directory of its own, both gone at the end of the scope.
 class WrittenFile {
   public:
-    explicit WrittenFile(std::string_view text, const std::string& name = "start.txt") {
-        static std::atomic<int> made{0};
-        const std::string unique = "ljmd-test-" + std::to_string(::getpid()) + "-" + std::to_string(made++);
-        directory_ = std::filesystem::temp_directory_path() / unique;
-        std::filesystem::create_directories(directory_);
-        path_ = directory_ / name;
+    explicit WrittenFile(std::string_view text, const std::string& name = "start.txt")
+        : path_(directory_.path() / name) {
         rewrite(text);
     }
-    ~WrittenFile() {
-        std::error_code ignored;
-        std::filesystem::remove_all(directory_, ignored);
-    }
-    WrittenFile(const WrittenFile&) = delete;
-    WrittenFile& operator=(const WrittenFile&) = delete;
 
     void rewrite(std::string_view text) const {
         std::ofstream file(path_, std::ios::binary | std::ios::trunc);
@@ -36,10 +24,10 @@ class WrittenFile {
     }
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+    [[nodiscard]] const std::filesystem::path& directory() const { return directory_.path(); }
 
   private:
-    std::filesystem::path directory_;
+    ScratchDirectory directory_;
     std::filesystem::path path_;
 };
 

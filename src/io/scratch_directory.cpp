@@ -1,4 +1,4 @@
-#include "ljmd/app/scratch_directory.hpp"
+#include "ljmd/io/scratch_directory.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ljmd/app/scratch_directory.hpp"
+#include "ljmd/io/scratch_directory.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
