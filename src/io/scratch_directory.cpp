@@ -15,7 +15,10 @@ namespace ljmd {
 ScratchDirectory::ScratchDirectory() {
     std::error_code error;
     const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-    std::string pattern = ((error ? std::filesystem::path("/tmp") : parent) / "ljmd-XXXXXX").string();
+    if (error) {
+        throw FileError(fmt::format("no directory for temporary files: {}; does TMPDIR name one?", error.message()));
+    }
+    std::string pattern = (parent / "ljmd-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) {
         throw FileError(fmt::format("cannot create {}: {}", pattern, std::strerror(errno)));
     }

@@ -7,7 +7,7 @@ namespace ljmd {
 /// A new directory among the temporary files of the system, removed with all that is in it at the end of the scope.
 class ScratchDirectory {
   public:
-    /// @throws FileError when it cannot be made
+    /// @throws FileError when it cannot be made, or the system names no directory for temporary files
     ScratchDirectory();
     ~ScratchDirectory();
     ScratchDirectory(const ScratchDirectory&) = delete;
