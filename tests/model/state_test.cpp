@@ -158,6 +158,7 @@ TEST_CASE("reordering carries everything that belongs to an atom") {
     for (Index i = 0; i < state.count(); ++i) {
         state.registered(handle).col(i) = Vec3(7.0, static_cast<double>(i), -1.0);
     }
+    state.mark_forces_current();
     const State before = state;
     std::vector<Index> order(50);
     std::iota(order.begin(), order.end(), Index{0});

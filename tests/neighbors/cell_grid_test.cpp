@@ -95,7 +95,8 @@ TEST_CASE("every image within range of the box is a ghost exactly once, whatever
     const Vec3 edges = GENERATE(Vec3(5.0, 5.0, 5.0), Vec3(3.1, 4.7, 11.3));
     const double range = GENERATE(0.3, 1.6, 2.5, 3.1, 4.0, 5.0, 6.3, 7.9);  // L/2 = 2.5 or 1.55, L = 5 or 3.1
     CAPTURE(edges.transpose(), range);
-    State state = test::random_state(40, Box(edges), 7);
+    const Box box(edges);
+    State state = test::random_state(40, box, 7);
     const CellGrid grid = filled(state, range);
 
     std::vector<std::array<double, 3>> ghosts;
@@ -113,9 +114,9 @@ TEST_CASE("every image within range of the box is a ghost exactly once, whatever
         for (int x = -reach; x <= reach; ++x) {
             for (int y = -reach; y <= reach; ++y) {
                 for (int z = -reach; z <= reach; ++z) {
-                    const Vec3 r = all.col(i) + Vec3(x, y, z).cwiseProduct(edges);
+                    const Vec3 r = all.col(i) + Vec3(x, y, z).cwiseProduct(box.edges());
                     const bool found = std::binary_search(ghosts.begin(), ghosts.end(), std::array{r[0], r[1], r[2]});
-                    const bool inside = (r.array() >= -range).all() && (r.array() < edges.array() + range).all();
+                    const bool inside = (r.array() >= -range).all() && (r.array() < box.edges().array() + range).all();
                     const bool image = x != 0 || y != 0 || z != 0;
                     images += found && image ? 1 : 0;
                     complete = complete && (found || !image || !inside);

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
@@ -240,11 +242,17 @@ TEST_CASE("a list is rebuilt for another cutoff, box or order") {
 
 TEST_CASE("a list without ghosts is rebuilt for another box or order, too") {
     // In the middle of the box: only the version of the order, and the edges, tell.
-    State state = test::state_of({{7.0, 7.0, 7.0}, {8.0, 7.0, 7.0}, {9.99, 9.0, 9.0}}, Box(Vec3::Constant(15.0)));
+    std::vector<Vec3> droplet = random_positions(60, Box(Vec3::Constant(4.0)), 4);
+    for (Vec3& r : droplet) {
+        r += Vec3::Constant(5.5);
+    }
+    State state = test::state_of(droplet, Box(Vec3::Constant(15.0)));
     VerletList list(0.3);
     list.prepare(state, 2.5);
     REQUIRE(state.ghost_count() == 0);
-    state.reorder({2, 0, 1});
+    std::vector<Index> order(60);
+    std::iota(order.rbegin(), order.rend(), Index{0});
+    state.reorder(order);
     CHECK(agrees(list, state, 2.5));
     CHECK(list.statistics().rebuilds == 2);
     state.rescale_to(Box(Vec3::Constant(15.0 * (1.0 + 1e-9))));
