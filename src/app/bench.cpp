@@ -1,12 +1,11 @@
 #include "ljmd/app/bench.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "ljmd/app/bench_deck.hpp"
 #include "ljmd/core/simd.hpp"
@@ -17,18 +16,17 @@ namespace ljmd {
 
 namespace {
 
-/// Memory in use [bytes], as the kernel counts it; 0 where it does not tell.
-double memory_now() {
-    std::ifstream statm("/proc/self/statm");
-    double pages = 0.0;
-    double resident = 0.0;
-    return statm >> pages >> resident ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.0;
-}
-
-double memory_at_peak() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) * 1024.0;
+/// Memory of this process [bytes], "VmRSS" in use or "VmHWM" the most so far, as the kernel counts it; 0 where it does
+/// not tell. (The peak that getrusage knows may be of the program that started this one.)
+double memory(std::string_view field) {
+    std::ifstream status("/proc/self/status");
+    for (std::string name; status >> name;) {
+        if (name.starts_with(field)) {
+            double kibibytes = 0.0;
+            return status >> kibibytes ? kibibytes * 1024.0 : 0.0;
+        }
+    }
+    return 0.0;
 }
 
 /// Says nothing, and looks at the memory when the last step is done: writing the results takes some more.
@@ -36,11 +34,11 @@ struct MemoryAtEnd : RunListener {
     explicit MemoryAtEnd(Index last) : last_step(last) {}
     void step_done(Index step) override {
         if (step == last_step) {
-            peak = memory_at_peak();
+            peak = memory("VmHWM");
         }
     }
     Index last_step;
-    double peak = memory_at_peak();
+    double peak = memory("VmHWM");
 };
 
 std::string list_policy(const Section& neighbors) {
@@ -60,7 +58,7 @@ std::string_view melt_deck() {
 BenchResult bench(Deck deck, Start start) {
     const ScratchDirectory scratch;
     deck.directory = scratch.path();
-    const double before = memory_now();
+    const double before = memory("VmRSS");
     const Index atoms = start.atoms;
     Simulation simulation = make_simulation(deck, std::move(start), [](const std::string&) {});
     MemoryAtEnd memory(deck.total_steps());
