@@ -86,7 +86,8 @@ class ForceShifted {
         using std::sqrt;
         const PairTerm<Real> full = formula_(r2);
         const Real r = sqrt(r2);
-        return {full.u - Real(u_cutoff_) + (r - Real(radius_)) * Real(f_cutoff_), full.w - Real(f_cutoff_) / r};
+        const Real inverse_r = r * (Real(1) / r2);  // most formulas have divided by r2, too: once is enough
+        return {full.u - Real(u_cutoff_) + (r - Real(radius_)) * Real(f_cutoff_), full.w - Real(f_cutoff_) * inverse_r};
     }
 
   private:
@@ -122,11 +123,12 @@ class Switched {
         using std::sqrt;
         const PairTerm<Real> full = formula_(r2);
         const Real r = sqrt(r2);
+        const Real inverse_r = r * (Real(1) / r2);                               // see ForceShifted
         const Real x = max(Real(0), (r - Real(start_)) * Real(inverse_width_));  // 0 below rs: S = 1, S' = 0
         const Real s = Real(1) - x * x * x * (Real(10) - x * (Real(15) - Real(6) * x));
-        const Real one_minus_x = Real(1) - x;
-        const Real slope = Real(-30) * x * x * one_minus_x * one_minus_x * Real(inverse_width_);
-        return {full.u * s, full.w * s - full.u * slope / r};
+        const Real y = x * (Real(1) - x);
+        const Real slope = Real(-30 * inverse_width_) * y * y;
+        return {full.u * s, full.w * s - full.u * slope * inverse_r};
     }
 
   private:
