@@ -17,10 +17,8 @@ DECK = """title = "The Lennard-Jones melt"
 {system}
 
 [potential]
-type = "lennard-jones"
+{potential}
 cutoff = {cutoff!r}
-truncation = "cut"
-tail = false
 
 [neighbors]
 skin = {skin!r}
@@ -37,6 +35,8 @@ steps = {steps}
 thermo = {{ every = {thermo_every} }}
 """
 
+MELT_POTENTIAL = 'type = "lennard-jones"\ntruncation = "cut"\ntail = false'
+
 DETAILS = ("simd", "threads", "lists", "list_rebuilds", "seconds_per_phase", "bytes_per_atom")
 
 
@@ -52,10 +52,11 @@ class Variant:
         return " ".join(["ljmd", self.precision, *([self.simd] if self.simd else [])])
 
 
-def deck(system: str, precision: str, policy: str, steps: int, cutoff: float = workload.CUTOFF) -> str:
-    """A deck that does the work of workload.py on the `system`, the lines of that section."""
+def deck(system: str, precision: str, policy: str, steps: int, cutoff: float = workload.CUTOFF,
+         potential: str = MELT_POTENTIAL) -> str:
+    """A deck that does the work of workload.py on the `system` and with the `potential`, the lines of these sections."""
     every = f"every = {workload.REBUILD_EVERY}\n" if policy == "fixed" else ""
-    return DECK.format(system=system, cutoff=cutoff, skin=workload.SKIN, every=every, precision=precision, steps=steps,
+    return DECK.format(system=system, potential=potential, cutoff=cutoff, skin=workload.SKIN, every=every, precision=precision, steps=steps,
                        time_step=workload.TIME_STEP, thermo_every=workload.THERMO_EVERY)
 
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Cost of ljmd for an atom and a step, and its memory, over sizes, densities, cutoffs, small boxes and shapes.
+"""Cost of ljmd for an atom and a step, and its memory, over sizes, densities, cutoffs, small boxes, shapes and
+potentials.
 
     scaling.py --ljmd PATH [--families a,b] [--largest 1100000] [--threads 1] [--precision double] [--simd LEVEL]
                [--policy strict|fixed] [--repeats 3] [--seconds 1] [--share] [--out DIR] [--quick]
     scaling.py --redraw DIR        page and figure anew from DIR/scaling.json
 
-Families: size, density, cutoff, small box, shape. Every round runs each system once; reported are medians, minima and
+Families: size, density, cutoff, small box, shape, potential. Every round runs each system once; reported are medians, minima and
 maxima over the rounds. The cost should follow the number of neighbours n on the list, c = a + b n; a and b are fitted
 to all systems (least squares of relative deviations), and the last column of the page says how far each is from that
 line: a cliff would stand out there.
@@ -54,7 +55,7 @@ NOMINAL_COST = (50e-9, 3e-9)
 
 
 def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
-    parser = command_line.parser("Cost and memory of ljmd over sizes, densities, cutoffs and shapes.", policy="strict",
+    parser = command_line.parser("Cost and memory of ljmd over sizes, densities, cutoffs, shapes and potentials.", policy="strict",
                                  repeats=3, seconds=1.0, out="runs/scaling")
     parser.add_argument("--families", type=lambda text: text.split(","), default=list(scaling_cases.FAMILIES))
     parser.add_argument("--largest", type=int, default=1_100_000, help="atoms in the family 'size', at most 10061824")
@@ -99,7 +100,8 @@ def measure(options: argparse.Namespace, systems: Sequence[System], folder: Path
     for system in systems:
         decks[system] = folder / f"{len(decks)}.toml"
         decks[system].write_text(ljmd_program.deck(system.section(folder), options.precision, options.policy,
-                                                   steps_for(system, options.seconds), system.cutoff))
+                                                   steps_for(system, options.seconds), system.cutoff,
+                                                   system.potential))
     found: dict[System, list[dict[str, Any]]] = {system: [] for system in systems}
     for turn in range(options.repeats):
         for system in list(decks):
@@ -176,7 +178,7 @@ def from_zero(axes: plt.Axes) -> None:
 
 
 def draw(record: dict[str, Any]) -> plt.Figure:
-    """Cost against size, against neighbours, and over shapes; memory against size."""
+    """Cost against size, against neighbours, and over shapes and potentials; memory against size."""
     style.use()
     family = {name: [one for one in record["systems"] if one["family"] == name] for name in scaling_cases.FAMILIES}
     figure, grid = plt.subplots(2, 2, figsize=(10.5, 7.5), constrained_layout=True)
@@ -192,11 +194,12 @@ def draw(record: dict[str, Any]) -> plt.Figure:
     cost.plot(line, fixed + each * line, "--", color=style.GREY, label=f"{fixed:.0f} ns + {each:.2f} ns $n$")
     cost.set(xlabel="neighbours $n$ on the list of an atom", ylabel="ns an atom and step")
     cost.legend()
-    for k, one in enumerate(family["shape"]):
+    bars = family["shape"] + family["potential"]
+    for k, one in enumerate(bars):
         middle = median(one["nanoseconds"])
-        bars = ([middle - min(one["nanoseconds"])], [max(one["nanoseconds"]) - middle])
-        shape.barh(k, middle, xerr=bars, color=style.SKY, capsize=2.5)
-    shape.set_yticks(range(len(family["shape"])), [one["label"] for one in family["shape"]])
+        reach = ([middle - min(one["nanoseconds"])], [max(one["nanoseconds"]) - middle])
+        shape.barh(k, middle, xerr=reach, color=style.SKY, capsize=2.5)
+    shape.set_yticks(range(len(bars)), [one["label"] for one in bars])
     shape.invert_yaxis()
     shape.set_xlabel("ns an atom and step")
     known = [one for one in family["size"] if one["bytes_per_atom"] is not None]

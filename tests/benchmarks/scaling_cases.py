@@ -1,4 +1,4 @@
-"""The systems whose cost scaling.py compares: sizes, densities, cutoffs, small boxes and shapes.
+"""The systems whose cost scaling.py compares: sizes, densities, cutoffs, small boxes, shapes and potentials.
 
 All are fcc crystals at the melt's temperature. `neighbours` is the number of atoms that the list of an atom holds, if
 they are spread evenly over the part of the box that has any: what cost should follow, whatever the rest.
@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 import roofline
 import workload
-from ljmd_program import from_file
+from ljmd_program import MELT_POTENTIAL, from_file
 from workload import Configuration
 
 # Cubic cells along an edge: 864 atoms to 10 million, each about three times the last.
@@ -24,7 +24,20 @@ SMALL = (3, 4, 5, 6)
 CUBE = 20  # cells along an edge where the size is not what varies: 32000 atoms
 LEAST_EDGE = 2.02  # cutoffs, of the small boxes
 
-FAMILIES = ("size", "density", "cutoff", "small box", "shape")
+FAMILIES = ("size", "density", "cutoff", "small box", "shape", "potential")
+
+# Name, lines of [potential], cutoff. The last but one has the minimum and the curvature there of Lennard-Jones.
+POTENTIALS = (
+    ("Lennard-Jones, cut", MELT_POTENTIAL, workload.CUTOFF),
+    ("Lennard-Jones, shifted", 'type = "lennard-jones"\ntruncation = "shifted"', workload.CUTOFF),
+    ("Lennard-Jones, force-shifted", 'type = "lennard-jones"\ntruncation = "force-shifted"', workload.CUTOFF),
+    ("Lennard-Jones, switched from 2",
+     'type = "lennard-jones"\ntruncation = "switched"\nswitch_start = 2.0\ntail = false', workload.CUTOFF),
+    ("Morse, force-shifted",
+     'type = "morse"\nwell_depth = 1.0\nsteepness = 6.0\nminimum = 1.122462048309373\ntruncation = "force-shifted"',
+     workload.CUTOFF),
+    ("Weeks-Chandler-Andersen", 'type = "lennard-jones"\ntruncation = "shifted"', 1.122462048309373),
+)
 
 
 @dataclass(frozen=True)
@@ -38,6 +51,7 @@ class System:
     density: float = workload.DENSITY
     cutoff: float = workload.CUTOFF
     stretch: tuple[int, int, int] = (1, 1, 1)
+    potential: str = MELT_POTENTIAL
 
     @property
     def atoms(self) -> int:
@@ -62,7 +76,7 @@ class System:
         return from_file(path)
 
 
-def cube(family: str, label: str, x: float, cells: int, **more: float) -> System:
+def cube(family: str, label: str, x: float, cells: int, **more: Any) -> System:
     return System(family, label, x, (cells, cells, cells), **more)
 
 
@@ -90,4 +104,6 @@ def systems(largest: Optional[int] = None) -> list[System]:
         ("an eighth filled", full, (2, 2, 2)),
     ]
     found += [System("shape", label, k, cells, stretch=stretch) for k, (label, cells, stretch) in enumerate(shapes)]
+    found += [cube("potential", label, k, CUBE, cutoff=cutoff, potential=lines)
+              for k, (label, lines, cutoff) in enumerate(POTENTIALS)]
     return found
