@@ -37,6 +37,50 @@ TEST_CASE("for_each_index calls for each index") {
     CHECK(squares[1] == 1);
 }
 
+TEST_CASE("what blocks yield is joined in their order") {
+    const test::ThreadGuard threads(GENERATE(1, 2, 3, 8));
+    const Index count = GENERATE(0, 1, 9, 10, 11, 95);
+    const auto indices = [](Index first, Index last) {
+        std::string text;
+        for (Index i = first; i < last; ++i) {
+            text += std::to_string(i) + ' ';
+        }
+        return text;
+    };
+    const auto append = [](std::string& so_far, const std::string& next) { so_far += "| " + next; };
+    std::string expected = "start ";
+    for (Index i = 0; i < count; ++i) {
+        expected += (i % 10 == 0 ? "| " : "") + std::to_string(i) + ' ';
+    }
+    CHECK(join_blocks(count, 10, std::string("start "), indices, append) == expected);
+}
+
+TEST_CASE("a sum over indices is the same bits for any number of threads") {
+    const Index count = 10 * usual_block + 7;
+    // Of very different sizes: in another order they add up to something else.
+    const auto term = [](Index i) { return (i % 2 == 0 ? 1.0 : -1.0) / static_cast<double>(1 + i * i % 1009); };
+    const auto sum_with = [&](int threads) {
+        const test::ThreadGuard guard(threads);
+        return sum_over(count, 0.0, term);
+    };
+    double serial = 0.0;
+    for (Index i = 0; i < count; ++i) {
+        serial += term(i);
+    }
+    const double one = sum_with(1);
+    CHECK(one == Approx(serial).epsilon(1e-12));
+    for (const int threads : {2, 3, 8}) {
+        CHECK(sum_with(threads) == one);
+    }
+    CHECK(sum_over(0, 0.0, term) == 0.0);
+}
+
+TEST_CASE("vectors are summed as numbers are") {
+    const test::ThreadGuard threads(GENERATE(1, 2));
+    const auto term = [](Index i) -> Vec3 { return Vec3(1.0, 2.0, 3.0) * static_cast<double>(i); };
+    CHECK(sum_over(3000, Vec3(Vec3::Zero()), term) == Vec3(1.0, 2.0, 3.0) * (3000.0 * 2999.0 / 2.0));
+}
+
 TEST_CASE("what the first failing block throws leaves the loop") {
     const test::ThreadGuard threads(GENERATE(1, 2, 5));
     const auto fail_from_third = [](Index first, Index) {
@@ -45,6 +89,11 @@ TEST_CASE("what the first failing block throws leaves the loop") {
         }
     };
     CHECK_THROWS_WITH(for_each_block(100, 10, fail_from_third), "30");
+    const auto yield = [&](Index first, Index last) {
+        fail_from_third(first, last);
+        return first;
+    };
+    CHECK_THROWS_WITH(join_blocks(100, 10, Index{0}, yield, [](Index&, Index) {}), "30");
 }
 
 TEST_CASE("a number of threads below one is refused") {

@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "ljmd/core/types.hpp"
 
@@ -55,6 +57,41 @@ void for_each_index(Index count, F&& function) {
             function(i);
         }
     });
+}
+
+/// What the blocks of for_each_block yield, put together one after the other in their order: the same bits for any
+/// number of threads.
+///
+///     join(...join(join(start, yield(0, L)), yield(L, 2 L))...)
+///
+/// @param start  what no blocks yield
+/// @param yield  T yield(first, last), called by all threads
+/// @param join   void join(T& so_far, const T& next), called by this thread
+/// @pre as for_each_block; memory for as many T as there are blocks  @throws as for_each_block
+template <class T, class Yield, class Join>
+[[nodiscard]] T join_blocks(Index count, Index block_length, T start, Yield&& yield, Join&& join) {
+    std::vector<T> yields(static_cast<std::size_t>((count + block_length - 1) / block_length));
+    for_each_block(count, block_length, [&](Index first, Index last) {
+        yields[static_cast<std::size_t>(first / block_length)] = yield(first, last);
+    });
+    for (const T& next : yields) {
+        join(start, next);
+    }
+    return start;
+}
+
+/// Sum of term(i) for i in [0, count), by all threads: within blocks from `zero` on, then block by block.
+/// @param term  returns something to add to a T; of Eigen's types a value, not an expression  @pre as for_each_block
+template <class T, class Term>
+[[nodiscard]] T sum_over(Index count, const T& zero, Term&& term) {
+    const auto sum_of_block = [&](Index first, Index last) {
+        T sum = zero;
+        for (Index i = first; i < last; ++i) {
+            sum += term(i);
+        }
+        return sum;
+    };
+    return join_blocks(count, usual_block, zero, sum_of_block, [](T& sum, const T& block) { sum += block; });
 }
 
 }  // namespace ljmd
