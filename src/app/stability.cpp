@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/threads.hpp"
 
 namespace ljmd {
 
@@ -15,6 +16,19 @@ constexpr double energy_allowance = 0.1;   // [epsilon per atom]
 constexpr double kinetic_allowance = 0.1;  // of the kinetic energy: errors of the integrator grow with it
 constexpr double pairs_crossing = 3.0;     // per atom, as when a crystal melts under a plain cut
 
+/// The fastest atom so far. Of equals it is the first, and after a speed that is not finite nothing is faster.
+struct Fastest {
+    Index atom = 0;
+    double speed2 = 0.0;
+
+    void compare(Index i, double other) {
+        if (std::isfinite(speed2) && !(other <= speed2)) {  // true for NaN as well
+            atom = i;
+            speed2 = other;
+        }
+    }
+};
+
 }  // namespace
 
 StabilityWatch::StabilityWatch(double time_step, bool constant_energy, const PairPotential& potential)
@@ -24,21 +38,22 @@ StabilityWatch::StabilityWatch(double time_step, bool constant_energy, const Pai
 
 void StabilityWatch::check_speeds(const State& state) const {
     const auto v = state.velocities();
-    Index fastest = 0;
-    double most = 0.0;
-    for (Index i = 0; i < state.count() && std::isfinite(most); ++i) {
-        const double speed2 = v.col(i).squaredNorm();
-        if (!(speed2 <= most)) {  // true for NaN as well, which ends the search
-            fastest = i;
-            most = speed2;
+    const auto fastest_of = [&](Index first, Index last) {
+        Fastest fastest;
+        for (Index i = first; i < last; ++i) {
+            fastest.compare(i, v.col(i).squaredNorm());
         }
-    }
-    const double move = std::sqrt(most) * time_step_;
+        return fastest;
+    };
+    const Fastest fastest =
+        join_blocks(state.count(), usual_block, Fastest{}, fastest_of,
+                    [](Fastest& so_far, const Fastest& block) { so_far.compare(block.atom, block.speed2); });
+    const double move = std::sqrt(fastest.speed2) * time_step_;
     if (!(move < longest_move)) {
         throw PhysicsError(
             fmt::format("atom {} moves {:.3g} sigma in one step of {:.6g} tau: the run has blown up. Is the "
                         "time step too large, or do atoms overlap at the start?",
-                        state.ids()[static_cast<std::size_t>(fastest)] + 1, move, time_step_));
+                        state.ids()[static_cast<std::size_t>(fastest.atom)] + 1, move, time_step_));
     }
 }
 

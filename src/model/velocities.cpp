@@ -1,9 +1,9 @@
 #include "ljmd/model/velocities.hpp"
 
 #include <cmath>
-#include <numeric>
 
 #include "ljmd/core/random.hpp"
+#include "ljmd/core/threads.hpp"
 
 namespace ljmd {
 
@@ -19,11 +19,7 @@ Index degrees_of_freedom(Index atoms) {
 
 double kinetic_energy(const State& state) {
     const auto v = state.velocities();
-    double twice = 0.0;
-    for (Index i = 0; i < state.count(); ++i) {
-        twice += mass_of(state, i) * v.col(i).squaredNorm();
-    }
-    return 0.5 * twice;
+    return 0.5 * sum_over(state.count(), 0.0, [&](Index i) { return mass_of(state, i) * v.col(i).squaredNorm(); });
 }
 
 std::optional<double> temperature(const State& state) {
@@ -36,11 +32,7 @@ std::optional<double> temperature(const State& state) {
 
 Vec3 total_momentum(const State& state) {
     const auto v = state.velocities();
-    Vec3 momentum = Vec3::Zero();
-    for (Index i = 0; i < state.count(); ++i) {
-        momentum += mass_of(state, i) * v.col(i);
-    }
-    return momentum;
+    return sum_over(state.count(), Vec3(Vec3::Zero()), [&](Index i) -> Vec3 { return mass_of(state, i) * v.col(i); });
 }
 
 void draw_velocities(State& state, double target, std::uint64_t seed) {
@@ -50,10 +42,10 @@ void draw_velocities(State& state, double target, std::uint64_t seed) {
         v.setZero();
         return;
     }
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         const double width = std::sqrt(target / mass_of(state, i));
         v.col(i) = width * random.normal(0, state.ids()[static_cast<std::size_t>(i)]);
-    }
+    });
     remove_momentum(state);
     rescale_velocities(state, target);
 }
@@ -62,12 +54,10 @@ void remove_momentum(State& state) {
     if (state.count() == 0) {
         return;
     }
-    const double mass = std::accumulate(state.masses().begin(), state.masses().end(), 0.0);
+    const double mass = sum_over(state.count(), 0.0, [&](Index i) { return mass_of(state, i); });
     const Vec3 drift = total_momentum(state) / mass;
     auto v = state.write_velocities();
-    for (Index i = 0; i < state.count(); ++i) {
-        v.col(i) -= drift;
-    }
+    for_each_index(state.count(), [&](Index i) { v.col(i) -= drift; });
 }
 
 void rescale_velocities(State& state, double target) {
@@ -75,7 +65,8 @@ void rescale_velocities(State& state, double target) {
     if (!now || !(*now > 0.0)) {
         return;
     }
-    state.write_velocities() *= std::sqrt(target / *now);
+    auto v = state.write_velocities();
+    for_each_index(state.count(), [&, factor = std::sqrt(target / *now)](Index i) { v.col(i) *= factor; });
 }
 
 }  // namespace ljmd

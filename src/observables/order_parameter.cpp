@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "ljmd/core/threads.hpp"
+
 namespace ljmd {
 
 TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells)
@@ -10,10 +12,8 @@ TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells)
 double TranslationalOrder::operator()(const State& state) const {
     const Vec3 wave_vector = 2.0 * std::numbers::pi * planes_ * state.box().edges().cwiseInverse();
     const auto r = state.positions();
-    double sum = 0.0;
-    for (Index i = 0; i < state.count(); ++i) {
-        sum += wave_vector.cwiseProduct(r.col(i)).array().cos().sum();
-    }
+    const double sum =
+        sum_over(state.count(), 0.0, [&](Index i) { return wave_vector.cwiseProduct(r.col(i)).array().cos().sum(); });
     return sum / (3.0 * static_cast<double>(state.count()));
 }
 

@@ -1,5 +1,6 @@
 #include "ljmd/observables/thermodynamics.hpp"
 
+#include "ljmd/core/threads.hpp"
 #include "ljmd/model/velocities.hpp"
 
 namespace ljmd {
@@ -9,11 +10,11 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
     const double volume = state.box().volume();
     const double density = atoms / volume;
 
-    Mat3 kinetic_tensor = Mat3::Zero();  // sum m v v
     const auto v = state.velocities();
-    for (Index i = 0; i < state.count(); ++i) {
-        kinetic_tensor += state.masses()[static_cast<std::size_t>(i)] * v.col(i) * v.col(i).transpose();
-    }
+    // sum m v v
+    const Mat3 kinetic_tensor = sum_over(state.count(), Mat3(Mat3::Zero()), [&](Index i) -> Mat3 {
+        return state.masses()[static_cast<std::size_t>(i)] * v.col(i) * v.col(i).transpose();
+    });
 
     Thermodynamics result;
     result.temperature = temperature(state);
