@@ -1,4 +1,5 @@
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -29,53 +30,45 @@ Vec3 increment(const State& state, Index i, double dt) {
 /// Verlet's Taylor start, with positions and displacement put on the grid.
 void begin(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         const Vec3 half_increment = 0.5 * dt * dt / state.masses()[static_cast<std::size_t>(i)] *
                                     static_cast<const State&>(state).forces().col(i);
         d.col(i) =
             on_grid(dt * static_cast<const State&>(state).velocities().col(i) - half_increment, resolution_of(state));
-    }
+    });
 }
 
 void put_on_grid(State& state) {
     if (!state.has_box()) {
         auto r = state.write_positions();
-        for (Index i = 0; i < state.count(); ++i) {
-            r.col(i) = on_grid(r.col(i), unbounded_resolution);
-        }
+        for_each_index(state.count(), [&](Index i) { r.col(i) = on_grid(r.col(i), unbounded_resolution); });
     }
 }
 
 /// Sums and differences of whole numbers of grid spacings are exact here, as they are for integers.
 void advance(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
-    for (Index i = 0; i < state.count(); ++i) {
-        d.col(i) += increment(state, i, dt);
-    }
+    for_each_index(state.count(), [&](Index i) { d.col(i) += increment(state, i, dt); });
     auto r = state.write_positions();
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         r.col(i) += d.col(i);
         if (!state.has_box() && !(r.col(i).cwiseAbs().maxCoeff() < far_out)) {
             throw PhysicsError(
                 "a body is more than 128 length units from the origin, beyond the exact grid of the "
                 "bit-reversible integrator: choose a larger unit of length");
         }
-    }
+    });
 }
 
 void central_difference(State& state, double dt) {
     const auto d = state.registered(state.register_vectors(last_displacement));
     auto v = state.write_velocities();
-    for (Index i = 0; i < state.count(); ++i) {
-        v.col(i) = (2.0 * d.col(i) + increment(state, i, dt)) / (2.0 * dt);
-    }
+    for_each_index(state.count(), [&](Index i) { v.col(i) = (2.0 * d.col(i) + increment(state, i, dt)) / (2.0 * dt); });
 }
 
 void reverse(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
-    for (Index i = 0; i < state.count(); ++i) {
-        d.col(i) = -(d.col(i) + increment(state, i, dt));
-    }
+    for_each_index(state.count(), [&](Index i) { d.col(i) = -(d.col(i) + increment(state, i, dt)); });
     state.write_velocities() *= -1.0;
 }
 

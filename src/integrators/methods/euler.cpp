@@ -1,3 +1,4 @@
+#include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -9,10 +10,10 @@ void euler_step(State& state, double dt) {
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
     auto v = state.write_velocities();
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         r.col(i) = state.snapped(r.col(i) + dt * v.col(i));
         v.col(i) += dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
-    }
+    });
 }
 
 }  // namespace

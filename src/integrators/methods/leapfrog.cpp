@@ -1,3 +1,4 @@
+#include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -9,9 +10,9 @@ constexpr const char* half_step_velocities = "leapfrog: velocities half a step a
 /// out = in + (dt/m) f for every atom.
 template <class In, class Out>
 void kicked(const State& state, double dt, const In& in, Out&& out) {
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         out.col(i) = in.col(i) + dt / state.masses()[static_cast<std::size_t>(i)] * state.forces().col(i);
-    }
+    });
 }
 
 /// v(-dt/2) = v(0) - (dt/2m) f(0)
@@ -24,9 +25,7 @@ void leap(State& state, double dt) {
     auto u = state.registered(state.register_vectors(half_step_velocities));
     kicked(state, dt, u, u);
     auto r = state.write_positions();
-    for (Index i = 0; i < state.count(); ++i) {
-        r.col(i) = state.snapped(r.col(i) + dt * u.col(i));
-    }
+    for_each_index(state.count(), [&](Index i) { r.col(i) = state.snapped(r.col(i) + dt * u.col(i)); });
 }
 
 void synchronise(State& state, double dt) {

@@ -1,3 +1,4 @@
+#include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -11,7 +12,7 @@ constexpr const char* last_displacement = "position-verlet: displacement of the 
 void begin(State& state, double dt, const std::string& start) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const State& now = state;
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         const Vec3 dt2_a = dt * dt / state.masses()[static_cast<std::size_t>(i)] * now.forces().col(i);
         const Vec3 dt_v = dt * now.velocities().col(i);
         const Vec3 r = now.positions().col(i);
@@ -22,7 +23,7 @@ void begin(State& state, double dt, const std::string& start) {
         } else {
             d.col(i) = r - state.snapped(r - dt_v + 0.5 * dt2_a);
         }
-    }
+    });
 }
 
 /// d becomes r(t + dt) - r(t), exactly as it is on the grid of the box.
@@ -30,12 +31,12 @@ void advance(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         const Vec3 dt2_a = dt * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
         const Vec3 r_old = r.col(i);
         r.col(i) = state.snapped(r_old + (d.col(i) + dt2_a));
         d.col(i) = r.col(i) - r_old;
-    }
+    });
 }
 
 /// (r(t + dt) - r(t - dt)) / 2 dt with r(t + dt) - r(t) = d + dt^2 a: needs no step ahead.
@@ -43,18 +44,18 @@ void central_difference(State& state, double dt) {
     const auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
     auto v = state.write_velocities();
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         v.col(i) = d.col(i) / dt + 0.5 * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
-    }
+    });
 }
 
 /// Backwards in time r(t + dt) is the position before r(t).
 void reverse(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         d.col(i) = -(d.col(i) + dt * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i));
-    }
+    });
     state.write_velocities() *= -1.0;
 }
 

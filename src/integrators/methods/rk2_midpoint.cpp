@@ -1,3 +1,4 @@
+#include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -7,14 +8,15 @@ namespace {
 constexpr const char* start_of_step = "rk2-midpoint: velocities at the start of the step";
 
 void half_euler_step(State& state, double dt) {
-    state.registered(state.register_vectors(start_of_step)) = static_cast<const State&>(state).velocities();
+    auto v_start = state.registered(state.register_vectors(start_of_step));
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
     auto v = state.write_velocities();
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
+        v_start.col(i) = v.col(i);
         r.col(i) = state.snapped(r.col(i) + 0.5 * dt * v.col(i));
         v.col(i) += 0.5 * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
-    }
+    });
 }
 
 /// The evaluation may have wrapped the positions, so the half step is taken back as a displacement.
@@ -23,10 +25,10 @@ void full_step_from_midpoint(State& state, double dt) {
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
     auto v = state.write_velocities();
-    for (Index i = 0; i < state.count(); ++i) {
+    for_each_index(state.count(), [&](Index i) {
         r.col(i) = state.snapped(r.col(i) - 0.5 * dt * v_start.col(i) + dt * v.col(i));
         v.col(i) = v_start.col(i) + dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
-    }
+    });
 }
 
 }  // namespace
