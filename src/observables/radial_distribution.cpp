@@ -4,12 +4,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "ljmd/core/threads.hpp"
+
 namespace ljmd {
 
 namespace {
+
+/// Each block counts into a histogram of its own: enough blocks for many threads, few enough for long histograms.
+constexpr Index most_blocks = 64;
+constexpr Index shortest_block = 64;
+using Histogram = Eigen::Matrix<Index, Eigen::Dynamic, 1>;
+
 double sphere(double r) {
     return 4.0 / 3.0 * std::numbers::pi * r * r * r;
 }
+
 }  // namespace
 
 RadialDistribution::RadialDistribution(Index bins, double radius, Every every)
@@ -22,15 +31,23 @@ void RadialDistribution::sample(const State& state) {
     search_.prepare(scratch, radius_);
 
     const double per_length = static_cast<double>(bins_) / radius_;
-    Eigen::VectorXd pairs = Eigen::VectorXd::Zero(bins_);
-    for (Index i = 0; i < scratch.count(); ++i) {
-        search_.for_each_candidate(scratch, i, [&](Index, double dx, double dy, double dz) {
-            const double r2 = dx * dx + dy * dy + dz * dz;
-            if (r2 < radius_ * radius_) {
-                pairs[std::min(static_cast<Index>(std::sqrt(r2) * per_length), bins_ - 1)] += 1.0;
-            }
-        });
-    }
+    const auto count_pairs = [&](Index first, Index last) {
+        Histogram counts = Histogram::Zero(bins_);
+        for (Index i = first; i < last; ++i) {
+            search_.for_each_candidate(scratch, i, [&](Index, double dx, double dy, double dz) {
+                const double r2 = dx * dx + dy * dy + dz * dz;
+                if (r2 < radius_ * radius_) {
+                    ++counts[std::min(static_cast<Index>(std::sqrt(r2) * per_length), bins_ - 1)];
+                }
+            });
+        }
+        return counts;
+    };
+    const Index block_length = std::max(shortest_block, (scratch.count() + most_blocks - 1) / most_blocks);
+    const Histogram counts = join_blocks(scratch.count(), block_length, Histogram(Histogram::Zero(bins_)), count_pairs,
+                                         [](Histogram& sum, const Histogram& block) { sum += block; });
+
+    Eigen::VectorXd pairs = counts.cast<double>();
     atoms_ = state.count();
     ideal_pairs_per_volume_ = static_cast<double>(atoms_) * static_cast<double>(atoms_ - 1) / state.box().volume();
     const double width = radius_ / static_cast<double>(bins_);
