@@ -87,16 +87,17 @@ void VerletList::build(const State& state, double cutoff) {
     find_candidates(state.positions_and_ghosts());
 
     blocks_.resize(static_cast<std::size_t>((state.count() + atoms_per_block - 1) / atoms_per_block));
-    std::vector<std::array<Index, 2>> counts(blocks_.size());
-    for_each_block(state.count(), atoms_per_block, [&](Index first, Index last) {
-        const auto b = static_cast<std::size_t>(first / atoms_per_block);
-        counts[b] = fill_block(blocks_[b], state, first, last, range);
-    });
-    entries_ = 0;
-    for (const auto& [neighbors, tests] : counts) {
-        entries_ += neighbors;
-        statistics_.distance_tests += tests;
-    }
+    using Counts = std::array<Index, 2>;
+    const auto fill = [&](Index first, Index last) {
+        return fill_block(blocks_[static_cast<std::size_t>(first / atoms_per_block)], state, first, last, range);
+    };
+    const auto [neighbors, tests] =
+        join_blocks(state.count(), atoms_per_block, Counts{}, fill, [](Counts& sum, const Counts& block) {
+            sum[0] += block[0];
+            sum[1] += block[1];
+        });
+    entries_ = neighbors;
+    statistics_.distance_tests += tests;
 
     reference_.resize(4 * static_cast<std::size_t>(state.count()));
     for_each_index(state.count(), [&, r = state.positions().data()](Index i) {

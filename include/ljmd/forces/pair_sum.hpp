@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
-#include <vector>
 
 #include "ljmd/core/threads.hpp"
 #include "ljmd/forces/force_field.hpp"
@@ -25,8 +24,7 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
     auto forces = state.write_forces();
     const State& atoms = state;
 
-    std::vector<Evaluation> blocks(static_cast<std::size_t>((state.count() + block_length - 1) / block_length));
-    for_each_block(state.count(), block_length, [&](Index first, Index last) {
+    const auto sum_block = [&](Index first, Index last) {
         double u = 0.0;
         std::array<double, 6> virial{};  // xx yy zz xy xz yz
         for (Index i = first; i < last; ++i) {
@@ -54,20 +52,20 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
             });
             forces.col(i) << fx.value(), fy.value(), fz.value();
         }
+        Evaluation block;
         if constexpr (what.energy) {
-            Evaluation& block = blocks[static_cast<std::size_t>(first / block_length)];
             block.potential_energy = 0.5 * u;  // every pair was seen from both sides
             block.virial << virial[0], virial[3], virial[4], virial[3], virial[1], virial[5], virial[4], virial[5],
                 virial[2];
             block.virial *= 0.5;
         }
-    });
-    Evaluation total;
-    for (const Evaluation& block : blocks) {
-        total.potential_energy += block.potential_energy;
-        total.virial += block.virial;
-    }
-    return total;
+        return block;
+    };
+    return join_blocks(state.count(), block_length, Evaluation{}, sum_block,
+                       [](Evaluation& sum, const Evaluation& block) {
+                           sum.potential_energy += block.potential_energy;
+                           sum.virial += block.virial;
+                       });
 }
 
 }  // namespace ljmd
