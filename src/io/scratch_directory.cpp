@@ -18,7 +18,7 @@ ScratchDirectory::ScratchDirectory() {
     if (error) {
         throw FileError(fmt::format("no directory for temporary files: {}; does TMPDIR name one?", error.message()));
     }
-    std::string pattern = (parent / "ljmd-XXXXXX").string();
+    std::string pattern = (parent / "ljmd-").string() + std::string(6, 'X');  // mkdtemp replaces six X
     if (mkdtemp(pattern.data()) == nullptr) {
         throw FileError(fmt::format("cannot create {}: {}", pattern, std::strerror(errno)));
     }
