@@ -91,12 +91,15 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
 double memory(const Deck& deck, const Start& start) {
     const double range = deck.potential().number("cutoff") + skin_of(deck);
     const double neighbors = density_of(start) * 4.0 / 3.0 * std::numbers::pi * range * range * range;
-    const double with_ghosts = (start.box.edges().array() + 2.0 * range).prod() / start.box.volume();
-    const bool cells = deck.neighbors().text("method") != "all-pairs";
-    const bool list = deck.neighbors().text("method") == "verlet-list";
-    const double vectors = 4.0 * 32.0 + 28.0;  // velocity, force, reference; mass, id, image
-    const double per_atom =
-        vectors + (cells ? with_ghosts * (32.0 + 32.0 + 40.0 + 16.0) : 32.0) + (list ? 4.0 * neighbors : 0.0);
+    const double with_images = (start.box.edges().array() + 2.0 * range).prod() / start.box.volume();
+    const std::string method = deck.neighbors().text("method");
+    double per_atom = 4.0 * 32.0 + 28.0;  // position, velocity, force, room for sorting; mass, id, image
+    if (method == "cells") {
+        per_atom += (with_images - 1.0) * 32.0 + with_images * 8.0;
+    } else if (method == "verlet-list") {
+        per_atom += 32.0 + 24.0 + with_images * (24.0 + 16.0);  // old positions, partial forces; clusters, candidates
+        per_atom += 4.0 * (0.25 * neighbors + 4.0);             // clusters on the list
+    }
     return per_atom * static_cast<double>(start.atoms);
 }
 

@@ -10,11 +10,18 @@
 
 namespace ljmd {
 
+namespace {
+
+/// Out of reach of everything, shifted by edges or not, and not so far that powers of the distance overflow.
+constexpr double far_away = -1e9;
+
+}  // namespace
+
 PairForceField::PairForceField(PairPotential potential, PairSearch search, PairArithmetic arithmetic)
     : potential_(std::move(potential)), search_(std::move(search)), arithmetic_(arithmetic) {
     if (auto* list = std::get_if<VerletList>(&search_)) {
         const auto precision = static_cast<std::size_t>(arithmetic_.precision);
-        list->prepare_for(arithmetic_.simd, pair_kernels(arithmetic_.simd).lanes[precision]);
+        list->prepare_for(arithmetic_.simd, pair_kernels(arithmetic_.simd).atoms_per_row[precision]);
     } else if (arithmetic_.precision == Precision::mixed) {
         throw ContractViolation("mixed precision needs a Verlet list");
     }
@@ -60,53 +67,53 @@ Evaluation PairForceField::sum(State& state, Request request) {
 
 Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, bool energy) {
     const State& atoms = state;
+    const ClusterGrid& clusters = list.clusters();
     const bool mixed = arithmetic_.precision == Precision::mixed;
+    const Index numbers = Index{3 * ClusterGrid::slots} * list.atoms_per_row();  // of partial forces, a cluster
+    const auto room = static_cast<std::size_t>(numbers * clusters.cluster_count());
     if (mixed) {
-        update_fixed_positions(list.fixed_point(), atoms);
+        const FixedPoint& fixed_point = list.fixed_point();
+        fixed_positions_.update(
+            clusters, atoms, fixed_point, [&](double dx) { return fixed_point.distance(dx); }, FixedPoint::far_away);
+        single_forces_.resize(room);
+    } else {
+        positions_.update(
+            clusters, atoms, [](double x, int) { return x; }, [](double dx) { return dx; }, far_away);
+        partial_forces_.resize(room);
     }
     const void* pair = potential_.visit([](const auto& any) -> const void* { return &any; });
     const PairKernel kernel = pair_kernels(arithmetic_.simd)
                                   .by_precision[static_cast<std::size_t>(arithmetic_.precision)]
                                   .at(potential_.index())[energy ? 1 : 0];
-    const auto blocks = list.blocks();
-    std::vector<PairKernelSums> sums(energy ? blocks.size() : 0);
+    const auto tiles = list.tiles();
+    std::vector<PairKernelSums> sums(energy ? tiles.size() : 0);
     const double cutoff = potential_.cutoff().radius;
-    const double* positions = atoms.positions().data();
     double* forces = state.write_forces().data();
-    for_each_block(atoms.count(), VerletList::atoms_per_block, [&](Index first, Index last) {
-        const auto b = static_cast<std::size_t>(first / VerletList::atoms_per_block);
-        const PairKernelTask task{positions,
-                                  fixed_positions_.data(),
-                                  list.fixed_point().unit(),
-                                  first,
-                                  static_cast<int>(last - first),
-                                  blocks[b].entries.data(),
-                                  blocks[b].starts.data(),
-                                  cutoff * cutoff,
-                                  forces};
-        kernel(pair, task, energy ? &sums[b] : nullptr);
+    for_each_block(static_cast<Index>(tiles.size()), 1, [&](Index tile, Index) {
+        const auto t = static_cast<std::size_t>(tile);
+        const ClusterGrid::Run of_tile = clusters.tiles()[t];
+        const auto place = static_cast<std::size_t>(numbers * of_tile.first);
+        const PairKernelTask task{
+            mixed ? static_cast<const void*>(fixed_positions_.data()) : positions_.data(),
+            list.fixed_point().unit(),
+            of_tile,
+            clusters.first_atoms().data(),
+            tiles[t].entries.data(),
+            tiles[t].starts.data(),
+            cutoff * cutoff,
+            mixed ? static_cast<void*>(single_forces_.data() + place) : partial_forces_.data() + place,
+            forces};
+        kernel(pair, task, energy ? &sums[t] : nullptr);
     });
     Evaluation total;
-    for (const PairKernelSums& block : sums) {
-        const auto& w = block.virial;
+    for (const PairKernelSums& tile : sums) {
+        const auto& w = tile.virial;
         Mat3 virial;
         virial << w[0], w[3], w[4], w[3], w[1], w[5], w[4], w[5], w[2];
-        total.potential_energy += 0.5 * block.energy;  // every pair was seen from both sides
+        total.potential_energy += 0.5 * tile.energy;  // both sides of every pair were added up
         total.virial += 0.5 * virial;
     }
     return total;
-}
-
-void PairForceField::update_fixed_positions(const FixedPoint& fixed_point, const State& state) {
-    const auto r = state.positions_and_ghosts();
-    fixed_positions_.resize(4 * static_cast<std::size_t>(r.cols() + 1));
-    for_each_index(r.cols(), [&](Index i) {
-        std::int32_t* q = fixed_positions_.data() + 4 * i;
-        for (int a = 0; a < 3; ++a) {
-            q[a] = fixed_point(r(a, i), a);
-        }
-    });
-    std::fill(fixed_positions_.end() - 4, fixed_positions_.end(), FixedPoint::far_away);
 }
 
 }  // namespace ljmd

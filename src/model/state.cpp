@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::size_t stride = 4;
 
-/// Ghosts may reach half an edge and a skin out of the box: where the far point is, nothing of the box is within a
-/// cutoff.
-constexpr double far_in_edges = 4.0;
-constexpr double far_beyond = 100.0;
-
 /// An atom this many edges away from its box has not diffused there.
 constexpr double most_crossings = 1e6;
 
@@ -163,12 +158,10 @@ void State::reorder(const std::vector<Index>& order) {
 }
 
 void State::set_ghost_count(Index count) {
-    const std::size_t size = stride * (checked(count_) + checked(count) + 1);
+    const std::size_t size = stride * (checked(count_) + checked(count));
     positions_.reserve(size > positions_.capacity() ? size + size / 32 : 0);  // resize alone would take twice as much
     positions_.resize(size);
     ghost_count_ = count;
-    const double far = box_ ? -far_in_edges * box_->edges().maxCoeff() - far_beyond : 0.0;
-    std::fill_n(positions_.end() - static_cast<Index>(stride), stride - 1, far);
 }
 
 std::vector<Index> State::index_of() const {

@@ -1,10 +1,11 @@
 #include "ljmd/neighbors/verlet_list.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
-#include <numbers>
+#include <iterator>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
@@ -16,23 +17,74 @@ namespace ljmd {
 namespace {
 
 /// Room that grows by a sixteenth more than is asked for: by as much again, as vectors do, a list would waste memory.
-/// @param usual  what a first list begins with, so that it need not grow many times
-void make_room(std::vector<std::int32_t>& entries, std::size_t size, std::size_t usual) {
+void make_room(std::vector<std::int32_t>& entries, std::size_t size) {
     if (entries.size() < size) {
-        const std::size_t room = entries.empty() ? std::max(size, usual) : size + size / 16;
+        const std::size_t room = size + size / 16;
         entries.reserve(room);
         entries.resize(room);
     }
 }
 
+/// The clusters that one cluster of a column can meet, of one kind.
+class CandidatesOfCluster {
+  public:
+    CandidatesOfCluster(const ClusterGrid& grid, ListKernel kernel, const ConstCandidates& all)
+        : grid_(grid), kernel_(kernel), all_(all) {}
+
+    /// @param near  of the column
+    void begin(const std::vector<ClusterGrid::Near>& near, bool once) {
+        near_.clear();
+        std::copy_if(near.begin(), near.end(), std::back_inserter(near_),
+                     [once](const ClusterGrid::Near& other) { return other.once == once; });
+        runs_.resize(near_.size());
+    }
+
+    /// Collect those with a number of at least `least`.
+    void go_to(Index cluster, Index least) {
+        const ClusterGrid::Extent& extent = grid_.extent(cluster);
+        constexpr std::int32_t slots = ClusterGrid::slots;
+        int runs = 0;
+        std::int32_t points = 0;
+        for (const ClusterGrid::Near& other : near_) {
+            if (!grid_.may_reach(other, extent)) {
+                continue;  // for most clusters, all columns of the next tiles along z
+            }
+            const ClusterGrid::Run window = grid_.window(other, extent);
+            const ClusterGrid::Run run{
+                (std::max(window.first, static_cast<std::int32_t>(least)) + other.column.offset) * slots,
+                (window.last + other.column.offset) * slots};
+            const bool any = run.first < run.last;
+            runs_[static_cast<std::size_t>(runs)] = run;  // kept if there is one: a branch would be guessed wrong
+            runs += any ? 1 : 0;
+            points += any ? run.length() : 0;
+        }
+        if (arrays_.size() < static_cast<std::size_t>(points)) {
+            arrays_.resize(2 * static_cast<std::size_t>(points));
+        }
+        count_ = runs == 0 ? 0 : kernel_.gather(all_, runs_.data(), runs, arrays_.write());
+    }
+
+    [[nodiscard]] ConstCandidates read() const { return arrays_.read(); }
+    [[nodiscard]] int count() const { return count_; }
+
+  private:
+    const ClusterGrid& grid_;
+    ListKernel kernel_;
+    ConstCandidates all_;
+    std::vector<ClusterGrid::Near> near_;
+    std::vector<ClusterGrid::Run> runs_;
+    CandidateArrays arrays_;
+    int count_ = 0;
+};
+
 }  // namespace
 
-void VerletList::prepare_for(SimdLevel level, int lanes) {
-    if (lanes < 1 || lanes > list_kernel_slack) {
-        throw ContractViolation("lists are filled up to 1 ... 16 lanes");
+void VerletList::prepare_for(SimdLevel level, int atoms_per_row) {
+    if (atoms_per_row != 1 && atoms_per_row != 2 && atoms_per_row != 4) {
+        throw ContractViolation(fmt::format("lists of {} atoms: 1, 2 or 4 can share one", atoms_per_row));
     }
     level_ = level;
-    lanes_ = lanes;
+    atoms_per_row_ = atoms_per_row;
 }
 
 void VerletList::prepare(State& state, double cutoff) {
@@ -40,10 +92,9 @@ void VerletList::prepare(State& state, double cutoff) {
     Stopwatch watch;
     if (still_valid(state, cutoff)) {
         ++age_;
-        ghosts_.update(state);
     } else {
         grid_.configure(state.box(), cutoff + skin_, state.count());
-        grid_.sort(state, ghosts_);
+        grid_.sort(state);
         statistics_.seconds_sorting += watch.lap();
         build(state, cutoff);
         age_ = 1;
@@ -53,8 +104,7 @@ void VerletList::prepare(State& state, double cutoff) {
 
 bool VerletList::still_valid(const State& state, double cutoff) const {
     if (cutoff != built_for_cutoff_ || state.box().edges() != built_for_edges_ ||
-        state.order_version() != built_for_order_ || state.ghost_count() != ghosts_.count() ||
-        lanes_ != built_for_lanes_) {
+        state.order_version() != built_for_order_ || atoms_per_row_ != built_for_atoms_per_row_) {
         return false;
     }
     return every_ ? age_ < *every_ : nothing_moved_too_far(state);
@@ -84,20 +134,13 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
 void VerletList::build(const State& state, double cutoff) {
     const double range = cutoff + skin_;
     fixed_point_ = FixedPoint(state.box(), 2.0 * range);
-    find_candidates(state.positions_and_ghosts());
+    find_candidates(state);
 
-    blocks_.resize(static_cast<std::size_t>((state.count() + atoms_per_block - 1) / atoms_per_block));
-    using Counts = std::array<Index, 2>;
-    const auto fill = [&](Index first, Index last) {
-        return fill_block(blocks_[static_cast<std::size_t>(first / atoms_per_block)], state, first, last, range);
-    };
-    const auto [neighbors, tests] =
-        join_blocks(state.count(), atoms_per_block, Counts{}, fill, [](Counts& sum, const Counts& block) {
-            sum[0] += block[0];
-            sum[1] += block[1];
-        });
-    entries_ = neighbors;
-    statistics_.distance_tests += tests;
+    tiles_.resize(grid_.tiles().size());
+    statistics_.distance_tests += join_blocks(
+        static_cast<Index>(tiles_.size()), 1, Index{0},
+        [&](Index tile, Index) { return fill(static_cast<std::size_t>(tile), state, range); },
+        [](Index& sum, Index tests) { sum += tests; });
 
     reference_.resize(4 * static_cast<std::size_t>(state.count()));
     for_each_index(state.count(), [&, r = state.positions().data()](Index i) {
@@ -106,91 +149,78 @@ void VerletList::build(const State& state, double cutoff) {
     built_for_cutoff_ = cutoff;
     built_for_edges_ = state.box().edges();
     built_for_order_ = state.order_version();
-    built_for_lanes_ = lanes_;
+    built_for_atoms_per_row_ = atoms_per_row_;
     ++statistics_.rebuilds;
 }
 
-void VerletList::find_candidates(const ConstVectorView& points) {
-    const auto order = grid_.order();
-    candidates_.resize(order.size());
-    for_each_index(static_cast<Index>(order.size()), [&](Index k) {
-        const auto place = static_cast<std::size_t>(k);
-        const auto r = points.col(order[place]);
-        for (int a = 0; a < 3; ++a) {
-            candidates_.places[static_cast<std::size_t>(a)][place] = static_cast<float>(fixed_point_(r[a], a));
-        }
-        candidates_.index[place] = order[place];
-    });
+void VerletList::find_candidates(const State& state) {
+    constexpr Index slots = ClusterGrid::slots;
+    candidates_.resize(static_cast<std::size_t>(grid_.with_images() * slots));
+    const Candidates to = candidates_.write();
+    const auto r = state.positions();
+    const auto place = [&](Index i, const Vec3& shift, int axis) {
+        return static_cast<float>(fixed_point_(r(axis, i) + shift[axis], axis));
+    };
+    grid_.for_each_slot(
+        [&](Index cluster, int k, Index i, const Vec3& shift) {
+            const Index slot = cluster * slots + k;
+            to.x[slot] = place(i, shift, 0);
+            to.y[slot] = place(i, shift, 1);
+            to.z[slot] = place(i, shift, 2);
+            to.entry[slot] = static_cast<std::int32_t>(3 * cluster * slots);
+        },
+        [&](Index cluster, int k) { to.x[cluster * slots + k] = nowhere; });
 }
 
-void VerletList::CandidateArrays::resize(std::size_t size) {
-    for (auto& coordinates : places) {
-        coordinates.resize(size + list_kernel_slack);
-    }
-    index.resize(size + list_kernel_slack);
-}
-
-std::array<Index, 2> VerletList::fill_block(Block& block, const State& state, Index first, Index last,
-                                            double range) const {
+Index VerletList::fill(std::size_t tile, const State& state, double range) {
     const auto r = state.positions();
     const ListKernel kernel = list_kernel(level_);
-    const ConstCandidates all{candidates_.places[0].data(), candidates_.places[1].data(), candidates_.places[2].data(),
-                              candidates_.index.data()};
     const auto place = [&](double x, int axis) { return static_cast<float>(fixed_point_(x, axis)); };
     // Each coordinate may be off by 16.5 units, a distance by twice the root of three of that, and the kernel rounds:
     // no pair within range is lost, and one that is hardly farther away may be on the list.
     const double units = range / fixed_point_.unit() + 58.0;
     const auto range2 = static_cast<float>(units * units * (1.0 + 1e-6));
-    const auto filling = static_cast<std::int32_t>(4U * static_cast<std::uint32_t>(state.far_point()));
 
-    // Neighbours at the mean density and half a vector of filling, and some more for density's ups and downs.
-    const double mean = static_cast<double>(state.count()) / state.box().volume() * 4.0 / 3.0 * std::numbers::pi *
-                        range * range * range;
-    const auto usual = static_cast<std::size_t>(1.06 * static_cast<double>(atoms_per_block) * (mean + 0.5 * lanes_));
-
-    std::array<Index, 2> counts{};
-    // Of the cell that the atom is in; the next atom is often in the same one.
-    std::vector<CellGrid::Run> runs;
-    runs.reserve(grid_.run_count());
-    CandidateArrays near;
-    std::size_t cell_of_candidates = std::numeric_limits<std::size_t>::max();
-    int candidates = 0;
+    auto& [entries, starts] = tiles_[tile];
+    starts.clear();
     std::size_t end = 0;
-    block.starts.fill(0);
-    for (Index i = first; i < last; ++i) {
-        const Vec3 center = r.col(i);
-        if (const std::size_t cell = grid_.cell_at(center); cell != cell_of_candidates) {
-            cell_of_candidates = cell;
-            runs.clear();
-            std::size_t points = 0;
-            grid_.for_each_run(cell, [&](CellGrid::Run run) {
-                runs.push_back(run);
-                points += static_cast<std::size_t>(run.length());
-            });
-            if (near.index.size() < points + list_kernel_slack) {
-                near.resize(2 * points);
+    Index tests = 0;
+    std::vector<ClusterGrid::Near> near;
+    CandidatesOfCluster within_tile(grid_, kernel, candidates_.read());
+    CandidatesOfCluster others(grid_, kernel, candidates_.read());
+    const auto append = [&](const CandidatesOfCluster& candidates, const RowOfAtoms& row) {
+        starts.push_back(static_cast<std::uint32_t>(end));
+        make_room(entries, end + static_cast<std::size_t>(candidates.count() / ClusterGrid::slots) + list_kernel_slack);
+        end += static_cast<std::size_t>(
+            kernel.clusters_near(candidates.read(), candidates.count(), row, range2, entries.data() + end));
+        tests += candidates.count() * row.count;
+    };
+    const ClusterGrid::Run columns = grid_.columns(tile);
+    for (std::int32_t column = columns.first; column < columns.last; ++column) {
+        grid_.find_near(column, near);
+        within_tile.begin(near, true);
+        others.begin(near, false);
+        const ClusterGrid::Run clusters = grid_.clusters_of_column(column);
+        for (Index cluster = clusters.first; cluster < clusters.last; ++cluster) {
+            within_tile.go_to(cluster, cluster + 1);
+            others.go_to(cluster, 0);
+            const ClusterGrid::Members atoms = grid_.members(cluster);
+            for (int k = 0; k < atoms.count; k += atoms_per_row_) {
+                RowOfAtoms row;
+                row.count = atoms_per_row_;
+                for (int n = 0; n < atoms_per_row_ && k + n < atoms.count; ++n) {
+                    const auto center = r.col(atoms.first + k + n);
+                    row.x[n] = place(center[0], 0);
+                    row.y[n] = place(center[1], 1);
+                    row.z[n] = place(center[2], 2);
+                }
+                append(within_tile, row);
+                append(others, row);
             }
-            candidates =
-                kernel.gather(all, runs.data(), static_cast<int>(runs.size()),
-                              {near.places[0].data(), near.places[1].data(), near.places[2].data(), near.index.data()});
         }
-        make_room(block.entries, end + static_cast<std::size_t>(candidates) + std::size_t{2} * list_kernel_slack,
-                  usual);
-        const int found = kernel.neighbors_of(
-            {near.places[0].data(), near.places[1].data(), near.places[2].data(), near.index.data()}, candidates,
-            place(center[0], 0), place(center[1], 1), place(center[2], 2), static_cast<std::int32_t>(i), range2,
-            block.entries.data() + end);
-        counts[0] += found;
-        counts[1] += candidates;
-        end += static_cast<std::size_t>(found);
-        // Filling up to whole vectors, and a vector of it where there is no neighbour.
-        std::fill_n(block.entries.begin() + static_cast<Index>(end), list_kernel_slack, filling);
-        const std::size_t start = block.starts[static_cast<std::size_t>(i - first)];
-        const auto lanes = static_cast<std::size_t>(lanes_);
-        end = start + std::max((end - start + lanes - 1) / lanes, std::size_t{1}) * lanes;
-        block.starts[static_cast<std::size_t>(i - first) + 1] = static_cast<std::uint32_t>(end);
     }
-    return counts;
+    starts.push_back(static_cast<std::uint32_t>(end));
+    return tests;
 }
 
 }  // namespace ljmd

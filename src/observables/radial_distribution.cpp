@@ -12,7 +12,6 @@ namespace {
 
 /// Each block counts into a histogram of its own: enough blocks for many threads, few enough for long histograms.
 constexpr Index most_blocks = 64;
-constexpr Index shortest_block = 64;
 using Histogram = Eigen::Matrix<Index, Eigen::Dynamic, 1>;
 
 double sphere(double r) {
@@ -33,9 +32,9 @@ void RadialDistribution::sample(const State& state) {
     const double per_length = static_cast<double>(bins_) / radius_;
     const auto count_pairs = [&](Index first, Index last) {
         Histogram counts = Histogram::Zero(bins_);
-        for (Index i = first; i < last; ++i) {
-            search_.for_each_candidate(scratch, i, [&](Index, double dx, double dy, double dz) {
-                const double r2 = dx * dx + dy * dy + dz * dz;
+        for (Index part = first; part < last; ++part) {
+            search_.for_each_candidate(scratch, part, [&](const PairVisit& pair) {
+                const double r2 = pair.dx * pair.dx + pair.dy * pair.dy + pair.dz * pair.dz;
                 if (r2 < radius_ * radius_) {
                     ++counts[std::min(static_cast<Index>(std::sqrt(r2) * per_length), bins_ - 1)];
                 }
@@ -43,8 +42,9 @@ void RadialDistribution::sample(const State& state) {
         }
         return counts;
     };
-    const Index block_length = std::max(shortest_block, (scratch.count() + most_blocks - 1) / most_blocks);
-    const Histogram counts = join_blocks(scratch.count(), block_length, Histogram(Histogram::Zero(bins_)), count_pairs,
+    const Index parts = search_.part_count(scratch);
+    const Histogram counts = join_blocks(parts, std::max((parts + most_blocks - 1) / most_blocks, Index{1}),
+                                         Histogram(Histogram::Zero(bins_)), count_pairs,
                                          [](Histogram& sum, const Histogram& block) { sum += block; });
 
     Eigen::VectorXd pairs = counts.cast<double>();

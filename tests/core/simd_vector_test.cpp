@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("vectors compute lane by lane what numbers do", "", (Vec<doub
     same_in_every_lane(
         x, [](V v) { return where_less(v, V(3), V(7)); }, [](T v) { return v < T(3) ? T(7) : T(0); });
     same_in_every_lane(
-        x, [](V v) { return fma(v, V(2), V(1)); }, [](T v) { return v * T(2) + T(1); });
+        x, [](V v) { return multiply_add(v, V(2), V(1)); }, [](T v) { return v * T(2) + T(1); });
     V sum = x;
     sum += x;
     same_in_every_lane(
@@ -122,28 +122,36 @@ TEST_CASE("exp is right to two units in the last place, over the range of its nu
     CHECK(exp(Vec<float, 8>(-1e6)).raw[0] < 1e-37F);
 }
 
-TEMPLATE_TEST_CASE_SIG("selected lanes are stored in order", "", ((int lanes), lanes), 4, 8, 16) {
-    std::array<std::int32_t, static_cast<std::size_t>(lanes)> values{};
-    simd::RawVector<std::int32_t, lanes> v;
-    for (int k = 0; k < lanes; ++k) {
-        v[k] = 100 + k;
-    }
+TEMPLATE_TEST_CASE_SIG("lanes that compare true have their bits set", "", ((int lanes), lanes), 4, 8, 16) {
     for (unsigned wanted = 0; wanted < (1U << lanes); wanted += lanes == 16 ? 37 : 1) {
         simd::RawVector<std::int32_t, lanes> condition;
         for (int k = 0; k < lanes; ++k) {
             condition[k] = (wanted >> k & 1U) != 0 ? -1 : 0;
         }
-        const unsigned bits = simd::bits_of<lanes>(condition);
-        CHECK(bits == wanted);
-        const int count = simd::store_selected<lanes>(values.data(), v, bits);
-        int expected = 0;
-        bool in_order = true;
-        for (int k = 0; k < lanes; ++k) {
-            if ((wanted >> k & 1U) != 0) {
-                in_order = in_order && values[static_cast<std::size_t>(expected++)] == 100 + k;
-            }
-        }
-        CHECK(count == expected);
-        CHECK(in_order);
+        CHECK(simd::bits_of<lanes>(condition) == wanted);
     }
+}
+
+TEMPLATE_TEST_CASE_SIG("four numbers are repeated over all lanes", "", ((class T, int lanes), T, lanes), (double, 4),
+                       (double, 8), (std::int32_t, 4), (std::int32_t, 8), (std::int32_t, 16)) {
+    const simd::RawVector<T, 4> four{5, 6, 7, 8};
+    const auto all = simd::repeated<T, lanes>(four);
+    for (int k = 0; k < lanes; ++k) {
+        CHECK(all[k] == T(5 + k % 4));
+    }
+}
+
+TEST_CASE("sums of four lanes are theirs alone, and made in double") {
+    Vec<float, 16> v(0);
+    for (int k = 0; k < 16; ++k) {
+        v.raw[k] = k % 4 == 0 ? static_cast<float>(k / 4 + 1) : 0x1p-30F;
+    }
+    CHECK(simd::sum_of_four<0>(v) == 1.0 + 3 * 0x1p-30);
+    CHECK(simd::sum_of_four<1>(v) == 2.0 + 3 * 0x1p-30);
+    CHECK(simd::sum_of_four<2>(v) == 3.0 + 3 * 0x1p-30);
+    CHECK(simd::sum_of_four<3>(v) == 4.0 + 3 * 0x1p-30);
+    Vec<double, 8> w(1);
+    w.raw[5] = 3.0;
+    CHECK(simd::sum_of_four<0>(w) == 4.0);
+    CHECK(simd::sum_of_four<1>(w) == 6.0);
 }

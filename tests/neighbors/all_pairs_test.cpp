@@ -47,13 +47,13 @@ TEST_CASE("all pairs meets everybody else once, from both sides with opposite se
     search.prepare(state, 2.5);
     std::vector<Vec3> separation(30 * 30, Vec3::Zero());
     Index met = 0;
-    for (Index i = 0; i < state.count(); ++i) {
-        search.for_each_candidate(state, i, [&](Index j, double dx, double dy, double dz) {
-            CHECK(i != j);
-            separation[static_cast<std::size_t>(30 * i + j)] = Vec3(dx, dy, dz);
-            ++met;
-        });
-    }
+    REQUIRE(search.part_count(state) == 1);
+    search.for_each_candidate(state, 0, [&](const PairVisit& pair) {
+        CHECK(pair.i != pair.j);
+        CHECK_FALSE(pair.once);
+        separation[static_cast<std::size_t>(30 * pair.i + pair.j)] = Vec3(pair.dx, pair.dy, pair.dz);
+        ++met;
+    });
     CHECK(met == 30 * 29);
     bool opposite = true;
     for (std::size_t i = 0; i < 30; ++i) {
@@ -75,10 +75,13 @@ TEST_CASE("all pairs wraps atoms, keeps their order and counts its preparations"
     CHECK(state.order_version() == 0);
     CHECK(state.ghost_count() == 0);
     CHECK(search.statistics().preparations == 2);
-    search.for_each_candidate(state, 0, [](Index j, double dx, double dy, double dz) {
-        CHECK(j == 1);
-        CHECK(Vec3(dx, dy, dz) == Vec3(-0.75, 0.0, 0.0));
+    std::vector<Vec3> seen(2);
+    search.for_each_candidate(state, 0, [&](const PairVisit& pair) {
+        CHECK(pair.j == 1 - pair.i);
+        seen[static_cast<std::size_t>(pair.i)] = Vec3(pair.dx, pair.dy, pair.dz);
     });
+    CHECK(seen[0] == Vec3(-0.75, 0.0, 0.0));
+    CHECK(seen[1] == Vec3(0.75, 0.0, 0.0));
 }
 
 TEST_CASE("all pairs reports a position that is not finite") {

@@ -62,7 +62,8 @@ inline Eigen::Matrix3Xd by_id(const State& state, const ConstVectorView& values)
 /// A pair as atom id i sees it: {id i, id j}.
 using OrderedPair = std::pair<Index, Index>;
 
-/// All ordered pairs with r < cutoff that a prepared search finds, sorted; a pair found twice stands there twice.
+/// All ordered pairs with r < cutoff that a prepared search finds, sorted; one found twice stands there twice. A pair
+/// that is found once for both sides is two ordered pairs.
 ///
 /// A candidate j that is no local atom is a ghost. Its atom is the one at the same place but for whole edges, which is
 /// looked for here, because a search does not say.
@@ -83,12 +84,16 @@ std::vector<OrderedPair> pairs_within(const Search& search, const State& state, 
     };
     std::vector<Index> id(static_cast<std::size_t>(all.cols()), Index{-2});  // -2: not asked for yet
     std::vector<OrderedPair> pairs;
-    for (Index i = 0; i < state.count(); ++i) {
-        search.for_each_candidate(state, i, [&](Index j, double dx, double dy, double dz) {
-            if (dx * dx + dy * dy + dz * dz < cutoff * cutoff) {
-                Index& found = id[static_cast<std::size_t>(j)];
-                found = found == -2 ? id_of_column(j) : found;
-                pairs.emplace_back(state.ids()[static_cast<std::size_t>(i)], found);
+    for (Index part = 0; part < search.part_count(state); ++part) {
+        search.for_each_candidate(state, part, [&](const PairVisit& pair) {
+            if (pair.dx * pair.dx + pair.dy * pair.dy + pair.dz * pair.dz < cutoff * cutoff) {
+                const Index first = state.ids()[static_cast<std::size_t>(pair.i)];
+                Index& second = id[static_cast<std::size_t>(pair.j)];
+                second = second == -2 ? id_of_column(pair.j) : second;
+                pairs.emplace_back(first, second);
+                if (pair.once) {
+                    pairs.emplace_back(second, first);
+                }
             }
         });
     }
@@ -104,17 +109,17 @@ inline std::vector<OrderedPair> all_pairs_within(State state, double cutoff) {
 }
 
 /// True when the separations r_i - r_j < cutoff that atoms see are to the last bit the opposites of those seen by the
-/// others. @pre a prepared search
+/// others, where both see each other. @pre a prepared search
 template <class Search>
 bool separations_are_opposite(const Search& search, const State& state, double cutoff) {
     using Place = std::array<double, 3>;
     std::vector<Place> seen;
     std::vector<Place> opposite;
-    for (Index i = 0; i < state.count(); ++i) {
-        search.for_each_candidate(state, i, [&](Index, double dx, double dy, double dz) {
-            if (dx * dx + dy * dy + dz * dz < cutoff * cutoff) {
-                seen.push_back({dx, dy, dz});
-                opposite.push_back({-dx, -dy, -dz});
+    for (Index part = 0; part < search.part_count(state); ++part) {
+        search.for_each_candidate(state, part, [&](const PairVisit& pair) {
+            if (!pair.once && pair.dx * pair.dx + pair.dy * pair.dy + pair.dz * pair.dz < cutoff * cutoff) {
+                seen.push_back({pair.dx, pair.dy, pair.dz});
+                opposite.push_back({-pair.dx, -pair.dy, -pair.dz});
             }
         });
     }

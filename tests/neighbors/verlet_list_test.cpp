@@ -107,14 +107,13 @@ TEST_CASE("no pair is missed on a long random walk, and the list is rebuilt only
     CHECK(list.statistics().rebuilds < steps / 2);
 }
 
-TEST_CASE("a pair that was outside the list is found when one of its atoms has moved by more than half the skin") {
+TEST_CASE("a list is rebuilt when an atom has moved by more than half the skin") {
     // 0 and 1 are 2.81 apart, outside rc + skin = 2.8, and come nearer than rc by 0.51, 1.02, ... skins.
     const double skin = 0.3;
     const double moved = GENERATE(0.51, 1.02, 1.04, 1.2, 3.0) * skin;
     State state = test::state_of({{1.0, 1.0, 1.0}, {3.81, 1.0, 1.0}}, Box(Vec3::Constant(9.0)));
     VerletList list(skin);
     list.prepare(state, 2.5);
-    CHECK(list.entries() == 0);
     move(state, 0, Vec3(moved, 0.0, 0.0));
     CHECK(agrees(list, state, 2.5));
     CHECK(list.statistics().rebuilds == 2);
@@ -125,7 +124,7 @@ TEST_CASE("two atoms that approach each other by half the skin each are on the l
     State state = test::state_of({{1.0, 1.0, 1.0}, {3.79, 1.0, 1.0}}, Box(Vec3::Constant(9.0)));
     VerletList list(skin);
     list.prepare(state, 2.5);
-    CHECK(list.entries() == 2);
+    CHECK(test::pairs_within(list, state, 2.8).size() == 2);
     move(state, 0, Vec3(0.4999 * skin, 0.0, 0.0));
     move(state, 1, Vec3(-0.4999 * skin, 0.0, 0.0));
     list.prepare(state, 2.5);
@@ -153,16 +152,12 @@ TEST_CASE("displacements are measured from the last rebuild, also for atoms that
     }
 }
 
-TEST_CASE("the list is full: entries stand on both sides, as many as all-pairs finds within cutoff + skin") {
+TEST_CASE("all pairs within cutoff + skin stand on the list, once for each side or once for both") {
     State state = test::random_state(300, Box(Vec3(7.0, 6.0, 8.0)), 61);
     VerletList list(0.35);
+    list.prepare_for(default_simd_level(), GENERATE(1, 2, 4));
     list.prepare(state, 2.5);
-    const auto within_range = test::all_pairs_within(state, 2.85);
-    CHECK(list.entries() == static_cast<Index>(within_range.size()));
-    CHECK(test::pairs_within(list, state, 1e3) == within_range);
-    for (const auto& [i, j] : within_range) {
-        REQUIRE(std::binary_search(within_range.begin(), within_range.end(), test::OrderedPair(j, i)));
-    }
+    CHECK(test::pairs_within(list, state, 2.85) == test::all_pairs_within(state, 2.85));
 }
 
 TEST_CASE("each atom meets the others with the opposite of the separation they see, to the last bit") {
@@ -177,11 +172,10 @@ TEST_CASE("each atom meets the others with the opposite of the separation they s
 }
 
 TEST_CASE("distance tests per atom do not grow with the number of atoms") {
-    // rc + skin is a third of the smallest box, so that all boxes are cut into cells of the same width.
     const double density = 0.8442;
-    const double skin = cubic_box(500, density).edges()[0] / 3.0 * (1.0 - 1e-6) - 2.5;
+    const double skin = 0.3;
     std::vector<double> tests;
-    for (const Index cells : {5, 10, 20}) {
+    for (const Index cells : {10, 20, 25}) {
         const Index atoms = lattice_atoms(Lattice::fcc, cells);
         State state = test::random_state(atoms, cubic_box(atoms, density), 71);
         VerletList list(skin);
@@ -189,23 +183,10 @@ TEST_CASE("distance tests per atom do not grow with the number of atoms") {
         tests.push_back(static_cast<double>(list.statistics().distance_tests) / static_cast<double>(atoms));
     }
     CAPTURE(tests);
-    CHECK(tests[1] == Approx(tests[0]).epsilon(0.03));
-    CHECK(tests[2] == Approx(tests[0]).epsilon(0.03));
-    CHECK(tests[2] < 400.0);
-}
-
-TEST_CASE("in boxes of any size the distance tests per atom stay within the cost of cells of half the range") {
-    const double range = 2.8;
-    for (const Index cells : {6, 7, 8, 9, 11, 13}) {
-        const Index atoms = lattice_atoms(Lattice::fcc, cells);
-        const Box box = cubic_box(atoms, 0.8442);
-        State state = test::random_state(atoms, box, 73);
-        VerletList list(0.3);
-        list.prepare(state, 2.5);
-        const double width = box.edges()[0] / std::floor(2.0 * box.edges()[0] / range);
-        const double expected = 0.8442 * std::pow(5.0 * width, 3);
-        CHECK(static_cast<double>(list.statistics().distance_tests) < 1.03 * expected * static_cast<double>(atoms));
-    }
+    // Pairs across the walls of tiles, of which small boxes have more, are tested from both sides.
+    CHECK(tests[1] == Approx(tests[0]).epsilon(0.15));
+    CHECK(tests[2] == Approx(tests[0]).epsilon(0.15));
+    CHECK(tests[2] < 500.0);
 }
 
 TEST_CASE("a list without skin serves as long as nothing moves") {
@@ -240,8 +221,8 @@ TEST_CASE("a list is rebuilt for another cutoff, box or order") {
     CHECK(list.statistics().rebuilds == 4);
 }
 
-TEST_CASE("a list without ghosts is rebuilt for another box or order, too") {
-    // In the middle of the box: only the version of the order, and the edges, tell.
+TEST_CASE("the list of a droplet is rebuilt for another box or order, too") {
+    // In the middle of the box, where no atom has neighbours among the images.
     std::vector<Vec3> droplet = random_positions(60, Box(Vec3::Constant(4.0)), 4);
     for (Vec3& r : droplet) {
         r += Vec3::Constant(5.5);
@@ -249,7 +230,6 @@ TEST_CASE("a list without ghosts is rebuilt for another box or order, too") {
     State state = test::state_of(droplet, Box(Vec3::Constant(15.0)));
     VerletList list(0.3);
     list.prepare(state, 2.5);
-    REQUIRE(state.ghost_count() == 0);
     std::vector<Index> order(60);
     std::iota(order.rbegin(), order.rend(), Index{0});
     state.reorder(order);
@@ -260,15 +240,23 @@ TEST_CASE("a list without ghosts is rebuilt for another box or order, too") {
     CHECK(list.statistics().rebuilds == 3);
 }
 
-TEST_CASE("a list is rebuilt when its ghosts are gone though box and positions are the same") {
+TEST_CASE("a list needs no ghosts, and leaves those of others alone between rebuilds") {
     State state = test::random_state(200, Box(Vec3::Constant(6.5)), 89);
     VerletList list(0.3);
     list.prepare(state, 2.5);
-    state.rescale_to(Box(state.box()));
-    REQUIRE(state.ghost_count() == 0);
-    list.prepare(state, 2.5);
-    CHECK(state.ghost_count() > 0);
+    CHECK(state.ghost_count() == 0);
+    state.set_ghost_count(2);
+    state.write_ghosts().setOnes();
     CHECK(agrees(list, state, 2.5));
+    CHECK(state.ghost_count() == 2);
+    CHECK(list.statistics().rebuilds == 1);
+}
+
+TEST_CASE("lists are for one, two or four atoms") {
+    VerletList list(0.3);
+    for (const int atoms : {0, 3, 5, 8}) {
+        CHECK_THROWS_AS(list.prepare_for(default_simd_level(), atoms), ContractViolation);
+    }
 }
 
 TEST_CASE("wrapping atoms behind the back of the list does no harm") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "ljmd/core/simd_raw.hpp"
 
@@ -14,7 +15,7 @@ void square_root(None);
 void widened(None);
 void joined(None);
 void bits_of(None);
-void store_selected(None);
+void repeated(None);
 
 }  // namespace ljmd::simd::native
 
@@ -85,8 +86,7 @@ LJMD_INLINE RawVector<T, lanes / 2> high_half(RawVector<T, lanes> v) {
     return half;
 }
 
-/// One vector of two: the opposite of low_half and high_half. With gcc's shuffle the second would not be taken straight
-/// from memory.
+/// One vector of two: the opposite of low_half and high_half.
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, 2 * lanes> joined(RawVector<T, lanes> low, RawVector<T, lanes> high) {
     if constexpr (requires { native::joined(low, high); }) {
@@ -113,19 +113,19 @@ LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, lanes> condition) {
     }
 }
 
-/// Write the lanes of v whose bit is set to `out`, in order. @return how many
-/// @pre room for `lanes` numbers at out: what follows those written may be overwritten
-template <int lanes>
-LJMD_INLINE int store_selected(std::int32_t* out, RawVector<std::int32_t, lanes> v, unsigned bits) {
-    if constexpr (requires { native::store_selected(out, v, bits); }) {
-        return native::store_selected(out, v, bits);
+/// Four numbers over and over.
+template <class T, int lanes, int... lane>
+LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, 4> four, std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(four, four, (lane % 4)...);
+}
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, 4> four) {
+    if constexpr (lanes == 4) {
+        return four;
+    } else if constexpr (requires { native::repeated(four, RawVector<T, lanes>{}); }) {
+        return native::repeated(four, RawVector<T, lanes>{});
     } else {
-        int count = 0;
-        for (int k = 0; k < lanes; ++k) {
-            out[count] = v[k];
-            count += static_cast<int>(bits >> k & 1U);
-        }
-        return count;
+        return repeated<T, lanes>(four, std::make_integer_sequence<int, lanes>());
     }
 }
 

@@ -36,4 +36,12 @@ LJMD_INLINE To reinterpret(From from) {
     return __builtin_bit_cast(To, from);
 }
 
+/// @pre aligned to the vector's own size
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> load_aligned(const T* from) {
+    RawVector<T, lanes> v;
+    __builtin_memcpy(&v, __builtin_assume_aligned(from, sizeof v), sizeof v);
+    return v;
+}
+
 }  // namespace ljmd::simd

@@ -16,8 +16,8 @@
 /// Arithmetic is that of the compilers' vector extension (gcc 12, clang); what it lacks is in simd_intrinsics.hpp.
 namespace ljmd::simd {
 
-/// `lanes` numbers of type T. Operators act lane by lane and round as those of T do; no operation is fused unless fma()
-/// is called.
+/// `lanes` numbers of type T. Operators act lane by lane and round as those of T do; no operation is fused unless
+/// multiply_add() is called.
 /// @tparam Level  tag, see above
 template <class T, int lanes_, class Level>
 struct Vec {
@@ -33,6 +33,17 @@ struct Vec {
     template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
     LJMD_INLINE explicit Vec(Number x) : raw(static_cast<T>(x) - Raw{}) {}
 
+    /// @pre aligned to the vector's own size
+    LJMD_INLINE static Vec load(const T* from) { return Vec(load_aligned<T, lanes_>(from)); }
+    LJMD_INLINE void store(T* to) const {
+        __builtin_memcpy(__builtin_assume_aligned(to, sizeof(Raw)), &raw, sizeof raw);
+    }
+    LJMD_INLINE static Vec load_unaligned(const T* from) {
+        Vec v;
+        __builtin_memcpy(&v.raw, from, sizeof v.raw);
+        return v;
+    }
+
     LJMD_INLINE friend Vec operator+(Vec a, Vec b) { return Vec(a.raw + b.raw); }
     LJMD_INLINE friend Vec operator-(Vec a, Vec b) { return Vec(a.raw - b.raw); }
     LJMD_INLINE friend Vec operator*(Vec a, Vec b) { return Vec(a.raw * b.raw); }
@@ -41,7 +52,9 @@ struct Vec {
     LJMD_INLINE Vec& operator+=(Vec b) { return *this = *this + b; }
 
     /// a b + c, rounded once where the level has an instruction for it (v3, v4), else twice.
-    LJMD_INLINE friend Vec fma(Vec a, Vec b, Vec c) { return Vec(multiply_add<T, lanes_>(a.raw, b.raw, c.raw)); }
+    LJMD_INLINE friend Vec multiply_add(Vec a, Vec b, Vec c) {
+        return Vec(simd::multiply_add<T, lanes_>(a.raw, b.raw, c.raw));
+    }
 
     LJMD_INLINE friend Vec sqrt(Vec a) { return Vec(square_root<T, lanes_>(a.raw)); }
 
@@ -89,7 +102,7 @@ LJMD_INLINE Vec<T, lanes, Level> exp(Vec<T, lanes, Level> x) {
                                              1.0,
                                              1.0};
     for (int n = is_double ? 0 : 6; n < 13; ++n) {
-        sum = fma(sum, s, V(inverse_factorials[n]));
+        sum = multiply_add(sum, s, V(inverse_factorials[n]));
     }
     const RawBits exponent = ((reinterpret<RawBits>(shifted.raw) - reinterpret<RawBits>(shift.raw)) + bias) << mantissa;
     return sum * V(reinterpret<typename V::Raw>(exponent));
@@ -114,13 +127,35 @@ LJMD_INLINE double sum(Vec<float, lanes, Level> v) {
                              widened<lanes / 2>(high_half<float, lanes>(v.raw)));
 }
 
+/// Lanes 4 n ... 4 n + 3.
+template <int n, class T, int lanes>
+LJMD_INLINE RawVector<T, 4> four_lanes(RawVector<T, lanes> v) {
+    if constexpr (lanes == 4) {
+        return v;
+    } else if constexpr (n < lanes / 8) {
+        return four_lanes<n, T, lanes / 2>(low_half<T, lanes>(v));
+    } else {
+        return four_lanes<n - lanes / 8, T, lanes / 2>(high_half<T, lanes>(v));
+    }
+}
+
+/// Sum of these, in double.
+template <int n, class T, int lanes, class Level>
+LJMD_INLINE double sum_of_four(Vec<T, lanes, Level> v) {
+    if constexpr (std::is_same_v<T, double>) {
+        return sum_of<4>(four_lanes<n, T, lanes>(v.raw));
+    } else {
+        return sum_of<4>(widened<4>(four_lanes<n, T, lanes>(v.raw)));
+    }
+}
+
 #ifdef LJMD_SIMD_LEVEL
 /// The level that this translation unit is compiled for.
 struct LJMD_SIMD_LEVEL;
 using Here = LJMD_SIMD_LEVEL;
 
-/// As wide as the registers of this level.
-using Doubles = Vec<double, register_bytes / 8, Here>;
+/// As wide as the registers of this level, and four lanes at least.
+using Doubles = Vec < double, register_bytes<32 ? 4 : register_bytes / 8, Here>;
 using Floats = Vec<float, register_bytes / 4, Here>;
 #endif
 

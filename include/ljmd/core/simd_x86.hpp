@@ -43,9 +43,6 @@ LJMD_INLINE RawVector<float, 8> keep_where(RawVector<std::int32_t, 8> condition,
 LJMD_INLINE RawVector<double, 4> widened(RawVector<float, 4> x) {
     return _mm256_cvtps_pd(x);
 }
-LJMD_INLINE RawVector<double, 4> joined(RawVector<double, 2> low, RawVector<double, 2> high) {
-    return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
-}
 LJMD_INLINE RawVector<std::int32_t, 8> joined(RawVector<std::int32_t, 4> low, RawVector<std::int32_t, 4> high) {
     return reinterpret<RawVector<std::int32_t, 8>>(
         _mm256_inserti128_si256(_mm256_castsi128_si256(reinterpret<__m128i>(low)), reinterpret<__m128i>(high), 1));
@@ -54,28 +51,9 @@ LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 8> condition) {
     return static_cast<unsigned>(_mm256_movemask_ps(reinterpret<__m256>(condition)));
 }
 
-/// Row b: the positions of the bits set in b, in ascending order, as 8 bytes.
-struct BitPositions {
-    std::uint64_t rows[256];
-};
-consteval BitPositions bit_positions() {
-    BitPositions table{};
-    for (unsigned bits = 0; bits < 256; ++bits) {
-        int next = 0;
-        for (unsigned k = 0; k < 8; ++k) {
-            if ((bits >> k & 1U) != 0) {
-                table.rows[bits] |= std::uint64_t{k} << (8 * next++);
-            }
-        }
-    }
-    return table;
-}
-inline constexpr BitPositions positions_of_bits = bit_positions();
-
-LJMD_INLINE int store_selected(std::int32_t* out, RawVector<std::int32_t, 8> v, unsigned bits) {
-    const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(positions_of_bits.rows[bits])));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(reinterpret<__m256i>(v), order));
-    return __builtin_popcount(bits);
+// From memory these are loads and nothing else.
+LJMD_INLINE RawVector<std::int32_t, 8> repeated(RawVector<std::int32_t, 4> four, RawVector<std::int32_t, 8>) {
+    return reinterpret<RawVector<std::int32_t, 8>>(_mm256_broadcastsi128_si256(reinterpret<__m128i>(four)));
 }
 #endif
 
@@ -105,10 +83,11 @@ LJMD_INLINE RawVector<std::int32_t, 16> joined(RawVector<std::int32_t, 8> low, R
 LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 16> condition) {
     return _mm512_movepi32_mask(reinterpret<__m512i>(condition));
 }
-LJMD_INLINE int store_selected(std::int32_t* out, RawVector<std::int32_t, 16> v, unsigned bits) {
-    // To a register and then to memory: compressing stores are slow on some processors.
-    _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), reinterpret<__m512i>(v)));
-    return __builtin_popcount(bits);
+LJMD_INLINE RawVector<double, 8> repeated(RawVector<double, 4> four, RawVector<double, 8>) {
+    return _mm512_broadcast_f64x4(four);
+}
+LJMD_INLINE RawVector<std::int32_t, 16> repeated(RawVector<std::int32_t, 4> four, RawVector<std::int32_t, 16>) {
+    return reinterpret<RawVector<std::int32_t, 16>>(_mm512_broadcast_i32x4(reinterpret<__m128i>(four)));
 }
 #endif
 

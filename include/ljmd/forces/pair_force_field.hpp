@@ -3,6 +3,7 @@
 #include "ljmd/core/aligned_vector.hpp"
 #include "ljmd/core/simd.hpp"
 #include "ljmd/forces/force_field.hpp"
+#include "ljmd/neighbors/cluster_positions.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
@@ -17,8 +18,8 @@ struct PairArithmetic {
 
 /// Pair forces in a periodic box: f_i = sum over j with r_ij < rc of w(r_ij) (r_i - r_j).
 ///
-/// Each atom's force is a sum from its own side over full neighbourhoods; energy and virial are half the sum over
-/// atoms, added up in blocks of fixed length. Neither depends on more than the configuration and the order it decides.
+/// Forces are summed part by part of the search, which are what threads share; energy and virial are added up part by
+/// part. Neither depends on more than the configuration and the order it decides.
 class PairForceField : public ForceField {
   public:
     /// @pre potential.cutoff().radius <= L/2 for every box that will be evaluated (checked: ContractViolation)
@@ -37,12 +38,14 @@ class PairForceField : public ForceField {
 
     [[nodiscard]] Evaluation sum(State& state, Request request);
     [[nodiscard]] Evaluation sum_by_kernel(const VerletList& list, State& state, bool energy);
-    void update_fixed_positions(const FixedPoint& fixed_point, const State& state);
-
     PairPotential potential_;
     PairSearch search_;
     PairArithmetic arithmetic_;
-    AlignedVector<std::int32_t> fixed_positions_;  ///< 4 a point; for mixed precision
+    // Of clusters; of each pair one for double and one for mixed precision.
+    ClusterPositions<double> positions_;
+    ClusterPositions<std::int32_t> fixed_positions_;
+    AlignedVector<double> partial_forces_;
+    AlignedVector<float> single_forces_;
     double seconds_summing_ = 0.0;
 };
 

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <type_traits>
+#include <vector>
 
 #include "ljmd/core/threads.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/forces/force_sum.hpp"
+#include "ljmd/neighbors/pair_visit.hpp"
 
 namespace ljmd {
 
@@ -19,49 +20,58 @@ namespace ljmd {
 template <Request what, class Pair, class Search>
 Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, State& state) {
     using Sum = std::conditional_t<what.order_independent, FixedPointSum, FloatingSum>;
-    constexpr Index block_length = 256;
     const double cutoff2 = cutoff * cutoff;
     auto forces = state.write_forces();
     const State& atoms = state;
 
-    const auto sum_block = [&](Index first, Index last) {
+    const auto sum_part = [&](Index part, Index) {
+        const AtomRange range = search.atoms_of(atoms, part);
+        std::vector<std::array<Sum, 3>> f(static_cast<std::size_t>(range.count()));
         double u = 0.0;
         std::array<double, 6> virial{};  // xx yy zz xy xz yz
-        for (Index i = first; i < last; ++i) {
-            Sum fx;
-            Sum fy;
-            Sum fz;
-            search.for_each_candidate(atoms, i, [&](Index, double dx, double dy, double dz) {
-                const double r2 = dx * dx + dy * dy + dz * dz;
-                if (!(r2 < cutoff2)) {
-                    return;
-                }
-                const auto term = pair(r2);
-                fx.add(term.w * dx);
-                fy.add(term.w * dy);
-                fz.add(term.w * dz);
-                if constexpr (what.energy) {
-                    u += term.u;
-                    virial[0] += term.w * dx * dx;
-                    virial[1] += term.w * dy * dy;
-                    virial[2] += term.w * dz * dz;
-                    virial[3] += term.w * dx * dy;
-                    virial[4] += term.w * dx * dz;
-                    virial[5] += term.w * dy * dz;
-                }
-            });
-            forces.col(i) << fx.value(), fy.value(), fz.value();
+        search.for_each_candidate(atoms, part, [&](const PairVisit& visit) {
+            const auto& [i, j, dx, dy, dz, once] = visit;
+            const double r2 = dx * dx + dy * dy + dz * dz;
+            if (!(r2 < cutoff2)) {
+                return;
+            }
+            const auto term = pair(r2);
+            const auto add = [&, dx = dx, dy = dy, dz = dz](Index atom, double w) {
+                auto& sum = f[static_cast<std::size_t>(atom - range.first)];
+                sum[0].add(w * dx);
+                sum[1].add(w * dy);
+                sum[2].add(w * dz);
+            };
+            add(i, term.w);
+            if (once) {
+                add(j, -term.w);
+            }
+            if constexpr (what.energy) {
+                const double sides = once ? 2.0 : 1.0;
+                const double w = sides * term.w;
+                u += sides * term.u;
+                virial[0] += w * dx * dx;
+                virial[1] += w * dy * dy;
+                virial[2] += w * dz * dz;
+                virial[3] += w * dx * dy;
+                virial[4] += w * dx * dz;
+                virial[5] += w * dy * dz;
+            }
+        });
+        for (Index i = range.first; i < range.last; ++i) {
+            const auto& sum = f[static_cast<std::size_t>(i - range.first)];
+            forces.col(i) << sum[0].value(), sum[1].value(), sum[2].value();
         }
         Evaluation block;
         if constexpr (what.energy) {
-            block.potential_energy = 0.5 * u;  // every pair was seen from both sides
+            block.potential_energy = 0.5 * u;  // both sides of every pair were added up
             block.virial << virial[0], virial[3], virial[4], virial[3], virial[1], virial[5], virial[4], virial[5],
                 virial[2];
             block.virial *= 0.5;
         }
         return block;
     };
-    return join_blocks(state.count(), block_length, Evaluation{}, sum_block,
+    return join_blocks(search.part_count(atoms), 1, Evaluation{}, sum_part,
                        [](Evaluation& sum, const Evaluation& block) {
                            sum.potential_energy += block.potential_energy;
                            sum.virial += block.virial;

@@ -87,10 +87,6 @@ class State {
     void set_ghost_count(Index count);
     [[nodiscard]] VectorView write_ghosts();
 
-    /// Index of one more point behind the ghosts that is out of reach of all others: kernels fill up the lanes of
-    /// vectors with it.
-    [[nodiscard]] Index far_point() const { return count_ + ghost_count_; }
-
     /// index_of()[id] is where that atom lies now.
     [[nodiscard]] std::vector<Index> index_of() const;
 

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "ljmd/model/state.hpp"
+#include "ljmd/neighbors/pair_visit.hpp"
 #include "ljmd/neighbors/search_statistics.hpp"
 
 namespace ljmd {
@@ -18,13 +19,20 @@ class AllPairs {
         ++statistics_.preparations;
     }
 
+    [[nodiscard]] Index part_count(const State& state) const { return EqualParts::count(state.count()); }
+    [[nodiscard]] AtomRange atoms_of(const State& state, Index part) const {
+        return EqualParts::atoms(part, state.count());
+    }
     template <class Visit>
-    void for_each_candidate(const State& state, Index i, Visit&& visit) const {
+    void for_each_candidate(const State& state, Index part, Visit&& visit) const {
         const auto r = state.positions();
-        for (Index j = 0; j < state.count(); ++j) {
-            if (j != i) {
-                const Vec3 d = state.box().minimum_image(r.col(i) - r.col(j));
-                visit(j, d[0], d[1], d[2]);
+        const AtomRange atoms = atoms_of(state, part);
+        for (Index i = atoms.first; i < atoms.last; ++i) {
+            for (Index j = 0; j < state.count(); ++j) {
+                if (j != i) {
+                    const Vec3 d = state.box().minimum_image(r.col(i) - r.col(j));
+                    visit(PairVisit{i, j, d[0], d[1], d[2], false});
+                }
             }
         }
     }

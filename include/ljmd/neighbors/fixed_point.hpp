@@ -35,6 +35,11 @@ class FixedPoint {
         return static_cast<std::int32_t>(std::bit_cast<std::int64_t>((x - origin_[axis]) * per_unit_ + shift));
     }
 
+    /// The nearest whole number to a difference of two coordinates.
+    [[nodiscard]] std::int32_t distance(double dx) const {
+        return static_cast<std::int32_t>(std::lround(dx * per_unit_));
+    }
+
     /// Out of reach of every point: no difference from it overflows, none is shorter than the halo.
     static constexpr std::int32_t far_away = 1 << 30;
 

@@ -4,6 +4,7 @@
 
 #include "ljmd/model/state.hpp"
 #include "ljmd/neighbors/cell_grid.hpp"
+#include "ljmd/neighbors/pair_visit.hpp"
 #include "ljmd/neighbors/search_statistics.hpp"
 #include "ljmd/parallel/ghost_exchange.hpp"
 
@@ -18,19 +19,26 @@ class LinkedCells {
 
     void prepare(State& state, double cutoff);
 
+    [[nodiscard]] Index part_count(const State& state) const { return EqualParts::count(state.count()); }
+    [[nodiscard]] AtomRange atoms_of(const State& state, Index part) const {
+        return EqualParts::atoms(part, state.count());
+    }
     template <class Visit>
-    void for_each_candidate(const State& state, Index i, Visit&& visit) const {
+    void for_each_candidate(const State& state, Index part, Visit&& visit) const {
         const auto all = state.positions_and_ghosts();
-        const Vec3 r = all.col(i);
-        grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {
-            for (std::int32_t k = run.first; k < run.last; ++k) {
-                const Index j = grid_.order()[static_cast<std::size_t>(k)];
-                if (j != i) {
-                    const auto other = all.col(j);
-                    visit(j, r[0] - other[0], r[1] - other[1], r[2] - other[2]);
+        const AtomRange atoms = atoms_of(state, part);
+        for (Index i = atoms.first; i < atoms.last; ++i) {
+            const Vec3 r = all.col(i);
+            grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {
+                for (std::int32_t k = run.first; k < run.last; ++k) {
+                    const Index j = grid_.order()[static_cast<std::size_t>(k)];
+                    if (j != i) {
+                        const auto other = all.col(j);
+                        visit(PairVisit{i, j, r[0] - other[0], r[1] - other[1], r[2] - other[2], false});
+                    }
                 }
-            }
-        });
+            });
+        }
     }
 
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }

@@ -15,9 +15,12 @@ namespace ljmd {
 ///
 ///     void prepare(State&, double cutoff)
 ///         make the search valid for the present positions: may wrap and reorder atoms and replace ghosts;
-///     void for_each_candidate(const State&, Index i, visit) const
-///         call visit(j, dx, dy, dz) with d = r_i - r_j (nearest image) for every j != i that can be closer than the
-///         cutoff; each pair is seen from both sides; candidates beyond the cutoff must be expected;
+///     Index part_count(const State&) const, AtomRange atoms_of(const State&, Index part) const
+///         parts that the atoms are split into, for threads to share; no atom is in two;
+///     void for_each_candidate(const State&, Index part, visit) const
+///         call visit(PairVisit) for all pairs of an atom i of the part with every j != i that can be closer than the
+///         cutoff. A pair comes either once from each side, and j may then be a ghost, or once for both, and j is then
+///         of the same part. Candidates beyond the cutoff must be expected;
 ///     const SearchStatistics& statistics() const.
 ///
 /// @pre for all: cutoff <= L/2, so that no atom meets two images of another one within the cutoff.

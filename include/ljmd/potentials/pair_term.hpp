@@ -2,6 +2,12 @@
 
 namespace ljmd {
 
+/// a b + c. Vectors of kernels have an overload that rounds once, where the processor can.
+template <class Real>
+Real multiply_add(Real a, Real b, Real c) {
+    return a * b + c;
+}
+
 /// What one pair contributes: energy u(r) and w(r) = -u'(r)/r, so that the force on atom i is w (r_i - r_j) and the
 /// pair's virial r . f is w r^2.
 template <class Real>

@@ -87,7 +87,8 @@ class ForceShifted {
         const PairTerm<Real> full = formula_(r2);
         const Real r = sqrt(r2);
         const Real inverse_r = r * (Real(1) / r2);  // most formulas have divided by r2, too: once is enough
-        return {full.u - Real(u_cutoff_) + (r - Real(radius_)) * Real(f_cutoff_), full.w - Real(f_cutoff_) * inverse_r};
+        return {full.u - Real(u_cutoff_) + (r - Real(radius_)) * Real(f_cutoff_),
+                multiply_add(Real(-f_cutoff_), inverse_r, full.w)};
     }
 
   private:
@@ -125,10 +126,11 @@ class Switched {
         const Real r = sqrt(r2);
         const Real inverse_r = r * (Real(1) / r2);                               // see ForceShifted
         const Real x = max(Real(0), (r - Real(start_)) * Real(inverse_width_));  // 0 below rs: S = 1, S' = 0
-        const Real s = Real(1) - x * x * x * (Real(10) - x * (Real(15) - Real(6) * x));
+        const Real s =
+            multiply_add(x * x * x, multiply_add(x, multiply_add(Real(-6), x, Real(15)), Real(-10)), Real(1));
         const Real y = x * (Real(1) - x);
-        const Real slope = Real(-30 * inverse_width_) * y * y;
-        return {full.u * s, full.w * s - full.u * slope * inverse_r};
+        const Real descent = Real(30 * inverse_width_) * y * y;  // -S'(r)
+        return {full.u * s, multiply_add(full.w, s, full.u * descent * inverse_r)};
     }
 
   private:

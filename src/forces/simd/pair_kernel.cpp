@@ -2,13 +2,42 @@
 #include "pair_kernel.hpp"
 
 #include "ljmd/core/simd_vector.hpp"
-#include "load_points.hpp"
 
 namespace ljmd {
 
 namespace {
 
-/// Separations of one atom from as many neighbours as a vector has lanes.
+constexpr int slots = ClusterGrid::slots;
+
+/// A row of atoms meets a cluster: lane 4 n + k is for the row's atom n and the cluster's slot k. A vector of two lanes
+/// meets it in two pieces, one after the other.
+template <class V>
+constexpr int atoms_per_row = V::lanes < slots ? 1 : V::lanes / slots;
+template <class V>
+constexpr std::size_t pieces = V::lanes < slots ? slots / V::lanes : 1;
+
+/// Each of the numbers in four lanes, or one in all.
+template <class T, int lanes>
+LJMD_INLINE simd::RawVector<T, lanes> in_four_lanes(const T* numbers) {
+    if constexpr (lanes <= 4) {
+        return *numbers - simd::RawVector<T, lanes>{};
+    } else {
+        return simd::joined<T, lanes / 2>(in_four_lanes<T, lanes / 2>(numbers),
+                                          in_four_lanes<T, lanes / 2>(numbers + lanes / 8));
+    }
+}
+
+/// Four numbers over and over, or as many of them as there are lanes.
+template <class T, int lanes>
+LJMD_INLINE simd::RawVector<T, lanes> repeated(const T* numbers) {
+    if constexpr (lanes <= 4) {
+        return simd::load_aligned<T, lanes>(numbers);
+    } else {
+        return simd::repeated<T, lanes>(simd::load_aligned<T, 4>(numbers));
+    }
+}
+
+/// Separations of the atoms of a row from those of a cluster.
 template <class V>
 struct Separation {
     V dx, dy, dz;  ///< in the arithmetic's unit
@@ -19,21 +48,27 @@ struct Separation {
 class DoubleArithmetic {
   public:
     using V = simd::Doubles;
+    using Coordinate = double;
+    /// Out of reach of everything, the slots without an atom included.
+    static constexpr double nowhere = 1e9;
 
-    explicit DoubleArithmetic(const PairKernelTask& task) : positions_(task.positions) {}
+    explicit DoubleArithmetic(const PairKernelTask& task) : positions_(static_cast<const double*>(task.positions)) {}
 
-    LJMD_INLINE void go_to(Index atom) {
-        x_ = V(positions_[4 * atom]);
-        y_ = V(positions_[4 * atom + 1]);
-        z_ = V(positions_[4 * atom + 2]);
+    [[nodiscard]] const double* cluster(std::size_t entry) const { return positions_ + entry; }
+
+    /// To the atoms whose x begin at r.
+    LJMD_INLINE void go_to(const double* r) {
+        x_ = V(in_four_lanes<double, V::lanes>(r));
+        y_ = V(in_four_lanes<double, V::lanes>(r + slots));
+        z_ = V(in_four_lanes<double, V::lanes>(r + 2 * slots));
     }
 
-    LJMD_INLINE Separation<V> separation(const std::int32_t* entries) const {
-        const auto other = simd::load_points<double, V::lanes>(positions_, entries);
-        const V dx = x_ - V(other.x);
-        const V dy = y_ - V(other.y);
-        const V dz = z_ - V(other.z);
-        return {dx, dy, dz, dx * dx + dy * dy + dz * dz};
+    LJMD_INLINE Separation<V> separation(std::size_t entry) const {
+        const double* r = positions_ + entry;
+        const V dx = x_ - V(repeated<double, V::lanes>(r));
+        const V dy = y_ - V(repeated<double, V::lanes>(r + slots));
+        const V dz = z_ - V(repeated<double, V::lanes>(r + 2 * slots));
+        return {dx, dy, dz, dx * dx + dy * dy + dz * dz};  // rounded as the scalar sum does, see docs/performance.md
     }
 
     /// What dx = 1 means [sigma].
@@ -48,22 +83,28 @@ class DoubleArithmetic {
 class MixedArithmetic {
   public:
     using V = simd::Floats;
+    using Coordinate = std::int32_t;
+    static constexpr std::int32_t nowhere = -(1 << 30);
 
     explicit MixedArithmetic(const PairKernelTask& task)
-        : positions_(task.fixed), unit_(task.unit), unit2_(task.unit * task.unit) {}
+        : positions_(static_cast<const std::int32_t*>(task.positions)),
+          unit_(task.unit),
+          unit2_(task.unit * task.unit) {}
 
-    LJMD_INLINE void go_to(Index atom) {
-        x_ = positions_[4 * atom] - Raw{};
-        y_ = positions_[4 * atom + 1] - Raw{};
-        z_ = positions_[4 * atom + 2] - Raw{};
+    [[nodiscard]] const std::int32_t* cluster(std::size_t entry) const { return positions_ + entry; }
+
+    LJMD_INLINE void go_to(const std::int32_t* r) {
+        x_ = in_four_lanes<std::int32_t, V::lanes>(r);
+        y_ = in_four_lanes<std::int32_t, V::lanes>(r + slots);
+        z_ = in_four_lanes<std::int32_t, V::lanes>(r + 2 * slots);
     }
 
-    LJMD_INLINE Separation<V> separation(const std::int32_t* entries) const {
-        const auto other = simd::load_points<std::int32_t, V::lanes>(positions_, entries);
-        const V dx(__builtin_convertvector(x_ - other.x, V::Raw));
-        const V dy(__builtin_convertvector(y_ - other.y, V::Raw));
-        const V dz(__builtin_convertvector(z_ - other.z, V::Raw));
-        return {dx, dy, dz, fma(dz, dz, fma(dy, dy, dx * dx)) * unit2_};
+    LJMD_INLINE Separation<V> separation(std::size_t entry) const {
+        const std::int32_t* r = positions_ + entry;
+        const V dx(__builtin_convertvector(x_ - repeated<std::int32_t, V::lanes>(r), V::Raw));
+        const V dy(__builtin_convertvector(y_ - repeated<std::int32_t, V::lanes>(r + slots), V::Raw));
+        const V dz(__builtin_convertvector(z_ - repeated<std::int32_t, V::lanes>(r + 2 * slots), V::Raw));
+        return {dx, dy, dz, multiply_add(dz, dz, multiply_add(dy, dy, dx * dx)) * unit2_};
     }
 
     [[nodiscard]] double unit() const { return unit_; }
@@ -77,70 +118,172 @@ class MixedArithmetic {
     Raw x_, y_, z_;
 };
 
-/// Sums over the neighbours of one atom, by lanes.
+/// Sums over the pairs of a row, by lanes.
 template <class V, bool with_energy>
-struct Sums {
+class Sums {
+  public:
     V fx{0}, fy{0}, fz{0};
     V u{0}, xx{0}, yy{0}, zz{0}, xy{0}, xz{0}, yz{0};
 
+    /// The pairs' part in the sums, their other side left out.
     template <class Pair>
     LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d) {
+        add_sides<1>(pair, cutoff2, d);
+    }
+
+    /// Both sides. @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
+    template <class Pair>
+    LJMD_INLINE void add_both(const Pair& pair, V cutoff2, const Separation<V>& d, typename V::Value* others) {
+        const V w = add_sides<2>(pair, cutoff2, d);
+        constexpr std::size_t axis = V::lanes * pieces<V>;
+        multiply_add(w, d.dx, V::load(others)).store(others);
+        multiply_add(w, d.dy, V::load(others + axis)).store(others + axis);
+        multiply_add(w, d.dz, V::load(others + 2 * axis)).store(others + 2 * axis);
+    }
+
+  private:
+    template <int sides, class Pair>
+    LJMD_INLINE V add_sides(const Pair& pair, V cutoff2, const Separation<V>& d) {
         const auto term = pair(d.r2);
         const V w = where_less(d.r2, cutoff2, term.w);
-        fx = fma(w, d.dx, fx);
-        fy = fma(w, d.dy, fy);
-        fz = fma(w, d.dz, fz);
+        fx = multiply_add(w, d.dx, fx);
+        fy = multiply_add(w, d.dy, fy);
+        fz = multiply_add(w, d.dz, fz);
         if constexpr (with_energy) {
-            u += where_less(d.r2, cutoff2, term.u);
-            const V wx = w * d.dx;
-            const V wy = w * d.dy;
-            xx = fma(wx, d.dx, xx);
-            yy = fma(wy, d.dy, yy);
-            zz = fma(w * d.dz, d.dz, zz);
-            xy = fma(wx, d.dy, xy);
-            xz = fma(wx, d.dz, xz);
-            yz = fma(wy, d.dz, yz);
+            u = multiply_add(V(sides), where_less(d.r2, cutoff2, term.u), u);
+            const V wx = V(sides) * w * d.dx;
+            const V wy = V(sides) * w * d.dy;
+            xx = multiply_add(wx, d.dx, xx);
+            yy = multiply_add(wy, d.dy, yy);
+            zz = multiply_add(V(sides) * w * d.dz, d.dz, zz);
+            xy = multiply_add(wx, d.dy, xy);
+            xz = multiply_add(wx, d.dz, xz);
+            yz = multiply_add(wy, d.dz, yz);
+        }
+        return w;
+    }
+};
+
+/// What to add to the squared distances of each row of a cluster from the cluster itself, so that no atom meets itself.
+template <class V>
+struct Aside {
+    static constexpr std::size_t rows = slots / atoms_per_row<V>;
+    static constexpr std::size_t numbers = V::lanes * pieces<V>;
+    typename V::Value of_row[rows][numbers] = {};
+    constexpr Aside() {
+        for (std::size_t atom = 0; atom < slots; ++atom) {
+            const std::size_t in_row = atom % (slots / rows);
+            of_row[atom / (slots / rows)][in_row * slots + atom] = typename V::Value(1e15);
         }
     }
 };
 
-/// The neighbours of an atom come in groups of as many as a vector has lanes. While one group is summed up, the next is
-/// on its way from memory, across the end of an atom's list too: else the processor waits for it.
-template <class Arithmetic, bool with_energy, class Pair>
-[[gnu::flatten]] void sum_block(const void* potential, const PairKernelTask& task, PairKernelSums* sums) {
+/// Over the lanes of a row's atom.
+template <int n, class V>
+LJMD_INLINE double sum_of_atom(V v) {
+    if constexpr (V::lanes <= slots) {
+        return sum(v);
+    } else {
+        return simd::sum_of_four<n>(v);
+    }
+}
+
+/// Write the forces of a row's atoms. @param others  minus what they got from atoms before
+template <class Arithmetic, int n, class Sums>
+LJMD_INLINE void write_forces(const Arithmetic& arithmetic, const Sums& sums,
+                              const typename Arithmetic::V::Value* others, int atoms, double* forces) {
     using V = typename Arithmetic::V;
+    if constexpr (n < atoms_per_row<V>) {
+        if (n < atoms) {
+            constexpr int axis = V::lanes * static_cast<int>(pieces<V>);
+            double before[3] = {};
+            for (int a = 0; a < 3; ++a) {
+                for (int m = 0; m < atoms_per_row<V>; ++m) {
+                    before[a] += static_cast<double>(others[a * axis + m * slots + n]);
+                }
+            }
+            double* force = forces + 4 * n;
+            force[0] = (sum_of_atom<n>(sums.fx) - before[0]) * arithmetic.unit();
+            force[1] = (sum_of_atom<n>(sums.fy) - before[1]) * arithmetic.unit();
+            force[2] = (sum_of_atom<n>(sums.fz) - before[2]) * arithmetic.unit();
+            write_forces<Arithmetic, n + 1>(arithmetic, sums, others, atoms, forces);
+        }
+    }
+}
+
+/// Row by row: its own cluster, then the clusters with which the pairs stand on the list once, then the others. When a
+/// row's turn comes, all atoms that have pairs with it on their lists have had theirs.
+template <class Arithmetic, bool with_energy, class Pair>
+[[gnu::flatten]] void sum_tile(const void* potential, const PairKernelTask& task, PairKernelSums* sums) {
+    using V = typename Arithmetic::V;
+    using Real = typename V::Value;
+    static constexpr Aside<V> aside;
+    constexpr int width = atoms_per_row<V>;
+    constexpr std::size_t stride = 3 * slots;
     const Pair pair = *static_cast<const Pair*>(potential);
     const V cutoff2(task.cutoff2);
     Arithmetic arithmetic(task);
     PairKernelSums total{};
-    arithmetic.go_to(task.first);
-    Separation<V> current = arithmetic.separation(task.entries + task.starts[0]);
-    for (int k = 0; k < task.count; ++k) {
-        Sums<V, with_energy> sum_of_atom;
-        const std::uint32_t last = task.starts[k + 1];
-        for (std::uint32_t e = task.starts[k] + V::lanes; e < last; e += V::lanes) {
-            const Separation<V> before = current;
-            current = arithmetic.separation(task.entries + e);
-            sum_of_atom.add(pair, cutoff2, before);
-        }
-        const int following = k + 1 < task.count ? k + 1 : k;
-        arithmetic.go_to(task.first + following);
-        const Separation<V> before = current;
-        current = arithmetic.separation(task.entries + task.starts[following]);
-        sum_of_atom.add(pair, cutoff2, before);
-
-        double* force = task.forces + 4 * (task.first + k);
-        force[0] = sum(sum_of_atom.fx) * arithmetic.unit();
-        force[1] = sum(sum_of_atom.fy) * arithmetic.unit();
-        force[2] = sum(sum_of_atom.fz) * arithmetic.unit();
-        if constexpr (with_energy) {
-            total.energy += sum(sum_of_atom.u);
-            total.virial[0] += sum(sum_of_atom.xx);
-            total.virial[1] += sum(sum_of_atom.yy);
-            total.virial[2] += sum(sum_of_atom.zz);
-            total.virial[3] += sum(sum_of_atom.xy);
-            total.virial[4] += sum(sum_of_atom.xz);
-            total.virial[5] += sum(sum_of_atom.yz);
+    const auto first = static_cast<std::size_t>(task.clusters.first);
+    const auto last = static_cast<std::size_t>(task.clusters.last);
+    auto* partial = static_cast<Real*>(task.partial_forces);
+    for (std::size_t k = 0; k < (last - first) * 3 * pieces<V>; ++k) {
+        V(0).store(partial + k * V::lanes);
+    }
+    // Minus the forces on the atoms of a cluster of the tile, of each row's atom in lanes of its own.
+    const auto others = [&](std::size_t entry) { return partial + (entry - first * stride) * width; };
+    const std::int32_t* entries = task.entries;
+    const std::uint32_t* row = task.starts;
+    for (std::size_t cluster = first; cluster < last; ++cluster) {
+        const std::size_t own = cluster * stride;
+        const std::uint32_t first_atom = task.first_atoms[cluster];
+        const int atoms = static_cast<int>(task.first_atoms[cluster + 1] - first_atom);
+        for (int k = 0; k < atoms; k += width, row += 2) {
+            if (width == 1 || k + width <= atoms) {
+                arithmetic.go_to(arithmetic.cluster(own) + k);
+            } else {
+                typename Arithmetic::Coordinate there[3 * slots];
+                for (int n = 0; n < width; ++n) {
+                    for (int a = 0; a < 3; ++a) {
+                        there[a * slots + n] =
+                            k + n < atoms ? arithmetic.cluster(own)[a * slots + k + n] : Arithmetic::nowhere;
+                    }
+                }
+                arithmetic.go_to(there);
+            }
+            Sums<V, with_energy> sum_of_row;
+            for (std::size_t p = 0; p < pieces<V>; ++p) {
+                Separation<V> d = arithmetic.separation(own + p * V::lanes);
+                d.r2 += V::load_unaligned(aside.of_row[k / width] + p * V::lanes);
+                sum_of_row.add(pair, cutoff2, d);
+            }
+            const std::uint32_t once_end = row[1];
+            const std::uint32_t end = row[2];
+            std::uint32_t e = row[0];
+            for (; e < once_end; ++e) {
+                const std::size_t entry = static_cast<std::uint32_t>(entries[e]);
+                for (std::size_t p = 0; p < pieces<V>; ++p) {
+                    sum_of_row.add_both(pair, cutoff2, arithmetic.separation(entry + p * V::lanes),
+                                        others(entry) + p * V::lanes);
+                }
+            }
+            for (; e < end; ++e) {
+                const std::size_t entry = static_cast<std::uint32_t>(entries[e]);
+                for (std::size_t p = 0; p < pieces<V>; ++p) {
+                    sum_of_row.add(pair, cutoff2, arithmetic.separation(entry + p * V::lanes));
+                }
+            }
+            write_forces<Arithmetic, 0>(arithmetic, sum_of_row, others(own) + k, atoms - k,
+                                        task.forces + 4 * (first_atom + static_cast<std::size_t>(k)));
+            if constexpr (with_energy) {
+                total.energy += sum(sum_of_row.u);
+                total.virial[0] += sum(sum_of_row.xx);
+                total.virial[1] += sum(sum_of_row.yy);
+                total.virial[2] += sum(sum_of_row.zz);
+                total.virial[3] += sum(sum_of_row.xy);
+                total.virial[4] += sum(sum_of_row.xz);
+                total.virial[5] += sum(sum_of_row.yz);
+            }
         }
     }
     if constexpr (with_energy) {
@@ -153,10 +296,10 @@ template <class Arithmetic, bool with_energy, class Pair>
 
 template <class Arithmetic, class... Pairs>
 constexpr PairKernelsOfPotentials kernels_for(const std::variant<Pairs...>*) {
-    return {{{{&sum_block<Arithmetic, false, Pairs>, &sum_block<Arithmetic, true, Pairs>}}...}};
+    return {{{{&sum_tile<Arithmetic, false, Pairs>, &sum_tile<Arithmetic, true, Pairs>}}...}};
 }
 
-constexpr PairKernels kernels{{DoubleArithmetic::V::lanes, MixedArithmetic::V::lanes},
+constexpr PairKernels kernels{{atoms_per_row<DoubleArithmetic::V>, atoms_per_row<MixedArithmetic::V>},
                               {kernels_for<DoubleArithmetic>(static_cast<const AnyPair*>(nullptr)),
                                kernels_for<MixedArithmetic>(static_cast<const AnyPair*>(nullptr))}};
 

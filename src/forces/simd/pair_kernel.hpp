@@ -6,24 +6,26 @@
 
 #include "ljmd/core/simd_levels.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/neighbors/cluster_grid.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
 namespace ljmd {
 
-/// Consecutive atoms whose forces are wanted, and their neighbours.
+/// The atoms of a tile, whose forces are wanted, and their neighbours.
 struct PairKernelTask {
-    const double* positions;      ///< x y z 0 of every point [sigma]; for the kernels in double
-    const std::int32_t* fixed;    ///< the same in units of FixedPoint; for the mixed ones
-    double unit;                  ///< of these [sigma]
-    Index first;                  ///< atom
-    int count;                    ///< of atoms
-    const std::int32_t* entries;  ///< see VerletList::Block
-    const std::uint32_t* starts;  ///< of the atoms' lists in `entries`; count + 1 numbers
-    double cutoff2;               ///< squared cutoff [sigma^2]
-    double* forces;               ///< x y z 0 of every atom [epsilon/sigma]
+    const void* positions;             ///< see ClusterPositions; double [sigma], for the mixed kernels std::int32_t
+                                       ///< in units of FixedPoint
+    double unit;                       ///< of the latter [sigma]
+    ClusterGrid::Run clusters;         ///< of the tile
+    const std::uint32_t* first_atoms;  ///< of every cluster, and one more
+    const std::int32_t* entries;       ///< see VerletList::Tile
+    const std::uint32_t* starts;       ///< see VerletList::Tile
+    double cutoff2;                    ///< squared cutoff [sigma^2]
+    void* partial_forces;              ///< room for 12 atoms_per_row numbers a cluster of the tile; double, float if mixed
+    double* forces;                    ///< x y z 0 of every atom [epsilon/sigma]
 };
 
-/// Over the atoms of a task; every pair counts whole from each of its atoms.
+/// Over the pairs of a task; every pair counts whole from each of its atoms in the tile.
 struct PairKernelSums {
     double energy;                 ///< [epsilon]
     std::array<double, 6> virial;  ///< xx yy zz xy xz yz [epsilon]
@@ -37,7 +39,7 @@ using PairKernel = void (*)(const void* pair, const PairKernelTask& task, PairKe
 using PairKernelsOfPotentials = std::array<std::array<PairKernel, 2>, std::variant_size_v<AnyPair>>;
 
 struct PairKernels {
-    int lanes[2];  ///< to a multiple of which lists must be filled up, by precision
+    int atoms_per_row[2];  ///< see VerletList::Tile, by precision
     PairKernelsOfPotentials by_precision[2];
 };
 

@@ -12,8 +12,6 @@ using Ints = simd::RawVector<std::int32_t, lanes>;
 using Reals = simd::RawVector<float, lanes>;
 static_assert(lanes <= list_kernel_slack);
 
-constexpr float nowhere = 0x1p60F;
-
 template <class V, class T>
 LJMD_INLINE V load(const T* from) {
     V v;
@@ -30,10 +28,10 @@ LJMD_INLINE void copy_vectors(const ConstCandidates& from, std::int32_t k, const
     copy<Reals>(from.x + k, to.x + n);
     copy<Reals>(from.y + k, to.y + n);
     copy<Reals>(from.z + k, to.z + n);
-    copy<Ints>(from.index + k, to.index + n);
+    copy<Ints>(from.entry + k, to.entry + n);
 }
 
-int gather(const ConstCandidates& from, const CellGrid::Run* runs, int run_count, const Candidates& to) {
+int gather(const ConstCandidates& from, const ClusterGrid::Run* runs, int run_count, const Candidates& to) {
     int count = 0;
     for (int run = 0; run < run_count; ++run) {
         const std::int32_t first = runs[run].first;
@@ -55,27 +53,51 @@ int gather(const ConstCandidates& from, const CellGrid::Run* runs, int run_count
     return count;
 }
 
-int neighbors_of(const Candidates& candidates, int count, float x, float y, float z, std::int32_t self, float range2,
-                 std::int32_t* out) {
-    const auto [all_x, all_y, all_z, indices] = candidates;
+template <int atoms>
+int find_clusters(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2,
+                  std::int32_t* out) {
+    constexpr int slots = ClusterGrid::slots;
+    constexpr unsigned bits_of_cluster = (1U << slots) - 1U;
     std::int32_t* end = out;
     for (int k = 0; k < count; k += lanes) {
-        const Reals dx = load<Reals>(all_x + k) - x;
-        const Reals dy = load<Reals>(all_y + k) - y;
-        const Reals dz = load<Reals>(all_z + k) - z;
-        const Reals r2 = simd::multiply_add<float, lanes>(dz, dz, simd::multiply_add<float, lanes>(dy, dy, dx * dx));
-        const Ints index = load<Ints>(indices + k);
-        const Ints wanted = (r2 < range2) & (index != self);
-        end += simd::store_selected<lanes>(end, index << 2, simd::bits_of<lanes>(wanted));
+        const Reals x = load<Reals>(candidates.x + k);
+        const Reals y = load<Reals>(candidates.y + k);
+        const Reals z = load<Reals>(candidates.z + k);
+        Ints near{};
+        for (int n = 0; n < atoms; ++n) {
+            const Reals dx = x - row.x[n];
+            const Reals dy = y - row.y[n];
+            const Reals dz = z - row.z[n];
+            const Reals r2 =
+                simd::multiply_add<float, lanes>(dz, dz, simd::multiply_add<float, lanes>(dy, dy, dx * dx));
+            near |= r2 < range2;
+        }
+        const unsigned bits = simd::bits_of<lanes>(near);
+        for (int c = 0; c < lanes / slots; ++c) {  // written always and kept if near: branches would be guessed wrong
+            *end = candidates.entry[k + c * slots];
+            end += (bits >> (c * slots) & bits_of_cluster) != 0 ? 1 : 0;
+        }
     }
     return static_cast<int>(end - out);
+}
+
+int clusters_near(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2,
+                  std::int32_t* out) {
+    switch (row.count) {
+        case 1:
+            return find_clusters<1>(candidates, count, row, range2, out);
+        case 2:
+            return find_clusters<2>(candidates, count, row, range2, out);
+        default:
+            return find_clusters<4>(candidates, count, row, range2, out);
+    }
 }
 
 }  // namespace
 
 template <>
 ListKernel simd::compiled_here<ListKernel, simd::Here>() {
-    return {gather, neighbors_of};
+    return {gather, clusters_near};
 }
 
 }  // namespace ljmd

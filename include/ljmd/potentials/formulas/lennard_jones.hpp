@@ -26,7 +26,7 @@ class LennardJones {
     PairTerm<Real> operator()(Real r2) const {
         const Real inverse = Real(1) / r2;
         const Real s6 = inverse * inverse * inverse;
-        return {Real(4) * s6 * (s6 - Real(1)), inverse * s6 * (Real(48) * s6 - Real(24))};
+        return {Real(4) * s6 * (s6 - Real(1)), inverse * s6 * multiply_add(Real(48), s6, Real(-24))};
     }
 
     /// Closed form: integral of u r^2 = 4 (R^-9/9 - R^-3/3), of w r^4 = 24 (2 R^-9/9 - R^-3/3).
