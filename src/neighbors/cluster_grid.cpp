@@ -126,11 +126,10 @@ ClusterGrid::Members ClusterGrid::members(Index cluster) const {
     Index owner = cluster;
     Vec3 shift = Vec3::Zero();
     if (cluster >= cluster_count()) {
-        const auto images = std::prev(
-            std::upper_bound(images_.begin(), images_.end(), cluster,
-                             [](Index number, const Images& candidates) { return number < candidates.first; }));
-        owner = images->of.first + (cluster - images->first);
-        shift = images->shift;
+        const auto k = static_cast<std::size_t>(cluster - cluster_count());
+        const Images& images = images_[images_of_[k]];
+        owner = images.of.first + (cluster - images.first);
+        shift = images.shift;
     }
     const Index first = first_atoms_[static_cast<std::size_t>(owner)];
     return {first, static_cast<int>(first_atoms_[static_cast<std::size_t>(owner) + 1] - first), shift};
@@ -243,6 +242,7 @@ void ClusterGrid::cut_into_slices() {
 
 void ClusterGrid::make_images(const Box& box) {
     images_.clear();
+    images_of_.clear();
     image_count_ = 0;
     extended_.clear();
     // How many edges away the image is that a column belongs to; 0 in the box.
@@ -273,6 +273,8 @@ void ClusterGrid::make_images(const Box& box) {
                 const auto first = cluster_count() + image_count_;
                 extended_.push_back({run, static_cast<std::int32_t>(first) - run.first, floor, slices, false});
                 if (run.length() > 0) {
+                    images_of_.resize(static_cast<std::size_t>(image_count_ + run.length()),
+                                      static_cast<std::uint32_t>(images_.size()));
                     images_.push_back({run, first, shift});
                     image_count_ += run.length();
                 }

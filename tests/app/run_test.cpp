@@ -165,7 +165,7 @@ TEST_CASE("doubts about the results are warnings, to the listener and in results
 
 TEST_CASE("a long run of a liquid leaves no doubt") {
     const Finished run(small_deck, {"stage.equilibrate.steps=600", "stage.equilibrate.temperature=3",
-                                    "stage.production.steps=5000", "output.thermo.every=5"});
+                                    "stage.production.steps=20000", "output.thermo.every=5"});
     INFO(Json(run.result.warnings).dump());
     CHECK(run.result.warnings.empty());
     CHECK(std::abs(run.result.order_at_sampling.value()) < 0.1);

@@ -167,7 +167,8 @@ class ClusterGrid {
     std::vector<std::int32_t> slices_;
     std::vector<Run> tiles_;
     std::vector<Images> images_;
-    std::vector<Column> extended_;  ///< of the box and its halo
+    std::vector<std::uint32_t> images_of_;  ///< of each image: which of images_ it is among
+    std::vector<Column> extended_;          ///< of the box and its halo
     Index image_count_ = 0;
 };
 

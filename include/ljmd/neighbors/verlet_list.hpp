@@ -103,9 +103,9 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
     const ClusterGrid::Run clusters = grid_.tiles()[static_cast<std::size_t>(part)];
     const std::uint32_t* row = tile.starts.data();
     const auto meet = [&](Index i, const ClusterGrid::Members& others, bool once) {
+        const Vec3 from = r.col(i) - others.shift;  // exact on the grid of the coordinates
         for (Index j = others.first; j < others.first + others.count; ++j) {
-            const Vec3 d = r.col(i) - (r.col(j) + others.shift);
-            visit(PairVisit{i, j, d[0], d[1], d[2], once});
+            visit(PairVisit{i, j, from[0] - r(0, j), from[1] - r(1, j), from[2] - r(2, j), once});
         }
     };
     for (Index c = clusters.first; c < clusters.last; ++c) {
