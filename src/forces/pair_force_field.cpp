@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/core/threads.hpp"
@@ -14,6 +17,18 @@ namespace {
 
 /// Out of reach of everything, shifted by edges or not, and not so far that powers of the distance overflow.
 constexpr double far_away = -1e9;
+
+/// Bytes that a tile's partial forces take in double, a whole number of cache lines. One thread uses them for its tiles
+/// in turn: they stay in the cache next to its core.
+std::size_t room_for_partial_forces(const VerletList& list) {
+    std::int32_t most = 0;
+    for (const ClusterGrid::Run& tile : list.clusters().tiles()) {
+        most = std::max(most, tile.length());
+    }
+    constexpr std::size_t line = 64;
+    const auto numbers = static_cast<std::size_t>(most * 3 * ClusterGrid::slots * list.atoms_per_row());
+    return (numbers * sizeof(double) + line - 1) / line * line;
+}
 
 }  // namespace
 
@@ -69,17 +84,13 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
     const State& atoms = state;
     const ClusterGrid& clusters = list.clusters();
     const bool mixed = arithmetic_.precision == Precision::mixed;
-    const Index numbers = Index{3 * ClusterGrid::slots} * list.atoms_per_row();  // of partial forces, a cluster
-    const auto room = static_cast<std::size_t>(numbers * clusters.cluster_count());
     if (mixed) {
         const FixedPoint& fixed_point = list.fixed_point();
         fixed_positions_.update(
             clusters, atoms, fixed_point, [&](double dx) { return fixed_point.distance(dx); }, FixedPoint::far_away);
-        single_forces_.resize(room);
     } else {
         positions_.update(
             clusters, atoms, [](double x, int) { return x; }, [](double dx) { return dx; }, far_away);
-        partial_forces_.resize(room);
     }
     const void* pair = potential_.visit([](const auto& any) -> const void* { return &any; });
     const PairKernel kernel = pair_kernels(arithmetic_.simd)
@@ -89,21 +100,24 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
     std::vector<PairKernelSums> sums(energy ? tiles.size() : 0);
     const double cutoff = potential_.cutoff().radius;
     double* forces = state.write_forces().data();
-    for_each_block(static_cast<Index>(tiles.size()), 1, [&](Index tile, Index) {
-        const auto t = static_cast<std::size_t>(tile);
-        const ClusterGrid::Run of_tile = clusters.tiles()[t];
-        const auto place = static_cast<std::size_t>(numbers * of_tile.first);
-        const PairKernelTask task{
-            mixed ? static_cast<const void*>(fixed_positions_.data()) : positions_.data(),
-            list.fixed_point().unit(),
-            of_tile,
-            clusters.first_atoms().data(),
-            tiles[t].entries.data(),
-            tiles[t].starts.data(),
-            cutoff * cutoff,
-            mixed ? static_cast<void*>(single_forces_.data() + place) : partial_forces_.data() + place,
-            forces};
-        kernel(pair, task, energy ? &sums[t] : nullptr);
+    const auto count = static_cast<Index>(tiles.size());
+    const Index workers = std::min<Index>(thread_count(), count);
+    const std::size_t room = room_for_partial_forces(list);
+    partial_forces_.resize(room * static_cast<std::size_t>(workers));
+    for_each_block(workers, 1, [&](Index worker, Index) {
+        for (Index tile = worker * count / workers; tile < (worker + 1) * count / workers; ++tile) {
+            const auto t = static_cast<std::size_t>(tile);
+            const PairKernelTask task{mixed ? static_cast<const void*>(fixed_positions_.data()) : positions_.data(),
+                                      list.fixed_point().unit(),
+                                      clusters.tiles()[t],
+                                      clusters.first_atoms().data(),
+                                      tiles[t].entries.data(),
+                                      tiles[t].starts.data(),
+                                      cutoff * cutoff,
+                                      partial_forces_.data() + room * static_cast<std::size_t>(worker),
+                                      forces};
+            kernel(pair, task, energy ? &sums[t] : nullptr);
+        }
     });
     Evaluation total;
     for (const PairKernelSums& tile : sums) {

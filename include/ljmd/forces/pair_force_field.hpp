@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "ljmd/core/aligned_vector.hpp"
 #include "ljmd/core/simd.hpp"
 #include "ljmd/forces/force_field.hpp"
@@ -41,11 +43,10 @@ class PairForceField : public ForceField {
     PairPotential potential_;
     PairSearch search_;
     PairArithmetic arithmetic_;
-    // Of clusters; of each pair one for double and one for mixed precision.
+    // Of clusters, for double and for mixed precision.
     ClusterPositions<double> positions_;
     ClusterPositions<std::int32_t> fixed_positions_;
-    AlignedVector<double> partial_forces_;
-    AlignedVector<float> single_forces_;
+    AlignedVector<std::byte> partial_forces_;  ///< of a tile, for each thread
     double seconds_summing_ = 0.0;
 };
 
