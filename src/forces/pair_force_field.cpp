@@ -26,7 +26,7 @@ std::size_t room_for_partial_forces(const VerletList& list) {
         most = std::max(most, tile.length());
     }
     constexpr std::size_t line = 64;
-    const auto numbers = static_cast<std::size_t>(most * 3 * ClusterGrid::slots * list.atoms_per_row());
+    const auto numbers = static_cast<std::size_t>(Index{most} * 3 * ClusterGrid::slots * list.atoms_per_row());
     return (numbers * sizeof(double) + line - 1) / line * line;
 }
 

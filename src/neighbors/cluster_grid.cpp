@@ -226,7 +226,7 @@ void ClusterGrid::cut_into_slices() {
             std::int32_t* slices = slices_.data() + static_cast<std::size_t>(column) * stride;
             std::int32_t reaching = run.first;
             std::int32_t above = run.first;
-            for (int n = 0; n < slice_count_ + 2; ++n) {
+            for (Index n = 0; n < slice_count_ + 2; ++n) {
                 while (reaching < run.last && slice(extent(reaching).high - floor) < n) {
                     ++reaching;
                 }

@@ -181,7 +181,8 @@ Index VerletList::fill(std::size_t tile, const State& state, double range) {
     const double units = range / fixed_point_.unit() + 58.0;
     const auto range2 = static_cast<float>(units * units * (1.0 + 1e-6));
 
-    auto& [entries, starts] = tiles_[tile];
+    std::vector<std::int32_t>& entries = tiles_[tile].entries;
+    std::vector<std::uint32_t>& starts = tiles_[tile].starts;
     starts.clear();
     std::size_t end = 0;
     Index tests = 0;
@@ -193,7 +194,7 @@ Index VerletList::fill(std::size_t tile, const State& state, double range) {
         make_room(entries, end + static_cast<std::size_t>(candidates.count() / ClusterGrid::slots) + list_kernel_slack);
         end += static_cast<std::size_t>(
             kernel.clusters_near(candidates.read(), candidates.count(), row, range2, entries.data() + end));
-        tests += candidates.count() * row.count;
+        tests += Index{candidates.count()} * row.count;
     };
     const ClusterGrid::Run columns = grid_.columns(tile);
     for (std::int32_t column = columns.first; column < columns.last; ++column) {

@@ -142,7 +142,7 @@ class ClusterGrid {
     [[nodiscard]] int cells_with_halo(std::size_t axis) const { return cells_[axis] + 2 * reach_[axis]; }
     [[nodiscard]] std::size_t with_halo(const Cell& cell) const;
     /// 0 below the column, slice_count_ + 1 above it. @param above  its lowest z
-    [[nodiscard]] int slice(double above) const {
+    [[nodiscard]] Index slice(double above) const {
         return std::clamp(static_cast<int>(above * inverse_slice_ + 1.0), 0, slice_count_ + 1);
     }
     void cut_into_slices();

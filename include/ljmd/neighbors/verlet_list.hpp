@@ -116,7 +116,8 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
             meet(i, {first, static_cast<int>(i - first), Vec3::Zero()}, false);
             meet(i, {i + 1, static_cast<int>(last - i - 1), Vec3::Zero()}, false);
             for (std::uint32_t e = starts[0]; e < starts[2]; ++e) {
-                const Index other = Index{static_cast<std::uint32_t>(tile.entries[e])} / (3 * ClusterGrid::slots);
+                const Index other =
+                    Index{static_cast<std::uint32_t>(tile.entries[e])} / (Index{3} * ClusterGrid::slots);
                 meet(i, grid_.members(other), e < starts[1]);
             }
         }
