@@ -202,7 +202,7 @@ LJMD_INLINE void write_forces(const Arithmetic& arithmetic, const Sums& sums,
                     before[a] += static_cast<double>(others[a * axis + m * slots + n]);
                 }
             }
-            double* force = forces + 4 * n;
+            double* force = forces + std::ptrdiff_t{4} * n;
             force[0] = (sum_of_atom<n>(sums.fx) - before[0]) * arithmetic.unit();
             force[1] = (sum_of_atom<n>(sums.fy) - before[1]) * arithmetic.unit();
             force[2] = (sum_of_atom<n>(sums.fz) - before[2]) * arithmetic.unit();
@@ -219,7 +219,7 @@ template <class Arithmetic, bool with_energy, class Pair>
     using Real = typename V::Value;
     static constexpr Aside<V> aside;
     constexpr int width = atoms_per_row<V>;
-    constexpr std::size_t stride = 3 * slots;
+    constexpr std::size_t stride = std::size_t{3} * slots;
     const Pair pair = *static_cast<const Pair*>(potential);
     const V cutoff2(task.cutoff2);
     Arithmetic arithmetic(task);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <variant>
 
@@ -21,8 +22,8 @@ struct PairKernelTask {
     const std::int32_t* entries;       ///< see VerletList::Tile
     const std::uint32_t* starts;       ///< see VerletList::Tile
     double cutoff2;                    ///< squared cutoff [sigma^2]
-    void* partial_forces;              ///< room for 12 atoms_per_row numbers a cluster of the tile; double, float if mixed
-    double* forces;                    ///< x y z 0 of every atom [epsilon/sigma]
+    void* partial_forces;  ///< room for 12 atoms_per_row numbers a cluster of the tile; double, float if mixed
+    double* forces;        ///< x y z 0 of every atom [epsilon/sigma]
 };
 
 /// Over the pairs of a task; every pair counts whole from each of its atoms in the tile.
