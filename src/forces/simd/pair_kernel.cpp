@@ -9,6 +9,10 @@ namespace {
 
 constexpr int slots = ClusterGrid::slots;
 
+/// From the x of a cluster's slots to their y and z.
+constexpr std::ptrdiff_t to_y = slots;
+constexpr std::ptrdiff_t to_z = std::ptrdiff_t{2} * slots;
+
 /// A row of atoms meets a cluster: lane 4 n + k is for the row's atom n and the cluster's slot k. A vector of two lanes
 /// meets it in two pieces, one after the other.
 template <class V>
@@ -59,15 +63,15 @@ class DoubleArithmetic {
     /// To the atoms whose x begin at r.
     LJMD_INLINE void go_to(const double* r) {
         x_ = V(in_four_lanes<double, V::lanes>(r));
-        y_ = V(in_four_lanes<double, V::lanes>(r + slots));
-        z_ = V(in_four_lanes<double, V::lanes>(r + 2 * slots));
+        y_ = V(in_four_lanes<double, V::lanes>(r + to_y));
+        z_ = V(in_four_lanes<double, V::lanes>(r + to_z));
     }
 
     LJMD_INLINE Separation<V> separation(std::size_t entry) const {
         const double* r = positions_ + entry;
         const V dx = x_ - V(repeated<double, V::lanes>(r));
-        const V dy = y_ - V(repeated<double, V::lanes>(r + slots));
-        const V dz = z_ - V(repeated<double, V::lanes>(r + 2 * slots));
+        const V dy = y_ - V(repeated<double, V::lanes>(r + to_y));
+        const V dz = z_ - V(repeated<double, V::lanes>(r + to_z));
         return {dx, dy, dz, dx * dx + dy * dy + dz * dz};  // rounded as the scalar sum does, see docs/performance.md
     }
 
@@ -95,15 +99,15 @@ class MixedArithmetic {
 
     LJMD_INLINE void go_to(const std::int32_t* r) {
         x_ = in_four_lanes<std::int32_t, V::lanes>(r);
-        y_ = in_four_lanes<std::int32_t, V::lanes>(r + slots);
-        z_ = in_four_lanes<std::int32_t, V::lanes>(r + 2 * slots);
+        y_ = in_four_lanes<std::int32_t, V::lanes>(r + to_y);
+        z_ = in_four_lanes<std::int32_t, V::lanes>(r + to_z);
     }
 
     LJMD_INLINE Separation<V> separation(std::size_t entry) const {
         const std::int32_t* r = positions_ + entry;
         const V dx(__builtin_convertvector(x_ - repeated<std::int32_t, V::lanes>(r), V::Raw));
-        const V dy(__builtin_convertvector(y_ - repeated<std::int32_t, V::lanes>(r + slots), V::Raw));
-        const V dz(__builtin_convertvector(z_ - repeated<std::int32_t, V::lanes>(r + 2 * slots), V::Raw));
+        const V dy(__builtin_convertvector(y_ - repeated<std::int32_t, V::lanes>(r + to_y), V::Raw));
+        const V dz(__builtin_convertvector(z_ - repeated<std::int32_t, V::lanes>(r + to_z), V::Raw));
         return {dx, dy, dz, multiply_add(dz, dz, multiply_add(dy, dy, dx * dx)) * unit2_};
     }
 
