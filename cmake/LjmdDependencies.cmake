@@ -11,6 +11,13 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 set(HDF5_PREFER_PARALLEL OFF)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+if(LJMD_OPENMM)
+    find_package(OpenMM 7.7)
+    if(NOT OpenMM_FOUND)
+        message(WARNING "OpenMM was not found: `ljmd compare --with openmm` will only say so. -D LJMD_OPENMM=OFF builds "
+                        "without it, -D OpenMM_ROOT=<its folder> tells where it is.")
+    endif()
+endif()
 
 if(LJMD_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     find_program(LJMD_CCACHE ccache)

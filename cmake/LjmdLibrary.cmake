@@ -2,6 +2,14 @@
 file(GLOB_RECURSE ljmd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 list(REMOVE_ITEM ljmd_sources ${PROJECT_SOURCE_DIR}/src/app/main.cpp ${ljmd_simd_sources})
 
+# What needs a library that may be absent has a stand-in that says so.
+if(OpenMM_FOUND)
+    set(ljmd_unused_sources ${PROJECT_SOURCE_DIR}/src/compare/openmm_absent/)
+else()
+    set(ljmd_unused_sources ${PROJECT_SOURCE_DIR}/src/compare/openmm/)
+endif()
+list(FILTER ljmd_sources EXCLUDE REGEX "^${ljmd_unused_sources}")
+
 add_library(ljmd_library STATIC ${ljmd_sources} ${ljmd_generated_sources} ${ljmd_simd_objects})
 add_library(ljmd::ljmd ALIAS ljmd_library)
 add_dependencies(ljmd_library ljmd_version_header)
@@ -18,6 +26,11 @@ target_link_libraries(ljmd_library
     PUBLIC Eigen3::Eigen
     PRIVATE $<BUILD_INTERFACE:ljmd_options> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
             fmt::fmt OpenMP::OpenMP_CXX GSL::gsl PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5)
+if(OpenMM_FOUND)
+    target_link_libraries(ljmd_library PRIVATE OpenMM::OpenMM)
+    set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/compare/openmm/openmm_platforms.cpp
+                 APPEND PROPERTY COMPILE_DEFINITIONS LJMD_OPENMM_PLUGIN_DIR="${OpenMM_PLUGIN_DIR}")
+endif()
 
 add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/app/main.cpp)
 target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)

@@ -1,12 +1,15 @@
 #include "ljmd/app/commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <new>
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/bench.hpp"
 #include "ljmd/app/compare_gsl.hpp"
+#include "ljmd/app/crosscheck_report.hpp"
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/app/few_body_check.hpp"
 #include "ljmd/app/few_body_run.hpp"
@@ -98,6 +101,40 @@ void run_bodies(const Deck& deck, const DeckOptions& options) {
     print_result(options.json ? few_body_results_json(deck, result) + "\n" : few_body_results_table(deck, result));
 }
 
+void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
+    Progress progress(static_cast<Index>(1), deck.total_steps(), options.quiet);
+    const GslComparison comparison = compare_with_gsl(deck, progress);
+    if (!out.empty()) {
+        write_comparison(comparison, deck, out);
+    }
+    print_result(options.json ? comparison_json(comparison, deck) + "\n" : comparison_table(comparison, deck));
+    if (!comparison.passed()) {
+        throw PhysicsError("the reference does not conserve the energy: bodies come too close for it");
+    }
+}
+
+void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, const CrosscheckOptions& compared,
+                   const std::string& out) {
+    Progress progress(start.atoms, deck.total_steps(), options.quiet);
+    const auto say = [&](const std::string& text) {
+        if (!options.quiet) {
+            talk(text + "\n");
+        }
+    };
+    Simulation simulation =
+        make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
+    const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
+    if (!out.empty()) {
+        write_crosscheck(found, deck, compared, out);
+    }
+    print_result(options.json ? crosscheck_json(found, deck, compared) + "\n"
+                              : crosscheck_table(found, deck, compared));
+    if (!found.passed()) {
+        throw PhysicsError(fmt::format("ljmd and {} differ: {} of {} checks failed", found.peer, found.failures(),
+                                       found.checks.size()));
+    }
+}
+
 }  // namespace
 
 void run_command(const DeckOptions& options, const std::string& out) {
@@ -125,20 +162,18 @@ void check_command(const DeckOptions& options) {
     print_result(options.json ? check_json(deck, start, cost) : check_report(deck, start, cost));
 }
 
-void compare_command(const DeckOptions& options, const std::string& with, const std::string& out) {
+void compare_command(const DeckOptions& options, const CrosscheckOptions& compared, const std::string& out) {
+    static const std::vector<std::string> programs{"gsl", "lammps", "openmm"};
+    if (std::find(programs.begin(), programs.end(), compared.with) == programs.end()) {
+        throw InputError(
+            fmt::format("unknown program '{}' to compare with, allowed: {}", compared.with, fmt::join(programs, ", ")));
+    }
     Diagnostics diagnostics;
     const Deck deck = load(options, diagnostics);
-    if (with != "gsl") {
-        throw InputError(fmt::format("unknown program '{}' to compare with, allowed: 'gsl'", with));
-    }
-    Progress progress(static_cast<Index>(1), deck.total_steps(), options.quiet);
-    const GslComparison comparison = compare_with_gsl(deck, progress);
-    if (!out.empty()) {
-        write_comparison(comparison, deck, out);
-    }
-    print_result(options.json ? comparison_json(comparison, deck) + "\n" : comparison_table(comparison, deck));
-    if (!comparison.passed()) {
-        throw PhysicsError("the reference does not conserve the energy: bodies come too close for it");
+    if (compared.with == "gsl") {
+        compare_bodies(deck, options, out);
+    } else {
+        compare_fluid(deck, checked_start(deck, options, diagnostics), options, compared, out);
     }
 }
 

@@ -13,6 +13,7 @@
 namespace {
 
 constexpr int most_threads = 4096;
+constexpr int most_steps_compared = 1'000'000;
 
 void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_is_required = true) {
     command.add_option("deck", options.deck, "deck (TOML); all keys: ljmd info --keys")
@@ -32,6 +33,29 @@ void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_i
     command.add_option("--precision", options.precision, "double or mixed, instead of the deck's")->type_name("P");
     command.add_option("--simd", options.simd, "instruction set of the kernels, one that `ljmd info` lists")
         ->type_name("LEVEL");
+}
+
+void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
+    command
+        .add_option("--with", compared.with,
+                    "a fluid: openmm or lammps; few bodies: gsl, adaptive Runge-Kutta of order 8")
+        ->required()
+        ->type_name("PROGRAM");
+    command.add_option("--platform", compared.platform, "of OpenMM: Reference, CPU, OpenCL; Reference by default")
+        ->type_name("NAME");
+    command.add_option("--steps", compared.steps, "length of the trajectories, 1000 by default")
+        ->type_name("N")
+        ->check(CLI::Range(0, most_steps_compared));
+    command
+        .add_option("--frames", compared.frames,
+                    "steps at which trajectories are judged, 1,10,100,200,500,1000 by default")
+        ->type_name("N,...")
+        ->delimiter(',')
+        ->check(CLI::Range(1, most_steps_compared));
+    command.add_option("--parts", compared.parts, "what to compare of point,trajectory,averages,speed; all by default")
+        ->type_name("PART,...")
+        ->delimiter(',')
+        ->check(CLI::IsMember(ljmd::crosscheck_parts()));
 }
 
 constexpr int usage_error = 2;
@@ -75,7 +99,7 @@ int main(int argc, char** argv) {
 
     ljmd::DeckOptions options;
     std::string out;
-    std::string with;
+    ljmd::CrosscheckOptions compared;
     bool keys = false;
     bool json = false;
     CLI::App& run = *app.add_subcommand("run", "run a deck and write its results");
@@ -83,11 +107,9 @@ int main(int argc, char** argv) {
     run.add_option("--out", out, "output directory, instead of the deck's")->type_name("DIR");
     CLI::App& check = *app.add_subcommand("check", "find every mistake in a deck and tell what it would cost");
     add_deck_options(check, options);
-    CLI::App& compare = *app.add_subcommand("compare", "hold a deck's integrators against an independent solution");
+    CLI::App& compare = *app.add_subcommand("compare", "hold a deck's motion against that of an independent program");
     add_deck_options(compare, options);
-    compare.add_option("--with", with, "gsl: adaptive Runge-Kutta of order 8, for few-body decks")
-        ->required()
-        ->type_name("PROGRAM");
+    add_compare_options(compare, compared);
     compare.add_option("--out", out, "write the comparison into this directory too")->type_name("DIR");
     CLI::App& bench = *app.add_subcommand(
         "bench", "measure how fast a deck runs; without one, the Lennard-Jones melt of 32000 atoms");
@@ -114,7 +136,7 @@ int main(int argc, char** argv) {
         } else if (check.parsed()) {
             ljmd::check_command(options);
         } else if (compare.parsed()) {
-            ljmd::compare_command(options, with, out);
+            ljmd::compare_command(options, compared, out);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {

@@ -120,6 +120,10 @@ Start find_start(const Deck& deck) {
     return {atoms, cubic_box(atoms, system.number("density")), std::nullopt};
 }
 
+bool wants_tail(const Deck& deck) {
+    return deck.potential().has("tail") && deck.potential().flag("tail");
+}
+
 PairForceField make_force_field(const Deck& deck) {
     const Section& neighbors = deck.neighbors();
     const auto every = neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt;
@@ -130,10 +134,9 @@ PairForceField make_force_field(const Deck& deck) {
 
 Simulation make_simulation(const Deck& deck, Start start, const std::function<void(const std::string&)>& warn) {
     const Section& system = deck.system();
-    const bool tail = deck.potential().has("tail") && deck.potential().flag("tail");
     Simulation simulation{State(start.atoms, start.box),
                           make_force_field(deck),
-                          tail ? TailCorrection(PairPotential::from(deck.potential())) : TailCorrection(),
+                          wants_tail(deck) ? TailCorrection(PairPotential::from(deck.potential())) : TailCorrection(),
                           std::nullopt,
                           {}};
 

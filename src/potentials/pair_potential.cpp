@@ -49,9 +49,14 @@ using SomeFormula = LennardJones;
 
 }  // namespace
 
-PairPotential::PairPotential(std::string formula, std::string truncation, const Cutoff& cutoff, AnyPair pair,
-                             AnyPair bare)
-    : formula_(std::move(formula)), truncation_(std::move(truncation)), cutoff_(cutoff), pair_(pair), bare_(bare) {}
+PairPotential::PairPotential(std::string formula, Parameters parameters, std::string truncation, const Cutoff& cutoff,
+                             AnyPair pair, AnyPair bare)
+    : formula_(std::move(formula)),
+      parameters_(std::move(parameters)),
+      truncation_(std::move(truncation)),
+      cutoff_(cutoff),
+      pair_(pair),
+      bare_(bare) {}
 
 PairPotential PairPotential::from(const Section& potential) {
     const std::string& type = potential.text("type");
@@ -62,11 +67,15 @@ PairPotential PairPotential::from(const Section& potential) {
             cutoff.switch_start = potential.number(key.name);
         }
     }
+    Parameters parameters;
+    for (const Key& key : formula_keys(type)) {
+        parameters.emplace_back(key.name, potential.number(key.name));
+    }
     std::optional<PairPotential> result;
     for_each_formula(AllFormulas{}, [&]<class Formula>() {
         if (Formula::name == type) {
             const Formula formula = Formula::from(potential);
-            result = PairPotential(type, truncation, cutoff, truncated(formula, truncation, cutoff),
+            result = PairPotential(type, parameters, truncation, cutoff, truncated(formula, truncation, cutoff),
                                    Cut<Formula>(formula, cutoff));
         }
     });
@@ -78,7 +87,7 @@ PairPotential PairPotential::from(const Section& potential) {
 
 PairPotential PairPotential::lennard_jones(const std::string& truncation, const Cutoff& cutoff) {
     const LennardJones formula;
-    return {std::string(LennardJones::name), truncation, cutoff, truncated(formula, truncation, cutoff),
+    return {std::string(LennardJones::name),   {}, truncation, cutoff, truncated(formula, truncation, cutoff),
             Cut<LennardJones>(formula, cutoff)};
 }
 
@@ -102,6 +111,16 @@ std::string PairPotential::formula_meaning(const std::string& name) {
         }
     });
     return meaning;
+}
+
+std::string PairPotential::expression() const {
+    std::string expression;
+    for_each_formula(AllFormulas{}, [&]<class Formula>() {
+        if (Formula::name == formula_) {
+            expression = Formula::expression;
+        }
+    });
+    return expression;
 }
 
 std::vector<Key> PairPotential::formula_keys(const std::string& name) {

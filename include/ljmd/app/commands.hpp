@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/app/crosscheck.hpp"
+
 namespace ljmd {
 
 /// What the commands that take a deck have in common.
@@ -27,9 +29,10 @@ void run_command(const DeckOptions& options, const std::string& out);
 void check_command(const DeckOptions& options);
 
 /// ljmd compare DECK --with PROGRAM
-/// @param with  "gsl": the deck's integrators against an adaptive solution of high order; few-body decks
-/// @param out   directory for compare-gsl.csv and compare-gsl.json; empty: the comparison is only printed
-void compare_command(const DeckOptions& options, const std::string& with, const std::string& out);
+/// @param compared  its `with` is "gsl" for a few-body deck (the integrators against an adaptive solution of high
+///                  order), "openmm" or "lammps" for a fluid; the rest is for a fluid
+/// @param out       directory for the files of the comparison; empty: it is only printed
+void compare_command(const DeckOptions& options, const CrosscheckOptions& compared, const std::string& out);
 
 /// ljmd bench [DECK]: how fast a deck runs. An empty options.deck means the Lennard-Jones melt.
 void bench_command(const DeckOptions& options);

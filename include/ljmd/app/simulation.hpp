@@ -37,6 +37,9 @@ struct Simulation {
     Index relaxation_iterations = 0;  ///< of a random start
 };
 
+/// Whether a deck of a fluid asks for tail corrections.
+[[nodiscard]] bool wants_tail(const Deck& deck);
+
 /// The forces of a deck on a fluid.
 [[nodiscard]] PairForceField make_force_field(const Deck& deck);
 

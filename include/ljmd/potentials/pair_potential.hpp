@@ -54,6 +54,14 @@ class PairPotential {
     [[nodiscard]] const std::string& truncation() const { return truncation_; }
     [[nodiscard]] const Cutoff& cutoff() const { return cutoff_; }
 
+    /// The formula's own numbers by their keys in a deck, in reduced units.
+    using Parameters = std::vector<std::pair<std::string, double>>;
+    [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+
+    /// The formula as programs read it that are given potentials as text: u as a function of r and of the parameters by
+    /// their names; what it uses is defined behind semicolons.
+    [[nodiscard]] std::string expression() const;
+
     /// Call `visitor` with the concrete pair, for code that is compiled for each.
     template <class Visitor>
     decltype(auto) visit(Visitor&& visitor) const {
@@ -77,13 +85,15 @@ class PairPotential {
     [[nodiscard]] TailIntegrals tail_by_quadrature() const;
 
   private:
-    PairPotential(std::string formula, std::string truncation, const Cutoff& cutoff, AnyPair pair, AnyPair bare);
+    PairPotential(std::string formula, Parameters parameters, std::string truncation, const Cutoff& cutoff,
+                  AnyPair pair, AnyPair bare);
 
     /// What `switched` takes away between switch_start and cutoff.
     [[nodiscard]] TailIntegrals switched_off() const;
     [[nodiscard]] TailIntegrals beyond_cutoff_by_quadrature() const;
 
     std::string formula_;
+    Parameters parameters_;
     std::string truncation_;
     Cutoff cutoff_;
     AnyPair pair_;

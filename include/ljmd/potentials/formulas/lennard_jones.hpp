@@ -16,6 +16,7 @@ class LennardJones {
   public:
     static constexpr std::string_view name = "lennard-jones";
     static constexpr std::string_view meaning = "4 (r^-12 - r^-6)";
+    static constexpr std::string_view expression = "4*(r^-12-r^-6)";
 
     /// No parameters: sigma and epsilon are the units.
     static std::vector<Key> keys() { return {}; }

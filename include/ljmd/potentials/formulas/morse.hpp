@@ -16,6 +16,7 @@ class Morse {
   public:
     static constexpr std::string_view name = "morse";
     static constexpr std::string_view meaning = "D (e^2 - 2 e), e = exp(-a (r - r0))";
+    static constexpr std::string_view expression = "well_depth*(e^2-2*e); e=exp(-steepness*(r-minimum))";
 
     static std::vector<Key> keys() {
         return {Key::number("well_depth")

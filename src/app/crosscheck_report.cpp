@@ -1,0 +1,177 @@
+#include "ljmd/app/crosscheck_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/run_report.hpp"
+#include "ljmd/core/threads.hpp"
+#include "ljmd/io/data_table_csv.hpp"
+#include "ljmd/io/output_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string path_line(const Crosscheck& found) {
+    return fmt::format("{}, {}, {} precision, {} thread{}", found.search, found.simd, found.precision, thread_count(),
+                       thread_count() == 1 ? "" : "s");
+}
+
+std::string check_lines(const std::vector<Check>& checks) {
+    std::size_t width = 0;
+    for (const Check& check : checks) {
+        width = std::max(width, check.name.size());
+    }
+    std::string text = fmt::format("{:<{}}{:>14}{:>12}\n", "check", width, "found", "allowed");
+    for (const Check& check : checks) {
+        text += fmt::format("{:<{}}{:>14.2e}{:>12.1e}{}\n", check.name, width, check.value, check.tolerance,
+                            check.passed() ? "" : "  FAILED");
+    }
+    return text;
+}
+
+std::string average_lines(const EnsembleComparison& ensemble, const std::string& peer) {
+    std::string text = fmt::format("{:<20}{:>12}{:>12}{:>12}{:>12}{:>9}\n", "average, no tail", "ljmd", "error", peer,
+                                   "error", "sigmas");
+    for (const auto& row : ensemble.rows) {
+        text += fmt::format("{:<20}{:>12.6f}{:>12.6f}{:>12.6f}{:>12.6f}{:>9.2f}\n", row.name, row.ours.mean,
+                            row.ours.standard_error, row.theirs.mean, row.theirs.standard_error, row.sigmas());
+    }
+    return text;
+}
+
+Json checks_json(const std::vector<Check>& checks) {
+    Json json = Json::array();
+    for (const Check& check : checks) {
+        json.push_back(
+            {{"name", check.name}, {"value", check.value}, {"tolerance", check.tolerance}, {"passed", check.passed()}});
+    }
+    return json;
+}
+
+Json trajectory_json(const TrajectoryComparison& trajectory) {
+    Json pairings = Json::array();
+    for (const auto& [ours, theirs, same_order] : trajectory.pairings) {
+        pairings.push_back({{"ours", ours}, {"theirs", theirs}});
+    }
+    Json rows = Json::array();
+    for (const auto& row : trajectory.rows) {
+        rows.push_back({{"step", row.step},
+                        {"time", row.time},
+                        {"distances", row.distances},
+                        {"potential_energy_difference", row.potential_difference},
+                        {"kinetic_energy_difference", row.kinetic_difference}});
+    }
+    const auto rate = trajectory.divergence_rate();
+    return {{"time_step", trajectory.time_step},
+            {"pairings", pairings},
+            {"rows", rows},
+            {"divergence_rate", rate ? Json(*rate) : Json(nullptr)}};
+}
+
+Json estimate_json(const Estimate& estimate) {
+    return {{"mean", estimate.mean}, {"standard_error", estimate.standard_error}};
+}
+
+DataTable trajectory_table(const TrajectoryComparison& trajectory, const std::string& name) {
+    DataTable table{name + "-trajectory", {"step", "time"}, {}};
+    for (const auto& pairing : trajectory.pairings) {
+        table.columns.push_back(fmt::format("{} - {}", pairing.ours, pairing.theirs));
+    }
+    table.columns.insert(table.columns.end(), {"potential_energy_difference", "kinetic_energy_difference"});
+    for (const auto& row : trajectory.rows) {
+        table.rows.push_back({static_cast<double>(row.step), row.time});
+        table.rows.back().insert(table.rows.back().end(), row.distances.begin(), row.distances.end());
+        table.rows.back().insert(table.rows.back().end(), {row.potential_difference, row.kinetic_difference});
+    }
+    return table;
+}
+
+DataTable rdf_table(const EnsembleComparison& ensemble, const std::string& name) {
+    DataTable table{name + "-rdf", {"r", "g_ljmd", "g_ljmd_standard_error", "g_peer", "g_peer_standard_error"}, {}};
+    for (const auto& bin : ensemble.rdf) {
+        table.rows.push_back({bin.r, bin.ours, bin.our_error, bin.theirs, bin.their_error});
+    }
+    return table;
+}
+
+}  // namespace
+
+std::string crosscheck_table(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options) {
+    std::string text =
+        fmt::format("{}\nagainst {}{}\n{} atoms, after {} steps of the deck\nljmd: {}\n\n", title_line(deck),
+                    found.peer, found.fast_peer == found.peer ? "" : ", long runs " + found.fast_peer, found.atoms,
+                    found.steps_before, path_line(found));
+    text += check_lines(found.checks) + '\n';
+    if (const auto rate = found.trajectory.divergence_rate()) {
+        text += fmt::format("trajectories part like exp({:.2f} t/tau)\n\n", *rate);
+    }
+    if (found.ensemble) {
+        text += fmt::format("{} steps of {}, {} configurations for g(r)\n", found.steps_of_averages, found.integrator,
+                            found.ensemble->frames) +
+                average_lines(*found.ensemble, options.with) + '\n';
+    }
+    if (found.speed) {
+        text += fmt::format("speed: ljmd {:.3g}, {} {:.3g} million atom-steps/s, ratio {:.2f}\n\n",
+                            1e-6 * found.speed->ours, found.fast_peer, 1e-6 * found.speed->theirs,
+                            found.speed->ours / found.speed->theirs);
+    }
+    return text + (found.passed() ? fmt::format("all {} checks passed\n", found.checks.size())
+                                  : fmt::format("{} of {} checks FAILED\n", found.failures(), found.checks.size()));
+}
+
+std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options) {
+    Json json = {
+        {"deck", deck.path},
+        {"with", options.with},
+        {"peer", found.peer},
+        {"peer_of_long_runs", found.fast_peer},
+        {"atoms", found.atoms},
+        {"steps_before", found.steps_before},
+        {"path",
+         {{"search", found.search}, {"simd", found.simd}, {"precision", found.precision}, {"threads", thread_count()}}},
+        {"checks", checks_json(found.checks)},
+        {"passed", found.passed()}};
+    if (!found.trajectory.rows.empty()) {
+        json["trajectory"] = trajectory_json(found.trajectory);
+    }
+    if (found.ensemble) {
+        Json averages = Json::object();
+        for (const auto& row : found.ensemble->rows) {
+            averages[row.name] = {
+                {"ljmd", estimate_json(row.ours)}, {"peer", estimate_json(row.theirs)}, {"sigmas", row.sigmas()}};
+        }
+        json["averages"] = {{"integrator", found.integrator},
+                            {"steps", found.steps_of_averages},
+                            {"rdf_configurations", found.ensemble->frames},
+                            {"observables", averages}};
+    }
+    if (found.speed) {
+        json["atom_steps_per_second"] = {{"ljmd", found.speed->ours}, {"peer", found.speed->theirs}};
+    }
+    // The path of a deck need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+void write_crosscheck(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options,
+                      const std::filesystem::path& directory) {
+    make_directory(directory);
+    const std::string name = "compare-" + options.with;
+    const auto write = [&](const DataTable& table) {
+        write_file_atomically(directory / (table.name + ".csv"), to_csv(table));
+    };
+    if (!found.trajectory.rows.empty()) {
+        write(trajectory_table(found.trajectory, name));
+    }
+    if (found.ensemble && !found.ensemble->rdf.empty()) {
+        write(rdf_table(*found.ensemble, name));
+    }
+    write_file_atomically(directory / (name + ".json"), crosscheck_json(found, deck, options) + "\n");
+}
+
+}  // namespace ljmd

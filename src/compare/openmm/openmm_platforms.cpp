@@ -1,0 +1,64 @@
+#include "openmm_platforms.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "ljmd/compare/openmm.hpp"
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Where the platforms lie: the environment's word, or what the build found.
+std::string plugin_folder() {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody writes the environment
+    const char* named = std::getenv("OPENMM_PLUGIN_DIR");
+    return named != nullptr ? named : LJMD_OPENMM_PLUGIN_DIR;
+}
+
+/// Load what is in the folder, once. Plug-ins that cannot be loaded (for hardware that is not there, say) are left out.
+void load_plugins() {
+    static const bool loaded = [] {
+        OpenMM::Platform::loadPluginsFromDirectory(plugin_folder());
+        return true;
+    }();
+    static_cast<void>(loaded);
+}
+
+}  // namespace
+
+bool openmm_is_built_in() {
+    return true;
+}
+
+std::string openmm_version() {
+    return OpenMM::Platform::getOpenMMVersion();
+}
+
+std::vector<std::string> openmm_platforms() {
+    load_plugins();
+    std::vector<std::string> names;
+    for (int i = 0; i < OpenMM::Platform::getNumPlatforms(); ++i) {
+        names.push_back(OpenMM::Platform::getPlatform(i).getName());
+    }
+    return names;
+}
+
+OpenMM::Platform& openmm_platform(const std::string& name) {
+    const std::vector<std::string> names = openmm_platforms();
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        const std::string folder = plugin_folder();
+        throw InputError(fmt::format(
+            "OpenMM has no platform '{}'; loaded: {}\n  plug-ins were looked for in {}{}; the environment "
+            "variable OPENMM_PLUGIN_DIR names another folder",
+            name, fmt::join(names, ", "), folder, std::filesystem::is_directory(folder) ? "" : ", which is not there"));
+    }
+    return OpenMM::Platform::getPlatformByName(name);
+}
+
+}  // namespace ljmd

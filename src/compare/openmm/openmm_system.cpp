@@ -1,0 +1,132 @@
+#include "openmm_system.hpp"
+
+#include <fmt/format.h>
+
+#include "ljmd/compare/openmm_expression.hpp"
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+void check(const Fluid& fluid) {
+    for (std::size_t i = 0; i < fluid.positions.size(); ++i) {
+        // The Reference platform computes with what is not finite.
+        if (!fluid.positions[i].allFinite() || !fluid.velocities[i].allFinite()) {
+            throw InputError(fmt::format("position or velocity of atom {} is not finite", i + 1));
+        }
+    }
+    const double largest = 0.5 * fluid.edges.minCoeff();
+    const double cutoff = fluid.potential.cutoff().radius;
+    if (cutoff > largest) {
+        throw InputError(fmt::format("the cutoff {} is beyond half the shortest edge of the box, {}", cutoff, largest));
+    }
+}
+
+/// Lennard-Jones as everybody uses it in OpenMM.
+std::unique_ptr<OpenMM::Force> nonbonded_force(const Fluid& fluid, const OpenmmSystemOptions& options) {
+    auto force = std::make_unique<OpenMM::NonbondedForce>();
+    force->setNonbondedMethod(OpenMM::NonbondedForce::CutoffPeriodic);
+    force->setCutoffDistance(fluid.potential.cutoff().radius);
+    if (fluid.potential.truncation() == "switched") {
+        force->setUseSwitchingFunction(true);
+        force->setSwitchingDistance(fluid.potential.cutoff().switch_start);
+    }
+    force->setUseDispersionCorrection(options.tail);
+    for (std::size_t i = 0; i < fluid.masses.size(); ++i) {
+        force->addParticle(0.0, 1.0, options.epsilon);
+    }
+    return force;
+}
+
+/// Any potential by its expression, the truncated one or that of its formula.
+std::unique_ptr<OpenMM::CustomNonbondedForce> custom_force(const Fluid& fluid, const std::string& expression,
+                                                           const OpenmmSystemOptions& options) {
+    const PairPotential& potential = fluid.potential;
+    const Cutoff& cutoff = potential.cutoff();
+    auto force = std::make_unique<OpenMM::CustomNonbondedForce>(
+        fmt::format("{:.17g}*energy; energy={}", options.epsilon, expression));
+    force->setNonbondedMethod(OpenMM::CustomNonbondedForce::CutoffPeriodic);
+    force->setCutoffDistance(cutoff.radius);
+    const PairTerm<double> at_cutoff = potential.untruncated(cutoff.radius);
+    force->addGlobalParameter(scale_parameter, 1.0);
+    force->addGlobalParameter("cutoff", cutoff.radius);
+    force->addGlobalParameter("switch_start", cutoff.switch_start);
+    force->addGlobalParameter("u_cutoff", at_cutoff.u);
+    force->addGlobalParameter("f_cutoff", at_cutoff.w * cutoff.radius);
+    for (const auto& [name, value] : potential.parameters()) {
+        force->addGlobalParameter(name, value);
+    }
+    for (std::size_t i = 0; i < fluid.masses.size(); ++i) {
+        force->addParticle();
+    }
+    return force;
+}
+
+std::unique_ptr<OpenMM::Force> moving_force(const Fluid& fluid, const OpenmmSystemOptions& options) {
+    const std::string& truncation = fluid.potential.truncation();
+    if (fluid.potential.formula() == "lennard-jones" && (truncation == "cut" || truncation == "switched")) {
+        return nonbonded_force(fluid, options);
+    }
+    // OpenMM's own switch, because its long-range correction knows of no other.
+    const bool switched = truncation == "switched";
+    auto force =
+        custom_force(fluid, switched ? openmm_formula(fluid.potential) : openmm_expression(fluid.potential), options);
+    if (switched) {
+        force->setUseSwitchingFunction(true);
+        force->setSwitchingDistance(fluid.potential.cutoff().switch_start);
+    }
+    force->setUseLongRangeCorrection(options.tail);
+    return force;
+}
+
+}  // namespace
+
+std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, const OpenmmSystemOptions& options) {
+    check(fluid);
+    auto system = std::make_unique<OpenMM::System>();
+    system->setDefaultPeriodicBoxVectors({fluid.edges[0], 0.0, 0.0}, {0.0, fluid.edges[1], 0.0},
+                                         {0.0, 0.0, fluid.edges[2]});
+    for (const double mass : fluid.masses) {
+        system->addParticle(mass);
+    }
+    auto force = moving_force(fluid, options);
+    force->setForceGroup(moving_group);
+    system->addForce(force.release());
+    if (options.with_virial) {
+        auto derivative = custom_force(fluid, openmm_expression(fluid.potential), options);
+        derivative->addEnergyParameterDerivative(scale_parameter);
+        derivative->setForceGroup(virial_group);
+        system->addForce(derivative.release());
+    }
+    return system;
+}
+
+std::vector<OpenMM::Vec3> openmm_vectors(const std::vector<Vec3>& vectors) {
+    std::vector<OpenMM::Vec3> result;
+    result.reserve(vectors.size());
+    for (const Vec3& v : vectors) {
+        result.emplace_back(v[0], v[1], v[2]);
+    }
+    return result;
+}
+
+std::vector<Vec3> from_openmm(const std::vector<OpenMM::Vec3>& vectors) {
+    std::vector<Vec3> result;
+    result.reserve(vectors.size());
+    for (const OpenMM::Vec3& v : vectors) {
+        result.emplace_back(v[0], v[1], v[2]);
+    }
+    return result;
+}
+
+std::vector<OpenMM::Vec3> half_step_velocities(OpenMM::Context& context, const Fluid& fluid, double time_step) {
+    const std::vector<OpenMM::Vec3> forces = context.getState(OpenMM::State::Forces, false, moving).getForces();
+    std::vector<OpenMM::Vec3> velocities = openmm_vectors(fluid.velocities);
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        velocities[i] -= forces[i] * (time_step / (2.0 * fluid.masses[i]));
+    }
+    return velocities;
+}
+
+}  // namespace ljmd

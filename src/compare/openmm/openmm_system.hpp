@@ -1,0 +1,42 @@
+#pragma once
+
+#include <OpenMM.h>
+
+#include <memory>
+#include <vector>
+
+#include "ljmd/compare/fluid.hpp"
+
+namespace ljmd {
+
+// Numbers in OpenMM's units are those in reduced ones: sigma = 1 nm, epsilon = 1 kJ/mol, m = 1 u, tau = 1 ps.
+
+/// Force groups: what moves the atoms, and what is only asked for its derivative.
+inline constexpr int moving_group = 0;
+inline constexpr int virial_group = 1;
+/// As the masks that OpenMM's calls take.
+inline constexpr int moving = 1 << moving_group;
+inline constexpr int virial = 1 << virial_group;
+
+/// The name of the parameter whose derivative is minus the virial.
+inline constexpr const char* scale_parameter = "scale";
+
+struct OpenmmSystemOptions {
+    bool tail = false;         ///< with OpenMM's long-range correction
+    bool with_virial = false;  ///< with a second force for the virial
+    double epsilon = 1.0;      ///< see OpenmmOptions
+};
+
+/// Box, masses and forces of a fluid. @throws InputError see make_openmm_peer
+[[nodiscard]] std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, const OpenmmSystemOptions& options);
+
+/// What a context needs.
+[[nodiscard]] std::vector<OpenMM::Vec3> openmm_vectors(const std::vector<Vec3>& vectors);
+[[nodiscard]] std::vector<Vec3> from_openmm(const std::vector<OpenMM::Vec3>& vectors);
+
+/// v(-dt/2) = v(0) - F(0) dt/2m: what VerletIntegrator takes for the velocities of time 0.
+/// @param context  at the fluid's positions
+[[nodiscard]] std::vector<OpenMM::Vec3> half_step_velocities(OpenMM::Context& context, const Fluid& fluid,
+                                                             double time_step);
+
+}  // namespace ljmd

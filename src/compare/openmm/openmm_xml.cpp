@@ -1,0 +1,35 @@
+#include <OpenMM.h>
+#include <openmm/serialization/XmlSerializer.h>
+
+#include <sstream>
+
+#include "ljmd/compare/openmm.hpp"
+#include "openmm_platforms.hpp"
+#include "openmm_system.hpp"
+
+namespace ljmd {
+
+namespace {
+
+template <class Object>
+std::string xml(const Object& object, const std::string& root) {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    OpenMM::XmlSerializer::serialize<Object>(&object, root, stream);
+    return stream.str();
+}
+
+}  // namespace
+
+OpenmmXml openmm_xml(const Fluid& fluid, double time_step) {
+    const auto system = openmm_system(fluid, {.tail = fluid.tail});
+    OpenMM::VerletIntegrator integrator(time_step);
+    OpenMM::Context context(*system, integrator, openmm_platform("Reference"));
+    context.setPositions(openmm_vectors(fluid.positions));
+    context.setVelocities(half_step_velocities(context, fluid, time_step));
+    const OpenMM::State state =
+        context.getState(OpenMM::State::Positions | OpenMM::State::Velocities | OpenMM::State::Parameters);
+    return {xml(*system, "System"), xml(state, "State"), xml<OpenMM::Integrator>(integrator, "Integrator")};
+}
+
+}  // namespace ljmd
