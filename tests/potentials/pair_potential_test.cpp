@@ -312,6 +312,10 @@ TEST_CASE("a potential knows its names, keys and cutoff") {
     CHECK(potential.truncation() == "switched");
     CHECK(potential.cutoff().radius == 2.5);
     CHECK(potential.cutoff().switch_start == 2.0);
+    const auto morse = potential_from_deck("morse", "cut", {2.5}, {{"well_depth", 2.0}, {"minimum", 1.25}});
+    CHECK(morse.parameters() ==
+          std::vector<std::pair<std::string, double>>{{"well_depth", 2.0}, {"steepness", 6.0}, {"minimum", 1.25}});
+    CHECK(PairPotential::lennard_jones("cut", {2.5}).parameters().empty());
 
     const auto from_deck = potential_from_deck("lennard-jones", "switched", {2.5, 2.0});
     const auto direct = PairPotential::lennard_jones("switched", {2.5, 2.0});

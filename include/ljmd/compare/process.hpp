@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ljmd {
+
+/// Another program and what it is to do.
+struct Process {
+    std::filesystem::path program;  ///< as find_program gave it
+    std::vector<std::string> arguments{};
+    std::filesystem::path directory;  ///< where it runs
+    std::filesystem::path output;     ///< file that takes its stdout and stderr; a relative one lies in `directory`
+    std::vector<std::pair<std::string, std::string>> environment{};  ///< set for it, beside what this process has
+};
+
+/// The file that a name means, as a shell finds it: a name with a slash is itself, every other one is looked for in the
+/// directories of PATH. @return absolute; nothing when there is no such file or it may not be executed
+[[nodiscard]] std::optional<std::filesystem::path> find_program(const std::string& name);
+
+/// Run a program to its end, without a shell between; it reads an empty stdin.
+/// @return its exit status; 128 + n when signal n ended it
+/// @throws FileError  it cannot be started, or the output cannot be made
+[[nodiscard]] int run_process(const Process& process);
+
+}  // namespace ljmd

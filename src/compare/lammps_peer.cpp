@@ -1,0 +1,227 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "ljmd/compare/lammps.hpp"
+#include "ljmd/compare/lammps_input.hpp"
+#include "ljmd/compare/lammps_output.hpp"
+#include "ljmd/compare/process.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/scratch_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* method_name = "fix nve";
+constexpr const char* log_name = "log.lammps";
+
+/// The file from some byte before its end on.
+std::string end_of(const fs::path& path, std::streamoff bytes) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : 0;
+    file.seekg(std::max<std::streamoff>(0, size - bytes));
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// The last lines of a file, indented.
+std::string last_lines(const fs::path& path) {
+    constexpr int lines = 8;
+    constexpr std::streamoff enough = 4096;
+    std::string text = end_of(path, enough);
+    text.erase(text.find_last_not_of('\n') + 1);
+    std::size_t begin = text.size();
+    for (int line = 0; line < lines && begin != 0; ++line) {
+        const std::size_t end_before = text.rfind('\n', begin - 1);
+        begin = end_before == std::string::npos ? 0 : end_before;
+    }
+    std::string result;
+    for (const char c : text.substr(begin == 0 ? 0 : begin + 1)) {
+        result += c;
+        if (c == '\n') {
+            result += "  ";
+        }
+    }
+    return "  " + result;
+}
+
+fs::path find_lammps() {
+    const char* wanted = std::getenv("LJMD_LAMMPS");
+    const std::string name = wanted != nullptr && *wanted != '\0' ? wanted : "lmp";
+    const std::optional<fs::path> path = find_program(name);
+    if (!path) {
+        throw InputError(
+            fmt::format("there is no program '{}', which was to run LAMMPS\n"
+                        "  Debian and Ubuntu: apt-get install lammps; a LAMMPS of another name: LJMD_LAMMPS=its path",
+                        name));
+    }
+    return *path;
+}
+
+LammpsVersion ask_version(const fs::path& program) {
+    const ScratchDirectory scratch;
+    const int status =
+        run_process({.program = program, .arguments = {"-h"}, .directory = scratch.path(), .output = "help"});
+    constexpr std::streamoff all = 1 << 20;
+    const std::optional<LammpsVersion> version = lammps_version(end_of(scratch.path() / "help", all));
+    if (status != 0 || !version) {
+        throw InputError(fmt::format("'{} -h' does not answer as LAMMPS does:\n{}", program.string(),
+                                     last_lines(scratch.path() / "help")));
+    }
+    return *version;
+}
+
+class LammpsPeer : public Peer {
+  public:
+    LammpsPeer(const Fluid& fluid, int threads)
+        : fluid_(fluid), program_(find_lammps()), version_(ask_version(program_)), threads_(threads) {
+        // What LAMMPS does not have is to be known now.
+        static_cast<void>(lammps_pair_style(fluid.potential));
+    }
+
+    [[nodiscard]] std::string name() const override {
+        return fmt::format("LAMMPS {}{}", version_.version,
+                           version_.openmp ? fmt::format(", {} threads", threads_) : "");
+    }
+
+    [[nodiscard]] std::vector<PeerMethod> methods() const override {
+        return {{method_name, {"velocity-verlet", "leapfrog"}}};
+    }
+
+    [[nodiscard]] PeerPoint point() override {
+        const ScratchDirectory scratch;
+        run(scratch.path(), lammps_point_input(fluid_));
+        LammpsLog log(scratch.path() / log_name);
+        LammpsDump forces(scratch.path() / LammpsFiles::forces, atoms(), "id fx fy fz");
+        forces.next_frame();
+        PeerPoint point{totals(required_row(log, 0)), forces.vectors()};
+        if (const std::optional<LammpsRow> with_tail = log.next_row()) {
+            const Totals all = totals(*with_tail);
+            point.tail_energy =
+                (all.potential_energy - point.totals.potential_energy) / static_cast<double>(fluid_.positions.size());
+            point.tail_pressure = (all.virial - point.totals.virial) / (3.0 * fluid_.edges.prod());
+        }
+        return point;
+    }
+
+    [[nodiscard]] std::vector<PeerFrame> follow(const std::string& method, double time_step,
+                                                const std::vector<Index>& steps) override {
+        if (method != method_name) {
+            throw ContractViolation(fmt::format("LAMMPS has no method '{}'", method));
+        }
+        const ScratchDirectory scratch;
+        run(scratch.path(), lammps_follow_input(fluid_, time_step, steps));
+        LammpsLog log(scratch.path() / log_name);
+        LammpsDump dump(scratch.path() / LammpsFiles::frames, atoms(), "id xu yu zu");
+        std::vector<PeerFrame> frames;
+        for (const Index step : steps) {
+            const LammpsRow row = required_row(log, step);
+            next_frame(dump, step);
+            frames.push_back({step, row.potential_energy, row.kinetic_energy, dump.vectors()});
+        }
+        return frames;
+    }
+
+    void sample(double time_step, Index steps, Index every, Index frame_every, const Visitor& visit) override {
+        const ScratchDirectory scratch;
+        run(scratch.path(), lammps_sample_input(fluid_, time_step, steps, every, frame_every));
+        LammpsLog log(scratch.path() / log_name);
+        std::optional<LammpsDump> dump;
+        if (frame_every > 0) {
+            dump.emplace(scratch.path() / LammpsFiles::frames, atoms(), "id xu yu zu");
+            next_frame(*dump, 0);
+        }
+        for (Index step = every; step <= steps; step += every) {
+            const Totals row = totals(required_row(log, step));
+            const bool with_frame = dump && step % frame_every == 0;
+            if (with_frame) {
+                next_frame(*dump, step);
+            }
+            visit(step, row, with_frame ? &dump->vectors() : nullptr);
+        }
+    }
+
+    [[nodiscard]] double seconds(double time_step, Index steps) override {
+        const ScratchDirectory scratch;
+        run(scratch.path(), lammps_sample_input(fluid_, time_step, steps, 0, 0));
+        LammpsLog log(scratch.path() / log_name);
+        while (log.next_row()) {
+        }
+        return log.loop_seconds();
+    }
+
+  private:
+    void run(const fs::path& directory, const std::string& input) const {
+        write_file(directory / LammpsFiles::start, lammps_data(fluid_));
+        write_file(directory / "in.lammps", input);
+        // What it would write into its log goes to the screen as well, and there also what MPI has to say.
+        std::vector<std::string> arguments{"-in", "in.lammps", "-log", "none"};
+        if (version_.openmp) {
+            for (const char* argument : {"-suffix", "omp", "-package", "omp"}) {
+                arguments.emplace_back(argument);
+            }
+            arguments.push_back(std::to_string(threads_));
+        }
+        const int status =
+            run_process({.program = program_,
+                         .arguments = arguments,
+                         .directory = directory,
+                         .output = log_name,
+                         .environment = {{"OMP_NUM_THREADS", std::to_string(version_.openmp ? threads_ : 1)}}});
+        if (status != 0) {
+            throw DataError(
+                fmt::format("LAMMPS failed with exit status {}:\n{}", status, last_lines(directory / log_name)));
+        }
+    }
+
+    static void write_file(const fs::path& path, const std::string& text) {
+        OutputFile file(path);
+        file.write(text);
+        file.close();
+    }
+
+    /// The row of a step. Runs in pieces show the step where they begin again; a step that was not asked for may show.
+    static LammpsRow required_row(LammpsLog& log, Index step) {
+        while (const std::optional<LammpsRow> row = log.next_row()) {
+            if (row->step == step) {
+                return *row;
+            }
+            if (row->step > step) {
+                break;
+            }
+        }
+        throw DataError(fmt::format("LAMMPS' log has no row of step {}", step));
+    }
+
+    static void next_frame(LammpsDump& dump, Index step) {
+        dump.next_frame();
+        if (dump.step() != step) {
+            throw DataError(fmt::format("LAMMPS dumped step {} where step {} was expected", dump.step(), step));
+        }
+    }
+
+    [[nodiscard]] Totals totals(const LammpsRow& row) const {
+        return {row.potential_energy, row.kinetic_energy, 3.0 * fluid_.edges.prod() * row.virial_pressure};
+    }
+
+    [[nodiscard]] Index atoms() const { return static_cast<Index>(fluid_.positions.size()); }
+
+    Fluid fluid_;
+    fs::path program_;
+    LammpsVersion version_;
+    int threads_;
+};
+
+}  // namespace
+
+std::unique_ptr<Peer> make_lammps_peer(const Fluid& fluid, int threads) {
+    return std::make_unique<LammpsPeer>(fluid, threads);
+}
+
+}  // namespace ljmd

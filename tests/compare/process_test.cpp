@@ -1,0 +1,98 @@
+#include "ljmd/compare/process.hpp"
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <fstream>
+
+#include "core/environment_guard.hpp"
+#include "io/output_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A program of a few lines of shell.
+fs::path script(const fs::path& path, const std::string& text) {
+    std::ofstream(path) << "#!/bin/sh\n" << text << '\n';
+    fs::permissions(path, fs::perms::owner_all);
+    return path;
+}
+
+}  // namespace
+
+TEST_CASE("a program is found in PATH, or where its name says") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "some-program", "exit 0");
+    std::ofstream(folder / "no-program") << "text";
+    fs::create_directory(folder / "directory");
+    const std::string here = program.parent_path().string();
+    const EnvironmentGuard path("PATH", "/nowhere:" + here + "::/bin");
+    CHECK(find_program("some-program") == program);
+    CHECK(find_program(program.string()) == program);
+    CHECK(find_program("sh") == "/bin/sh");
+    for (const char* absent : {"", "such-a-program-is-not-there", "no-program", "directory", "/", "/bin/", "bin/sh"}) {
+        INFO(absent);
+        CHECK_FALSE(find_program(absent).has_value());
+    }
+    CHECK_FALSE(find_program((folder / "no-program").string()).has_value());
+    const EnvironmentGuard nothing("PATH", "");
+    CHECK_FALSE(find_program("sh").has_value());
+}
+
+TEST_CASE("a program runs in its directory, and what it says goes to a file") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", R"(echo "$1|$2|$#"; pwd; cat; echo bad >&2; exit 7)");
+    const fs::path directory = folder / "inner";
+    fs::create_directory(directory);
+    // Nothing in the arguments means anything to a shell.
+    const int status =
+        run_process({.program = program, .arguments = {"a b; $HOME", "*"}, .directory = directory, .output = "said"});
+    CHECK(status == 7);
+    CHECK(content_of(directory / "said") == "a b; $HOME|*|2\n" + fs::canonical(directory).string() + "\nbad\n");
+}
+
+TEST_CASE("a program has our environment and what is added to it") {
+    const TemporaryFolder folder;
+    const EnvironmentGuard kept("LJMD_TEST_KEPT", "ours");
+    const EnvironmentGuard replaced("LJMD_TEST_REPLACED", "ours");
+    const fs::path program = script(folder / "program", "env");
+    const fs::path directory = program.parent_path();
+    CHECK(run_process({.program = program,
+                       .directory = directory,
+                       .output = "said",
+                       .environment = {{"LJMD_TEST_REPLACED", "new"}, {"OMP_NUM_THREADS", "3"}}}) == 0);
+    const std::string said = content_of(directory / "said");
+    for (const char* line : {"LJMD_TEST_KEPT=ours\n", "LJMD_TEST_REPLACED=new\n", "OMP_NUM_THREADS=3\n"}) {
+        CHECK_THAT(said, Catch::Contains(line));
+    }
+    CHECK_THAT(said, !Catch::Contains("LJMD_TEST_REPLACED=ours"));
+}
+
+TEST_CASE("a signal that ends a program shows in its status, also one that we ignore") {
+    const TemporaryFolder folder;
+    const fs::path killed = script(folder / "killed", "kill -9 $$");
+    const fs::path directory = killed.parent_path();
+    CHECK(run_process({.program = killed, .directory = directory, .output = "said"}) == 128 + SIGKILL);
+    void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
+    const fs::path piped = script(folder / "piped", "kill -PIPE $$");
+    const int status = run_process({.program = piped, .directory = directory, .output = "said"});
+    std::signal(SIGPIPE, before);
+    CHECK(status == 128 + SIGPIPE);
+}
+
+TEST_CASE("what cannot be started is an error that says what and where") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", "exit 0");
+    const fs::path here = program.parent_path();
+    const auto refused = [&](const Process& process) {
+        CHECK_THROWS_AS(static_cast<void>(run_process(process)), FileError);
+        CHECK_THROWS_WITH(static_cast<void>(run_process(process)),
+                          Catch::StartsWith("cannot start '" + process.program.string() + "' in '"));
+    };
+    refused({.program = folder / "absent", .directory = here, .output = "said"});
+    refused({.program = program, .directory = folder / "absent", .output = "said"});
+    refused({.program = program, .directory = here, .output = "absent/said"});
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+#include "ljmd/compare/fluid.hpp"
+#include "ljmd/compare/process.hpp"
+#include "potentials/potential_from_deck.hpp"
+
+namespace ljmd::test {
+
+/// Three atoms in a box of edges 6, 7, 8 with numbers of all digits. The second and third interact through a wall.
+inline Fluid small_fluid(const std::string& formula = "lennard-jones", const std::string& truncation = "cut",
+                         bool tail = false) {
+    Fluid fluid{Vec3(6.0, 7.0, 8.0),
+                potential_from_deck(formula, truncation, {2.5, 2.0}),
+                tail,
+                {1.0, 1.0, 1.0},
+                {Vec3(1.0, 1.0 / 3.0, 1.5), Vec3(1.1, 1.7, 0.1), Vec3(1.2, 1.9, 7.123456789012345)},
+                {Vec3(0.1, 0.0, -1e-300), Vec3(-0.2, 1.0 / 7.0, -3.0), Vec3(0.0, -0.25, 2.0)}};
+    const State state = state_of(fluid);  // on the grid of the box
+    return fluid_of(state, fluid.potential, tail);
+}
+
+/// Whether tests that run LAMMPS can. With LJMD_REQUIRE_PEERS=1 in the environment it is a failure that they cannot.
+inline bool lammps_is_here() {
+    const char* named = std::getenv("LJMD_LAMMPS");
+    if (find_program(named != nullptr ? named : "lmp")) {
+        return true;
+    }
+    const char* required = std::getenv("LJMD_REQUIRE_PEERS");
+    if (required != nullptr && std::string(required) == "1") {
+        FAIL("there is no LAMMPS, and LJMD_REQUIRE_PEERS=1");
+    }
+    WARN("skipped: there is no program 'lmp'");
+    return false;
+}
+
+}  // namespace ljmd::test
