@@ -82,9 +82,6 @@ PairPotential PairPotential::from(const Section& potential) {
     if (!result) {
         throw ContractViolation(fmt::format("no potential is called '{}'", type));
     }
-    for (const Key& key : formula_keys(type)) {
-        result->parameters_.emplace_back(key.name, potential.number(key.name));
-    }
     return *result;
 }
 

@@ -53,8 +53,6 @@ class PairPotential {
     [[nodiscard]] const std::string& formula() const { return formula_; }
     [[nodiscard]] const std::string& truncation() const { return truncation_; }
     [[nodiscard]] const Cutoff& cutoff() const { return cutoff_; }
-    /// The formula's parameters by their keys, in the order of `formula_keys`, in reduced units.
-    [[nodiscard]] const std::vector<std::pair<std::string, double>>& parameters() const { return parameters_; }
 
     /// The formula's own numbers by their keys in a deck, in reduced units.
     using Parameters = std::vector<std::pair<std::string, double>>;
@@ -100,7 +98,6 @@ class PairPotential {
     Cutoff cutoff_;
     AnyPair pair_;
     AnyPair bare_;  ///< the formula, as Cut
-    std::vector<std::pair<std::string, double>> parameters_{};
 };
 
 }  // namespace ljmd
