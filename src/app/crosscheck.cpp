@@ -17,7 +17,6 @@
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
-#include "ljmd/model/velocities.hpp"
 
 namespace ljmd {
 
@@ -60,21 +59,18 @@ std::size_t compared_stage(const Deck& deck) {
                                         : deck.stages.size() - 1;
 }
 
-Peers openmm_peers(const Fluid& fluid, double temperature, bool mixed, const CrosscheckOptions& options) {
+Peers peers_of(const Fluid& fluid, const Situation& situation, bool mixed, const CrosscheckOptions& options) {
+    if (options.with == "lammps") {
+        return {make_lammps_peer(fluid, thread_count()), nullptr,
+                mixed ? single_agreement(situation) : lammps_agreement(situation)};
+    }
     const bool exact = options.platform == "Reference";
     Peers peers{make_openmm_peer(fluid, {.platform = options.platform, .threads = thread_count()}), nullptr,
-                exact && !mixed ? double_agreement(temperature) : single_agreement()};
+                exact && !mixed ? double_agreement(situation) : single_agreement(situation)};
     if (exact && (options.wants("averages") || options.wants("speed"))) {
         peers.fast = make_openmm_peer(fluid, {.platform = "CPU", .threads = thread_count()});
     }
     return peers;
-}
-
-Peers peers_of(const Fluid& fluid, double temperature, bool mixed, const CrosscheckOptions& options) {
-    if (options.with == "openmm") {
-        return openmm_peers(fluid, temperature, mixed, options);
-    }
-    return {make_lammps_peer(fluid, thread_count()), nullptr, mixed ? single_agreement() : lammps_agreement()};
 }
 
 /// Steps at which trajectories are looked at: those that are judged, and evenly spread ones for the curve.
@@ -179,14 +175,14 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
     };
     const bool mixed = simulation.force_field.arithmetic().precision == Precision::mixed;
     // A program that is not there should be missed before minutes have passed.
-    static_cast<void>(peers_of(fluid_now(), 0.0, mixed, options));
+    static_cast<void>(peers_of(fluid_now(), {}, mixed, options));
 
     const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
     Quiet quiet(simulation.state, listener);
     run_stages(before, simulation.state, simulation.force_field, quiet);
 
     const Fluid fluid = fluid_now();
-    const Peers peers = peers_of(fluid, temperature(simulation.state).value_or(0.0), mixed, options);
+    const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, options);
     const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(deck)); };
     const EnsembleOptions ensemble = ensemble_options(deck, stage, simulation.state.box());
     const bool kernel = deck.neighbors().text("method") == "verlet-list";

@@ -102,8 +102,7 @@ double EnsembleComparison::Row::sigmas() const {
 double EnsembleComparison::largest_rdf_difference() const {
     double largest = 0.0;
     for (const Bin& bin : rdf) {
-        const double difference = std::abs(bin.ours - bin.theirs);
-        largest = difference <= largest ? largest : difference;  // keeps what is not a number
+        largest = larger_or_nan(largest, std::abs(bin.ours - bin.theirs));
     }
     return largest;
 }

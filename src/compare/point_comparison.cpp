@@ -17,10 +17,6 @@ constexpr double closed_form = 1e-10;
 /// Where one side integrates numerically: OpenMM's custom forces do, until two estimates differ by 1e-5.
 constexpr double numerical_tail = 1e-4;
 
-double relative(double a, double b) {
-    return b == 0.0 ? std::abs(a) : std::abs(a - b) / std::abs(b);
-}
-
 double volume(const Fluid& fluid) {
     return fluid.edges.prod();
 }
@@ -56,8 +52,7 @@ std::vector<Check> compare_points(const PeerPoint& ours, const PeerPoint& theirs
     double squares_of_theirs = 0.0;
     for (std::size_t i = 0; i < theirs.forces.size(); ++i) {
         const double difference = (ours.forces[i] - theirs.forces[i]).norm();
-        // Not max(): it would drop what is not a number.
-        largest = difference <= largest ? largest : difference;
+        largest = larger_or_nan(largest, difference);
         squares += difference * difference;
         squares_of_theirs += theirs.forces[i].squaredNorm();
     }
@@ -68,17 +63,19 @@ std::vector<Check> compare_points(const PeerPoint& ours, const PeerPoint& theirs
     const double terms = (2.0 * theirs.totals.kinetic_energy + std::abs(theirs.totals.virial)) / (3.0 * volume(fluid));
     const double off = std::abs(pressure(ours.totals, fluid) - pressure(theirs.totals, fluid));
     std::vector<Check> checks{
-        {"potential energy", relative(ours.totals.potential_energy, theirs.totals.potential_energy), agreement.energy},
+        {"potential energy", relative_difference(ours.totals.potential_energy, theirs.totals.potential_energy),
+         agreement.energy},
         {"largest force difference", largest / unit, agreement.largest_force},
         {"rms force difference", std::sqrt(squares / count) / unit, agreement.rms_force},
         {"pressure", terms > 0.0 ? off / terms : off, agreement.pressure}};
     const bool closed = fluid.potential.formula() == "lennard-jones";
     if (ours.tail_energy && theirs.tail_energy) {
-        checks.push_back({"tail correction of the energy", relative(*ours.tail_energy, *theirs.tail_energy),
+        checks.push_back({"tail correction of the energy", relative_difference(*ours.tail_energy, *theirs.tail_energy),
                           closed ? closed_form : numerical_tail});
     }
     if (ours.tail_pressure && theirs.tail_pressure) {
-        checks.push_back({"tail correction of the pressure", relative(*ours.tail_pressure, *theirs.tail_pressure),
+        checks.push_back({"tail correction of the pressure",
+                          relative_difference(*ours.tail_pressure, *theirs.tail_pressure),
                           closed ? closed_form : numerical_tail});
     }
     return checks;

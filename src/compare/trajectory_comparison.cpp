@@ -23,14 +23,9 @@ constexpr Index last_step_of_kinetic_energy = 100;
 double furthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     double largest = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const double distance = (a[i] - b[i]).norm();
-        largest = distance <= largest ? largest : distance;  // keeps what is not a number
+        largest = larger_or_nan(largest, (a[i] - b[i]).norm());
     }
     return largest;
-}
-
-double relative(double a, double b) {
-    return b == 0.0 ? std::abs(a) : std::abs(a - b) / std::abs(b);
 }
 
 std::vector<Vec3> unwrapped_by_id(const State& state) {
@@ -89,8 +84,9 @@ TrajectoryComparison compare_trajectories(const Fluid& fluid, const MakeForceFie
                 TrajectoryComparison::Row& row = comparison.rows[k];
                 row.distances.push_back(furthest(ours[k].positions, theirs[k].positions));
                 if (first) {
-                    row.potential_difference = relative(ours[k].potential_energy, theirs[k].potential_energy);
-                    row.kinetic_difference = relative(ours[k].kinetic_energy, theirs[k].kinetic_energy);
+                    row.potential_difference =
+                        relative_difference(ours[k].potential_energy, theirs[k].potential_energy);
+                    row.kinetic_difference = relative_difference(ours[k].kinetic_energy, theirs[k].kinetic_energy);
                 }
             }
         }
@@ -107,8 +103,8 @@ std::vector<Check> checks_of(const TrajectoryComparison& comparison, const std::
         }
         for (std::size_t k = 0; k < row.distances.size(); ++k) {
             const auto& [ours, theirs, same_order] = comparison.pairings[k];
-            const auto limit = limit_at(same_order ? agreement.positions_in_the_same_order : agreement.positions,
-                                        row.step, comparison.time_step);
+            const auto limit =
+                limit_at(same_order ? agreement.positions_in_the_same_order : agreement.positions, row.step);
             if (limit) {
                 checks.push_back({fmt::format("step {}: {} and {}", row.step, ours, theirs), row.distances[k], *limit});
             }

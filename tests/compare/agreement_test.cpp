@@ -1,0 +1,70 @@
+#include "ljmd/compare/agreement.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "compare/small_fluid.hpp"
+
+using namespace ljmd;
+
+TEST_CASE("a check passes up to its tolerance, and never without a number") {
+    CHECK(Check{"x", 1.0, 1.0}.passed());
+    CHECK(Check{"x", 0.0, 0.0}.passed());
+    CHECK_FALSE(Check{"x", std::nextafter(1.0, 2.0), 1.0}.passed());
+    CHECK_FALSE(Check{"x", std::numeric_limits<double>::quiet_NaN(), 1.0}.passed());
+    CHECK_FALSE(Check{"x", std::numeric_limits<double>::infinity(), 1.0}.passed());
+}
+
+TEST_CASE("what is not a number is not lost among distances") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(larger_or_nan(1.0, 2.0) == 2.0);
+    CHECK(larger_or_nan(2.0, 1.0) == 2.0);
+    CHECK(std::isnan(larger_or_nan(nan, 1.0)));
+    CHECK(std::isnan(larger_or_nan(1.0, nan)));
+    CHECK(relative_difference(1.5, -1.0) == 2.5);
+    CHECK(relative_difference(0.25, 0.0) == 0.25);
+}
+
+TEST_CASE("a step is judged by the next limit that is not before it, and not at all beyond the last") {
+    const std::vector<Agreement::Limit> limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}};
+    CHECK(limit_at(limits, 1) == 1e-14);
+    CHECK(limit_at(limits, 2) == 5e-13);
+    CHECK(limit_at(limits, 10) == 5e-13);
+    CHECK(limit_at(limits, 100) == 1e-11);
+    CHECK_FALSE(limit_at(limits, 101));
+    CHECK_FALSE(limit_at({}, 1));
+}
+
+TEST_CASE("distances may be larger where they have longer to grow, coarser numbers or more atoms") {
+    const auto limit = [](const Situation& situation, Index step) {
+        return limit_at(double_agreement(situation).positions, step).value();
+    };
+    CHECK(limit({}, 1) == 1e-14);
+    CHECK(limit({}, 1000) == 1e-5);
+    CHECK(limit({.time_step = 0.005}, 1000) == Approx(1e-5 * std::exp(3.75)));
+    CHECK(limit({.time_step = 0.005}, 500) == Approx(5e-9 * std::exp(3.75 / 2.0)));
+    CHECK(limit({.time_step = 0.001}, 1000) == 1e-5);
+    CHECK(limit({.longest_edge = 32.0}, 1) == 2e-14);
+    CHECK(limit({.atoms = 8640}, 1000) == Approx(1e-4));
+    CHECK(limit({.atoms = 8640}, 200) == 5e-11);
+    CHECK(limit({.atoms = 2}, 1000) == 1e-5);
+}
+
+TEST_CASE("hot fluids are judged up to step 200, single precision is not judged by the limits of double") {
+    const Situation hot{.temperature = 2.889};
+    CHECK(limit_at(double_agreement({}).positions, 1000));
+    CHECK(limit_at(double_agreement(hot).positions, 200));
+    CHECK_FALSE(limit_at(double_agreement(hot).positions, 201));
+    CHECK(single_agreement({}).energy > 1e6 * double_agreement({}).energy);
+    CHECK(limit_at(single_agreement({}).positions, 100) > limit_at(double_agreement({}).positions, 100));
+}
+
+TEST_CASE("a situation is read off a fluid") {
+    Fluid fluid = test::small_fluid();
+    const Situation situation = situation_of(fluid, 0.002);
+    CHECK(situation.atoms == 3);
+    CHECK(situation.longest_edge == 8.0);
+    CHECK(situation.time_step == 0.002);
+    CHECK(situation.temperature == Approx(2.0 * kinetic_energy(fluid) / 6.0));
+}
