@@ -11,10 +11,12 @@
 #include "ljmd/app/compare_gsl.hpp"
 #include "ljmd/app/crosscheck_report.hpp"
 #include "ljmd/app/deck_sense.hpp"
+#include "ljmd/app/export.hpp"
 #include "ljmd/app/few_body_check.hpp"
 #include "ljmd/app/few_body_run.hpp"
 #include "ljmd/app/forecast.hpp"
 #include "ljmd/app/progress.hpp"
+#include "ljmd/app/recorded_run.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
@@ -79,6 +81,73 @@ std::string check_json(const Deck& deck, const Start& start, const Forecast& for
                                          {"seconds", forecast.seconds}};
     // The path of a deck need not be UTF-8, as JSON must.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// What `ljmd export` takes: a deck with the configuration at the start, or that of a run with the one at its end.
+struct Exportable {
+    Deck deck;
+    State state;
+};
+
+void refuse_bodies(const Deck& deck) {
+    if (deck.kind == DeckKind::few_body) {
+        throw InputError("a few-body deck has no box and no pair potential: `ljmd export` wants a fluid");
+    }
+}
+
+Exportable end_of_run(const DeckOptions& options, Diagnostics& diagnostics) {
+    const Deck deck = recorded_deck(options.deck, options.settings, diagnostics);
+    refuse_bodies(deck);
+    State state = last_configuration(options.deck, deck);
+    check_box(deck.root, state.box(), diagnostics);
+    diagnostics.throw_if_errors();
+    return {deck, std::move(state)};
+}
+
+Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
+    const Deck deck = load(options, diagnostics);
+    refuse_bodies(deck);
+    Start start = checked_start(deck, options, diagnostics);
+    Simulation simulation = make_simulation(deck, std::move(start), [&](const std::string& text) {
+        if (!options.quiet) {
+            talk(fmt::format("warning: {}\n", text));
+        }
+    });
+    return {deck, std::move(simulation.state)};
+}
+
+/// `argon.toml` or `runs/argon` with target `lammps`: argon-lammps, here.
+std::filesystem::path export_directory(const std::filesystem::path& source, bool is_run, const std::string& to) {
+    const std::filesystem::path whole = std::filesystem::absolute(source).lexically_normal();
+    const std::filesystem::path name = !is_run                ? whole.stem()
+                                       : whole.has_filename() ? whole.filename()
+                                                              : whole.parent_path().filename();
+    return name.string() + "-" + to;
+}
+
+std::string export_json(const Exportable& what, const Exported& written, const std::string& to) {
+    std::vector<std::string> files;
+    for (const std::filesystem::path& file : written.files) {
+        files.push_back(file.string());
+    }
+    const nlohmann::ordered_json json = {{"target", to},
+                                         {"files", files},
+                                         {"atoms", what.state.count()},
+                                         {"step", what.state.step},
+                                         {"stage", exported_stage(what.deck).name},
+                                         {"time_step", exported_stage(what.deck).time_step},
+                                         {"warnings", written.warnings}};
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string export_report(const Exportable& what, const Exported& written) {
+    const Stage& stage = exported_stage(what.deck);
+    std::string text = fmt::format("{} atoms after {} steps; time step {} tau, of stage '{}'\n", what.state.count(),
+                                   what.state.step, stage.time_step, stage.name);
+    for (const std::filesystem::path& file : written.files) {
+        text += fmt::format("  {}\n", file.string());
+    }
+    return text + written.usage + "\n";
 }
 
 void run_fluid(const Deck& deck, Start start, const DeckOptions& options) {
@@ -172,9 +241,29 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
     const Deck deck = load(options, diagnostics);
     if (compared.with == "gsl") {
         compare_bodies(deck, options, out);
+    } else if (deck.kind == DeckKind::few_body) {
+        throw InputError(fmt::format("{} is a few-body deck, which '{}' does not take; '--with gsl' compares it",
+                                     deck.path, compared.with));
     } else {
         compare_fluid(deck, checked_start(deck, options, diagnostics), options, compared, out);
     }
+}
+
+void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
+    std::error_code error;
+    const bool is_run = std::filesystem::is_directory(options.deck, error);
+    const std::filesystem::path directory =
+        out.empty() ? export_directory(options.deck, is_run, to) : std::filesystem::path(out);
+    check_export(to, directory, options.force);
+    Diagnostics diagnostics;
+    const Exportable what = is_run ? end_of_run(options, diagnostics) : start_of_deck(options, diagnostics);
+    const Exported written = export_configuration(what.deck, what.state, to, directory);
+    if (!options.quiet) {
+        for (const std::string& warning : written.warnings) {
+            talk(fmt::format("warning: {}\n", warning));
+        }
+    }
+    print_result(options.json ? export_json(what, written, to) : export_report(what, written));
 }
 
 void bench_command(const DeckOptions& options) {

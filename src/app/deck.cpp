@@ -117,9 +117,11 @@ Index Deck::total_steps() const {
     return sum;
 }
 
-std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vector<std::string>& settings, bool force,
-                              Diagnostics& diagnostics) {
-    DeckFile file = read_deck(path, diagnostics);
+namespace {
+
+/// @param path  what the deck is called
+std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, const std::vector<std::string>& settings,
+                            bool force, Diagnostics& diagnostics) {
     if (diagnostics.has_errors()) {
         return std::nullopt;
     }
@@ -147,6 +149,18 @@ std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vect
         return std::nullopt;
     }
     return to_deck(kind, path, file, settings, units, root);
+}
+
+}  // namespace
+
+std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vector<std::string>& settings, bool force,
+                              Diagnostics& diagnostics) {
+    return deck_of(path, read_deck(path, diagnostics), settings, force, diagnostics);
+}
+
+std::optional<Deck> load_deck_text(const std::string& name, const std::string& text,
+                                   const std::vector<std::string>& settings, bool force, Diagnostics& diagnostics) {
+    return deck_of(name, parse_deck(name, text, diagnostics), settings, force, diagnostics);
 }
 
 }  // namespace ljmd

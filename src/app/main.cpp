@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "ljmd/app/commands.hpp"
+#include "ljmd/app/export.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/app/wait_policy.hpp"
 #include "ljmd/core/build_info.hpp"
@@ -100,6 +101,7 @@ int main(int argc, char** argv) {
     ljmd::DeckOptions options;
     std::string out;
     ljmd::CrosscheckOptions compared;
+    std::string to;
     bool keys = false;
     bool json = false;
     CLI::App& run = *app.add_subcommand("run", "run a deck and write its results");
@@ -111,6 +113,17 @@ int main(int argc, char** argv) {
     add_deck_options(compare, options);
     add_compare_options(compare, compared);
     compare.add_option("--out", out, "write the comparison into this directory too")->type_name("DIR");
+    CLI::App& convert = *app.add_subcommand(
+        "export", "write the start of a deck, or the end of a run, for another program; nothing is run");
+    add_deck_options(convert, options);
+    convert.get_option("deck")->description("deck (TOML), or directory of a run")->type_name("DECK|RUNDIR");
+    convert
+        .add_option("--to", to,
+                    fmt::format("{}: the last two are configurations alone", fmt::join(ljmd::export_targets(), ", ")))
+        ->required()
+        ->type_name("TARGET");
+    convert.add_option("--out", out, "directory for the files; by default NAME-TARGET in the working directory")
+        ->type_name("DIR");
     CLI::App& bench = *app.add_subcommand(
         "bench", "measure how fast a deck runs; without one, the Lennard-Jones melt of 32000 atoms");
     add_deck_options(bench, options, false);
@@ -137,6 +150,8 @@ int main(int argc, char** argv) {
             ljmd::check_command(options);
         } else if (compare.parsed()) {
             ljmd::compare_command(options, compared, out);
+        } else if (convert.parsed()) {
+            ljmd::export_command(options, to, out);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {

@@ -50,32 +50,6 @@ void place(State& state, const std::vector<Vec3>& positions) {
     }
 }
 
-/// Positions of a file may lie anywhere. Edges crossed are counted, so that displacements continue from there.
-void place_from_file(State& state, const Configuration& configuration) {
-    const Box& box = state.box();
-    auto r = state.write_positions();
-    auto v = state.write_velocities();
-    for (Index i = 0; i < state.count(); ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const Vec3 n = box.crossings(configuration.positions[k]);
-        if (!(n.cwiseAbs().maxCoeff() < 1e6)) {
-            throw DataError(fmt::format("atom {} is more than a million edges away from its box", i + 1));
-        }
-        r.col(i) = box.snap(configuration.positions[k] - n.cwiseProduct(box.edges()));
-        state.set_image(i, n.cast<int>());
-        if (!configuration.velocities.empty()) {
-            v.col(i) = configuration.velocities[k];
-        }
-    }
-    state.wrap();  // rounding to the grid may have put an atom onto the far wall
-    for (const double mass : configuration.masses) {
-        if (std::abs(mass - 1.0) > 1e-6) {
-            throw DataError(
-                fmt::format("the file has an atom of mass {}; in reduced units all atoms have mass 1", mass));
-        }
-    }
-}
-
 void set_velocities(State& state, const Deck& deck, const Start& start,
                     const std::function<void(const std::string&)>& warn) {
     const Section& system = deck.system();
@@ -132,6 +106,31 @@ PairForceField make_force_field(const Deck& deck) {
             {default_simd_level(), precision_of(deck.performance().text("precision"))}};
 }
 
+void place_configuration(State& state, const Configuration& configuration) {
+    const Box& box = state.box();
+    auto r = state.write_positions();
+    auto v = state.write_velocities();
+    for (Index i = 0; i < state.count(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Vec3 n = box.crossings(configuration.positions[k]);
+        if (!(n.cwiseAbs().maxCoeff() < 1e6)) {
+            throw DataError(fmt::format("atom {} is more than a million edges away from its box", i + 1));
+        }
+        r.col(i) = box.snap(configuration.positions[k] - n.cwiseProduct(box.edges()));
+        state.set_image(i, n.cast<int>());
+        if (!configuration.velocities.empty()) {
+            v.col(i) = configuration.velocities[k];
+        }
+    }
+    state.wrap();  // rounding to the grid may have put an atom onto the far wall
+    for (const double mass : configuration.masses) {
+        if (std::abs(mass - 1.0) > 1e-6) {
+            throw DataError(
+                fmt::format("the file has an atom of mass {}; in reduced units all atoms have mass 1", mass));
+        }
+    }
+}
+
 Simulation make_simulation(const Deck& deck, Start start, const std::function<void(const std::string&)>& warn) {
     const Section& system = deck.system();
     Simulation simulation{State(start.atoms, start.box),
@@ -141,7 +140,7 @@ Simulation make_simulation(const Deck& deck, Start start, const std::function<vo
                           {}};
 
     if (start.configuration) {
-        place_from_file(simulation.state, *start.configuration);
+        place_configuration(simulation.state, *start.configuration);
     } else if (const Section& lattice = system.section("lattice"); is_random(lattice)) {
         place(simulation.state,
               random_positions(start.atoms, start.box, static_cast<std::uint64_t>(system.integer("seed"))));

@@ -98,7 +98,7 @@ std::optional<LammpsVersion> lammps_version(const std::string& help) {
     const std::size_t list = help.find("Installed packages:");
     bool openmp = false;
     if (list != std::string::npos) {
-        const std::size_t first = help.find_first_not_of("\n", help.find('\n', list));
+        const std::size_t first = help.find_first_not_of('\n', help.find('\n', list));
         const std::string packages =
             first == std::string::npos ? "" : help.substr(first, help.find("\n\n", first) - first);
         std::vector<std::string_view> names;

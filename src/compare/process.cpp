@@ -41,7 +41,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 std::vector<std::string> environment_of(const Process& process) {
     std::vector<std::string> result;
     for (const auto& [name, value] : process.environment) {
-        result.push_back(name + '=' + value);
+        result.push_back(fmt::format("{}={}", name, value));
     }
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view text(*entry);

@@ -22,17 +22,22 @@ inline Fluid small_fluid(const std::string& formula = "lennard-jones", const std
     return fluid_of(state, fluid.potential, tail);
 }
 
+/// The program that is LAMMPS here.
+inline std::string lammps_name() {
+    const char* named = std::getenv("LJMD_LAMMPS");
+    return named != nullptr ? named : "lmp";
+}
+
 /// Whether tests that run LAMMPS can. With LJMD_REQUIRE_PEERS=1 in the environment it is a failure that they cannot.
 inline bool lammps_is_here() {
-    const char* named = std::getenv("LJMD_LAMMPS");
-    if (find_program(named != nullptr ? named : "lmp")) {
+    if (find_program(lammps_name())) {
         return true;
     }
     const char* required = std::getenv("LJMD_REQUIRE_PEERS");
     if (required != nullptr && std::string(required) == "1") {
         FAIL("there is no LAMMPS, and LJMD_REQUIRE_PEERS=1");
     }
-    WARN("skipped: there is no program 'lmp'");
+    WARN("skipped: there is no program '" << lammps_name() << "'");
     return false;
 }
 

@@ -34,6 +34,11 @@ void check_command(const DeckOptions& options);
 /// @param out       directory for the files of the comparison; empty: it is only printed
 void compare_command(const DeckOptions& options, const CrosscheckOptions& compared, const std::string& out);
 
+/// ljmd export DECK|RUNDIR --to TARGET: the start of a deck, or the last configuration of a run, for other programs
+/// @param to   one of export_targets()
+/// @param out  directory for its files; empty: <name of the deck or run>-<target>
+void export_command(const DeckOptions& options, const std::string& to, const std::string& out);
+
 /// ljmd bench [DECK]: how fast a deck runs. An empty options.deck means the Lennard-Jones melt.
 void bench_command(const DeckOptions& options);
 

@@ -67,4 +67,9 @@ struct Deck {
 [[nodiscard]] std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vector<std::string>& settings,
                                             bool force, Diagnostics& diagnostics);
 
+/// The same for a text that is already in memory. @param name  what messages call it
+[[nodiscard]] std::optional<Deck> load_deck_text(const std::string& name, const std::string& text,
+                                                 const std::vector<std::string>& settings, bool force,
+                                                 Diagnostics& diagnostics);
+
 }  // namespace ljmd

@@ -27,6 +27,12 @@ struct Start {
 /// @throws DataError when the file cannot be used
 [[nodiscard]] Start find_start(const Deck& deck);
 
+/// Give a state the positions and, where there are any, the velocities of a file. Positions may lie anywhere; edges
+/// crossed are counted, so that displacements continue from there.
+/// @pre the state has as many atoms, and the file's box
+/// @throws DataError for a position far outside the box, or a mass that is not 1
+void place_configuration(State& state, const Configuration& configuration);
+
 /// Everything that moves and is moved in a run.
 struct Simulation {
     State state;

@@ -1,0 +1,180 @@
+#include "ljmd/app/export.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "ljmd/app/run_directory.hpp"
+#include "ljmd/compare/fluid.hpp"
+#include "ljmd/compare/lammps_input.hpp"
+#include "ljmd/compare/openmm.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/extended_xyz_writer.hpp"
+#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/trajectory_writer.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One configuration on its way out.
+struct Export {
+    const Deck& deck;
+    const State& state;
+    fs::path directory;
+
+    [[nodiscard]] Fluid fluid() const {
+        const Section& potential = deck.potential();
+        return fluid_of(state, PairPotential::from(potential), potential.has("tail") && potential.flag("tail"));
+    }
+    [[nodiscard]] std::string in_directory() const { return fmt::format("cd '{}'", directory.string()); }
+};
+
+/// What follows upon an export: how to use it, and what to know.
+struct Notes {
+    std::string usage;
+    std::vector<std::string> warnings{};
+};
+
+Notes export_lammps(const Export& what) {
+    const Fluid fluid = what.fluid();
+    const Stage& stage = exported_stage(what.deck);
+    const std::string title = what.deck.title.empty() ? what.deck.path : what.deck.title;
+    // What LAMMPS does not have is refused before anything is written.
+    const std::string input = lammps_user_input(fluid, stage.time_step, stage.steps, title);
+    make_directory(what.directory);
+    write_file_atomically(what.directory / LammpsFiles::start, lammps_data(fluid));
+    write_file_atomically(what.directory / "in.lammps", input);
+    Notes notes{what.in_directory() + " && lmp -in in.lammps"};
+    if (fluid.tail && !lammps_has_tail(fluid.potential)) {
+        notes.warnings.push_back(
+            fmt::format("LAMMPS has no tail corrections for '{}' with truncation '{}': its energy and "
+                        "pressure are without them",
+                        fluid.potential.formula(), fluid.potential.truncation()));
+    }
+    return notes;
+}
+
+Notes export_openmm(const Export& what) {
+    const OpenmmXml xml = openmm_xml(what.fluid(), exported_stage(what.deck).time_step);
+    make_directory(what.directory);
+    write_file_atomically(what.directory / "system.xml", xml.system);
+    write_file_atomically(what.directory / "state.xml", xml.state);
+    write_file_atomically(what.directory / "integrator.xml", xml.integrator);
+    return {
+        "in Python: system, state, integrator = "
+        "[openmm.XmlSerializer.deserialize(open(name).read()) for name in\n"
+        "               (\"system.xml\", \"state.xml\", \"integrator.xml\")]\n"
+        "           context = openmm.Context(system, integrator); context.setState(state)"};
+}
+
+Notes export_extxyz(const Export& what) {
+    make_directory(what.directory);
+    const fs::path path = what.directory / "start.xyz";
+    write_configuration(path, what.state, true);
+    return {fmt::format("in a deck: [system] file = \"{}\"; in Python: ase.io.read(\"start.xyz\")", path.string())};
+}
+
+/// A trajectory grows in place, so that its file is another one until it is whole.
+Notes export_h5md(const Export& what) {
+    make_directory(what.directory);
+    const fs::path path = what.directory / "start.h5md";
+    const fs::path growing = what.directory / "start.tmp.h5md";
+    const auto remove_growing = [&] {
+        std::error_code ignored;
+        fs::remove(growing, ignored);
+    };
+    try {
+        const auto writer = make_trajectory_writer(
+            "h5md", what.state,
+            {.path = growing, .velocities = true, .creator_version = build_info().version, .title = what.deck.title});
+        writer->write(what.state);
+        writer->close();
+    } catch (...) {
+        remove_growing();
+        throw;
+    }
+    std::error_code error;
+    fs::rename(growing, path, error);
+    if (error) {
+        remove_growing();
+        throw FileError(fmt::format("cannot write '{}': {}", path.string(), error.message()));
+    }
+    sync_folder_of(path);
+    return {"read it with MDAnalysis, VMD or h5py"};
+}
+
+struct Target {
+    const char* name;
+    std::vector<std::string> files;
+    Notes (*write)(const Export&);
+};
+
+const std::array<Target, 4>& all_targets() {
+    static const std::array<Target, 4> all{
+        Target{"lammps", {LammpsFiles::start, "in.lammps"}, export_lammps},
+        Target{"openmm", {"system.xml", "state.xml", "integrator.xml"}, export_openmm},
+        Target{"extxyz", {"start.xyz"}, export_extxyz}, Target{"h5md", {"start.h5md"}, export_h5md}};
+    return all;
+}
+
+const Target& find_target(const std::string& name) {
+    for (const Target& target : all_targets()) {
+        if (target.name == name) {
+            return target;
+        }
+    }
+    throw InputError(
+        fmt::format("unknown target '{}' to export to, allowed: '{}'", name, fmt::join(export_targets(), "', '")));
+}
+
+}  // namespace
+
+std::vector<std::string> export_targets() {
+    std::vector<std::string> names;
+    for (const Target& target : all_targets()) {
+        names.emplace_back(target.name);
+    }
+    return names;
+}
+
+const Stage& exported_stage(const Deck& deck) {
+    const auto sampled =
+        std::find_if(deck.stages.begin(), deck.stages.end(), [](const Stage& stage) { return stage.sample; });
+    return sampled != deck.stages.end() ? *sampled : deck.stages.back();
+}
+
+void check_export(const std::string& target, const fs::path& directory, bool force) {
+    const Target& chosen = find_target(target);
+    std::error_code error;
+    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
+        throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
+    }
+    for (const std::string& name : chosen.files) {
+        if (!force && fs::exists(fs::symlink_status(directory / name, error))) {
+            throw InputError(
+                fmt::format("{} is there already. Nothing was written.\n  choose another directory with --out, "
+                            "or replace it with --force",
+                            (directory / name).string()));
+        }
+    }
+}
+
+Exported export_configuration(const Deck& deck, const State& state, const std::string& target,
+                              const fs::path& directory) {
+    const Target& chosen = find_target(target);
+    const Notes notes = chosen.write({deck, state, directory});
+    Exported exported{{}, notes.usage, notes.warnings};
+    for (const std::string& name : chosen.files) {
+        exported.files.push_back(directory / name);
+    }
+    return exported;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,69 @@
+#include "ljmd/app/recorded_run.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/app/simulation.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/configuration_reader.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Record {
+    std::string deck;
+    std::vector<std::string> settings;
+};
+
+Record read_record(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw DataError(
+            fmt::format("{} is not the directory of a run: it has no run.json", path.parent_path().string()));
+    }
+    try {
+        const nlohmann::json record = nlohmann::json::parse(file);
+        if (record.at("program") != "ljmd") {
+            throw DataError(fmt::format("{} is the record of another program", path.string()));
+        }
+        return {record.at("deck").get<std::string>(), record.at("settings").get<std::vector<std::string>>()};
+    } catch (const nlohmann::json::exception& error) {
+        throw DataError(fmt::format("{} is not the record of a run: {}", path.string(), error.what()));
+    }
+}
+
+}  // namespace
+
+Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& settings, Diagnostics& diagnostics) {
+    Record record = read_record(directory / "run.json");
+    for (const std::string& setting : settings) {
+        if (setting.starts_with("system.")) {
+            throw InputError(fmt::format("--set {}: [system] tells how a run begins; this one has been made", setting));
+        }
+        record.settings.push_back(setting);
+    }
+    const std::string name = fmt::format("deck of {}", directory.string());
+    auto deck = load_deck_text(name, record.deck, record.settings, true, diagnostics);
+    diagnostics.throw_if_errors();
+    return std::move(*deck);
+}
+
+State last_configuration(const fs::path& directory, const Deck& deck) {
+    const fs::path path = directory / "final.xyz";
+    if (std::error_code error; !fs::exists(path, error)) {
+        throw DataError(fmt::format("{} has no final.xyz: the run has not come to its end", directory.string()));
+    }
+    const Configuration configuration = read_configuration(path, deck.units);
+    State state(static_cast<Index>(configuration.positions.size()), Box(configuration.edges));
+    place_configuration(state, configuration);
+    state.step = configuration.step;
+    state.time = configuration.time;
+    return state;
+}
+
+}  // namespace ljmd
