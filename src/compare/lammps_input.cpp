@@ -184,8 +184,8 @@ std::string lammps_sample_input(const Fluid& fluid, double time_step, Index step
 }
 
 std::string lammps_user_input(const Fluid& fluid, double time_step, Index steps, const std::string& title) {
-    std::string text =
-        fmt::format("# {}\n# Made by ljmd from {}. Energies are per atom.\n", harmless(title), LammpsFiles::start);
+    std::string text = fmt::format("# {}\n# Made by ljmd; the atoms are in {}. Energies are per atom.\n",
+                                   harmless(title), LammpsFiles::start);
     text += system_lines(fluid);
     if (fluid.tail) {
         text +=
