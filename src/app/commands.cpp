@@ -184,7 +184,7 @@ void compare_bodies(const Deck& deck, const DeckOptions& options, const std::str
 
 void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, const CrosscheckOptions& compared,
                    const std::string& out) {
-    Progress progress(start.atoms, deck.total_steps(), options.quiet);
+    Progress progress(start.atoms, steps_before_crosscheck(deck), options.quiet);
     const auto say = [&](const std::string& text) {
         if (!options.quiet) {
             talk(text + "\n");

@@ -166,6 +166,14 @@ Index Crosscheck::failures() const {
     return std::count_if(checks.begin(), checks.end(), [](const Check& check) { return !check.passed(); });
 }
 
+Index steps_before_crosscheck(const Deck& deck) {
+    Index steps = 0;
+    for (std::size_t k = 0; k < compared_stage(deck); ++k) {
+        steps += deck.stages[k].steps;
+    }
+    return steps;
+}
+
 Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const CrosscheckOptions& options, RunListener& listener,
                       const std::function<void(const std::string&)>& say) {
     const std::size_t compared = compared_stage(deck);

@@ -6,6 +6,7 @@
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/deck_schema.hpp"
 #include "ljmd/app/streams.hpp"
+#include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/core/simd.hpp"
@@ -42,6 +43,11 @@ std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
             {"trajectories", {"h5md", "xyz", "csv (few bodies)"}}};
 }
 
+std::string openmm_line() {
+    return openmm_is_built_in() ? fmt::format("{}, platforms {}", openmm_version(), fmt::join(openmm_platforms(), ", "))
+                                : "not built in";
+}
+
 std::string info_text() {
     const BuildInfo& build = build_info();
     std::string text = fmt::format("ljmd {} (commit {})\n", build.version, build.commit);
@@ -51,6 +57,7 @@ std::string info_text() {
                         fmt::join(usable_levels(), ", "));
     text += fmt::format("threads       {} of {} processors, unless --threads says otherwise\n", default_thread_count(),
                         available_processors());
+    text += fmt::format("openmm        {}\n", openmm_line());
     for (const auto& [word, names] : selectable()) {
         text += fmt::format("{:<14}{}\n", word, fmt::join(names, ", "));
     }
@@ -76,6 +83,8 @@ std::string info_json() {
                                          {"simd", name(default_simd_level())},
                                          {"simd_levels", usable_levels()},
                                          {"processors", available_processors()},
+                                         {"openmm", openmm_version()},
+                                         {"openmm_platforms", openmm_platforms()},
                                          {"potentials", PairPotential::formula_names()},
                                          {"truncations", PairPotential::truncation_names()},
                                          {"pair_searches", pair_search_names()},

@@ -42,7 +42,7 @@ def info(t):
     result = t.run_well("info")
     t.equal(result.err, "", "stderr")
     for word in ("ljmd ", "compiler", "flags", "simd", "lennard-jones", "morse", "force-shifted", "verlet-list",
-                 "velocity-verlet", "rescale", "rdf", "h5md, xyz", "newtonian-gravity", "orbit"):
+                 "velocity-verlet", "rescale", "rdf", "openmm", "h5md, xyz", "newtonian-gravity", "orbit"):
         t.contains(result.out, word)
 
 
@@ -230,7 +230,7 @@ def cases():
         result.append(Case(name, bad_usage(*arguments)))
     back = STARS.replace("[output]", '[[stage]]\nname = "back"\ntime_step = 0.01\nsteps = 1\nreverse = true\n\n[output]')
     result += [Case("compare a fluid with gsl", compare_refused(DECK, "--with", "gsl")),
-               Case("compare with an unknown program", compare_refused(STARS, "--with", "lammps")),
+               Case("compare with an unknown program", compare_refused(STARS, "--with", "gromacs")),
                Case("compare a motion that turns round", compare_refused(back, "--with", "gsl")),
                Case("compare a deck with a mistake", compare_refused(STARS, "--with", "gsl", "--set", "body.1.mass=0"))]
     return result

@@ -62,6 +62,10 @@ struct Crosscheck {
     [[nodiscard]] Index failures() const;
 };
 
+/// Steps of the deck before the comparison begins: of the stages before the first that is sampled, or before the last
+/// one if none is.
+[[nodiscard]] Index steps_before_crosscheck(const Deck& deck);
+
 /// Take the deck's stages before the one that is sampled (the last one, if none is), then compare from there.
 /// @param say  receives a line when something that takes time begins
 /// @throws InputError  nothing to compare with: the program or its platform is not there

@@ -1,0 +1,154 @@
+"""`ljmd compare` of fluids: what it prints and writes, when it fails, and what it refuses."""
+
+import json
+import os
+import shutil
+
+from harness import DECK, STARS, Case, Skip, clean_environment
+
+POINT = ("--parts", "point", "--quiet")
+TRAJECTORY = ("--parts", "point,trajectory", "--steps", "20", "--quiet")
+
+
+def needs_openmm(t):
+    if not json.loads(t.run_well("info", "--json").out)["openmm"]:
+        raise Skip("this ljmd has no OpenMM in it")
+
+
+def needs_lammps(_t):
+    if shutil.which("lmp") is None:
+        if os.environ.get("LJMD_REQUIRE_PEERS") == "1":
+            raise OSError("there is no program 'lmp', and LJMD_REQUIRE_PEERS=1")
+        raise Skip("there is no program 'lmp'")
+
+
+def environment(**variables):
+    return {**clean_environment(), **variables}
+
+
+def everything(t):
+    """All parts at once, on the screen, as JSON and as files."""
+    needs_openmm(t)
+    t.deck(("steps = 40", "steps = 400"))
+    result = t.run_well("compare", "deck.toml", "--with", "openmm", "--steps", "20", "--out", "some/where")
+    for word in ("OpenMM", "Reference", "CPU, 1 thread", "108 atoms, after 20 steps of the deck", "verlet-list",
+                 "potential energy", "step 10: leapfrog and VerletIntegrator", "kick-drift-kick",
+                 "mean temperature", "g(r)", "million atom-steps/s", "checks passed"):
+        t.contains(result.out, word)
+    t.contains(result.err, "averaging over 400 steps")
+    t.equal(t.files("some/where"), ["compare-openmm-rdf.csv", "compare-openmm-trajectory.csv", "compare-openmm.json"],
+            "files")
+    found = t.json("some/where/compare-openmm.json")
+    t.equal(found["passed"], True, "verdict")
+    for check in found["checks"]:
+        t.equal(sorted(check), ["name", "passed", "tolerance", "value"], "keys of a check")
+        t.check(0.0 <= check["value"] <= check["tolerance"], f"{check}")
+    t.check(found["atom_steps_per_second"]["ljmd"] > 0.0, "speed of ljmd")
+    t.equal(found["path"]["search"], "verlet-list", "path")
+    rows = t.columns("some/where/compare-openmm-trajectory.csv")
+    t.equal(rows["step"], [float(step) for step in range(21)], "steps of the trajectory")
+    t.equal(rows["velocity-verlet - kick-drift-kick"],
+            [row["distances"][2] for row in found["trajectory"]["rows"]], "distances in CSV and JSON")
+    t.check(max(rows["leapfrog - VerletIntegrator"]) < 1e-12, "distances")
+    t.check(len(t.columns("some/where/compare-openmm-rdf.csv")["g_peer"]) == 250, "bins of g(r)")
+
+
+def json_alone(t):
+    needs_openmm(t)
+    t.deck()
+    found = json.loads(t.run_well("compare", "deck.toml", "--with", "openmm", "--json", *POINT).out)
+    t.equal(t.files(), ["deck.toml"], "files")
+    t.equal([check["name"] for check in found["checks"]],
+            ["potential energy", "largest force difference", "rms force difference", "pressure",
+             "tail correction of the energy"], "checks")
+    t.check("trajectory" not in found and "averages" not in found, "parts that nobody wanted")
+
+
+def frames_are_judged(t):
+    needs_openmm(t)
+    t.deck()
+    found = json.loads(t.run_well("compare", "deck.toml", "--with", "openmm", "--json", "--parts", "trajectory",
+                                  "--steps", "9", "--frames", "3,7,20", "--quiet").out)
+    t.equal(sorted({check["name"].split(":")[0] for check in found["checks"]}), ["step 3", "step 7"], "steps judged")
+
+
+def every_path(t):
+    """All searches, mixed precision, the CPU platform: what was tested is said."""
+    needs_openmm(t)
+    t.deck()
+    for arguments, said in ((["--set", 'neighbors.method="all-pairs"', "--set", "neighbors.skin=0.0"], "all-pairs, scalar, double"),
+                            (["--precision", "mixed"], "mixed precision"), (["--simd", "portable"], "portable"),
+                            (["--threads", "2"], "2 threads"), (["--platform", "CPU"], "OpenMM")):
+        t.contains(t.run_well("compare", "deck.toml", "--with", "openmm", *TRAJECTORY, *arguments).out, said)
+
+
+def missed_pairs_fail(t):
+    """Lists that are built too seldom miss pairs: the trajectories differ, and the verdict says so."""
+    needs_openmm(t)
+    t.deck(("temperature = 1.0", "temperature = 3.0"))
+    result = t.expect(5, t.run("compare", "deck.toml", "--with", "openmm", "--parts", "trajectory", "--steps", "100",
+                               "--set", "neighbors.every=100", "--set", "neighbors.skin=0.01", "--quiet"))
+    t.contains(result.out, "FAILED")
+    t.contains(result.err, "differ: ")
+    t.contains(result.err, "checks failed")
+
+
+def lammps(t):
+    needs_lammps(t)
+    t.deck()
+    result = t.run_well("compare", "deck.toml", "--with", "lammps", "--steps", "20", "--quiet", "--out", "out")
+    for word in ("LAMMPS", "fix nve", "tail correction of the pressure", "checks passed"):
+        t.contains(result.out, word)
+    t.check("compare-lammps.json" in t.files("out"), "files")
+
+
+def unknown_platform(t):
+    needs_openmm(t)
+    t.deck()
+    result = t.expect(2, t.run("compare", "deck.toml", "--with", "openmm", "--platform", "Abacus"))
+    t.equal(result.out, "", "stdout")
+    for word in ("no platform 'Abacus'", "loaded: Reference", "CPU"):
+        t.contains(result.err, word)
+
+
+def plugin_folder_missing(t):
+    needs_openmm(t)
+    t.deck()
+    result = t.expect(2, t.run("compare", "deck.toml", "--with", "openmm", "--platform", "CPU",
+                               env=environment(OPENMM_PLUGIN_DIR="/not/there")))
+    t.golden(result.err)
+    # What needs no plug-in works.
+    t.run_well("compare", "deck.toml", "--with", "openmm", *POINT, env=environment(OPENMM_PLUGIN_DIR="/not/there"))
+
+
+def no_lammps(t):
+    t.deck()
+    t.golden(t.expect(2, t.run("compare", "deck.toml", "--with", "lammps", env=environment(LJMD_LAMMPS="/no/lmp"))).err)
+
+
+def position_that_is_not_finite(t):
+    t.deck(('lattice = { type = "fcc", cells = 3 }\ndensity = 0.8442', 'file = "start.xyz"'))
+    (t.dir / "start.xyz").write_text('1\nLattice="6 0 0 0 6 0 0 0 6" Properties=species:S:1:pos:R:3\nX 1 nan 1\n')
+    t.golden(t.expect(3, t.run("compare", "deck.toml", "--with", "openmm")).err)
+
+
+def refused(text, *arguments):
+    def test(t):
+        t.deck(text=text)
+        result = t.expect(2, t.run("compare", "deck.toml", "--out", "out", *arguments))
+        t.equal(result.out, "", "stdout")
+        t.equal(t.files(), ["deck.toml"], "files")
+        t.golden(result.err)
+    return test
+
+
+def cases():
+    return [Case(test.__name__.replace("_", " "), test)
+            for test in (everything, json_alone, frames_are_judged, every_path, missed_pairs_fail, lammps,
+                         unknown_platform, plugin_folder_missing, no_lammps, position_that_is_not_finite)] + \
+           [Case("few bodies with openmm", refused(STARS, "--with", "openmm")),
+            Case("few bodies with lammps", refused(STARS, "--with", "lammps")),
+            Case("unknown part", refused(DECK, "--with", "openmm", "--parts", "point,speeds")),
+            Case("frame before the first step", refused(DECK, "--with", "openmm", "--frames", "0,1")),
+            Case("negative steps", refused(DECK, "--with", "openmm", "--steps", "-1")),
+            Case("cutoff beyond half the box", refused(DECK, "--with", "openmm", "--set", "potential.cutoff=2.6"))]
