@@ -19,7 +19,7 @@ struct CrosscheckOptions {
     std::string platform = "Reference";                     ///< of OpenMM
     Index steps = 1000;                                     ///< length of the trajectories
     std::vector<Index> frames{1, 10, 100, 200, 500, 1000};  ///< steps at which they are judged
-    std::vector<std::string> parts;                         ///< of crosscheck_parts(); empty: all
+    std::vector<std::string> parts{};                       ///< of crosscheck_parts(); empty: all
 
     [[nodiscard]] bool wants(const std::string& part) const;
 };
