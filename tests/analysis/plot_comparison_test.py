@@ -186,6 +186,8 @@ def test_averages(tmp: Path) -> None:
               for bars in axes.containers if hasattr(bars, "has_xerr")]
     assert np.allclose([point[:2] for point in points], [(-1.0, 0), (4.0, 1)]), points
     assert [point[2] for point in points] == [style.BLUE, style.VERMILION], points
+    bars = [bars.lines[2][0].get_segments()[0] for bars in axes.containers if hasattr(bars, "has_xerr")]
+    assert np.allclose(bars, [[(-2.0, 0), (0.0, 0)], [(3.0, 1), (5.0, 1)]]), bars  # one standard error to each side
     widths = [(patch.get_x(), patch.get_width()) for patch in axes.patches]
     assert widths == [(-3.0, 6.0)] * 2, widths
     low, high = axes.get_xlim()
