@@ -1,0 +1,330 @@
+#!/usr/bin/env python3
+"""The picture of a comparison of ljmd with OpenMM or LAMMPS.
+
+    plot_comparison.py DIR [--with openmm|lammps] [--out FILE]
+
+DIR is where `ljmd compare DECK --with openmm --out DIR` wrote. Draws each comparison that lies there, as
+DIR/compare-openmm.png and DIR/compare-lammps.png, or one of them as FILE (.png, .pdf or .svg), and prints the path of
+each picture, one a line. What was not compared is left out. Of the trajectories: the distance of the atom that is
+furthest off, with the fitted growth exp(lambda t) and what the checks allow. Of long runs: g(r) of both programs with
+its difference, and the averages by their difference over its standard error.
+Exit codes: 0 ok, 2 usage, or nothing to draw, 3 a file is missing or damaged, 4 a picture cannot be written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Optional, Sequence
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import style  # noqa: E402
+from run_directory import (  # noqa: E402
+    RunDirectoryError, Table, damaged, field, read_json, read_table, reports_errors,
+)
+from style import plt  # noqa: E402
+
+PROGRAMS = {"openmm": "OpenMM", "lammps": "LAMMPS"}
+FORMATS = (".png", ".pdf", ".svg")
+RDF_COLUMNS = ("r", "g_ljmd", "g_ljmd_standard_error", "g_peer", "g_peer_standard_error")
+BESIDE_PAIRINGS = ("step", "time", "potential_energy_difference", "kinetic_energy_difference")
+FITTED = (1e-12, 1e-2)  # distances that ljmd fits the growth to [sigma]
+
+
+@dataclass(frozen=True)
+class Check:
+    """A number that tells how far two programs are apart, and how far they may be; NaN where ljmd had no number."""
+
+    name: str
+    value: float
+    tolerance: float
+    passed: bool
+
+
+@dataclass(frozen=True)
+class Average:
+    """Means of one observable in both programs, with their standard errors."""
+
+    name: str
+    ours: tuple[float, float]
+    theirs: tuple[float, float]
+
+    @property
+    def error(self) -> float:
+        """Standard error of the difference."""
+        return math.hypot(self.ours[1], self.theirs[1])
+
+    @property
+    def difference(self) -> float:
+        return self.ours[0] - self.theirs[0]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What one comparison left behind; None and empty where it did not compare that."""
+
+    program: str  # of PROGRAMS
+    deck: str
+    peer: str  # name and version
+    peer_of_long_runs: str
+    checks: list[Check]
+    time_step: float
+    rate: Optional[float]  # lambda of exp(lambda t) [1/tau], of the first pairing
+    trajectory: Optional[Table]
+    averages: list[Average]
+    rdf: Optional[Table]
+
+    @property
+    def pairings(self) -> list[str]:
+        return [name for name in self.trajectory or {} if name not in BESIDE_PAIRINGS]
+
+    def check(self, name: str) -> Optional[Check]:
+        return next((check for check in self.checks if check.name == name), None)
+
+
+@dataclass(frozen=True)
+class Growth:
+    """d = factor * exp(rate * t) between two times."""
+
+    rate: float
+    factor: float
+    first: float
+    last: float
+
+    def __call__(self, time: np.ndarray) -> np.ndarray:
+        return self.factor * np.exp(self.rate * time)
+
+
+def wrong(message: str) -> RunDirectoryError:
+    return RunDirectoryError(message, exit_code=2)
+
+
+def find(directory: Path, program: Optional[str]) -> list[str]:
+    """The programs whose comparison with ljmd lies in the directory: that one, or all."""
+    if not directory.is_dir():
+        raise wrong(f"{directory}: {'not a directory' if directory.exists() else 'no such directory'}")
+    wanted = [program] if program else list(PROGRAMS)
+    found = [name for name in wanted if (directory / f"compare-{name}.json").exists()]
+    if not found:
+        names = " or ".join(f"compare-{name}.json" for name in wanted)
+        command = f"ljmd compare DECK --with {wanted[0]} --out {directory}"
+        raise RunDirectoryError(f"{directory}: no {names}; `{command}` writes it", exit_code=3)
+    return found
+
+
+def load(directory: Path, program: str) -> Comparison:
+    """Read and check one comparison. The JSON says what was compared: a table of another time is not read."""
+    path = directory / f"compare-{program}.json"
+    record = read_json(path)
+    trajectory = field(path, record, "trajectory", dict, default={})
+    averages = field(path, record, "averages", dict, default={})
+    peer = field(path, record, "peer", str)
+    frames = field(path, averages, "rdf_configurations", int, default=0)
+    rdf = directory / f"compare-{program}-rdf.csv"
+    comparison = Comparison(
+        program=program,
+        deck=field(path, record, "deck", str),
+        peer=peer,
+        peer_of_long_runs=field(path, record, "peer_of_long_runs", str, default=peer),
+        checks=[read_check(path, entry) for entry in field(path, record, "checks", list)],
+        time_step=float(field(path, trajectory, "time_step", float, default=math.nan)),
+        rate=field(path, trajectory, "divergence_rate", float, default=None),
+        trajectory=read_trajectory(directory / f"compare-{program}-trajectory.csv") if trajectory else None,
+        averages=read_averages(path, averages) if averages else [],
+        rdf=read_table(rdf, RDF_COLUMNS, increasing=("r",)) if frames > 0 else None,
+    )
+    if comparison.trajectory is None and not comparison.averages:
+        raise wrong(f"{path}: neither trajectories nor averages were compared, there is nothing to draw")
+    return comparison
+
+
+def read_check(path: Path, entry: Any) -> Check:
+    return Check(
+        name=field(path, entry, "name", str),
+        value=float(field(path, entry, "value", float, default=math.nan)),
+        tolerance=float(field(path, entry, "tolerance", float)),
+        passed=field(path, entry, "passed", bool),
+    )
+
+
+def read_trajectory(path: Path) -> Table:
+    table = read_table(path, BESIDE_PAIRINGS, increasing=("step", "time"))
+    pairings = [name for name in table if name not in BESIDE_PAIRINGS]
+    if not pairings:
+        raise damaged(path, "line 1: no column with distances")
+    nameless = [name for name in pairings if " - " not in name]
+    if nameless:
+        raise damaged(path, f"line 1: column '{nameless[0]}' is no pair 'OURS - THEIRS'")
+    return table
+
+
+def read_averages(path: Path, record: dict[str, Any]) -> list[Average]:
+    return [
+        Average(name, *(read_estimate(path, field(path, entry, side, dict)) for side in ("ljmd", "peer")))
+        for name, entry in field(path, record, "observables", dict).items()
+    ]
+
+
+def read_estimate(path: Path, entry: dict[str, Any]) -> tuple[float, float]:
+    mean, error = (float(field(path, entry, name, float, default=math.nan)) for name in ("mean", "standard_error"))
+    return mean, error
+
+
+def growth(time: np.ndarray, distance: np.ndarray, rate: Optional[float]) -> Optional[Growth]:
+    """The fitted exponential of that rate: through the middle of the rows that ljmd fitted it to."""
+    fitted = (distance > FITTED[0]) & (distance < FITTED[1])
+    if rate is None or not fitted.any():
+        return None
+    offset = float(np.mean(np.log(distance[fitted]) - rate * time[fitted]))
+    return Growth(rate, math.exp(offset), float(time[fitted][0]), float(time[fitted][-1]))
+
+
+def allowed(comparison: Comparison, pairing: str) -> list[tuple[float, Check]]:
+    """The checks of one pairing, each with its time."""
+    ours, theirs = pairing.split(" - ", 1)
+    found = []
+    for check in comparison.checks:
+        match = re.fullmatch(r"step (\d+): (.*)", check.name)
+        if match and match[2] == f"{ours} and {theirs}":
+            found.append((int(match[1]) * comparison.time_step, check))
+    return found
+
+
+def draw_trajectory(axes: plt.Axes, comparison: Comparison) -> None:
+    """Distance of the furthest atom; in the colour of its pairing what is allowed, filled where it was exceeded."""
+    time = comparison.trajectory["time"]
+    for k, pairing in enumerate(comparison.pairings):
+        distance = comparison.trajectory[pairing]
+        apart = distance > 0.0  # the start is the same, and a logarithm has no place for it
+        label = style.plain(pairing.replace(" - ", ", "))
+        # Pairings may lie on each other: each is thinner than the one below, and its marks are smaller.
+        axes.plot(time[apart], distance[apart], color=style.colour(k), linewidth=max(0.8, 2.6 - 0.9 * k), label=label)
+        for at, check in allowed(comparison, pairing):
+            face = "none" if check.passed else style.colour(k)
+            axes.plot(at, check.tolerance, linestyle="", marker="v", markersize=max(3.5, 9.0 - 2.5 * k),
+                      color=style.colour(k), markerfacecolor=face)
+    line = growth(time, comparison.trajectory[comparison.pairings[0]], comparison.rate)
+    if line is not None:
+        ends = np.array([line.first, line.last])
+        label = rf"$\propto \exp({line.rate:.2f}\,t/\tau)$"
+        axes.plot(ends, line(ends), color=style.BLACK, linewidth=1.0, linestyle="--", label=label)
+    judged = [check for pairing in comparison.pairings for _, check in allowed(comparison, pairing)]
+    if judged:
+        label = "allowed" if all(check.passed for check in judged) else "allowed (filled: exceeded)"
+        axes.plot([], [], linestyle="", marker="v", markersize=6.5, color=style.GREY, markerfacecolor="none",
+                  label=label)
+    axes.set_yscale("log")
+    end = time[-1] or 1.0
+    axes.set_xlim(-0.03 * end, 1.03 * end)  # marks at the first and the last step are not cut
+    axes.set_xlabel(style.LABELS["time"])
+    axes.set_ylabel(r"distance of the furthest atom / $\sigma$")
+    axes.legend(loc="lower right", title=f"ljmd, {PROGRAMS[comparison.program]}", title_fontsize=9)
+
+
+def draw_rdf(axes: plt.Axes, below: plt.Axes, comparison: Comparison) -> None:
+    """g(r) of both programs, and below their difference with a band of its standard error."""
+    r, ours, our_error, theirs, their_error = (comparison.rdf[name] for name in RDF_COLUMNS)
+    axes.plot(r, ours, color=style.BLUE, linewidth=2.6, label="ljmd")
+    axes.plot(r, theirs, color=style.VERMILION, linewidth=0.9, label=PROGRAMS[comparison.program])
+    axes.set_ylabel(style.LABELS["g"])
+    axes.set_ylim(0.0, None)
+    axes.legend(loc="upper right")
+    axes.tick_params(labelbottom=False)
+    difference, error = ours - theirs, np.hypot(our_error, their_error)
+    below.fill_between(r, -error, error, color=style.SKY, alpha=0.6, linewidth=0, label=r"$\pm$ standard error")
+    below.plot(r, difference, color=style.BLACK, linewidth=0.6)
+    most = 1.5 * max(float(np.nanmax(np.abs(difference), initial=0.0)), float(np.nanmax(error, initial=0.0))) or 1.0
+    below.set_ylim(-most, 2.0 * most)  # room for the legend
+    below.locator_params(axis="y", nbins=5)
+    below.set_xlim(0.0, r[-1])
+    below.set_xlabel(style.LABELS["r"])
+    below.set_ylabel("difference")
+    below.legend(loc="upper right")
+
+
+def draw_averages(axes: plt.Axes, comparison: Comparison) -> None:
+    """Differences of averages in units of their standard error, with the numbers; grey is what is allowed."""
+    peer = PROGRAMS[comparison.program]
+    labels, reach = [], 0.0
+    for row, average in enumerate(comparison.averages):
+        symbol = style.LABELS.get(average.name, average.name).split(" / ")[0]
+        both = [style.with_uncertainty(*side) for side in (average.ours, average.theirs)]
+        labels.append(f"{symbol}:  ljmd {both[0]},  {peer} {both[1]}")
+        check = comparison.check(f"mean {average.name}, standard errors apart")
+        if check is not None:
+            axes.barh(row, 2.0 * check.tolerance, left=-check.tolerance, height=1.0, color="#EEEEEE", zorder=0)
+            reach = max(reach, check.tolerance)
+        if average.error > 0.0 and math.isfinite(average.difference):
+            sigmas = average.difference / average.error
+            colour = style.BLUE if check is None or check.passed else style.VERMILION
+            axes.errorbar(sigmas, row, xerr=1.0, fmt="o", color=colour, markersize=4.5, capsize=3.0)
+            reach = max(reach, abs(sigmas) + 1.0)
+    axes.set_yticks(range(len(labels)), labels)
+    axes.tick_params(axis="y", length=0)
+    axes.set_ylim(len(labels) - 0.5, -0.5)
+    axes.set_xlim(-1.15 * (reach or 1.0), 1.15 * (reach or 1.0))
+    axes.axvline(0.0, color=style.BLACK, linewidth=0.8)
+    axes.set_xlabel("averages without tail: difference / its standard error")
+
+
+def plot(comparison: Comparison) -> plt.Figure:
+    """One picture with a panel for all that was compared."""
+    columns = [["trajectory", "trajectory"]] if comparison.trajectory is not None else []
+    columns += [["g", "difference"]] if comparison.rdf is not None else []
+    heights = ([4.4] if columns else []) + ([0.7 + 0.3 * len(comparison.averages)] if comparison.averages else [])
+    figure = plt.figure(figsize=(8.0, 0.5 + sum(heights)), constrained_layout=True)
+    # The rows are laid out apart: the numbers beside the averages take no room from the panels above.
+    parts = list(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0])
+    if columns:
+        axes = parts.pop(0).subplot_mosaic([list(row) for row in zip(*columns)],
+                                           gridspec_kw={"height_ratios": [2.4, 1.0],
+                                                        "width_ratios": [1.25, 1.0][: len(columns)]})
+        if comparison.trajectory is not None:
+            draw_trajectory(axes["trajectory"], comparison)
+        if comparison.rdf is not None:
+            axes["g"].sharex(axes["difference"])
+            draw_rdf(axes["g"], axes["difference"], comparison)
+    if comparison.averages:
+        draw_averages(parts.pop(0).subplots(), comparison)
+    figure.suptitle(style.plain(caption(comparison)), fontsize=11)
+    return figure
+
+
+def caption(comparison: Comparison) -> str:
+    """Deck, program, its version where the long runs are another's, and whether all is well."""
+    peers = dict.fromkeys([
+        *([comparison.peer] if comparison.trajectory is not None else []),
+        *([comparison.peer_of_long_runs] if comparison.averages else []),
+    ])
+    failed = sum(not check.passed for check in comparison.checks)
+    total = len(comparison.checks)
+    verdict = f"{failed} of {total} checks FAILED" if failed else f"all {total} checks passed"
+    return f"{Path(comparison.deck).name} against {', long runs '.join(peers)}\n{verdict}"
+
+
+@reports_errors
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    parser = argparse.ArgumentParser(description="Make the picture of a comparison with another program.")
+    parser.add_argument("directory", metavar="DIR", type=Path, help="directory that `ljmd compare --out` wrote")
+    parser.add_argument("--with", dest="program", choices=tuple(PROGRAMS), help="draw this one alone (all)")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="the picture (DIR/compare-PROGRAM.png)")
+    options = parser.parse_args(arguments)
+    if options.out and options.out.suffix not in FORMATS:
+        raise wrong(f"{options.out}: must end in {', '.join(FORMATS)}")
+    programs = find(options.directory, options.program)
+    if options.out and len(programs) > 1:
+        raise wrong(f"{options.directory}: has comparisons with {' and '.join(programs)}; choose one with --with")
+    style.use()
+    for comparison in [load(options.directory, program) for program in programs]:
+        style.save(plot(comparison), options.out or options.directory / f"compare-{comparison.program}.png")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
