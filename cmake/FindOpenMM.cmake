@@ -26,6 +26,7 @@ int main() { std::cout << OpenMM::Platform::getOpenMMVersion(); }
         try_run(OpenMM_version_run OpenMM_version_compiled ${CMAKE_CURRENT_BINARY_DIR} ${OpenMM_version_source}
                 CMAKE_FLAGS -DINCLUDE_DIRECTORIES=${OpenMM_INCLUDE_DIR}
                 LINK_LIBRARIES ${OpenMM_LIBRARY}
+                CXX_STANDARD 17
                 RUN_OUTPUT_VARIABLE OpenMM_version_text)
         if(OpenMM_version_compiled AND OpenMM_version_run EQUAL 0 AND OpenMM_version_text MATCHES "^[0-9.]+")
             set(OpenMM_VERSION ${CMAKE_MATCH_0} CACHE INTERNAL "Version of OpenMM")

@@ -18,6 +18,11 @@ if(LJMD_OPENMM)
                         "without it, -D OpenMM_ROOT=<its folder> tells where it is.")
     endif()
 endif()
+# Headers of OpenMM before 8.4 use vectors of what they only declared, which Clang takes in C++17 but not in C++20: the
+# sources that include them are written in C++17.
+function(ljmd_includes_openmm)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -std=gnu++17)
+endfunction()
 
 if(LJMD_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     find_program(LJMD_CCACHE ccache)

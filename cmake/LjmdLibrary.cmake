@@ -30,6 +30,8 @@ if(OpenMM_FOUND)
     target_link_libraries(ljmd_library PRIVATE OpenMM::OpenMM)
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/compare/openmm/openmm_platforms.cpp
                  APPEND PROPERTY COMPILE_DEFINITIONS LJMD_OPENMM_PLUGIN_DIR="${OpenMM_PLUGIN_DIR}")
+    file(GLOB openmm_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/compare/openmm/*.cpp)
+    ljmd_includes_openmm(${openmm_sources})
 endif()
 
 add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/app/main.cpp)

@@ -102,7 +102,8 @@ TEST_CASE("a run in two parts is the run in one, to the last bit, for every inte
             advance(method, 0.1, 20 - first, parts, springs);
             CHECK(test::positions(parts) == test::positions(whole));
             CHECK(test::velocities(parts) == test::velocities(whole));
-            CHECK(parts.phase() == whole.phase());
+            CHECK(parts.phase().integrator == whole.phase().integrator);
+            CHECK(parts.phase().steps == whole.phase().steps);
         }
     }
 }

@@ -101,7 +101,6 @@ class State {
     struct Phase {
         std::string integrator;  ///< which one, with its settings; empty: none
         Index steps = 0;         ///< since it began
-        friend bool operator==(const Phase&, const Phase&) = default;
     };
     [[nodiscard]] const Phase& phase() const { return phase_; }
     void set_phase(Phase phase) { phase_ = std::move(phase); }

@@ -49,7 +49,7 @@ class OpenmmPeer : public Peer {
         : fluid_(fluid),
           options_(options),
           platform_(openmm_platform(options.platform)),
-          system_(openmm_system(fluid, {.with_virial = true, .epsilon = options.epsilon})) {}
+          system_(openmm_system(fluid, OpenmmForces::with_virial, options.epsilon)) {}
 
     [[nodiscard]] std::string name() const override {
         return fmt::format("OpenMM {} ({}{})", openmm_version(), options_.platform,
@@ -175,15 +175,15 @@ class OpenmmPeer : public Peer {
     /// What the long-range correction adds for each atom, on the Reference platform whatever the peer's: no other has
     /// the digits for a difference of energies.
     [[nodiscard]] double tail_energy() const {
-        double energy[2] = {};
-        for (const bool tail : {false, true}) {
-            const auto system = openmm_system(fluid_, {.tail = tail, .epsilon = options_.epsilon});
+        const auto energy = [&](OpenmmForces forces) {
+            const auto system = openmm_system(fluid_, forces, options_.epsilon);
             OpenMM::VerletIntegrator integrator(1e-3);
             OpenMM::Context context(*system, integrator, openmm_platform("Reference"));
             context.setPositions(openmm_vectors(fluid_.positions));
-            energy[tail ? 1 : 0] = context.getState(OpenMM::State::Energy).getPotentialEnergy();
-        }
-        return (energy[1] - energy[0]) / static_cast<double>(fluid_.positions.size());
+            return context.getState(OpenMM::State::Energy).getPotentialEnergy();
+        };
+        return (energy(OpenmmForces::with_tail) - energy(OpenmmForces::alone)) /
+               static_cast<double>(fluid_.positions.size());
     }
 
     Fluid fluid_;

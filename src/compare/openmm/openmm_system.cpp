@@ -24,7 +24,7 @@ void check(const Fluid& fluid) {
 }
 
 /// Lennard-Jones as everybody uses it in OpenMM.
-std::unique_ptr<OpenMM::Force> nonbonded_force(const Fluid& fluid, const OpenmmSystemOptions& options) {
+std::unique_ptr<OpenMM::Force> nonbonded_force(const Fluid& fluid, bool tail, double epsilon) {
     auto force = std::make_unique<OpenMM::NonbondedForce>();
     force->setNonbondedMethod(OpenMM::NonbondedForce::CutoffPeriodic);
     force->setCutoffDistance(fluid.potential.cutoff().radius);
@@ -32,20 +32,20 @@ std::unique_ptr<OpenMM::Force> nonbonded_force(const Fluid& fluid, const OpenmmS
         force->setUseSwitchingFunction(true);
         force->setSwitchingDistance(fluid.potential.cutoff().switch_start);
     }
-    force->setUseDispersionCorrection(options.tail);
+    force->setUseDispersionCorrection(tail);
     for (std::size_t i = 0; i < fluid.masses.size(); ++i) {
-        force->addParticle(0.0, 1.0, options.epsilon);
+        force->addParticle(0.0, 1.0, epsilon);
     }
     return force;
 }
 
 /// Any potential by its expression, the truncated one or that of its formula.
 std::unique_ptr<OpenMM::CustomNonbondedForce> custom_force(const Fluid& fluid, const std::string& expression,
-                                                           const OpenmmSystemOptions& options) {
+                                                           double epsilon) {
     const PairPotential& potential = fluid.potential;
     const Cutoff& cutoff = potential.cutoff();
-    auto force = std::make_unique<OpenMM::CustomNonbondedForce>(
-        fmt::format("{:.17g}*energy; energy={}", options.epsilon, expression));
+    auto force =
+        std::make_unique<OpenMM::CustomNonbondedForce>(fmt::format("{:.17g}*energy; energy={}", epsilon, expression));
     force->setNonbondedMethod(OpenMM::CustomNonbondedForce::CutoffPeriodic);
     force->setCutoffDistance(cutoff.radius);
     const PairTerm<double> at_cutoff = potential.untruncated(cutoff.radius);
@@ -63,26 +63,26 @@ std::unique_ptr<OpenMM::CustomNonbondedForce> custom_force(const Fluid& fluid, c
     return force;
 }
 
-std::unique_ptr<OpenMM::Force> moving_force(const Fluid& fluid, const OpenmmSystemOptions& options) {
+std::unique_ptr<OpenMM::Force> moving_force(const Fluid& fluid, bool tail, double epsilon) {
     const std::string& truncation = fluid.potential.truncation();
     if (fluid.potential.formula() == "lennard-jones" && (truncation == "cut" || truncation == "switched")) {
-        return nonbonded_force(fluid, options);
+        return nonbonded_force(fluid, tail, epsilon);
     }
     // OpenMM's own switch, because its long-range correction knows of no other.
     const bool switched = truncation == "switched";
     auto force =
-        custom_force(fluid, switched ? openmm_formula(fluid.potential) : openmm_expression(fluid.potential), options);
+        custom_force(fluid, switched ? openmm_formula(fluid.potential) : openmm_expression(fluid.potential), epsilon);
     if (switched) {
         force->setUseSwitchingFunction(true);
         force->setSwitchingDistance(fluid.potential.cutoff().switch_start);
     }
-    force->setUseLongRangeCorrection(options.tail);
+    force->setUseLongRangeCorrection(tail);
     return force;
 }
 
 }  // namespace
 
-std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, const OpenmmSystemOptions& options) {
+std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, OpenmmForces forces, double epsilon) {
     check(fluid);
     auto system = std::make_unique<OpenMM::System>();
     system->setDefaultPeriodicBoxVectors({fluid.edges[0], 0.0, 0.0}, {0.0, fluid.edges[1], 0.0},
@@ -90,11 +90,11 @@ std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, const OpenmmSy
     for (const double mass : fluid.masses) {
         system->addParticle(mass);
     }
-    auto force = moving_force(fluid, options);
+    auto force = moving_force(fluid, forces == OpenmmForces::with_tail, epsilon);
     force->setForceGroup(moving_group);
     system->addForce(force.release());
-    if (options.with_virial) {
-        auto derivative = custom_force(fluid, openmm_expression(fluid.potential), options);
+    if (forces == OpenmmForces::with_virial) {
+        auto derivative = custom_force(fluid, openmm_expression(fluid.potential), epsilon);
         derivative->addEnergyParameterDerivative(scale_parameter);
         derivative->setForceGroup(virial_group);
         system->addForce(derivative.release());

@@ -21,14 +21,18 @@ inline constexpr int virial = 1 << virial_group;
 /// The name of the parameter whose derivative is minus the virial.
 inline constexpr const char* scale_parameter = "scale";
 
-struct OpenmmSystemOptions {
-    bool tail = false;         ///< with OpenMM's long-range correction
-    bool with_virial = false;  ///< with a second force for the virial
-    double epsilon = 1.0;      ///< see OpenmmOptions
+/// What there is besides the force that moves the atoms.
+enum class OpenmmForces {
+    alone,        ///< nothing
+    with_tail,    ///< OpenMM's long-range correction of that force
+    with_virial,  ///< a second force for the virial
 };
 
-/// Box, masses and forces of a fluid. @throws InputError see make_openmm_peer
-[[nodiscard]] std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, const OpenmmSystemOptions& options);
+/// Box, masses and forces of a fluid.
+/// @param epsilon  see OpenmmOptions
+/// @throws InputError see make_openmm_peer
+[[nodiscard]] std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, OpenmmForces forces,
+                                                            double epsilon = 1.0);
 
 /// What a context needs.
 [[nodiscard]] std::vector<OpenMM::Vec3> openmm_vectors(const std::vector<Vec3>& vectors);

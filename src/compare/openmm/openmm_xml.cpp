@@ -22,7 +22,7 @@ std::string xml(const Object& object, const std::string& root) {
 }  // namespace
 
 OpenmmXml openmm_xml(const Fluid& fluid, double time_step) {
-    const auto system = openmm_system(fluid, {.tail = fluid.tail});
+    const auto system = openmm_system(fluid, fluid.tail ? OpenmmForces::with_tail : OpenmmForces::alone);
     OpenMM::VerletIntegrator integrator(time_step);
     OpenMM::Context context(*system, integrator, openmm_platform("Reference"));
     context.setPositions(openmm_vectors(fluid.positions));

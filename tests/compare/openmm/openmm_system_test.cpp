@@ -22,7 +22,7 @@ const Force* force_of(const OpenMM::System& system, int index) {
 TEST_CASE("box and masses of a fluid are those of its system") {
     Fluid fluid = small_fluid();
     fluid.masses = {1.0, 2.0, 3.0};
-    const auto system = openmm_system(fluid, {});
+    const auto system = openmm_system(fluid, OpenmmForces::alone);
     OpenMM::Vec3 a;
     OpenMM::Vec3 b;
     OpenMM::Vec3 c;
@@ -35,7 +35,7 @@ TEST_CASE("box and masses of a fluid are those of its system") {
 }
 
 TEST_CASE("Lennard-Jones, cut or switched, is a NonbondedForce with what differs set") {
-    const auto cut = openmm_system(small_fluid("lennard-jones", "cut"), {});
+    const auto cut = openmm_system(small_fluid("lennard-jones", "cut"), OpenmmForces::alone);
     REQUIRE(cut->getNumForces() == 1);
     const auto* force = force_of<OpenMM::NonbondedForce>(*cut, 0);
     REQUIRE(force != nullptr);
@@ -44,17 +44,21 @@ TEST_CASE("Lennard-Jones, cut or switched, is a NonbondedForce with what differs
     CHECK_FALSE(force->getUseSwitchingFunction());
     CHECK_FALSE(force->getUseDispersionCorrection());
 
-    const auto switched = openmm_system(small_fluid("lennard-jones", "switched"), {.tail = true, .with_virial = true});
+    const auto switched = openmm_system(small_fluid("lennard-jones", "switched"), OpenmmForces::with_virial);
     REQUIRE(switched->getNumForces() == 2);
     force = force_of<OpenMM::NonbondedForce>(*switched, 0);
     REQUIRE(force != nullptr);
     CHECK(force->getUseSwitchingFunction());
     CHECK(force->getSwitchingDistance() == 2.0);
-    CHECK(force->getUseDispersionCorrection());
+    CHECK_FALSE(force->getUseDispersionCorrection());
     const auto* derivative = force_of<OpenMM::CustomNonbondedForce>(*switched, 1);
     REQUIRE(derivative != nullptr);
     CHECK(derivative->getForceGroup() == virial_group);
     CHECK_FALSE(derivative->getUseLongRangeCorrection());
+
+    const auto with_tail = openmm_system(small_fluid("lennard-jones", "cut"), OpenmmForces::with_tail);
+    REQUIRE(with_tail->getNumForces() == 1);
+    CHECK(force_of<OpenMM::NonbondedForce>(*with_tail, 0)->getUseDispersionCorrection());
 }
 
 TEST_CASE("every other potential is a custom force") {
@@ -62,7 +66,7 @@ TEST_CASE("every other potential is a custom force") {
                                               {"lennard-jones", "force-shifted"},
                                               {"morse", "cut"},
                                               {"morse", "switched"}}) {
-        const auto system = openmm_system(small_fluid(formula, truncation), {});
+        const auto system = openmm_system(small_fluid(formula, truncation), OpenmmForces::alone);
         CHECK(force_of<OpenMM::CustomNonbondedForce>(*system, 0) != nullptr);
     }
 }
@@ -70,14 +74,15 @@ TEST_CASE("every other potential is a custom force") {
 TEST_CASE("positions that are not finite and a cutoff beyond half the box are refused") {
     Fluid fluid = small_fluid();
     fluid.positions[1][2] = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THROWS_AS(openmm_system(fluid, {}), InputError);
-    CHECK_THROWS_WITH(openmm_system(fluid, {}), Contains("atom 2 is not finite"));
+    CHECK_THROWS_AS(openmm_system(fluid, OpenmmForces::alone), InputError);
+    CHECK_THROWS_WITH(openmm_system(fluid, OpenmmForces::alone), Contains("atom 2 is not finite"));
     fluid = small_fluid();
     fluid.velocities[0][0] = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_WITH(openmm_system(fluid, {}), Contains("atom 1 is not finite"));
+    CHECK_THROWS_WITH(openmm_system(fluid, OpenmmForces::alone), Contains("atom 1 is not finite"));
     fluid = small_fluid();
     fluid.edges = Vec3(6.0, 4.9, 8.0);
-    CHECK_THROWS_WITH(openmm_system(fluid, {}), Contains("the cutoff 2.5 is beyond half the shortest edge of the box"));
+    CHECK_THROWS_WITH(openmm_system(fluid, OpenmmForces::alone),
+                      Contains("the cutoff 2.5 is beyond half the shortest edge of the box"));
 }
 
 TEST_CASE("vectors survive the way to OpenMM and back") {
@@ -87,7 +92,7 @@ TEST_CASE("vectors survive the way to OpenMM and back") {
 
 TEST_CASE("velocities of the half step before are shifted by OpenMM's own forces") {
     const Fluid fluid = small_fluid();
-    const auto system = openmm_system(fluid, {.with_virial = true});
+    const auto system = openmm_system(fluid, OpenmmForces::with_virial);
     OpenMM::VerletIntegrator integrator(0.004);
     OpenMM::Context context(*system, integrator, OpenMM::Platform::getPlatformByName("Reference"));
     context.setPositions(openmm_vectors(fluid.positions));
