@@ -42,8 +42,10 @@ std::string openmm_version() {
 
 std::vector<std::string> openmm_platforms() {
     load_plugins();
+    const int count = OpenMM::Platform::getNumPlatforms();
     std::vector<std::string> names;
-    for (int i = 0; i < OpenMM::Platform::getNumPlatforms(); ++i) {
+    names.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
         names.push_back(OpenMM::Platform::getPlatform(i).getName());
     }
     return names;
