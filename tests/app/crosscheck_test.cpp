@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/run_fixtures.hpp"
+#include "compare/peers.hpp"
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
 
@@ -30,13 +31,6 @@ Compared compared(const std::string& text, const CrosscheckOptions& options,
     return {std::move(found), said};
 }
 
-bool no_openmm() {
-    if (!openmm_is_built_in()) {
-        WARN("skipped: this ljmd has no OpenMM in it");
-    }
-    return !openmm_is_built_in();
-}
-
 }  // namespace
 
 TEST_CASE("the stages before the first sampled one come before the comparison") {
@@ -60,7 +54,7 @@ TEST_CASE("all parts are compared unless some are chosen") {
 }
 
 TEST_CASE("a deck is compared with OpenMM in every part") {
-    if (no_openmm()) {
+    if (!openmm_is_here()) {
         return;
     }
     const auto [found, said] =
@@ -91,7 +85,7 @@ TEST_CASE("a deck is compared with OpenMM in every part") {
 }
 
 TEST_CASE("parts that nobody wants are not compared") {
-    if (no_openmm()) {
+    if (!openmm_is_here()) {
         return;
     }
     const auto [found, said] = compared(small_deck, {.with = "openmm", .parts = {"point"}});
@@ -104,7 +98,7 @@ TEST_CASE("parts that nobody wants are not compared") {
 }
 
 TEST_CASE("averages go by the deck's integrator where OpenMM has its like, else by velocity Verlet") {
-    if (no_openmm()) {
+    if (!openmm_is_here()) {
         return;
     }
     const CrosscheckOptions averages{.with = "openmm", .parts = {"averages"}};
@@ -114,7 +108,7 @@ TEST_CASE("averages go by the deck's integrator where OpenMM has its like, else 
 }
 
 TEST_CASE("a program that is not there is missed before anything is run") {
-    if (no_openmm()) {
+    if (!openmm_is_here()) {
         return;
     }
     const DeckFolder folder(small_deck);

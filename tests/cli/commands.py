@@ -4,7 +4,7 @@ import json
 import re
 from pathlib import Path
 
-from harness import ARGON, DECK, STARS, Case
+from harness import ARGON, DECK, STARS, Case, compare_refused
 
 INPUTS = Path(__file__).resolve().parents[2] / "inputs"
 
@@ -200,16 +200,6 @@ def compare_halved(t):
         out = t.run_well("compare", "deck.toml", "--with", "gsl", "--json", "--quiet", *arguments).out
         errors.append(json.loads(out)["largest_position_error"])
     t.check(3.8 < errors[0] / errors[1] < 4.2, f"position errors {errors}")
-
-
-def compare_refused(text, *arguments):
-    def test(t):
-        t.deck(text=text)
-        result = t.expect(2, t.run("compare", "deck.toml", "--out", "out", *arguments))
-        t.equal(result.out, "", "stdout")
-        t.equal(t.files(), ["deck.toml"], "files")
-        t.golden(result.err)
-    return test
 
 
 def cases():

@@ -4,22 +4,26 @@ import json
 import os
 import shutil
 
-from harness import DECK, STARS, Case, Skip, clean_environment
+from harness import DECK, STARS, Case, Skip, clean_environment, compare_refused
 
 POINT = ("--parts", "point", "--quiet")
 TRAJECTORY = ("--parts", "point,trajectory", "--steps", "20", "--quiet")
 
 
+def needs(there, what):
+    """Skip a case that needs another program; with LJMD_REQUIRE_PEERS=1 in the environment it fails."""
+    if not there and os.environ.get("LJMD_REQUIRE_PEERS") == "1":
+        raise OSError(f"there is no {what}, and LJMD_REQUIRE_PEERS=1")
+    if not there:
+        raise Skip(f"there is no {what}")
+
+
 def needs_openmm(t):
-    if not json.loads(t.run_well("info", "--json").out)["openmm"]:
-        raise Skip("this ljmd has no OpenMM in it")
+    needs(json.loads(t.run_well("info", "--json").out)["openmm"], "OpenMM in this ljmd")
 
 
 def needs_lammps(_t):
-    if shutil.which("lmp") is None:
-        if os.environ.get("LJMD_REQUIRE_PEERS") == "1":
-            raise OSError("there is no program 'lmp', and LJMD_REQUIRE_PEERS=1")
-        raise Skip("there is no program 'lmp'")
+    needs(shutil.which("lmp"), "program 'lmp'")
 
 
 def environment(**variables):
@@ -132,23 +136,13 @@ def position_that_is_not_finite(t):
     t.golden(t.expect(3, t.run("compare", "deck.toml", "--with", "openmm")).err)
 
 
-def refused(text, *arguments):
-    def test(t):
-        t.deck(text=text)
-        result = t.expect(2, t.run("compare", "deck.toml", "--out", "out", *arguments))
-        t.equal(result.out, "", "stdout")
-        t.equal(t.files(), ["deck.toml"], "files")
-        t.golden(result.err)
-    return test
-
-
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
             for test in (everything, json_alone, frames_are_judged, every_path, missed_pairs_fail, lammps,
                          unknown_platform, plugin_folder_missing, no_lammps, position_that_is_not_finite)] + \
-           [Case("few bodies with openmm", refused(STARS, "--with", "openmm")),
-            Case("few bodies with lammps", refused(STARS, "--with", "lammps")),
-            Case("unknown part", refused(DECK, "--with", "openmm", "--parts", "point,speeds")),
-            Case("frame before the first step", refused(DECK, "--with", "openmm", "--frames", "0,1")),
-            Case("negative steps", refused(DECK, "--with", "openmm", "--steps", "-1")),
-            Case("cutoff beyond half the box", refused(DECK, "--with", "openmm", "--set", "potential.cutoff=2.6"))]
+           [Case("few bodies with openmm", compare_refused(STARS, "--with", "openmm")),
+            Case("few bodies with lammps", compare_refused(STARS, "--with", "lammps")),
+            Case("unknown part", compare_refused(DECK, "--with", "openmm", "--parts", "point,speeds")),
+            Case("frame before the first step", compare_refused(DECK, "--with", "openmm", "--frames", "0,1")),
+            Case("negative steps", compare_refused(DECK, "--with", "openmm", "--steps", "-1")),
+            Case("cutoff beyond half the box", compare_refused(DECK, "--with", "openmm", "--set", "potential.cutoff=2.6"))]

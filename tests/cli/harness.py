@@ -210,6 +210,17 @@ def decoded(data):
     return data.decode("utf-8", errors="backslashreplace") if data is not None else ""
 
 
+def compare_refused(text, *arguments):
+    """A case: `ljmd compare` of a deck is refused with a golden message, and nothing is written."""
+    def test(t):
+        t.deck(text=text)
+        result = t.expect(2, t.run("compare", "deck.toml", "--out", "out", *arguments))
+        t.equal(result.out, "", "stdout")
+        t.equal(t.files(), ["deck.toml"], "files")
+        t.golden(result.err)
+    return test
+
+
 def clean_environment():
     keep = {key: value for key, value in os.environ.items() if not key.startswith(("LC_", "LJMD"))}
     return {**keep, "LANG": "C", "TERM": "xterm"}

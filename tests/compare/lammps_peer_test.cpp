@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "compare/peers.hpp"
 #include "compare/small_fluid.hpp"
 #include "core/environment_guard.hpp"
 #include "io/output_fixtures.hpp"

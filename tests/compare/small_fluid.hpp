@@ -1,10 +1,8 @@
 #pragma once
 
-#include <cstdlib>
 #include <string>
 
 #include "ljmd/compare/fluid.hpp"
-#include "ljmd/compare/process.hpp"
 #include "potentials/potential_from_deck.hpp"
 
 namespace ljmd::test {
@@ -21,25 +19,6 @@ inline Fluid small_fluid(const std::string& formula = "lennard-jones", const std
                 {Vec3(0.1, 0.0, -1e-300), Vec3(-0.2, 1.0 / 7.0, -3.0), Vec3(0.0, -0.25, 2.0)}};
     const State state = state_of(fluid);  // on the grid of the box
     return fluid_of(state, fluid.potential, tail);
-}
-
-/// The program that is LAMMPS here.
-inline std::string lammps_name() {
-    const char* named = std::getenv("LJMD_LAMMPS");
-    return named != nullptr ? named : "lmp";
-}
-
-/// Whether tests that run LAMMPS can. With LJMD_REQUIRE_PEERS=1 in the environment it is a failure that they cannot.
-inline bool lammps_is_here() {
-    if (find_program(lammps_name())) {
-        return true;
-    }
-    const char* required = std::getenv("LJMD_REQUIRE_PEERS");
-    if (required != nullptr && std::string(required) == "1") {
-        FAIL("there is no LAMMPS, and LJMD_REQUIRE_PEERS=1");
-    }
-    WARN("skipped: there is no program '" << lammps_name() << "'");
-    return false;
 }
 
 }  // namespace ljmd::test

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/app_fixtures.hpp"
+#include "compare/peers.hpp"
 #include "compare/small_fluid.hpp"
 #include "forces/every_potential.hpp"
 #include "ljmd/app/commands.hpp"
