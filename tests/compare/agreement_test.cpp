@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "compare/small_fluid.hpp"
+#include "ljmd/model/box.hpp"
 
 using namespace ljmd;
 
@@ -49,6 +50,25 @@ TEST_CASE("distances may be larger where they have longer to grow, coarser numbe
     CHECK(limit({.atoms = 8640}, 1000) == Approx(1e-4));
     CHECK(limit({.atoms = 8640}, 200) == 5e-11);
     CHECK(limit({.atoms = 2}, 1000) == 1e-5);
+}
+
+TEST_CASE("after one step in the same order nothing but two roundings may be between two places") {
+    const auto first = [](double edge) {
+        return limit_at(double_agreement({.longest_edge = edge}).positions_in_the_same_order, 1).value();
+    };
+    // (g + u)/2 in each direction: g the grid of the box, u the last place of the largest coordinate.
+    const auto rounding = [](double edge) {
+        const double last_place = std::nextafter(edge, 100.0) - edge;
+        return 0.5 * std::sqrt(3.0) * (Box(Vec3::Constant(edge)).resolution() + last_place);
+    };
+    CHECK(first(10.08) == 5e-15);
+    CHECK(first(5.0) == 5e-15);
+    CHECK(first(16.8) == 1e-14);
+    for (const double edge : {8.5, 10.08, 10.8, 16.8, 22.0, 33.6}) {
+        INFO(edge);
+        CHECK(rounding(edge) < first(edge));
+        CHECK(first(edge) < 2.0 * rounding(edge));
+    }
 }
 
 TEST_CASE("hot fluids are judged up to step 200, single precision is not judged by the limits of double") {
