@@ -196,8 +196,10 @@ void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, co
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
     }
+    const std::string files =
+        out.empty() ? "" : fmt::format("\nfiles: {0}\nto draw them: analysis/plot_comparison.py {0}\n", out);
     print_result(options.json ? crosscheck_json(found, deck, compared) + "\n"
-                              : crosscheck_table(found, deck, compared));
+                              : crosscheck_table(found, deck, compared) + files);
     if (!found.passed()) {
         throw PhysicsError(fmt::format("ljmd and {} differ: {} of {} checks failed", found.peer, found.failures(),
                                        found.checks.size()));

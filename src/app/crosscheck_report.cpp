@@ -121,6 +121,9 @@ std::string crosscheck_table(const Crosscheck& found, const Deck& deck, const Cr
                             1e-6 * found.speed->ours, found.fast_peer, 1e-6 * found.speed->theirs,
                             found.speed->ours / found.speed->theirs);
     }
+    if (found.checks.empty()) {
+        return text + "nothing was judged\n";
+    }
     return text + (found.passed() ? fmt::format("all {} checks passed\n", found.checks.size())
                                   : fmt::format("{} of {} checks FAILED\n", found.failures(), found.checks.size()));
 }

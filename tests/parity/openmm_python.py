@@ -34,28 +34,29 @@ SKIPPED = 77
 TIME_STEP = 0.004
 STEPS = 100
 # Measured: 6e-15, 1e-15, 3e-13; control 2e-2.
-POTENTIAL_ENERGY, KINETIC_ENERGY = 1e-12, 1e-10  # relative
-DISTANCE = 1e-10  # [sigma]
+POTENTIAL_ENERGY, KINETIC_ENERGY = 1e-13, 1e-12  # relative
+DISTANCE = 1e-11  # [sigma]
 CONTROL = 1e-5
 
-LIQUID = f"""
+
+def at_temperature(temperature: float) -> str:
+    return f"""
+[[stage]]
+name = "at {temperature}"
+time_step = {TIME_STEP}
+steps = 1000
+temperature = {temperature}
+thermostat = {{ type = "rescale", every = 20 }}
+"""
+
+
+LIQUID = """
 [system]
-lattice = {{ type = "fcc", cells = 4 }}
+lattice = { type = "fcc", cells = 4 }
 density = 0.8442
 temperature = 0.722
 seed = 12
-[[stage]]
-name = "melt"
-time_step = {TIME_STEP}
-steps = 1000
-temperature = 1.5
-thermostat = {{ type = "rescale", every = 20 }}
-[[stage]]
-name = "cool"
-time_step = {TIME_STEP}
-steps = 1000
-temperature = 0.722
-thermostat = {{ type = "rescale", every = 20 }}
+""" + at_temperature(1.5) + at_temperature(0.722) + f"""
 [[stage]]
 name = "production"
 time_step = {TIME_STEP}
