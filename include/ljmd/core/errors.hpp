@@ -30,6 +30,18 @@ class FileError : public Error {
     using Error::Error;
 };
 
+/// A checkpoint cannot be used: it is damaged, belongs to another run, or was written by a newer program.
+class CheckpointError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// Another run is writing to the output directory.
+class InUseError : public Error {
+  public:
+    using Error::Error;
+};
+
 /// The run left the domain of physics: atoms at non-finite positions, a time step too large.
 class PhysicsError : public Error {
   public:

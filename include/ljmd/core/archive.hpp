@@ -1,0 +1,153 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ljmd {
+
+/// The state of objects as bytes, for checkpoints. One function of an object serves both directions, so that what is
+/// read is what was written:
+///
+///     void archive(Archive& a) { a(count_, mean_, pending_); }
+///
+/// Takes arithmetic types, enumerations, strings, vectors, arrays, pairs, optionals, matrices of Eigen and whatever has
+/// such a function. Numbers are stored bit for bit, little-endian; lengths stand in front of what has one. What is read
+/// is not trusted: it cannot make an archive read beyond its end, nor take more memory than a few times its own length.
+class Archive {
+  public:
+    /// For writing.
+    Archive() = default;
+
+    /// For reading. @param bytes  must outlive the archive
+    explicit Archive(std::span<const std::byte> bytes) : rest_(bytes), reading_(true) {}
+
+    [[nodiscard]] bool reading() const { return reading_; }
+
+    /// Write all values, or read them, in this order.
+    /// @throws CheckpointError when reading: the bytes end, or cannot be a value of that type
+    template <class... Values>
+    void operator()(Values&... values) {
+        (one(values), ...);
+    }
+
+    /// A name that must stand at this place when it is read again: what is out of step is found early, and by name.
+    /// @throws CheckpointError
+    void mark(std::string_view name);
+
+    /// All that was written.
+    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+    /// Nothing may be left. @pre reading  @throws CheckpointError
+    void expect_end() const;
+
+  private:
+    static_assert(std::endian::native == std::endian::little, "numbers are stored as they lie in memory");
+
+    void raw(void* data, std::size_t size);
+    [[noreturn]] static void refuse(const char* why);
+
+    /// Of elements that take at least so many bytes each.
+    std::size_t length(std::size_t length, std::size_t least_bytes);
+
+    template <class T>
+    void one(T& value);
+    template <class T, class Allocator>
+    void one(std::vector<T, Allocator>& values);
+    template <class T, std::size_t count>
+    void one(std::array<T, count>& values);
+    template <class First, class Second>
+    void one(std::pair<First, Second>& values);
+    template <class T>
+    void one(std::optional<T>& value);
+    void one(bool& value);
+    void one(std::string& text);
+
+    std::vector<std::byte> bytes_;     // written
+    std::span<const std::byte> rest_;  // to be read
+    bool reading_ = false;
+};
+
+template <class T>
+void Archive::one(T& value) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+        raw(&value, sizeof(T));
+    } else if constexpr (requires { value.archive(*this); }) {
+        value.archive(*this);
+    } else {  // a matrix
+        using Scalar = typename T::Scalar;
+        static_assert(std::is_arithmetic_v<Scalar>);
+        std::int64_t rows = value.rows();
+        std::int64_t columns = value.cols();
+        one(rows);
+        one(columns);
+        if (reading_) {
+            const auto most = static_cast<std::int64_t>(rest_.size() / sizeof(Scalar));
+            if (rows < 0 || columns < 0 || (columns > 0 && rows > most / columns)) {
+                refuse("a matrix is larger than the rest of the file");
+            }
+            if ((T::RowsAtCompileTime >= 0 && rows != T::RowsAtCompileTime) ||
+                (T::ColsAtCompileTime >= 0 && columns != T::ColsAtCompileTime)) {
+                refuse("a matrix has another shape");
+            }
+            value.resize(rows, columns);
+        }
+        raw(value.data(), static_cast<std::size_t>(value.size()) * sizeof(Scalar));
+    }
+}
+
+template <class T, class Allocator>
+void Archive::one(std::vector<T, Allocator>& values) {
+    constexpr bool plain = std::is_arithmetic_v<T>;
+    static_assert(!std::is_same_v<T, bool>);
+    const std::size_t count = length(values.size(), plain ? sizeof(T) : 1);
+    if (reading_) {
+        values.clear();
+        values.resize(count);
+    }
+    if constexpr (plain) {
+        raw(values.data(), count * sizeof(T));
+    } else {
+        for (T& value : values) {
+            one(value);
+        }
+    }
+}
+
+template <class T, std::size_t count>
+void Archive::one(std::array<T, count>& values) {
+    for (T& value : values) {
+        one(value);
+    }
+}
+
+template <class First, class Second>
+void Archive::one(std::pair<First, Second>& values) {
+    one(values.first);
+    one(values.second);
+}
+
+template <class T>
+void Archive::one(std::optional<T>& value) {
+    bool there = value.has_value();
+    one(there);
+    if (reading_) {
+        value.reset();
+        if (there) {
+            value.emplace();
+        }
+    }
+    if (there) {
+        one(*value);
+    }
+}
+
+}  // namespace ljmd

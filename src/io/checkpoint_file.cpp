@@ -1,0 +1,161 @@
+#include "ljmd/io/checkpoint_file.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/output_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view magic = "LJMDCKPT";
+constexpr std::string_view end_mark = "LJMDEND\n";
+constexpr std::uint32_t format_version = 1;
+constexpr int most_generations = 9;
+
+/// What stands in front of the content, and behind it.
+struct Head {
+    std::array<char, magic.size()> word;
+    std::uint32_t version;
+    std::uint32_t zero;
+    std::uint64_t generation;
+    std::uint64_t length;
+};
+static_assert(sizeof(Head) == 32);
+constexpr std::size_t hash_length = sizeof(XXH128_canonical_t);
+constexpr std::size_t tail_length = hash_length + end_mark.size();
+
+fs::path file_of(const fs::path& directory, std::uint64_t slot) {
+    return directory / fmt::format("checkpoint.{}", slot + 1);
+}
+
+XXH128_canonical_t hash_of(const char* data, std::size_t length) {
+    XXH128_canonical_t hash;
+    XXH128_canonicalFromHash(&hash, XXH3_128bits(data, length));
+    return hash;
+}
+
+std::string file_text(std::uint64_t generation, std::span<const std::byte> content) {
+    Head head{{}, format_version, 0, generation, content.size()};
+    magic.copy(head.word.data(), magic.size());
+    std::string text(sizeof(Head) + content.size() + tail_length, '\0');
+    std::memcpy(text.data(), &head, sizeof(Head));
+    std::transform(content.begin(), content.end(), text.begin() + sizeof(Head),
+                   [](std::byte byte) { return static_cast<char>(byte); });
+    const std::size_t hashed = sizeof(Head) + content.size();
+    const XXH128_canonical_t hash = hash_of(text.data(), hashed);
+    std::memcpy(text.data() + hashed, &hash, hash_length);
+    end_mark.copy(text.data() + hashed + hash_length, end_mark.size());
+    return text;
+}
+
+std::string read_whole(const fs::path& path) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {  // opening a pipe would wait for ever
+        throw CheckpointError("it is not a file");
+    }
+    const auto size = fs::file_size(path, error);
+    std::ifstream file(path, std::ios::binary);
+    if (error || !file) {
+        throw CheckpointError("it cannot be opened");
+    }
+    std::string text(size, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    if (!file) {
+        throw CheckpointError("it cannot be read");
+    }
+    return text;
+}
+
+/// @throws CheckpointError that says what is wrong with it
+CheckpointFile parse(const fs::path& path) {
+    const std::string text = read_whole(path);
+    Head head{};
+    if (text.size() < sizeof(Head) + tail_length || !text.starts_with(magic)) {
+        throw CheckpointError(text.starts_with(magic) ? "it ends too early" : "it is not a checkpoint");
+    }
+    std::memcpy(&head, text.data(), sizeof(Head));
+    const std::size_t hashed = text.size() - tail_length;
+    const XXH128_canonical_t hash = hash_of(text.data(), hashed);
+    const bool sound = std::memcmp(&hash, text.data() + hashed, hash_length) == 0 && text.ends_with(end_mark);
+    if (!sound) {
+        throw CheckpointError("it is damaged: its checksum is not that of its content");
+    }
+    if (head.version != format_version) {
+        throw CheckpointError(fmt::format("it has version {} of the format, and this ljmd reads version {}",
+                                          head.version, format_version));
+    }
+    if (head.zero != 0 || head.length != hashed - sizeof(Head)) {
+        throw CheckpointError("its length is not what it says");
+    }
+    const auto content = std::as_bytes(std::span(text)).subspan(sizeof(Head), static_cast<std::size_t>(head.length));
+    return {path, head.generation, {content.begin(), content.end()}};
+}
+
+}  // namespace
+
+CheckpointStore::CheckpointStore(fs::path directory, int keep) : directory_(std::move(directory)), keep_(keep) {
+    if (keep < 1 || keep > most_generations) {
+        throw ContractViolation(fmt::format("{} generations of checkpoints cannot be kept", keep));
+    }
+}
+
+void CheckpointStore::write(std::span<const std::byte> content) {
+    const std::uint64_t generation = generation_ + 1;
+    const std::string text = file_text(generation, content);
+    const fs::path path = file_of(directory_, generation % static_cast<std::uint64_t>(keep_));
+    write_file_atomically(path, [&](OutputFile& file) {
+        file.write(text);
+        file.sync();
+        bool same = false;
+        try {
+            same = read_whole(file.path()) == text;
+        } catch (const CheckpointError&) {  // not the same
+        }
+        if (!same) {
+            throw FileError(
+                fmt::format("cannot write '{}': it does not read back as it was written", file.path().string()));
+        }
+    });
+    generation_ = generation;
+}
+
+std::vector<std::string> checkpoint_names() {
+    std::vector<std::string> names;
+    for (std::uint64_t slot = 0; slot < most_generations; ++slot) {
+        names.push_back(file_of({}, slot).string());
+    }
+    return names;
+}
+
+FoundCheckpoints find_checkpoints(const fs::path& directory) {
+    FoundCheckpoints found;
+    for (const std::string& name : checkpoint_names()) {
+        const fs::path path = directory / name;
+        std::error_code error;
+        if (!fs::exists(fs::symlink_status(path, error))) {
+            continue;
+        }
+        try {
+            found.whole.push_back(parse(path));
+        } catch (const CheckpointError& why) {
+            found.damaged.push_back(fmt::format("{}: {}", path.string(), why.what()));
+        }
+    }
+    std::sort(found.whole.begin(), found.whole.end(),
+              [](const CheckpointFile& a, const CheckpointFile& b) { return a.generation > b.generation; });
+    return found;
+}
+
+}  // namespace ljmd
