@@ -46,6 +46,12 @@ const SearchStatistics& PairForceField::search_statistics() const {
     return std::visit([](const auto& search) -> const SearchStatistics& { return search.statistics(); }, search_);
 }
 
+void PairForceField::archive(Archive& a, const State& state) {
+    a.mark("pair search");
+    std::visit([&](auto& search) { search.archive(a, state, potential_.cutoff().radius); }, search_);
+    a(seconds_summing_);
+}
+
 Evaluation PairForceField::compute(State& state, Request request) {
     const double cutoff = potential_.cutoff().radius;
     if (cutoff > 0.5 * state.box().shortest_edge()) {

@@ -8,6 +8,8 @@
 #include <memory>
 #include <utility>
 
+#include "ljmd/core/archive.hpp"
+#include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/threads.hpp"
 
@@ -42,6 +44,16 @@ void permute(Vector& data, const std::vector<Index>& order, std::byte* spare) {
         const auto to = static_cast<std::size_t>(k);
         std::memcpy(moved + bytes * to, spare + bytes * static_cast<std::size_t>(order[to]), bytes);
     });
+}
+
+/// Whether the number behind each vector is the zero that it must be.
+bool padding_is_zero(const AlignedVector<double>& data) {
+    for (std::size_t i = stride - 1; i < data.size(); i += stride) {
+        if (data[i] != 0.0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::size_t checked(Index count) {
@@ -162,6 +174,75 @@ void State::set_ghost_count(Index count) {
     positions_.reserve(size > positions_.capacity() ? size + size / 32 : 0);  // resize alone would take twice as much
     positions_.resize(size);
     ghost_count_ = count;
+}
+
+void State::Phase::archive(Archive& a) {
+    a(integrator, steps);
+}
+
+void State::Registered::archive(Archive& a) {
+    a(name, data);
+}
+
+void State::archive(Archive& a) {
+    a.mark("state");
+    const std::size_t length = stride * checked(count_);
+    bool bounded = box_.has_value();
+    Vec3 edges = bounded ? box_->edges() : Vec3::Zero();
+    AlignedVector<double> positions(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(length));
+    std::vector<int> images;
+    for (const Eigen::Vector3i& image : images_) {
+        images.insert(images.end(), {image[0], image[1], image[2]});
+    }
+    a(count_, bounded, edges, positions, velocities_, forces_, masses_, ids_, images, registered_, forces_current_,
+      phase_, time, step);
+    if (!a.reading()) {
+        return;
+    }
+    const auto refuse_unless = [](bool sound, const char* what) {
+        if (!sound) {
+            throw CheckpointError(what);
+        }
+    };
+    const std::size_t count = length / stride;
+    refuse_unless(static_cast<std::size_t>(count_) == count, "it has another number of atoms");
+    bool whole = positions.size() == length && velocities_.size() == length && forces_.size() == length &&
+                 masses_.size() == count && ids_.size() == count && images.size() == 3 * count;
+    for (const Registered& extra : registered_) {
+        whole = whole && extra.data.size() == length;
+    }
+    refuse_unless(whole, "its atoms are not all there");
+    bool padded = padding_is_zero(positions) && padding_is_zero(velocities_) && padding_is_zero(forces_);
+    for (const Registered& extra : registered_) {
+        padded = padded && padding_is_zero(extra.data);
+    }
+    refuse_unless(padded, "its atoms have more than three coordinates");
+    std::vector<bool> seen(count, false);
+    for (const Index id : ids_) {
+        const bool new_one = id >= 0 && id < count_ && !seen[static_cast<std::size_t>(id)];
+        refuse_unless(new_one, "its atoms are not all there");
+        seen[static_cast<std::size_t>(id)] = true;
+    }
+    refuse_unless(bounded == box_.has_value(),
+                  "it is a fluid and the deck one of a few bodies, or the other way round");
+    if (bounded) {
+        try {
+            box_ = Box(edges);
+        } catch (const ContractViolation&) {
+            throw CheckpointError("its box is none");
+        }
+    }
+    require_count(step);
+    require_count(phase_.steps);
+    constexpr int most_edges = 1 << 30;  // no run takes an atom so far, and counting on does not overflow
+    refuse_unless(std::all_of(images.begin(), images.end(), [](int n) { return n > -most_edges && n < most_edges; }),
+                  "an atom is too far from its box");
+    for (std::size_t i = 0; i < count; ++i) {
+        images_[i] = Eigen::Vector3i(images[3 * i], images[3 * i + 1], images[3 * i + 2]);
+    }
+    ++order_version_;
+    set_ghost_count(0);
+    std::copy(positions.begin(), positions.end(), positions_.begin());
 }
 
 std::vector<Index> State::index_of() const {

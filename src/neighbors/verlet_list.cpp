@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/core/threads.hpp"
@@ -129,6 +130,36 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
         }
     });
     return valid;
+}
+
+void VerletList::archive(Archive& a, const State& state, double cutoff) {
+    bool built = built_for_cutoff_ == cutoff && built_for_order_ == state.order_version();
+    AlignedVector<double> reference = reference_;
+    Index age = age_;
+    SearchStatistics statistics = statistics_;
+    a(built, reference, age, statistics);
+    if (!a.reading()) {
+        return;
+    }
+    require_count(age);
+    built_for_cutoff_ = -1.0;
+    if (built) {
+        State then = state;
+        auto r = then.write_positions();
+        if (reference.size() != 4 * static_cast<std::size_t>(then.count())) {
+            throw CheckpointError("its list is one of another number of atoms");
+        }
+        for (Index i = 0; i < then.count(); ++i) {
+            r.col(i) = ConstVectorView(reference.data(), 3, then.count()).col(i);
+        }
+        prepare(then, cutoff);
+        if (then.ids() != state.ids()) {
+            throw CheckpointError("its atoms do not lie in the order of its list");
+        }
+        built_for_order_ = state.order_version();
+    }
+    age_ = age;
+    statistics_ = statistics;
 }
 
 void VerletList::build(const State& state, double cutoff) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {
@@ -81,6 +82,27 @@ void BlockingAccumulator::accumulate(Level& level, const Eigen::VectorXd& block)
         level.deviation.noalias() += ((n - 1.0) / n * step) * step.transpose();
     } else {
         level.deviation.col(0) += (n - 1.0) / n * step.cwiseAbs2();
+    }
+}
+
+void BlockingAccumulator::archive(Archive& a) {
+    a(levels_);
+    // Two blocks of a level make one of the next; the last level has one block.
+    Index expected = samples();
+    require_count(expected);
+    const Index columns = covariance_ == Covariance::full ? width_ : 1;
+    for (const Level& level : levels_) {
+        if (level.blocks < 1 || level.blocks != expected) {
+            throw CheckpointError("its block averages are not those of any number of samples");
+        }
+        expected /= 2;
+        if (level.mean.size() != width_ || level.deviation.rows() != width_ || level.deviation.cols() != columns ||
+            level.pending.size() != width_) {
+            throw CheckpointError(fmt::format("its block averages are not {} wide", width_));
+        }
+    }
+    if (expected != 0) {
+        throw CheckpointError("its block averages are not those of any number of samples");
     }
 }
 

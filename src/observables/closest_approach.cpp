@@ -28,6 +28,13 @@ void ClosestApproach::add(const State& state) {
     last_ = std::move(now);
 }
 
+void ClosestApproach::archive(Archive& a, const State& now) {
+    a(last_, closest_);
+    if (last_ && (!(last_->time <= now.time) || last_->r.cols() != now.count() || last_->v.cols() != now.count())) {
+        throw CheckpointError("its approaches are those of other bodies or times");
+    }
+}
+
 void ClosestApproach::compare(const Approach& candidate) {
     if (!closest_ || candidate.distance < closest_->distance) {
         closest_ = candidate;

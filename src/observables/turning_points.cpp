@@ -53,6 +53,13 @@ void TurningPoints::add(const Sample& now) {
     last_ = now;
 }
 
+void TurningPoints::archive(Archive& a, double now) {
+    a(last_, changes_, axis_, forward_, passages_);
+    if (last_.has_value() != changes_.begun() || (last_ && !(last_->time <= now))) {
+        throw CheckpointError("its orbit was sampled at other times");
+    }
+}
+
 void TurningPoints::set_plane(const Vec3& r, const Vec3& v) {
     const Vec3 normal = r.cross(v);
     axis_ = r.normalized();

@@ -33,6 +33,13 @@ void ZeroCrossings::add(double time, double x, double rate) {
     last_ = {time, x, rate};
 }
 
+void ZeroCrossings::archive(Archive& a, double now) {
+    a(last_, changes_, crossings_, amplitude_);
+    if (last_.has_value() != changes_.begun() || (last_ && !(last_->time <= now))) {
+        throw CheckpointError("its oscillation was sampled at other times");
+    }
+}
+
 std::optional<IntervalMean> ZeroCrossings::period() const {
     std::vector<double> upward;
     std::vector<double> downward;

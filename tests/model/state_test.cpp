@@ -1,12 +1,16 @@
 #include "ljmd/model/state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <random>
+#include <utility>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;
@@ -250,4 +254,115 @@ TEST_CASE("a new box takes the atoms along") {
     }
     state.rescale_to(state.box());  // its own box
     CHECK(state.box().edges() == new_box.edges());
+}
+
+namespace {
+
+/// A state with everything that one can have.
+State rich() {
+    State state = scattered(9, Box(Vec3(5.0, 6.0, 7.0)));
+    static_cast<void>(state.register_vectors("memory"));
+    state.registered(0).col(4) = Vec3(1.0, 2.0, 3.0);
+    state.reorder({8, 7, 6, 5, 4, 3, 2, 1, 0});
+    state.time = 0.75;
+    state.step = 12;
+    return state;
+}
+
+void restore(State& state, const Archive& written) {
+    Archive a(written.bytes());
+    state.archive(a);
+    a.expect_end();
+}
+
+}  // namespace
+
+TEST_CASE("a state that was archived is the same in every bit, in memory order too") {
+    State state = rich();
+    Archive a;
+    state.archive(a);
+    State other(9, Box(Vec3(1.0, 1.0, 1.0)));
+    const auto order = other.order_version();
+    restore(other, a);
+    CHECK(other.positions() == state.positions());
+    CHECK(other.velocities() == state.velocities());
+    CHECK(other.forces() == state.forces());
+    CHECK(other.masses() == state.masses());
+    CHECK(other.ids() == state.ids());
+    CHECK(other.box().edges() == state.box().edges());
+    CHECK(std::as_const(other).registered(0) == std::as_const(state).registered(0));
+    CHECK(other.register_vectors("memory") == 0);
+    for (Index i = 0; i < 9; ++i) {
+        CHECK(other.image(i) == state.image(i));
+    }
+    CHECK(other.time == 0.75);
+    CHECK(other.step == 12);
+    CHECK(other.forces_are_current() == state.forces_are_current());
+    CHECK(other.order_version() != order);
+
+    Archive again;
+    other.archive(again);
+    CHECK(std::equal(again.bytes().begin(), again.bytes().end(), a.bytes().begin(), a.bytes().end()));
+}
+
+TEST_CASE("a state takes nothing from an archive of another kind of system, or of one that is not whole") {
+    State state = rich();
+    Archive a;
+    state.archive(a);
+    State unbounded(9);
+    CHECK_THROWS_WITH(restore(unbounded, a), Catch::Contains("few bodies"));
+    State larger(10, Box(Vec3(1.0, 1.0, 1.0)));
+    CHECK_THROWS_WITH(restore(larger, a), Catch::Contains("another number of atoms"));
+
+    // Of two atoms of one id: ids stand where they are written, 8 bytes each.
+    std::vector<std::byte> bytes(a.bytes().begin(), a.bytes().end());
+    std::vector<std::byte> ids(9 * sizeof(Index));
+    std::memcpy(ids.data(), state.ids().data(), ids.size());
+    const auto at = std::search(bytes.begin(), bytes.end(), ids.begin(), ids.end());
+    REQUIRE(at != bytes.end());
+    *at = std::byte{0};
+    State same(9, Box(Vec3(1.0, 1.0, 1.0)));
+    Archive twice(bytes);
+    CHECK_THROWS_WITH(same.archive(twice), Catch::Contains("atoms are not all there"));
+}
+
+TEST_CASE("a state takes no box, image or number of steps that cannot be, and no fourth coordinate") {
+    State good = rich();
+    std::string why;
+    SECTION("box") {
+        why = "its box is none";
+    }
+    SECTION("image") {
+        good.set_image(3, {0, 1 << 30, 0});
+        why = "too far from its box";
+    }
+    SECTION("step") {
+        good.step = -1;
+        why = "cannot be one";
+    }
+    SECTION("steps of a phase") {
+        good.set_phase({"any", std::numeric_limits<Index>::max()});
+        why = "cannot be one";
+    }
+    SECTION("padding") {
+        *(good.write_velocities().data() + 7) = 1.0;
+        why = "more than three coordinates";
+    }
+    Archive a;
+    good.archive(a);
+    std::vector<std::byte> bytes(a.bytes().begin(), a.bytes().end());
+    if (why == "its box is none") {  // edges of which one vanishes beside the others
+        const Vec3 edges = good.box().edges();
+        const Vec3 unlike(1.0, 1e300, 1.0);
+        std::array<std::byte, sizeof(Vec3)> before{};
+        std::memcpy(before.data(), edges.data(), sizeof(Vec3));
+        const auto at = std::search(bytes.begin(), bytes.end(), before.begin(), before.end());
+        REQUIRE(at != bytes.end());
+        std::memcpy(&*at, unlike.data(), sizeof(Vec3));
+    }
+    State state(9, Box(Vec3(1.0, 1.0, 1.0)));
+    Archive back(bytes);
+    CHECK_THROWS_AS(state.archive(back), CheckpointError);
+    Archive again(bytes);
+    CHECK_THROWS_WITH(state.archive(again), Catch::Contains(why));
 }

@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <vector>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
 #include "neighbors/sample_states.hpp"
@@ -307,4 +309,53 @@ TEST_CASE("a list reports a position that is not finite, also between rebuilds")
     list.prepare(state, 2.5);
     state.write_positions()(2, 7) = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(list.prepare(state, 2.5), PhysicsError);
+}
+
+TEST_CASE("a list that was archived between rebuilds is the same list, and is rebuilt at the same time") {
+    const auto every = GENERATE(std::optional<Index>(), std::optional<Index>(5));
+    const Box box(Vec3::Constant(7.3));
+    State state = test::random_state(300, box, 71);
+    VerletList list(0.4, every);
+    std::mt19937_64 generator(3);
+    list.prepare(state, 2.5);
+    for (int n = 0; n < 2; ++n) {
+        test::displace(state, 0.05, generator);
+        list.prepare(state, 2.5);
+    }
+    REQUIRE(list.statistics().rebuilds == 1);
+
+    Archive a;
+    list.archive(a, state, 2.5);
+    Archive back(a.bytes());
+    VerletList other(0.4, every);
+    State same = state;
+    other.archive(back, same, 2.5);
+    back.expect_end();
+    CHECK(other.statistics().rebuilds == 1);
+    CHECK(other.statistics().preparations == list.statistics().preparations);
+    CHECK(same.ids() == state.ids());
+    CHECK(same.positions() == state.positions());
+    for (int n = 0; n < 12; ++n) {
+        CHECK(test::pairs_within(other, same, 2.5) == test::pairs_within(list, state, 2.5));
+        std::mt19937_64 one(static_cast<unsigned>(n));
+        std::mt19937_64 two(static_cast<unsigned>(n));
+        test::displace(state, 0.05, one);
+        test::displace(same, 0.05, two);
+        list.prepare(state, 2.5);
+        other.prepare(same, 2.5);
+        CHECK(other.statistics().rebuilds == list.statistics().rebuilds);
+        CHECK(same.ids() == state.ids());
+    }
+    CHECK(list.statistics().rebuilds > 1);
+}
+
+TEST_CASE("a list takes nothing from an archive of other atoms") {
+    State state = test::random_state(300, Box(Vec3::Constant(7.3)), 71);
+    VerletList list(0.4);
+    list.prepare(state, 2.5);
+    Archive a;
+    list.archive(a, state, 2.5);
+    State fewer = test::random_state(299, Box(Vec3::Constant(7.3)), 71);
+    Archive back(a.bytes());
+    CHECK_THROWS_WITH(list.archive(back, fewer, 2.5), Catch::Contains("another number of atoms"));
 }

@@ -2,14 +2,17 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
 
+using ljmd::Archive;
 using ljmd::BlockingAccumulator;
 using ljmd::BlockLevel;
+using ljmd::CheckpointError;
 using ljmd::Covariance;
 using ljmd::Estimate;
 using ljmd::Index;
@@ -290,4 +293,30 @@ TEST_CASE("Misuse of block averages is refused") {
     CHECK_THROWS_AS(blocks.estimate(0.0, Eigen::VectorXd::Zero(2)), ljmd::ContractViolation);
     BlockingAccumulator full(2, Covariance::full);
     CHECK_THROWS_AS(full.estimate(0.0, Eigen::VectorXd::Zero(3)), ljmd::ContractViolation);
+}
+
+TEST_CASE("block averages whose levels do not go together are not taken from an archive") {
+    BlockingAccumulator written(1, Covariance::diagonal);
+    for (int n = 0; n < 5; ++n) {
+        written.add(Eigen::VectorXd::Constant(1, n));
+    }
+    Archive a;
+    written.archive(a);
+    // The number of levels stands first, then that of the blocks of the shortest.
+    const auto changed = [&](std::size_t at, Index value) {
+        std::vector<std::byte> bytes(a.bytes().begin(), a.bytes().end());
+        std::memcpy(bytes.data() + at * sizeof(Index), &value, sizeof(Index));
+        return bytes;
+    };
+    const auto restore = [](const std::vector<std::byte>& bytes) {
+        Archive back(bytes);
+        BlockingAccumulator read(1, Covariance::diagonal);
+        read.archive(back);
+        return read.samples();
+    };
+    CHECK(restore(changed(0, 3)) == 5);
+    CHECK_THROWS_AS(restore(changed(0, 2)), CheckpointError);
+    for (const Index blocks : {Index{-5}, Index{0}, Index{3}, Index{9}, std::numeric_limits<Index>::max()}) {
+        CHECK_THROWS_AS(restore(changed(1, blocks)), CheckpointError);
+    }
 }

@@ -105,3 +105,22 @@ TEST_CASE("A single body approaches nobody, and samples that do not follow are r
     two.time = 1.0;
     CHECK_THROWS_AS(single.add(two), ContractViolation);
 }
+
+TEST_CASE("approaches are gone on with from their last sample or later, and with as many bodies") {
+    State two(2);
+    two.time = 1.0;
+    ClosestApproach approach;
+    approach.add(two);
+    Archive a;
+    approach.archive(a, two);
+    ClosestApproach other;
+    Archive same(a.bytes());
+    CHECK_NOTHROW(other.archive(same, two));
+    two.time = 0.5;
+    Archive earlier(a.bytes());
+    CHECK_THROWS_AS(other.archive(earlier, two), CheckpointError);
+    State three(3);
+    three.time = 1.0;
+    Archive more(a.bytes());
+    CHECK_THROWS_AS(other.archive(more, three), CheckpointError);
+}

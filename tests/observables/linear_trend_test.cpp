@@ -2,8 +2,12 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 
+using ljmd::Archive;
+using ljmd::CheckpointError;
+using ljmd::Index;
 using ljmd::LinearTrend;
 
 TEST_CASE("The slope of points on a line is exact") {
@@ -60,4 +64,15 @@ TEST_CASE("No slope without two different times") {
     CHECK_FALSE(trend.slope().has_value());
     trend.add(0.2, 8.0);
     CHECK(trend.slope().has_value());
+}
+
+TEST_CASE("a trend of a number of points that cannot be is not taken from an archive") {
+    for (Index points : {Index{-1}, std::numeric_limits<Index>::max()}) {
+        Archive a;
+        double zero = 0.0;
+        a(points, zero, zero, zero, zero);
+        Archive back(a.bytes());
+        LinearTrend trend;
+        CHECK_THROWS_AS(trend.archive(back), CheckpointError);
+    }
 }

@@ -261,3 +261,15 @@ TEST_CASE("Samples of an orbit that do not follow in time are refused") {
     CHECK_THROWS_AS(points.add(1.0, Vec3::UnitX(), Vec3::UnitY()), ContractViolation);
     CHECK_THROWS_AS(points.add_radial(0.5, 1.0, 0.0, 0.0, 0.0), ContractViolation);
 }
+
+TEST_CASE("an orbit is gone on with from its last sample or later") {
+    TurningPoints points;
+    points.add(1.0, Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0));
+    Archive a;
+    points.archive(a, 1.0);
+    TurningPoints other;
+    Archive same(a.bytes());
+    CHECK_NOTHROW(other.archive(same, 1.0));
+    Archive earlier(a.bytes());
+    CHECK_THROWS_AS(other.archive(earlier, 0.5), CheckpointError);
+}

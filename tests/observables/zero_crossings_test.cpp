@@ -90,3 +90,15 @@ TEST_CASE("Samples of a coordinate that do not follow in time are refused") {
     found.add(1.0, 0.0, 1.0);
     CHECK_THROWS_AS(found.add(1.0, 0.1, 1.0), ContractViolation);
 }
+
+TEST_CASE("an oscillation is gone on with from its last sample or later") {
+    ZeroCrossings crossings;
+    crossings.add(1.0, 0.5, 1.0);
+    Archive a;
+    crossings.archive(a, 1.0);
+    ZeroCrossings other;
+    Archive same(a.bytes());
+    CHECK_NOTHROW(other.archive(same, 1.0));
+    Archive earlier(a.bytes());
+    CHECK_THROWS_AS(other.archive(earlier, 0.5), CheckpointError);
+}

@@ -37,6 +37,11 @@ class ForceField {
         return evaluation;
     }
 
+    /// What an evaluation leaves to the next one.
+    /// @param state  as the last evaluation left it, but for positions that have moved since; is not changed
+    /// @throws CheckpointError
+    virtual void archive(Archive& /*a*/, const State& /*state*/) {}
+
   protected:
     ForceField() = default;
     ForceField(const ForceField&) = default;

@@ -35,6 +35,8 @@ class PairForceField : public ForceField {
     /// Wall time spent on sums over pairs, neighbour search left out.
     [[nodiscard]] double seconds_summing() const { return seconds_summing_; }
 
+    void archive(Archive& a, const State& state) override;
+
   private:
     Evaluation compute(State& state, Request request) override;
 

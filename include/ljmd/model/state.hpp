@@ -11,6 +11,8 @@
 
 namespace ljmd {
 
+class Archive;
+
 /// Views of per-atom vectors: column i is atom i. The layout behind them is private to State and may change; use
 /// `view.col(i)`. A view is valid until the next call that may reorder atoms or change their number
 /// (ForceField::evaluate, State::reorder, State::set_ghosts).
@@ -101,6 +103,8 @@ class State {
     struct Phase {
         std::string integrator;  ///< which one, with its settings; empty: none
         Index steps = 0;         ///< since it began
+
+        void archive(Archive& a);
     };
     [[nodiscard]] const Phase& phase() const { return phase_; }
     void set_phase(Phase phase) { phase_ = std::move(phase); }
@@ -109,6 +113,10 @@ class State {
     [[nodiscard]] bool forces_are_current() const { return forces_current_; }
     void mark_forces_current() { forces_current_ = true; }
 
+    /// All of it but the ghosts, in the order in which the atoms lie.
+    /// @throws CheckpointError  a state of another number of atoms, or what cannot be a state
+    void archive(Archive& a);
+
     double time = 0.0;  ///< [tau]
     Index step = 0;     ///< steps since the start of the run
 
@@ -116,6 +124,8 @@ class State {
     struct Registered {
         std::string name;
         AlignedVector<double> data;
+
+        void archive(Archive& a);
     };
 
     Index count_;

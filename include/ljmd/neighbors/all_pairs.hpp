@@ -39,6 +39,9 @@ class AllPairs {
 
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
+    /// Nothing else outlives an evaluation.
+    void archive(Archive& a, const State& /*state*/, double /*cutoff*/) { a(statistics_); }
+
   private:
     SearchStatistics statistics_;
 };

@@ -43,6 +43,9 @@ class LinkedCells {
 
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
+    /// Nothing else outlives an evaluation.
+    void archive(Archive& a, const State& /*state*/, double /*cutoff*/) { a(statistics_); }
+
   private:
     CellGrid grid_;
     GhostExchange ghosts_;

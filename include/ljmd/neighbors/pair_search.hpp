@@ -21,7 +21,9 @@ namespace ljmd {
 ///         call visit(PairVisit) for all pairs of an atom i of the part with every j != i that can be closer than the
 ///         cutoff. A pair comes either once from each side, and j may then be a ghost, or once for both, and j is then
 ///         of the same part. Candidates beyond the cutoff must be expected;
-///     const SearchStatistics& statistics() const.
+///     const SearchStatistics& statistics() const;
+///     void archive(Archive&, const State&, double cutoff)
+///         what an evaluation leaves to the next one.
 ///
 /// @pre for all: cutoff <= L/2, so that no atom meets two images of another one within the cutoff.
 using PairSearch = std::variant<AllPairs, LinkedCells, VerletList>;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ljmd/core/archive.hpp"
+#include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
@@ -11,6 +13,13 @@ struct SearchStatistics {
     Index distance_tests = 0;      ///< pairs looked at while building lists (Verlet list only)
     double seconds_sorting = 0.0;  ///< atoms put in order, ghosts made anew
     double seconds_listing = 0.0;  ///< lists checked and built, ghosts moved
+
+    void archive(Archive& a) {
+        a(preparations, rebuilds, distance_tests, seconds_sorting, seconds_listing);
+        for (const Index count : {preparations, rebuilds, distance_tests}) {
+            require_count(count);
+        }
+    }
 };
 
 }  // namespace ljmd

@@ -68,6 +68,11 @@ class VerletList {
     [[nodiscard]] double skin() const { return skin_; }
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
+    /// A list is stored as the positions that it was built from; from these it is built again, to the last entry.
+    /// @param state  with the atoms in the order that they had when the list was last used; is not changed
+    /// @throws CheckpointError
+    void archive(Archive& a, const State& state, double cutoff);
+
   private:
     /// True when no atom has moved by more than skin/2 since the list was built for this cutoff and box.
     [[nodiscard]] bool still_valid(const State& state, double cutoff) const;

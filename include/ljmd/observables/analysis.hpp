@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/section.hpp"
 #include "ljmd/model/state.hpp"
 
@@ -29,6 +30,9 @@ class Analysis {
 
     /// What has been found so far. @pre samples() > 0
     [[nodiscard]] virtual DataTable result() const = 0;
+
+    /// All that sampling has changed.
+    virtual void archive(Archive& a) = 0;
 };
 
 /// A kind of analysis that [analysis] can ask for. One file in src/observables/analyses each.

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
@@ -74,6 +75,9 @@ class BlockingAccumulator {
     /// @throws ContractViolation unless 0 <= component < width
     [[nodiscard]] std::vector<BlockLevel> levels(Index component) const;
 
+    /// @throws CheckpointError for averages of another width
+    void archive(Archive& a);
+
   private:
     struct Level {
         Index blocks = 0;
@@ -81,6 +85,8 @@ class BlockingAccumulator {
         Eigen::MatrixXd
             deviation;            // running sum of their squared deviations: (width, width), or (width, 1) if diagonal
         Eigen::VectorXd pending;  // the block that waits for its partner, when `blocks` is odd
+
+        void archive(Archive& a) { a(blocks, mean, deviation, pending); }
     };
 
     void accumulate(Level& level, const Eigen::VectorXd& block) const;

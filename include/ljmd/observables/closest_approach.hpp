@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -12,6 +13,8 @@ struct Approach {
     double time;
     Index first;  ///< ids counted from 1, first < second
     Index second;
+
+    void archive(Archive& a) { a(distance, time, first, second); }
 };
 
 /// Smallest distance between any two bodies of a system without a box, sampled once a step.
@@ -28,11 +31,16 @@ class ClosestApproach {
     /// Empty without samples and for fewer than two bodies. Of equal distances the earliest.
     [[nodiscard]] const std::optional<Approach>& closest() const { return closest_; }
 
+    /// @param now  from which samples go on  @throws CheckpointError for samples of other bodies or later times
+    void archive(Archive& a, const State& now);
+
   private:
     struct Sample {
         double time;
         Eigen::Matrix3Xd r;  // column of a body: its id
         Eigen::Matrix3Xd v;
+
+        void archive(Archive& a) { a(time, r, v); }
     };
 
     void compare(const Approach& candidate);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/section.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 #include "ljmd/model/state.hpp"
@@ -39,6 +40,10 @@ class FewBodyAnalysis {
 
     /// Single events, for a file of their own.
     [[nodiscard]] virtual std::optional<DataTable> table() const = 0;
+
+    /// All that sampling has changed.
+    /// @param now  from which it goes on  @throws CheckpointError when that cannot be
+    virtual void archive(Archive& a, const State& now) = 0;
 
   protected:
     FewBodyAnalysis() = default;

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "ljmd/core/archive.hpp"
+#include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
@@ -21,6 +23,11 @@ class LinearTrend {
 
     /// Empty when no line is defined: fewer than 2 points, or all at the same t.
     [[nodiscard]] std::optional<double> slope() const;
+
+    void archive(Archive& a) {
+        a(samples_, mean_t_, mean_y_, deviation_tt_, deviation_ty_);
+        require_count(samples_);
+    }
 
   private:
     Index samples_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
@@ -15,6 +16,11 @@ struct OrbitalElements {
     double pericentre;              ///< h^2 / (mu (1 + |e|)): smallest distance
     double apocentre;               ///< a (1 + |e|): largest distance; infinite when unbound
     double argument_of_pericentre;  ///< atan2(e_y, e_x) in (-pi, pi], see below
+
+    void archive(Archive& a) {
+        a(specific_energy, angular_momentum, semi_major_axis, eccentricity, period, pericentre, apocentre,
+          argument_of_pericentre);
+    }
 };
 
 /// The argument of pericentre is the polar angle, from the x axis towards the y axis, of the projection of e on the x-y

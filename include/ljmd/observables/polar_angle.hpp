@@ -2,12 +2,16 @@
 
 #include <optional>
 
+#include "ljmd/core/archive.hpp"
+
 namespace ljmd {
 
 /// The polar angle of a motion whose coordinate is the distance alone, and its rate.
 struct PolarAngle {
     double value;  ///< [rad], unwrapped, 0 at the first sample
     double rate;   ///< [rad/time]
+
+    void archive(Archive& a) { a(value, rate); }
 };
 
 /// Finds the angle by quadrature of its rate, theta' = h / rho^2 for a body of specific angular momentum h, with the
@@ -24,6 +28,8 @@ class PolarAngleQuadrature {
         angle_.rate = rate;
         return angle_;
     }
+
+    void archive(Archive& a) { a(last_time_, angle_); }
 
   private:
     std::optional<double> last_time_;

@@ -25,6 +25,7 @@ class RadialDistribution : public Analysis {
     void sample(const State& state) override;
     [[nodiscard]] Index samples() const override { return histogram_.samples(); }
     [[nodiscard]] DataTable result() const override;
+    void archive(Archive& a) override { a(ideal_pairs_per_volume_, atoms_, histogram_); }
 
   private:
     Index bins_;

@@ -33,6 +33,8 @@ class RunAverages {
     /// pressure_xx ... pressure_yz, virial; empty without samples.
     [[nodiscard]] std::vector<ObservableAverage> averages() const;
 
+    void archive(Archive& a) { a(series_); }
+
   private:
     [[nodiscard]] std::optional<Estimate> compressibility_factor() const;
 

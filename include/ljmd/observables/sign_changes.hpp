@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "ljmd/core/archive.hpp"
+
 namespace ljmd {
 
 /// Where a quantity sampled once a step changes sign, a sample that is exactly zero included.
@@ -26,6 +28,11 @@ class SignChanges {
         side_ = sign != 0 ? sign : side_;
         return place;
     }
+
+    /// A sample was told.
+    [[nodiscard]] bool begun() const { return last_.has_value(); }
+
+    void archive(Archive& a) { a(side_, last_); }
 
   private:
     int side_ = 0;  // the latest sign that was not zero

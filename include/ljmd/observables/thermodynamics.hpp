@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/potentials/tail_correction.hpp"
@@ -17,6 +18,10 @@ struct Thermodynamics {
     double pressure = 0.0;              ///< (2 K + W)/(3 V) + p_tail [epsilon/sigma^3]
     Mat3 pressure_tensor;               ///< (sum m v v + W_ab)/V + p_tail delta_ab [epsilon/sigma^3]
     double virial = 0.0;                ///< W = sum over pairs of r . f [epsilon], of the whole system, without tail
+
+    void archive(Archive& a) {
+        a(temperature, potential_energy, kinetic_energy, total_energy, pressure, pressure_tensor, virial);
+    }
 };
 
 /// Evaluate the thermodynamics of a state from what its force field returned for it.

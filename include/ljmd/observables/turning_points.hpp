@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/observables/interval_mean.hpp"
 #include "ljmd/observables/sign_changes.hpp"
@@ -17,6 +18,8 @@ struct Passage {
     double time;
     double distance;
     double angle;  ///< unwrapped, see TurningPoints; NaN when the motion began on a line
+
+    void archive(Archive& a) { a(kind, time, distance, angle); }
 };
 
 /// Apsides of an orbit (turning points of a radial motion) from samples of a relative position r and velocity v.
@@ -52,6 +55,9 @@ class TurningPoints {
     /// Positive when the apsides turn in the direction of motion. Empty as for period(), and when no angle is swept.
     [[nodiscard]] std::optional<IntervalMean> precession() const;
 
+    /// @param now  from which samples go on  @throws CheckpointError for samples of later times
+    void archive(Archive& a, double now);
+
   private:
     struct Sample {
         double time;
@@ -59,6 +65,8 @@ class TurningPoints {
         Vec3 v;
         double angle;
         std::optional<double> angle_rate;  // of a radial motion
+
+        void archive(Archive& a) { a(time, r, v, angle, angle_rate); }
     };
 
     void add(const Sample& now);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/observables/interval_mean.hpp"
 #include "ljmd/observables/sign_changes.hpp"
 
@@ -14,6 +15,8 @@ enum class Direction { upward, downward };
 struct ZeroCrossing {
     Direction direction;
     double time;
+
+    void archive(Archive& a) { a(direction, time); }
 };
 
 /// Passages of a coordinate (the angle of a pendulum) through zero and its largest excursion, from samples of its value
@@ -35,11 +38,16 @@ class ZeroCrossings {
     /// Largest |x| so far, extremes within the steps included; 0 without samples.
     [[nodiscard]] double amplitude() const { return amplitude_; }
 
+    /// @param now  from which samples go on  @throws CheckpointError for samples of later times
+    void archive(Archive& a, double now);
+
   private:
     struct Sample {
         double time;
         double x;
         double rate;
+
+        void archive(Archive& a) { a(time, x, rate); }
     };
 
     std::optional<Sample> last_;

@@ -25,6 +25,8 @@ class Closest : public FewBodyAnalysis {
 
     [[nodiscard]] std::optional<DataTable> table() const override { return std::nullopt; }
 
+    void archive(Archive& a, const State& now) override { approach_.archive(a, now); }
+
   private:
     ClosestApproach approach_;
 };

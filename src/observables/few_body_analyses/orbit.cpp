@@ -104,6 +104,11 @@ class Orbit : public FewBodyAnalysis {
         return table;
     }
 
+    void archive(Archive& a, const State& now) override {
+        points_.archive(a, now.time);
+        a(first_, last_);
+    }
+
   private:
     static void add_elements(std::vector<Finding>& found, const std::string& when,
                              const std::optional<OrbitalElements>& elements) {

@@ -48,6 +48,8 @@ class Oscillation : public FewBodyAnalysis {
         return table;
     }
 
+    void archive(Archive& a, const State& now) override { crossings_.archive(a, now.time); }
+
   private:
     Index body_;
     Index component_;
