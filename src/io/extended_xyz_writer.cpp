@@ -51,7 +51,7 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocit
 }
 
 ExtendedXyzWriter::ExtendedXyzWriter(const State& first, const TrajectoryOptions& options)
-    : file_(options.path),
+    : file_(options.path, options.kept ? std::optional(options.kept->bytes) : std::nullopt),
       velocities_(options.velocities),
       si_(options.si),
       count_(first.count()),
@@ -65,6 +65,10 @@ void ExtendedXyzWriter::write(const State& state) {
     }
     write_extended_xyz_frame(file_, state, velocities_, si_);
     file_.sync();
+}
+
+CommittedFrames ExtendedXyzWriter::commit() {
+    return {file_.commit(), {}};
 }
 
 void ExtendedXyzWriter::close() {

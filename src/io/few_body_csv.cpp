@@ -20,8 +20,11 @@ void append(std::string& line, const Vec3& vector, int dimensions) {
 
 }  // namespace
 
-FewBodyThermoCsv::FewBodyThermoCsv(const std::filesystem::path& path, int dimensions)
-    : file_(path), dimensions_(dimensions) {
+FewBodyThermoCsv::FewBodyThermoCsv(const std::filesystem::path& path, int dimensions, std::optional<std::int64_t> kept)
+    : file_(path, kept), dimensions_(dimensions) {
+    if (kept) {
+        return;
+    }
     std::string header = "step,time,potential_energy,kinetic_energy,total_energy";
     for (int a = 0; a < dimensions; ++a) {
         header += fmt::format(",momentum_{}", axes.at(static_cast<std::size_t>(a)));
@@ -45,8 +48,11 @@ void FewBodyThermoCsv::write(Index step, double time, const FewBodyTotals& total
 }
 
 TrajectoryCsv::TrajectoryCsv(const std::filesystem::path& path, Index bodies, int dimensions, bool accelerations,
-                             bool angle)
-    : file_(path), dimensions_(dimensions), accelerations_(accelerations), angle_(angle) {
+                             bool angle, std::optional<std::int64_t> kept)
+    : file_(path, kept), dimensions_(dimensions), accelerations_(accelerations), angle_(angle) {
+    if (kept) {
+        return;
+    }
     std::string header = "step,time";
     for (Index body = 1; body <= bodies; ++body) {
         for (const char* prefix : {"", "v", "a"}) {

@@ -1,12 +1,15 @@
 #include "h5md_writer.hpp"
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
 
@@ -18,12 +21,15 @@ const std::string particles = "particles/trajectory";
 constexpr hsize_t frames_per_chunk = 64;
 
 /// One frame a chunk; a frame above a mebibyte is divided into equal pieces below it.
-std::vector<hsize_t> frame_chunk(Index atoms) {
+Index atoms_per_chunk(Index atoms) {
     constexpr Index bytes_per_atom = 3 * sizeof(double);
     constexpr Index most_bytes = Index{1} << 20;
     const Index pieces = std::max<Index>(1, (atoms * bytes_per_atom + most_bytes - 1) / most_bytes);
-    const Index atoms_per_chunk = std::max<Index>(1, (atoms + pieces - 1) / pieces);
-    return {1, static_cast<hsize_t>(atoms_per_chunk), 3};
+    return std::max<Index>(1, (atoms + pieces - 1) / pieces);
+}
+
+std::vector<hsize_t> frame_chunk(Index atoms) {
+    return {1, static_cast<hsize_t>(atoms_per_chunk(atoms)), 3};
 }
 
 /// Vectors in the order of ids, (N, 3) by rows.
@@ -38,6 +44,36 @@ std::vector<double> gathered(const State& state, double scale, VectorOf vector_o
     return result;
 }
 
+/// Vectors of all atoms from the chunks at these places; what the file does not hold is left zero.
+std::vector<double> vectors_at(std::ifstream& file, const std::vector<std::uint64_t>& places, Index atoms) {
+    std::vector<double> vectors;
+    const Index most = atoms_per_chunk(atoms);
+    for (const std::uint64_t place : places) {
+        const auto begin = vectors.size();
+        const Index rest = atoms - static_cast<Index>(begin / 3);
+        vectors.resize(begin + 3 * static_cast<std::size_t>(std::clamp<Index>(rest, 0, most)));
+        file.clear();
+        file.seekg(static_cast<std::streamoff>(place));
+        file.read(reinterpret_cast<char*>(vectors.data() + begin),
+                  static_cast<std::streamsize>((vectors.size() - begin) * sizeof(double)));
+    }
+    return vectors;
+}
+
+std::uint64_t checksum(const std::vector<double>& velocities, const std::vector<double>& positions) {
+    const std::uint64_t first = XXH3_64bits(velocities.data(), velocities.size() * sizeof(double));
+    return XXH3_64bits_withSeed(positions.data(), positions.size() * sizeof(double), first);
+}
+
+/// A name in the same folder that no other file has.
+std::filesystem::path new_beside(const std::filesystem::path& path) {
+    std::filesystem::path name = path;
+    name += ".tmp";
+    std::error_code ignored;
+    std::filesystem::remove(name, ignored);  // so that a link of that name is not followed
+    return name;
+}
+
 }  // namespace
 
 H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
@@ -45,7 +81,7 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
       has_box_(first.has_box()),
       has_velocities_(options.velocities),
       scale_(unit_scale(options.si, 1.0)),
-      file_(options.path),
+      file_(options.kept ? new_beside(options.path) : options.path),
       step_{particles + "/position/step", {}, H5T_NATIVE_INT64},
       time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
       edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
@@ -56,6 +92,33 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
     create_particles(first, options.si.has_value());
     create_box(options.si.has_value());
     file_.start_appending();
+    if (options.kept) {
+        try {
+            copy_frames(options.path, options.kept->frames);
+            file_.rename(options.path);
+        } catch (const Error&) {
+            std::error_code ignored;
+            std::filesystem::remove(new_beside(options.path), ignored);
+            throw;
+        }
+    }
+}
+
+void H5mdWriter::copy_frames(const std::filesystem::path& from, const std::vector<FramePlace>& frames) {
+    require_bytes(from, 0);
+    std::ifstream file(from, std::ios::binary);
+    for (const FramePlace& frame : frames) {
+        const Vectors vectors{vectors_at(file, frame.velocities, count_), vectors_at(file, frame.positions, count_)};
+        const auto numbers = 3 * static_cast<std::size_t>(count_);
+        const bool whole = vectors.positions.size() == numbers &&
+                           vectors.velocities.size() == (has_velocities_ ? numbers : 0) &&
+                           checksum(vectors.velocities, vectors.positions) == frame.checksum;
+        if (!whole) {
+            throw CheckpointError(
+                fmt::format("the frame of step {} in '{}' is not what was written", frame.step, from.string()));
+        }
+        append(frame, vectors);
+    }
 }
 
 void H5mdWriter::create_metadata(const TrajectoryOptions& options) {
@@ -149,25 +212,43 @@ void H5mdWriter::write(const State& state) {
         throw FileError(fmt::format("cannot write '{}': an earlier write failed", file_.path().string()));
     }
     failed_ = true;  // until the frame is complete
-    append(state);
+    FramePlace frame{state.step, scale_.time * state.time, {}, {}, {}, 0};
+    if (has_box_) {
+        for (int axis = 0; axis < 3; ++axis) {
+            frame.edges[static_cast<std::size_t>(4 * axis)] = scale_.length * state.box().edges()[axis];
+        }
+    }
+    Vectors vectors;
+    if (has_velocities_) {
+        const auto v = state.velocities();
+        vectors.velocities = gathered(state, scale_.velocity, [&v](Index i) -> Vec3 { return v.col(i); });
+    }
+    vectors.positions = gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); });
+    append(frame, vectors);
     file_.commit();
     failed_ = false;
 }
 
-void H5mdWriter::append(const State& state) {
-    const double time = scale_.time * state.time;
-    file_.append(step_, &state.step);
-    file_.append(time_, &time);
+void H5mdWriter::append(const FramePlace& frame, const Vectors& vectors) {
+    frames_.push_back(frame);
+    FramePlace& place = frames_.back();
+    file_.append(step_, &place.step);
+    file_.append(time_, &place.time);
     if (has_box_) {
-        const Mat3 edges = (scale_.length * state.box().edges()).asDiagonal();
-        file_.append(edges_, edges.data());
+        file_.append(edges_, place.edges.data());
     }
     if (has_velocities_) {
-        const auto v = state.velocities();
-        file_.append(velocity_, gathered(state, scale_.velocity, [&v](Index i) -> Vec3 { return v.col(i); }).data());
+        file_.append(velocity_, vectors.velocities.data());
+        place.velocities = file_.places_of_last(velocity_);
     }
     // Positions go last: readers take the number of frames from them, so a frame that they count is complete.
-    file_.append(position_, gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); }).data());
+    file_.append(position_, vectors.positions.data());
+    place.positions = file_.places_of_last(position_);
+    place.checksum = checksum(vectors.velocities, vectors.positions);
+}
+
+CommittedFrames H5mdWriter::commit() {
+    return {0, frames_};  // every frame is on the disk when write() returns
 }
 
 void H5mdWriter::close() {

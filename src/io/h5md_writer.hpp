@@ -20,23 +20,37 @@ namespace ljmd {
 ///
 /// step and time of box and velocity are hard links to those of position. SI files have `unit` attributes nm, ps and
 /// nm ps-1; reduced ones have none, because readers refuse units that they do not know.
+///
+/// A file is gone on with by copying the frames that stay into a new one, which then takes its place: HDF5 does not
+/// write to a file that was not closed. Frames are read from their places (FramePlace), not through HDF5.
 class H5mdWriter : public TrajectoryWriter {
   public:
     H5mdWriter(const State& first, const TrajectoryOptions& options);
     void write(const State& state) override;
+    CommittedFrames commit() override;
     void close() override;
 
   private:
+    /// Numbers of atoms in the order of their ids, (N, 3) by rows, in the units of the file.
+    struct Vectors {
+        std::vector<double> velocities;  ///< empty when they are not written
+        std::vector<double> positions;
+    };
+
+    /// Frames of a file that is to be replaced by this one.
+    void copy_frames(const std::filesystem::path& from, const std::vector<FramePlace>& frames);
+    void append(const FramePlace& frame, const Vectors& vectors);
+
     void create_metadata(const TrajectoryOptions& options);
     void create_parameters(const TrajectoryOptions& options);
     void create_box(bool si);
     void create_particles(const State& first, bool si);
-    void append(const State& state);
 
     Index count_;
     bool has_box_;
     bool has_velocities_;
     bool failed_ = false;
+    std::vector<FramePlace> frames_;
     UnitScale scale_;
     Hdf5Output file_;
     Hdf5Output::Series step_;

@@ -49,7 +49,8 @@ Hdf5Output::Hdf5Output(std::filesystem::path path) : path_(std::move(path)) {
     // The format of HDF5 1.10: the first that can be appended to safely, and readable by all later versions.
     checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), doing);
     checked(H5Pset_fapl_sec2(access.get()), doing);
-    file_ = Hdf5Handle(checked(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), doing), H5Fclose);
+    const Hdf5Handle creation = without_times(H5P_FILE_CREATE);
+    file_ = Hdf5Handle(checked(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), doing), H5Fclose);
 }
 
 Hdf5Output::~Hdf5Output() {
@@ -59,11 +60,19 @@ Hdf5Output::~Hdf5Output() {
     }
 }
 
+Hdf5Handle Hdf5Output::without_times(hid_t kind) {
+    const std::string doing = "describing an object";
+    Hdf5Handle properties(checked(H5Pcreate(kind), doing), H5Pclose);
+    checked(H5Pset_obj_track_times(properties.get(), false), doing);
+    return properties;
+}
+
 void Hdf5Output::create_group(const std::string& name) {
     const Hdf5Silence silence;
-    const Hdf5Handle group(
-        checked(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "creating group " + name),
-        H5Gclose);
+    const Hdf5Handle creation = without_times(H5P_GROUP_CREATE);
+    const Hdf5Handle group(checked(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+                                   "creating group " + name),
+                           H5Gclose);
 }
 
 Hdf5Handle Hdf5Output::axis(std::size_t length) {
@@ -130,8 +139,9 @@ void Hdf5Output::write_dataset(const std::string& name, hid_t file_type, hid_t m
                                const void* data) {
     const std::string doing = "writing " + name;
     const Hdf5Handle space = axis(length);
+    const Hdf5Handle creation = without_times(H5P_DATASET_CREATE);
     const Hdf5Handle dataset(
-        checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
                 doing),
         H5Dclose);
     checked(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), doing);
@@ -162,7 +172,7 @@ void Hdf5Output::create_series(const Series& series, const std::vector<hsize_t>&
     limit[0] = H5S_UNLIMITED;
     const int rank = static_cast<int>(extent.size());
     const Hdf5Handle space(checked(H5Screate_simple(rank, extent.data(), limit.data()), doing), H5Sclose);
-    const Hdf5Handle creation(checked(H5Pcreate(H5P_DATASET_CREATE), doing), H5Pclose);
+    const Hdf5Handle creation = without_times(H5P_DATASET_CREATE);
     checked(H5Pset_chunk(creation.get(), rank, chunk.data()), doing);
     const hid_t file_type = series.type == H5T_NATIVE_DOUBLE ? H5T_IEEE_F64LE : H5T_STD_I64LE;
     const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), series.name.c_str(), file_type, space.get(), H5P_DEFAULT,
@@ -213,6 +223,28 @@ void Hdf5Output::append(Series& series, const void* data) {
     ++series.length;
 }
 
+std::vector<std::uint64_t> Hdf5Output::places_of_last(const Series& series) {
+    const Hdf5Silence silence;
+    const std::string doing = fmt::format("asking where entry {} of {} lies", series.length, series.name);
+    const Hdf5Handle creation(checked(H5Dget_create_plist(series.dataset), doing), H5Pclose);
+    std::vector<hsize_t> chunk(series.entry.size() + 1);
+    checked(H5Pget_chunk(creation.get(), static_cast<int>(chunk.size()), chunk.data()), doing);
+    std::vector<std::uint64_t> places;
+    std::vector<hsize_t> corner(chunk.size());
+    corner[0] = series.length - 1;
+    for (; corner[1] < series.entry[0]; corner[1] += chunk[1]) {
+        unsigned filters = 0;
+        haddr_t place = HADDR_UNDEF;
+        hsize_t bytes = 0;
+        checked(H5Dget_chunk_info_by_coord(series.dataset, corner.data(), &filters, &place, &bytes), doing);
+        if (place == HADDR_UNDEF) {
+            fail(doing, "it has no place");
+        }
+        places.push_back(place);
+    }
+    return places;
+}
+
 void Hdf5Output::commit() {
     const Hdf5Silence silence;
     void* descriptor = nullptr;
@@ -220,6 +252,17 @@ void Hdf5Output::commit() {
     if (::fsync(*static_cast<int*>(descriptor)) != 0) {
         fail("waiting for the disk", std::generic_category().message(errno));
     }
+}
+
+void Hdf5Output::rename(const std::filesystem::path& path) {
+    commit();
+    std::error_code error;
+    std::filesystem::rename(path_, path, error);
+    if (error) {
+        fail("renaming it", error.message());
+    }
+    path_ = path;
+    sync_folder_of(path_);
 }
 
 void Hdf5Output::close() {

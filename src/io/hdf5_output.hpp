@@ -62,8 +62,14 @@ class Hdf5Output {
     /// @param data  as many numbers of series.type as an entry has
     void append(Series& series, const void* data);
 
+    /// Where the chunks of the last entry lie in the file, along its second axis. @pre one entry a chunk
+    [[nodiscard]] std::vector<std::uint64_t> places_of_last(const Series& series);
+
     /// Wait until everything appended is on the disk.
     void commit();
+
+    /// Take another name, replacing a file that has it: commit(), rename, fsync of the folder.
+    void rename(const std::filesystem::path& path);
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
@@ -75,6 +81,8 @@ class Hdf5Output {
     Result checked(Result result, const std::string& doing);
     [[noreturn]] void fail(const std::string& doing, const std::string& cause);
     [[nodiscard]] Hdf5Handle fixed_text_type(const std::vector<std::string>& texts);
+    /// Properties for creating an object that does not remember when: the same frames give the same file.
+    [[nodiscard]] Hdf5Handle without_times(hid_t kind);
     [[nodiscard]] Hdf5Handle axis(std::size_t length);
     void write_attribute(const std::string& object, const std::string& name, hid_t type, hid_t space, const void* data);
     void write_dataset(const std::string& name, hid_t file_type, hid_t memory_type, std::size_t length,

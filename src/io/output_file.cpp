@@ -30,11 +30,38 @@ int sync_descriptor(int descriptor) {
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
+void require_bytes(const std::filesystem::path& path, std::int64_t bytes) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
+    if (!std::filesystem::exists(status)) {
+        throw CheckpointError(fmt::format("'{}' is not there any more", path.string()));
+    }
+    if (!std::filesystem::is_regular_file(status)) {  // a link leads elsewhere, opening a pipe would wait for ever
+        throw CheckpointError(fmt::format("'{}' is not the file that the run wrote", path.string()));
+    }
+    const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
+    if (size < bytes) {
+        throw CheckpointError(
+            fmt::format("'{}' has {} bytes, but had {} when the checkpoint was written", path.string(), size, bytes));
+    }
+}
+
+OutputFile::OutputFile(std::filesystem::path path, std::optional<std::int64_t> kept) : path_(std::move(path)) {
     constexpr mode_t permissions = 0666;  // less what the user's umask takes away
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions);
+    if (kept) {
+        require_bytes(path_, *kept);
+    }
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (kept ? 0 : O_CREAT | O_TRUNC), permissions);
     if (descriptor_ < 0) {
-        throw file_error("create", path_, errno);
+        throw file_error(kept ? "open" : "create", path_, errno);
+    }
+    if (kept) {
+        written_ = committed_ = *kept;
+        if (::ftruncate(descriptor_, *kept) != 0 || ::lseek(descriptor_, *kept, SEEK_SET) != *kept) {
+            const int error = errno;
+            ::close(descriptor_);
+            throw file_error("cut", path_, error);
+        }
     }
     buffer_.reserve(buffer_size);
 }
@@ -104,6 +131,11 @@ void OutputFile::sync() {
     if (const int error = sync_descriptor(descriptor_); error != 0) {
         fail("write", error);
     }
+}
+
+std::int64_t OutputFile::commit() {
+    sync();
+    return committed_;
 }
 
 void OutputFile::close() {

@@ -10,8 +10,12 @@ std::string field(std::optional<double> value) {
 }
 }  // namespace
 
-ThermoCsv::ThermoCsv(const std::filesystem::path& path, bool order_parameter, std::optional<SubstanceUnits> units)
-    : file_(path), order_parameter_(order_parameter), units_(units) {
+ThermoCsv::ThermoCsv(const std::filesystem::path& path, bool order_parameter, std::optional<SubstanceUnits> units,
+                     std::optional<std::int64_t> kept)
+    : file_(path, kept), order_parameter_(order_parameter), units_(units) {
+    if (kept) {
+        return;
+    }
     file_.write(
         "step,time,temperature,potential_energy,kinetic_energy,total_energy,pressure,"
         "pressure_xx,pressure_yy,pressure_zz,pressure_xy,pressure_xz,pressure_yz");

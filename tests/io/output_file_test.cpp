@@ -143,3 +143,43 @@ TEST_CASE("an atomic write does not follow a link that lies in its way") {
     CHECK(content_of(folder / "a.txt") == "new\n");
     CHECK(folder.count_files() == 2);
 }
+
+TEST_CASE("a file is gone on with from the bytes that are kept, whatever stands behind them") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.txt";
+    std::int64_t kept = 0;
+    {
+        OutputFile file(path);
+        file.write("one\n");
+        kept = file.commit();
+        CHECK(content_of(path) == "one\n");
+        file.write("half a li");
+    }
+    CHECK(kept == 4);
+    OutputFile again(path, kept);
+    CHECK(content_of(path) == "one\n");
+    again.write("two\n");
+    CHECK(again.commit() == 8);
+    again.close();
+    CHECK(content_of(path) == "one\ntwo\n");
+    OutputFile(path, 0).write("from the start\n");
+    CHECK(content_of(path) == "from the start\n");
+}
+
+TEST_CASE("a file that has lost what should be kept, or that is no file, is not gone on with and not touched") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.txt";
+    CHECK_THROWS_AS(OutputFile(path, 0), CheckpointError);
+    CHECK_THROWS_WITH(OutputFile(path, 0), Contains("a.txt' is not there any more"));
+    std::ofstream(folder / "elsewhere") << "mine";
+    std::filesystem::create_symlink(folder / "elsewhere", folder / "link");
+    CHECK_THROWS_WITH(OutputFile(folder / "link", 0), Contains("link' is not the file that the run wrote"));
+    CHECK(std::filesystem::file_size(folder / "elsewhere") == 4);
+    CHECK_FALSE(std::filesystem::exists(path));
+    std::ofstream(path) << "short";
+    CHECK_THROWS_AS(OutputFile(path, 6), CheckpointError);
+    CHECK_THROWS_WITH(OutputFile(path, 6), Contains("has 5 bytes, but had 6 when the checkpoint was written"));
+    CHECK(content_of(path) == "short");
+    std::filesystem::create_directory(folder / "d");
+    CHECK_THROWS_AS(OutputFile(folder / "d", 0), CheckpointError);
+}

@@ -1,7 +1,11 @@
 #include "ljmd/io/trajectory_writer.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/hdf5_handle.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -19,6 +23,25 @@ State sample() {
     }
     state.reorder({2, 0, 1});
     return state;
+}
+
+/// All that the frames of a file hold, as text.
+std::string frames_of(const std::filesystem::path& path, const std::string& format) {
+    if (format == "xyz") {
+        return content_of(path);
+    }
+    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose);
+    REQUIRE(file);
+    std::string text;
+    for (const char* name : {"position/step", "position/time", "position/value", "velocity/value", "box/edges/value"}) {
+        const Hdf5Handle dataset(
+            H5Dopen2(file.get(), fmt::format("particles/trajectory/{}", name).c_str(), H5P_DEFAULT), H5Dclose);
+        const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose);
+        std::vector<double> numbers(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
+        REQUIRE(H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) >= 0);
+        text += fmt::format("{}: {}\n", name, fmt::join(numbers, " "));
+    }
+    return text;
 }
 
 }  // namespace
@@ -70,4 +93,63 @@ TEST_CASE("a trajectory that cannot be created is an error that names it, a form
     CHECK_THROWS_AS(make_trajectory_writer("dcd", sample(), {.path = folder / "t"}), InputError);
     CHECK_THROWS_WITH(make_trajectory_writer("", sample(), {.path = folder / "t"}), Contains("'h5md' and 'xyz'"));
     CHECK(folder.count_files() == 0);
+}
+
+TEST_CASE("a trajectory is gone on with from the frames that are kept, whether it was closed or not") {
+    for (const char* format : {"xyz", "h5md"}) {
+        for (const bool closed : {true, false}) {
+            INFO(format << (closed ? ", closed" : ", left open"));
+            const TemporaryFolder folder;
+            const auto moved = [](Index step) {
+                State state = sample();
+                state.step = step;
+                state.write_positions().col(0) += Vec3(0.0, 0.125 * static_cast<double>(step), 0.0);
+                return state;
+            };
+            const auto write = [&](const std::string& name, Index first, Index last,
+                                   const std::optional<CommittedFrames>& kept) {
+                auto writer =
+                    make_trajectory_writer(format, sample(), {.path = folder / name, .velocities = true, .kept = kept});
+                CommittedFrames committed;
+                for (Index step = first; step <= last; ++step) {
+                    writer->write(moved(step));
+                    if (step == 2) {
+                        committed = writer->commit();
+                    }
+                }
+                if (closed) {
+                    writer->close();
+                }
+                // A writer that is never destroyed closes nothing, as in a program that is killed.
+                auto* left = writer.release();
+                static std::vector<TrajectoryWriter*> all_left;
+                all_left.push_back(left);
+                return committed;
+            };
+            write("whole", 0, 5, std::nullopt);
+            const CommittedFrames kept = write("parts", 0, 4, std::nullopt);
+            write("parts", 3, 5, kept);
+            CHECK(frames_of(folder / "parts", format) == frames_of(folder / "whole", format));
+            CHECK(frames_of(folder / "parts", format).size() > 0);
+            CHECK_FALSE(std::filesystem::exists(folder / "parts.tmp"));
+        }
+    }
+}
+
+TEST_CASE("a trajectory that has lost frames is not gone on with and not touched") {
+    for (const char* format : {"xyz", "h5md"}) {
+        INFO(format);
+        const TemporaryFolder folder;
+        const auto path = folder / "t";
+        const TrajectoryOptions options{.path = path, .kept = CommittedFrames{100000, std::vector<FramePlace>(7)}};
+        CHECK_THROWS_AS(make_trajectory_writer(format, sample(), options), CheckpointError);
+        CHECK(folder.count_files() == 0);
+        auto writer = make_trajectory_writer(format, sample(), {.path = path});
+        writer->write(sample());
+        writer->close();
+        const std::string before = content_of(path);
+        CHECK_THROWS_AS(make_trajectory_writer(format, sample(), options), CheckpointError);
+        CHECK(content_of(path) == before);
+        CHECK(folder.count_files() == 1);
+    }
 }

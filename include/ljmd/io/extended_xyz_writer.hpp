@@ -28,6 +28,7 @@ class ExtendedXyzWriter : public TrajectoryWriter {
   public:
     ExtendedXyzWriter(const State& first, const TrajectoryOptions& options);
     void write(const State& state) override;
+    CommittedFrames commit() override;
     void close() override;
 
   private:

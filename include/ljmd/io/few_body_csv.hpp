@@ -21,14 +21,18 @@ struct FewBodyTotals {
 /// momentum_x (momentum_y, momentum_z in two and three dimensions), angular_momentum_z in two, all three in three.
 class FewBodyThermoCsv {
   public:
-    /// @throws FileError
-    FewBodyThermoCsv(const std::filesystem::path& path, int dimensions);
+    /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
+    FewBodyThermoCsv(const std::filesystem::path& path, int dimensions,
+                     std::optional<std::int64_t> kept = std::nullopt);
 
     /// @throws FileError
     void write(Index step, double time, const FewBodyTotals& totals);
 
     void flush() { file_.flush(); }
     void close() { file_.close(); }
+
+    /// What was written so far survives a power cut. @return bytes of it
+    std::int64_t commit() { return file_.commit(); }
 
   private:
     OutputFile file_;
@@ -40,8 +44,9 @@ class FewBodyThermoCsv {
 /// last, where the force has one, the polar angle that belongs to the coordinate.
 class TrajectoryCsv {
   public:
-    /// @throws FileError
-    TrajectoryCsv(const std::filesystem::path& path, Index bodies, int dimensions, bool accelerations, bool angle);
+    /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
+    TrajectoryCsv(const std::filesystem::path& path, Index bodies, int dimensions, bool accelerations, bool angle,
+                  std::optional<std::int64_t> kept = std::nullopt);
 
     /// @pre forces current where accelerations are written; an angle where the file has that column
     /// @throws FileError
@@ -49,6 +54,9 @@ class TrajectoryCsv {
 
     void flush() { file_.flush(); }
     void close() { file_.close(); }
+
+    /// What was written so far survives a power cut. @return bytes of it
+    std::int64_t commit() { return file_.commit(); }
 
   private:
     OutputFile file_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,8 +16,11 @@ namespace ljmd {
 /// last successful flush(), so that it never ends in half a line; after that every call throws.
 class OutputFile {
   public:
-    /// Create the file, or empty it if it exists. @throws FileError
-    explicit OutputFile(std::filesystem::path path);
+    /// Create the file, or empty it if it exists; or go on with one that exists.
+    /// @param kept  bytes of it that stay, as commit() told them; what is behind is cut off
+    /// @throws FileError
+    /// @throws CheckpointError when the file to go on with is not there or is shorter
+    explicit OutputFile(std::filesystem::path path, std::optional<std::int64_t> kept = std::nullopt);
 
     OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&&) = delete;
@@ -35,6 +39,9 @@ class OutputFile {
     /// flush(), then wait until it is on the disk: it survives a power cut. @throws FileError
     void sync();
 
+    /// sync(). @return bytes in the file
+    std::int64_t commit();
+
     /// flush() and close. A second call does nothing. @throws FileError
     void close();
 
@@ -52,6 +59,10 @@ class OutputFile {
     std::int64_t written_ = 0;    // bytes in the file
     std::int64_t committed_ = 0;  // bytes in the file at the last flush
 };
+
+/// Refuse to go on with a file that is not there, is no regular file or has fewer bytes. Changes nothing.
+/// @throws CheckpointError
+void require_bytes(const std::filesystem::path& path, std::int64_t bytes);
 
 /// Write a whole file so that a reader finds either the old one or the new one: temporary name `PATH.tmp` in the same
 /// folder, fsync, rename, fsync of the folder. On failure `path` is untouched and the temporary file is removed.

@@ -17,8 +17,9 @@ namespace ljmd {
 /// kinetic_energy_kJ_per_mol, total_energy_kJ_per_mol, pressure_bar. A quantity that is not defined is an empty field.
 class ThermoCsv {
   public:
-    /// @throws FileError
-    ThermoCsv(const std::filesystem::path& path, bool order_parameter, std::optional<SubstanceUnits> units);
+    /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
+    ThermoCsv(const std::filesystem::path& path, bool order_parameter, std::optional<SubstanceUnits> units,
+              std::optional<std::int64_t> kept = std::nullopt);
 
     /// @throws FileError
     void write(Index step, double time, const Thermodynamics& row, std::optional<double> order_parameter);
@@ -26,6 +27,9 @@ class ThermoCsv {
     /// What was written so far survives a kill of the program.
     void flush() { file_.flush(); }
     void close() { file_.close(); }
+
+    /// What was written so far survives a power cut. @return bytes of it
+    std::int64_t commit() { return file_.commit(); }
 
   private:
     OutputFile file_;

@@ -1,0 +1,28 @@
+#include "ljmd/io/directory_lock.hpp"
+
+#include <optional>
+
+#include "io/output_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a directory is one run's at a time, and free again when that ends") {
+    const ScratchDirectory folder;
+    std::optional<DirectoryLock> first;
+    first.emplace(folder.path());
+    CHECK_THROWS_AS(DirectoryLock(folder.path()), InUseError);
+    CHECK_THROWS_WITH(DirectoryLock(folder.path()), Contains("another run is writing to " + folder.path().string()));
+    first.reset();
+    CHECK_NOTHROW(DirectoryLock(folder.path()));
+    CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("what is no directory cannot be locked") {
+    const TemporaryFolder folder;
+    CHECK_THROWS_AS(DirectoryLock(folder / "none"), FileError);
+    std::ofstream(folder / "file") << "text";
+    CHECK_THROWS_AS(DirectoryLock(folder / "file"), FileError);
+}
