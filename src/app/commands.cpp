@@ -24,6 +24,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
+#include "ljmd/io/directory_lock.hpp"
 #include "ljmd/io/output_file.hpp"
 #include "ljmd/io/scratch_directory.hpp"
 
@@ -150,23 +151,40 @@ std::string export_report(const Exportable& what, const Exported& written) {
     return text + written.usage + "\n";
 }
 
-void run_fluid(const Deck& deck, Start start, const DeckOptions& options) {
+/// "90 s", "30 min", "2h", "1 d" in seconds; nothing for an empty text. @throws InputError
+std::optional<double> wall_time(const std::string& text) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const auto seconds = parse_wall_time(text);
+    if (!seconds) {
+        throw InputError(fmt::format(
+            "--walltime: '{}' is no wall time; allowed: a number > 0 with s, min, h or d, as in 90s or 2h", text));
+    }
+    return seconds;
+}
+
+void run_fluid(const Deck& deck, Start start, const DeckOptions& options, const RunControl& control) {
     // The start is made before anything is touched: what refuses it must not cost an earlier run.
     check_directory(deck, options.force);
     Progress progress(start.atoms, deck.total_steps(), options.quiet);
     Simulation simulation =
         make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
+    make_directory(deck.directory);
+    const DirectoryLock lock(deck.directory);
     prepare_directory(deck.directory);
-    const RunResult result = run_deck(deck, simulation, progress);
+    const RunResult result = run_deck(deck, simulation, progress, control);
     print_result(options.json ? results_json(deck, result) + "\n" : results_table(deck, result));
 }
 
-void run_bodies(const Deck& deck, const DeckOptions& options) {
+void run_bodies(const Deck& deck, const DeckOptions& options, const RunControl& control) {
     check_directory(deck, options.force);
     FewBodySystem system = make_few_body_system(deck);
     Progress progress(system.state.count(), deck.total_steps(), options.quiet);
+    make_directory(deck.directory);
+    const DirectoryLock lock(deck.directory);
     prepare_directory(deck.directory);
-    const FewBodyResult result = run_few_body(deck, system, progress);
+    const FewBodyResult result = run_few_body(deck, system, progress, control);
     print_result(options.json ? few_body_results_json(deck, result) + "\n" : few_body_results_table(deck, result));
 }
 
@@ -208,17 +226,68 @@ void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, co
 
 }  // namespace
 
-void run_command(const DeckOptions& options, const std::string& out) {
+void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
+    const RunControl control{.walltime = wall_time(walltime)};
+    heed_signals();
     Diagnostics diagnostics;
     Deck deck = load(options, diagnostics);
     if (!out.empty()) {
         deck.directory = out;
     }
     if (deck.kind == DeckKind::few_body) {
-        run_bodies(deck, options);
+        run_bodies(deck, options, control);
     } else {
-        run_fluid(deck, checked_start(deck, options, diagnostics), options);
+        run_fluid(deck, checked_start(deck, options, diagnostics), options, control);
     }
+}
+
+int resume_threads(const ResumeOptions& options) {
+    if (options.threads > 0) {
+        return options.threads;
+    }
+    try {
+        return recorded_run(options.directory).threads;
+    } catch (const Error&) {  // resume_command() tells of it
+        return 1;
+    }
+}
+
+void resume_command(const ResumeOptions& options) {
+    RunControl control{.walltime = wall_time(options.walltime)};
+    heed_signals();
+    const RecordedRun run = recorded_run(options.directory, options.more_steps);
+    const DirectoryLock lock(options.directory);
+    auto point = find_resume_point(run.deck);
+    if (!point) {
+        throw CheckpointError(fmt::format(
+            "{} has no checkpoint: the run ended before its first step, or they were removed", options.directory));
+    }
+    if (!run.simd.empty()) {
+        set_default_simd_level(usable_simd_level(run.simd));
+    }
+    set_thread_count(resume_threads(options));
+    EarlierParts earlier = run.earlier;
+    const Index atoms = point->head.atoms;
+    const Vec3 edges = point->head.edges;
+    Progress progress(atoms, run.deck.total_steps(), options.quiet, point->head.step);
+    for (const std::string& warning : point->warnings) {
+        progress.warning(warning);
+    }
+    earlier.resumed_at_steps.push_back(point->head.step);
+    if (!options.quiet) {
+        talk(fmt::format("going on after step {} of {}\n", point->head.step, run.deck.total_steps()));
+    }
+    control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
+    if (run.deck.kind == DeckKind::few_body) {
+        FewBodySystem system = make_few_body_system(run.deck);
+        const FewBodyResult result = run_few_body(run.deck, system, progress, control);
+        print_result(options.json ? few_body_results_json(run.deck, result) + "\n"
+                                  : few_body_results_table(run.deck, result));
+        return;
+    }
+    Simulation simulation = empty_simulation(run.deck, atoms, Box(edges));
+    const RunResult result = run_deck(run.deck, simulation, progress, control);
+    print_result(options.json ? results_json(run.deck, result) + "\n" : results_table(run.deck, result));
 }
 
 void check_command(const DeckOptions& options) {
@@ -306,6 +375,15 @@ int report_current_exception() {
     } catch (const PhysicsError& e) {
         say(e.what());
         return 5;
+    } catch (const Interrupted& e) {
+        talk(fmt::format("{}\n", e.what()));
+        return e.exit_code();
+    } catch (const InUseError& e) {
+        say(e.what());
+        return 9;
+    } catch (const CheckpointError& e) {
+        say(e.what());
+        return 6;
     } catch (const std::bad_alloc&) {
         say("out of memory; `ljmd check` tells how much a deck needs");
         return 7;

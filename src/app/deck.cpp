@@ -85,11 +85,30 @@ std::filesystem::path default_directory(const std::filesystem::path& deck) {
     return std::filesystem::path("runs") / deck.stem();
 }
 
+CheckpointOutput checkpoint_output(const Section& output) {
+    if (!output.has("checkpoint")) {
+        constexpr double usual = 300.0;  // [s], as in the schema
+        return {{std::nullopt, usual}, 2};
+    }
+    const Section& checkpoint = output.section("checkpoint");
+    return {checkpoint.interval("every"), static_cast<int>(checkpoint.integer("keep"))};
+}
+
 Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& file,
              const std::vector<std::string>& settings, const std::optional<SubstanceUnits>& units,
              const Section& root) {
-    Deck deck{kind, path.string(), file.source->text, settings, root.text("title"), units, root, {}, {},
-              0,    std::nullopt};
+    Deck deck{kind,
+              path.string(),
+              file.source->text,
+              settings,
+              root.text("title"),
+              units,
+              root,
+              {},
+              {},
+              0,
+              std::nullopt,
+              checkpoint_output(root.section("output"))};
     for (const Section& stage : root.sections("stage")) {
         deck.stages.push_back(to_stage(stage, root));
     }

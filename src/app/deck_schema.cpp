@@ -12,7 +12,6 @@ namespace ljmd {
 
 namespace {
 
-constexpr double most_steps = 1e15;
 constexpr double least_density = 1e-12;  // one atom in a box of 10^4 sigma
 constexpr double least_cutoff = 0.01;    // r^-12 there is 10^24
 constexpr double largest_skin = 10.0;    // a list beyond it is all pairs, many times over in a small box
@@ -113,7 +112,7 @@ Schema neighbors_schema() {
                                 "by skin/2"),
                    Key::integer("every")
                        .at_least(1)
-                       .at_most(most_steps)
+                       .at_most(static_cast<double>(most_steps))
                        .optional("whenever an atom has moved by skin/2")
                        .meaning("rebuild the list every so many steps, whatever the atoms do, as other programs may: "
                                 "pairs can be missed; verlet-list only")});
@@ -224,7 +223,7 @@ Schema stage_schema(DeckKind kind, const Key& time_step) {
                    Key::choice("integrator", names).defaults_to("velocity-verlet").meaning(integrators), time_step,
                    Key::integer("steps")
                        .at_least(0)
-                       .at_most(most_steps)
+                       .at_most(static_cast<double>(most_steps))
                        .meaning("number of steps; a run of 0 steps in all evaluates the start once"),
                    Key::flag("reverse").defaults_to(false).meaning(
                        "turn the motion round before the first step: a reversible integrator then goes back the way "
@@ -233,10 +232,25 @@ Schema stage_schema(DeckKind kind, const Key& time_step) {
 }
 
 Schema output_schema(const Schema& thermo, const Schema& trajectory, const std::string& thermo_default) {
-    return Schema("[output]",
-                  {Key::text("directory").optional("runs/ and the deck's name").meaning("where the results go"),
-                   Key::table("thermo", thermo).optional(thermo_default).meaning("history of energies, thermo.csv"),
-                   Key::table("trajectory", trajectory).optional("none").meaning("positions against time")});
+    const Schema checkpoint("checkpoint", {Key::interval("every")
+                                               .at_least(1)
+                                               .at_most(static_cast<double>(most_steps))
+                                               .defaults_to(std::string("5 min"))
+                                               .meaning("steps, or wall time"),
+                                           Key::integer("keep")
+                                               .at_least(1)
+                                               .at_most(9)
+                                               .defaults_to(std::int64_t{2})
+                                               .meaning("generations; with 2, a damaged one can be done without")});
+    return Schema(
+        "[output]",
+        {Key::text("directory").optional("runs/ and the deck's name").meaning("where the results go"),
+         Key::table("thermo", thermo).optional(thermo_default).meaning("history of energies, thermo.csv"),
+         Key::table("trajectory", trajectory).optional("none").meaning("positions against time"),
+         Key::table("checkpoint", checkpoint)
+             .optional("every 5 minutes")
+             .meaning("what `ljmd resume` goes on from; also written at the start, at the ends of stages, and "
+                      "when the run is stopped")});
 }
 
 Schema deck_schema(DeckKind kind) {

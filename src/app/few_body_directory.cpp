@@ -9,22 +9,33 @@ namespace ljmd {
 
 namespace {
 
-std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& system) {
+std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& system, std::optional<std::int64_t> kept) {
     if (!deck.trajectory || deck.trajectory->format != "csv") {
         return std::nullopt;
     }
     return TrajectoryCsv(deck.directory / "trajectory.csv", system.state.count(), system.dimensions,
-                         deck.trajectory->accelerations, static_cast<bool>(system.force.angular_velocity));
+                         deck.trajectory->accelerations, static_cast<bool>(system.force.angular_velocity), kept);
 }
 
 }  // namespace
 
-FewBodyDirectory::FewBodyDirectory(const Deck& deck, const FewBodySystem& system)
+FewBodyDirectory::FewBodyDirectory(const Deck& deck, const FewBodySystem& system,
+                                   const std::optional<ResumedOutputs>& resumed)
     : deck_(deck),
-      record_(deck),
-      thermo_(deck.directory / "thermo.csv", system.dimensions),
-      csv_(open_csv(deck, system)),
-      trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state)) {}
+      csv_(open_csv(deck, system, resumed ? std::optional(resumed->kept.trajectory.bytes) : std::nullopt)),
+      trajectory_(
+          csv_ ? nullptr
+               : open_trajectory(deck, system.state, resumed ? std::optional(resumed->kept.trajectory) : std::nullopt)),
+      thermo_(deck.directory / "thermo.csv", system.dimensions,
+              resumed ? std::optional(resumed->kept.thermo) : std::nullopt),
+      record_(deck, resumed ? std::optional(resumed->earlier) : std::nullopt) {}
+
+CommittedOutputs FewBodyDirectory::commit() {
+    if (csv_) {
+        return {thermo_.commit(), {csv_->commit(), {}}};
+    }
+    return {thermo_.commit(), trajectory_ ? trajectory_->commit() : CommittedFrames()};
+}
 
 void FewBodyDirectory::write_thermo(const State& state, const FewBodyTotals& totals) {
     constexpr Index rows_between_flushes = 100;

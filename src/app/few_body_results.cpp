@@ -58,7 +58,8 @@ std::string few_body_results_json(const Deck& deck, const FewBodyResult& result)
         {"analysis", findings},
         {"stages", stages},
         {"warnings", Json::array()}};
-    return json.dump(2);
+    // What came from a checkpoint need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string few_body_results_table(const Deck& deck, const FewBodyResult& result) {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ljmd/app/checksum.hpp"
 #include "ljmd/app/few_body_directory.hpp"
 #include "ljmd/app/time_loop.hpp"
+#include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/few_body.hpp"
@@ -37,16 +39,72 @@ std::vector<std::pair<std::string, double>> named(const FewBodyTotals& totals, i
 /// One run of a few bodies: samples and writes what the time loop goes through.
 class FewBodyRun : private StepObserver {
   public:
-    FewBodyRun(const Deck& deck, FewBodySystem& system, RunListener& listener)
-        : deck_(deck), system_(system), listener_(listener), thermo_every_(deck.thermo_every), files_(deck, system) {}
+    FewBodyRun(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control)
+        : deck_(deck),
+          system_(system),
+          listener_(listener),
+          thermo_every_(deck.thermo_every),
+          checkpoints_(deck, control.walltime, control.resumed ? control.resumed->point.file.generation : 0) {
+        std::optional<ResumedOutputs> outputs;
+        if (control.resumed) {
+            const ResumePoint& point = control.resumed->point;
+            from_ = point.head.position;
+            point.restore(deck, system.state, [this](Archive& a) { archive(a); });
+            require_stages(stages_, deck, *from_);
+            require_sampled();
+            outputs.emplace(ResumedOutputs{point.head.outputs, control.resumed->earlier});
+            check_outputs(deck, *outputs);
+        }
+        if (from_ && from_->begun) {
+            listener.stage_begins(deck.stages.at(from_->stage));
+        }
+        // Only now is anything touched.
+        files_.emplace(deck, system, outputs);
+    }
 
-    FewBodyResult run() { return finish(run_stages(deck_, system_.state, *system_.force_field, *this)); }
+    FewBodyResult run() { return finish(run_stages(deck_, system_.state, *system_.force_field, *this, from_)); }
 
   private:
+    /// All that the rest of the run depends on, files excepted.
+    void archive(Archive& a) {
+        a(system_.state);
+        system_.force_field->archive(a, system_.state);
+        a.mark("averages");
+        a(quadrature_, angle_, sense_of_angle_, sampling_, rows_, histories_, drift_, stages_);
+        a.mark("analyses");
+        for (const auto& [name, analysis] : system_.analyses) {
+            analysis->archive(a, system_.state);
+        }
+    }
+
+    /// @throws CheckpointError unless what was sampled is what the stages that have begun ask for
+    void require_sampled() const {
+        const auto begun = deck_.stages.begin();
+        const auto values = named(totals_of(system_.state, 0.0), system_.dimensions);
+        const bool wanted =
+            std::any_of(begun, begun + std::ssize(stages_), [](const Stage& stage) { return stage.sample; });
+        const bool same =
+            sampling_ == wanted &&
+            std::equal(histories_.begin(), histories_.end(), values.begin(), values.end(),
+                       [](const FewBodyHistory& history, const auto& value) { return history.name == value.first; });
+        if (!same || rows_ < 0 || rows_ > system_.state.step + 1) {
+            throw CheckpointError("the checkpoint has samples of other stages than the deck");
+        }
+    }
+
+    [[nodiscard]] bool wants_checkpoint(bool last_of_stage) override {
+        return checkpoints_.due(system_.state.step, last_of_stage);
+    }
+
+    void checkpoint(const LoopPosition& position) override {
+        const CommittedOutputs outputs = files_->commit();
+        checkpoints_.write(system_.state, position, outputs, [this](Archive& a) { archive(a); });
+    }
+
     void started(const Evaluation& evaluation) override {
         add_angle();
         record(evaluation);
-        files_.write_frame(system_.state, angle_);
+        files_->write_frame(system_.state, angle_);
     }
 
     void stage_begins(const Stage& stage) override {
@@ -91,7 +149,7 @@ class FewBodyRun : private StepObserver {
             sample_analyses();
         }
         if (deck_.trajectory && state.step % deck_.trajectory->every == 0) {
-            files_.write_frame(state, angle_);
+            files_->write_frame(state, angle_);
         }
         listener_.step_done(state.step);
     }
@@ -119,7 +177,7 @@ class FewBodyRun : private StepObserver {
     void record(const Evaluation& evaluation) {
         const State& state = system_.state;
         const FewBodyTotals totals = totals_of(state, evaluation.potential_energy);
-        files_.write_thermo(state, totals);
+        files_->write_thermo(state, totals);
         drift_.add(state.time, totals.total_energy);
         ++rows_;
         const auto values = named(totals, system_.dimensions);
@@ -147,7 +205,7 @@ class FewBodyRun : private StepObserver {
                 tables.push_back(*table);
             }
         }
-        files_.finish(system_.state, result, tables);
+        files_->finish(system_.state, result, tables);
         return result;
     }
 
@@ -155,7 +213,9 @@ class FewBodyRun : private StepObserver {
     FewBodySystem& system_;
     RunListener& listener_;
     Every thermo_every_;
-    FewBodyDirectory files_;
+    RunCheckpoints checkpoints_;
+    std::optional<LoopPosition> from_;       ///< of a run that goes on
+    std::optional<FewBodyDirectory> files_;  ///< not there before it is known that the run can begin
     PolarAngleQuadrature quadrature_;
     std::optional<PolarAngle> angle_;
     double sense_of_angle_ = 1.0;  ///< -1 while the motion goes backwards
@@ -168,8 +228,8 @@ class FewBodyRun : private StepObserver {
 
 }  // namespace
 
-FewBodyResult run_few_body(const Deck& deck, FewBodySystem& system, RunListener& listener) {
-    return FewBodyRun(deck, system, listener).run();
+FewBodyResult run_few_body(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control) {
+    return FewBodyRun(deck, system, listener, control).run();
 }
 
 }  // namespace ljmd

@@ -5,6 +5,7 @@
 
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/deck_schema.hpp"
+#include "ljmd/app/directory_report.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/build_info.hpp"
@@ -98,7 +99,11 @@ std::string info_json() {
 
 }  // namespace
 
-void info_command(bool keys, bool json) {
+void info_command(const std::string& directory, bool keys, bool json) {
+    if (!directory.empty()) {
+        print_result(json ? directory_json(directory) : directory_report(directory));
+        return;
+    }
     print_result(keys ? deck_reference_page() : json ? info_json() : info_text());
 }
 

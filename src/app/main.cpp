@@ -99,7 +99,9 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "ljmd " + ljmd::build_info().version);
 
     ljmd::DeckOptions options;
+    ljmd::ResumeOptions resumed;
     std::string out;
+    std::string walltime;
     ljmd::CrosscheckOptions compared;
     std::string to;
     bool keys = false;
@@ -107,6 +109,20 @@ int main(int argc, char** argv) {
     CLI::App& run = *app.add_subcommand("run", "run a deck and write its results");
     add_deck_options(run, options);
     run.add_option("--out", out, "output directory, instead of the deck's")->type_name("DIR");
+    run.add_option("--walltime", walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
+        ->type_name("TIME");
+    CLI::App& resume = *app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+    resume.add_option("directory", resumed.directory, "directory of the run")->required()->type_name("RUNDIR");
+    resume.add_option("--steps", resumed.more_steps, "make the last stage that much longer: +N")
+        ->type_name("+N")
+        ->check(CLI::Range(ljmd::Index{1}, ljmd::most_steps));
+    resume.add_option("--walltime", resumed.walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
+        ->type_name("TIME");
+    resume.add_option("--threads", resumed.threads, "threads to share the work; as many as before by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_threads));
+    resume.add_flag("--quiet", resumed.quiet, "no progress");
+    resume.add_flag("--json", resumed.json, "print the result as JSON");
     CLI::App& check = *app.add_subcommand("check", "find every mistake in a deck and tell what it would cost");
     add_deck_options(check, options);
     CLI::App& compare = *app.add_subcommand("compare", "hold a deck's motion against that of an independent program");
@@ -127,8 +143,10 @@ int main(int argc, char** argv) {
     CLI::App& bench = *app.add_subcommand(
         "bench", "measure how fast a deck runs; without one, the Lennard-Jones melt of 32000 atoms");
     add_deck_options(bench, options, false);
-    CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select");
+    CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select; of a run, how far it got");
+    CLI::Option* of_run = info.add_option("directory", resumed.directory, "directory of a run")->type_name("RUNDIR");
     CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
+    page->excludes(of_run);
     info.add_flag("--json", json, "print it as JSON")->excludes(page);
 
     if (argc < 2) {
@@ -142,10 +160,15 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report_usage(app, error);
     }
-    ljmd::wait_actively(options.threads > 0 ? options.threads : ljmd::default_thread_count(), argv);
+    const int threads = resume.parsed()       ? ljmd::resume_threads(resumed)
+                        : options.threads > 0 ? options.threads
+                                              : ljmd::default_thread_count();
+    ljmd::wait_actively(threads, argv);
     try {
         if (run.parsed()) {
-            ljmd::run_command(options, out);
+            ljmd::run_command(options, out, walltime);
+        } else if (resume.parsed()) {
+            ljmd::resume_command(resumed);
         } else if (check.parsed()) {
             ljmd::check_command(options);
         } else if (compare.parsed()) {
@@ -155,7 +178,7 @@ int main(int argc, char** argv) {
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {
-            ljmd::info_command(keys, json);
+            ljmd::info_command(resumed.directory, keys, json);
         }
     } catch (...) {
         return ljmd::report_current_exception();

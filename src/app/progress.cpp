@@ -27,9 +27,12 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(Index atoms, Index total_steps, bool quiet)
+Progress::Progress(Index atoms, Index total_steps, bool quiet, Index first_step)
     : atoms_(atoms), total_steps_(total_steps), quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
-    window_.push_back({Clock::now(), 0});
+    window_.push_back({Clock::now(), first_step});
+    while (step_of_tenth(next_tenth_) <= first_step && next_tenth_ <= 10) {
+        ++next_tenth_;
+    }
 }
 
 Progress::~Progress() {

@@ -16,8 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Record {
+    std::string deck_file;
     std::string deck;
     std::vector<std::string> settings;
+    EarlierParts earlier;
+    std::string simd;
+    int threads;
+    bool finished;
 };
 
 Record read_record(const fs::path& path) {
@@ -31,7 +36,14 @@ Record read_record(const fs::path& path) {
         if (record.at("program") != "ljmd") {
             throw DataError(fmt::format("{} is the record of another program", path.string()));
         }
-        return {record.at("deck").get<std::string>(), record.at("settings").get<std::vector<std::string>>()};
+        return {record.at("deck_file").get<std::string>(),
+                record.at("deck").get<std::string>(),
+                record.at("settings").get<std::vector<std::string>>(),
+                {record.at("began").get<std::string>(), record.at("resumed_at_steps").get<std::vector<Index>>(),
+                 record.at("steps_added").get<Index>()},
+                record.at("simd").is_null() ? "" : record.at("simd").get<std::string>(),
+                record.at("threads").get<int>(),
+                record.at("finished").get<bool>()};
     } catch (const nlohmann::json::exception& error) {
         throw DataError(fmt::format("{} is not the record of a run: {}", path.string(), error.what()));
     }
@@ -51,6 +63,22 @@ Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& se
     auto deck = load_deck_text(name, record.deck, record.settings, true, diagnostics);
     diagnostics.throw_if_errors();
     return std::move(*deck);
+}
+
+RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
+    Record record = read_record(directory / "run.json");
+    record.earlier.steps_added += more_steps;
+    Diagnostics diagnostics;
+    auto deck =
+        load_deck_text(fmt::format("deck of {}", directory.string()), record.deck, record.settings, true, diagnostics);
+    diagnostics.throw_if_errors();
+    deck->path = record.deck_file;
+    deck->directory = directory;
+    if (deck->total_steps() > most_steps - record.earlier.steps_added) {
+        throw InputError(fmt::format("{} steps more are too many", more_steps));
+    }
+    deck->stages.back().steps += record.earlier.steps_added;
+    return {std::move(*deck), record.earlier, record.simd, record.threads, record.finished};
 }
 
 State last_configuration(const fs::path& directory, const Deck& deck) {

@@ -115,7 +115,8 @@ std::string results_json(const Deck& deck, const RunResult& result) {
     if (deck.units) {
         json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();
     }
-    return json.dump(2);
+    // What came from a checkpoint need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string results_table(const Deck& deck, const RunResult& result) {

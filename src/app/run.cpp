@@ -9,6 +9,7 @@
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/stability.hpp"
 #include "ljmd/app/time_loop.hpp"
+#include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/observables/linear_trend.hpp"
@@ -29,20 +30,71 @@ constexpr Index steps_between_looks = 10;
 /// One run of a fluid: samples and writes what the time loop goes through.
 class FluidRun : private StepObserver {
   public:
-    FluidRun(const Deck& deck, Simulation& simulation, RunListener& listener)
+    FluidRun(const Deck& deck, Simulation& simulation, RunListener& listener, const RunControl& control)
         : deck_(deck),
           simulation_(simulation),
           listener_(listener),
           thermo_every_(deck.thermo_every),
-          files_(deck, simulation.state, simulation.order.has_value()),
-          averages_(simulation.state.count(), density()) {}
+          checkpoints_(deck, control.walltime, control.resumed ? control.resumed->point.file.generation : 0),
+          averages_(simulation.state.count(), density()) {
+        std::optional<ResumedOutputs> outputs;
+        if (control.resumed) {
+            const ResumePoint& point = control.resumed->point;
+            from_ = point.head.position;
+            if (from_->begun) {
+                begin_to_watch(deck.stages.at(from_->stage));
+            }
+            point.restore(deck, simulation.state, [this](Archive& a) { archive(a); });
+            require_stages(stages_, deck, *from_);
+            outputs.emplace(ResumedOutputs{point.head.outputs, control.resumed->earlier});
+            check_outputs(deck, *outputs);
+        }
+        if (from_ && from_->begun) {
+            listener.stage_begins(deck.stages.at(from_->stage));
+        }
+        // Only now is anything touched.
+        files_.emplace(deck, simulation.state, simulation.order.has_value(), outputs);
+    }
 
-    RunResult run() { return finish(run_stages(deck_, simulation_.state, simulation_.force_field, *this)); }
+    RunResult run() { return finish(run_stages(deck_, simulation_.state, simulation_.force_field, *this, from_)); }
 
   private:
+    /// All that the rest of the run depends on, files excepted.
+    void archive(Archive& a) {
+        a(simulation_.state);
+        simulation_.force_field.archive(a, simulation_.state);
+        a.mark("averages");
+        a(averages_, order_at_sampling_, first_, last_, drift_, stages_, seconds_, force_before_, search_before_);
+        if (watch_) {
+            a(*watch_);
+        }
+        a.mark("analyses");
+        for (const auto& analysis : simulation_.analyses) {
+            analysis->archive(a);
+        }
+    }
+
+    [[nodiscard]] bool wants_checkpoint(bool last_of_stage) override {
+        return checkpoints_.due(simulation_.state.step, last_of_stage);
+    }
+
+    void checkpoint(const LoopPosition& position) override {
+        if (watch_) {
+            watch_->check_speeds(simulation_.state);  // a checkpoint of a run that has blown up is of no use
+        }
+        Stopwatch watch;
+        const CommittedOutputs outputs = files_->commit();
+        checkpoints_.write(simulation_.state, position, outputs, [this](Archive& a) { archive(a); });
+        seconds_.write += watch.lap();
+    }
+
+    void begin_to_watch(const Stage& stage) {
+        watch_.emplace(stage.time_step, !stage.section.has("thermostat"), simulation_.force_field.potential());
+    }
+
     void started(const Evaluation& evaluation) override {
         const Thermodynamics row = thermodynamics_of(evaluation);
-        files_.write_frame(simulation_.state);
+        files_->write_frame(simulation_.state);
         write_thermo(row);
         first_ = row;
         // The time loop begins: what was spent before does not count.
@@ -71,7 +123,7 @@ class FluidRun : private StepObserver {
         last_ = row;
         const std::optional<double> order_now = order();
         Stopwatch watch;
-        files_.write_thermo(simulation_.state.step, simulation_.state.time, row, order_now);
+        files_->write_thermo(simulation_.state.step, simulation_.state.time, row, order_now);
         seconds_.write += watch.lap();
     }
 
@@ -90,7 +142,7 @@ class FluidRun : private StepObserver {
         if (stage.sample && stage.steps > 0 && !order_at_sampling_) {
             order_at_sampling_ = order();
         }
-        watch_.emplace(stage.time_step, !thermostatted, simulation_.force_field.potential());
+        begin_to_watch(stage);
         drift_ = {};
         stages_.push_back({stage.name,
                            stage.integrator,
@@ -127,9 +179,9 @@ class FluidRun : private StepObserver {
         if (stage.sample) {
             sample_analyses(false);
         }
-        if (files_.frame_is_due(state)) {
+        if (files_->frame_is_due(state)) {
             Stopwatch watch;
-            files_.write_frame(state);
+            files_->write_frame(state);
             seconds_.write += watch.lap();
         }
         listener_.step_done(state.step);
@@ -176,7 +228,7 @@ class FluidRun : private StepObserver {
         for (const std::string& warning : result.warnings) {
             listener_.warning(warning);
         }
-        files_.finish(state, result);
+        files_->finish(state, result);
         return result;
     }
 
@@ -220,7 +272,9 @@ class FluidRun : private StepObserver {
     Simulation& simulation_;
     RunListener& listener_;
     Every thermo_every_;
-    RunDirectory files_;
+    RunCheckpoints checkpoints_;
+    std::optional<LoopPosition> from_;   ///< of a run that goes on
+    std::optional<RunDirectory> files_;  ///< not there before it is known that the run can begin
     RunAverages averages_;
     std::optional<double> order_at_sampling_;
     std::optional<StabilityWatch> watch_;  ///< of the stage that is running
@@ -235,8 +289,18 @@ class FluidRun : private StepObserver {
 
 }  // namespace
 
-RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener) {
-    return FluidRun(deck, simulation, listener).run();
+void require_stages(const std::vector<StageResult>& results, const Deck& deck, const LoopPosition& position) {
+    bool same = results.size() == position.stage + (position.begun ? 1 : 0);
+    for (std::size_t k = 0; same && k < results.size(); ++k) {
+        same = results[k].name == deck.stages[k].name && results[k].integrator == deck.stages[k].integrator;
+    }
+    if (!same) {
+        throw CheckpointError("the checkpoint has results of other stages than the deck");
+    }
+}
+
+RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener, const RunControl& control) {
+    return FluidRun(deck, simulation, listener, control).run();
 }
 
 }  // namespace ljmd

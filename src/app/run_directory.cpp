@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/checkpoint_file.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
 #include "ljmd/io/output_file.hpp"
@@ -23,6 +25,9 @@ namespace fs = std::filesystem;
 std::vector<std::string> output_names() {
     std::vector<std::string> names{"run.json",       "results.json",   "results.txt", "thermo.csv", "trajectory.h5md",
                                    "trajectory.xyz", "trajectory.csv", "final.xyz",   "failed.xyz"};
+    for (const std::string& name : checkpoint_names()) {
+        names.push_back(name);
+    }
     for (const auto& method : all_analyses()) {
         names.push_back(method.name + ".csv");
     }
@@ -53,10 +58,15 @@ void check_directory(const Deck& deck, bool force) {
     }
     const std::vector<fs::path> old = old_outputs(directory);
     if (!old.empty() && !force) {
+        const std::vector<std::string> checkpoints = checkpoint_names();
+        const bool can_go_on = std::any_of(old.begin(), old.end(), [&](const fs::path& file) {
+            return std::find(checkpoints.begin(), checkpoints.end(), file.filename()) != checkpoints.end();
+        });
         throw InputError(
-            fmt::format("{} already holds a run ({}). Nothing was run.\n  choose another directory with --out, "
-                        "or replace it with --force",
-                        directory.string(), old.front().filename().string()));
+            fmt::format("{0} already holds a run ({1}). Nothing was run.\n  choose another directory with --out, "
+                        "or replace it with --force{2}",
+                        directory.string(), old.front().filename().string(),
+                        can_go_on ? fmt::format(", or go on with it: ljmd resume {}", directory.string()) : ""));
     }
     if (deck.kind == DeckKind::fluid && deck.system().has("file")) {
         const fs::path start = configuration_file(deck.system().text("file"));
@@ -90,11 +100,25 @@ void prepare_directory(const fs::path& directory) {
     }
 }
 
-RunDirectory::RunDirectory(const Deck& deck, const State& first, bool order_parameter)
+void check_outputs(const Deck& deck, const ResumedOutputs& resumed) {
+    require_bytes(deck.directory / "thermo.csv", resumed.kept.thermo);
+    if (deck.trajectory && deck.trajectory->format != "h5md") {  // frames of that are read when it is opened
+        require_bytes(deck.directory / fmt::format("trajectory.{}", deck.trajectory->format),
+                      resumed.kept.trajectory.bytes);
+    }
+}
+
+RunDirectory::RunDirectory(const Deck& deck, const State& first, bool order_parameter,
+                           const std::optional<ResumedOutputs>& resumed)
     : deck_(deck),
-      record_(deck),
-      thermo_(deck.directory / "thermo.csv", order_parameter, deck.units),
-      trajectory_(open_trajectory(deck, first)) {}
+      trajectory_(open_trajectory(deck, first, resumed ? std::optional(resumed->kept.trajectory) : std::nullopt)),
+      thermo_(deck.directory / "thermo.csv", order_parameter, deck.units,
+              resumed ? std::optional(resumed->kept.thermo) : std::nullopt),
+      record_(deck, resumed ? std::optional(resumed->earlier) : std::nullopt) {}
+
+CommittedOutputs RunDirectory::commit() {
+    return {thermo_.commit(), trajectory_ ? trajectory_->commit() : CommittedFrames()};
+}
 
 void RunDirectory::write_thermo(Index step, double time, const Thermodynamics& row,
                                 std::optional<double> order_parameter) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
@@ -35,7 +36,8 @@ std::string user() {
     return getlogin_r(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
-/// XXH3 (64 bits) of the deck's text and of every --set, so that two runs can be told apart.
+}  // namespace
+
 std::string deck_hash(const Deck& deck) {
     std::string text = deck.source;
     for (const std::string& setting : deck.settings) {
@@ -44,9 +46,8 @@ std::string deck_hash(const Deck& deck) {
     return fmt::format("xxh3:{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
-}  // namespace
-
-std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first) {
+std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first,
+                                                  std::optional<CommittedFrames> kept) {
     if (!deck.trajectory) {
         return nullptr;
     }
@@ -57,7 +58,8 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
                                    .si = deck.trajectory->si ? deck.units : std::nullopt,
                                    .creator_version = build_info().version,
                                    .author = user(),
-                                   .title = deck.title});
+                                   .title = deck.title,
+                                   .kept = std::move(kept)});
 }
 
 std::string save_failure(const Deck& deck, const State& state) {
@@ -70,7 +72,11 @@ std::string save_failure(const Deck& deck, const State& state) {
     return fmt::format("\n  the configuration is in {}", path.string());
 }
 
-RunRecord::RunRecord(const Deck& deck) : deck_(deck), began_(now()) {
+RunRecord::RunRecord(const Deck& deck, const std::optional<EarlierParts>& earlier)
+    : deck_(deck),
+      began_(earlier ? earlier->began : now()),
+      resumed_at_steps_(earlier ? earlier->resumed_at_steps : std::vector<Index>{}),
+      steps_added_(earlier ? earlier->steps_added : 0) {
     write(false, 0.0, std::nullopt);
 }
 
@@ -104,7 +110,8 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
         {"ended", finished ? nlohmann::ordered_json(now()) : nlohmann::ordered_json(nullptr)},
         {"finished", finished},
         {"seconds_in_time_loop", finished ? nlohmann::ordered_json(seconds) : nlohmann::ordered_json(nullptr)},
-        {"resumed_at_steps", nlohmann::ordered_json::array()}};
+        {"resumed_at_steps", resumed_at_steps_},
+        {"steps_added", steps_added_}};
     if (phases) {
         record["seconds_per_phase"] = phases_json(*phases);
     }

@@ -131,14 +131,29 @@ void place_configuration(State& state, const Configuration& configuration) {
     }
 }
 
-Simulation make_simulation(const Deck& deck, Start start, const std::function<void(const std::string&)>& warn) {
-    const Section& system = deck.system();
-    Simulation simulation{State(start.atoms, start.box),
+Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box) {
+    Simulation simulation{State(atoms, box),
                           make_force_field(deck),
                           wants_tail(deck) ? TailCorrection(PairPotential::from(deck.potential())) : TailCorrection(),
                           std::nullopt,
                           {}};
+    const Section& system = deck.system();
+    if (system.has("lattice") && !is_random(system.section("lattice"))) {
+        const Section& lattice = system.section("lattice");
+        simulation.order.emplace(lattice_type(lattice), lattice_cells(lattice));
+    }
+    const Section& analysis = deck.root.section("analysis");
+    for (const auto& method : all_analyses()) {
+        if (analysis.has(method.name)) {
+            simulation.analyses.push_back(method.make(analysis.section(method.name), simulation.state));
+        }
+    }
+    return simulation;
+}
 
+Simulation make_simulation(const Deck& deck, Start start, const std::function<void(const std::string&)>& warn) {
+    const Section& system = deck.system();
+    Simulation simulation = empty_simulation(deck, start.atoms, start.box);
     if (start.configuration) {
         place_configuration(simulation.state, *start.configuration);
     } else if (const Section& lattice = system.section("lattice"); is_random(lattice)) {
@@ -147,16 +162,8 @@ Simulation make_simulation(const Deck& deck, Start start, const std::function<vo
         simulation.relaxation_iterations = relax(simulation.state, simulation.force_field).iterations;
     } else {
         place(simulation.state, lattice_sites(lattice_type(lattice), lattice_cells(lattice), start.box));
-        simulation.order.emplace(lattice_type(lattice), lattice_cells(lattice));
     }
     set_velocities(simulation.state, deck, start, warn);
-
-    const Section& analysis = deck.root.section("analysis");
-    for (const auto& method : all_analyses()) {
-        if (analysis.has(method.name)) {
-            simulation.analyses.push_back(method.make(analysis.section(method.name), simulation.state));
-        }
-    }
     return simulation;
 }
 

@@ -77,6 +77,7 @@ PlainValue fallback_value(const Key& key) {
         case Kind::flag:
             return false;
         case Kind::integer:
+        case Kind::interval:
             return static_cast<std::int64_t>(plain_number(key));
         case Kind::number:
         case Kind::quantity:
@@ -97,7 +98,7 @@ PlainValue nearest_allowed(const Key& key, double value) {
     if (std::isnan(value)) return fallback_value(key);
     const double bound = value < key.low ? key.low : key.high;
     if (!std::isfinite(bound) || !in_range(key, bound)) return fallback_value(key);
-    if (key.kind == Kind::integer) return static_cast<std::int64_t>(bound);
+    if (key.kind == Kind::integer || key.kind == Kind::interval) return static_cast<std::int64_t>(bound);
     return bound;
 }
 
@@ -162,6 +163,14 @@ PlainValue choice(const KeyContext& context, const Value& value, const std::stri
     return nearest.empty() ? fallback_value(context.key) : PlainValue(nearest);
 }
 
+/// A wall time for a key of Kind::interval, as it is written.
+PlainValue wall_time(const KeyContext& context, const Value& value, const std::string& text) {
+    if (parse_wall_time(text)) return text;
+    context.diagnostics.error(value.location, fmt::format("{}: {} is no wall time", context.subject(), in_quotes(text)),
+                              allowed_hint(context.key));
+    return fallback_value(context.key);
+}
+
 PlainValue integer(const KeyContext& context, const Value& value, std::int64_t number) {
     if (in_range(context.key, static_cast<double>(number))) return number;
     return checked_number(context, value, static_cast<double>(number), std::to_string(number));
@@ -195,7 +204,7 @@ PlainValue checked_value(const KeyContext& context, const Value& value) {
     const Kind kind = context.key.kind;
     if (const auto* flag = std::get_if<bool>(&value.data); flag && kind == Kind::flag) return *flag;
     if (const auto* number = std::get_if<std::int64_t>(&value.data)) {
-        if (kind == Kind::integer) return integer(context, value, *number);
+        if (kind == Kind::integer || kind == Kind::interval) return integer(context, value, *number);
         if (kind == Kind::number) {
             return checked_number(context, value, static_cast<double>(*number), std::to_string(*number));
         }
@@ -208,6 +217,7 @@ PlainValue checked_value(const KeyContext& context, const Value& value) {
         if (kind == Kind::choice) return choice(context, value, *text);
         if (kind == Kind::number) return number_with_unit(context, value, *text);
         if (kind == Kind::quantity) return quantity(context, value, *text);
+        if (kind == Kind::interval) return wall_time(context, value, *text);
     }
     if (const auto* array = std::get_if<Array>(&value.data); array && kind == Kind::vector) {
         return vector(context, value, *array);

@@ -39,6 +39,10 @@ Key Key::quantity(std::string key_name, Dimension what) {
     return key;
 }
 
+Key Key::interval(std::string key_name) {
+    return {std::move(key_name), Kind::interval};
+}
+
 Key Key::vector(std::string key_name) {
     return {std::move(key_name), Kind::vector};
 }
@@ -111,9 +115,12 @@ Key& Key::defaults_to(PlainValue value) {
     if (const auto* integer_value = std::get_if<std::int64_t>(&value); integer_value && kind == Kind::number) {
         value = static_cast<double>(*integer_value);
     }
+    const auto* text = std::get_if<std::string>(&value);
     const bool fits = (kind == Kind::flag && std::holds_alternative<bool>(value)) ||
                       (kind == Kind::integer && std::holds_alternative<std::int64_t>(value)) ||
                       (kind == Kind::number && std::holds_alternative<double>(value)) ||
+                      (kind == Kind::interval &&
+                       (std::holds_alternative<std::int64_t>(value) || (text != nullptr && parse_wall_time(*text)))) ||
                       (kind == Kind::vector && std::holds_alternative<std::vector<double>>(value)) ||
                       ((kind == Kind::text || kind == Kind::choice) && std::holds_alternative<std::string>(value));
     if (!fits) throw ContractViolation("Key::defaults_to: the default of '" + name + "' has another type");
@@ -135,6 +142,8 @@ std::string Key::type() const {
             return "string";
         case Kind::quantity:
             return "number with a unit, in quotes";
+        case Kind::interval:
+            return "integer, or wall time in quotes";
         case Kind::vector:
             return fmt::format("array of {} number{}", allowed_components(), most_components == 1 ? "" : "s");
         case Kind::table:
@@ -155,6 +164,9 @@ std::string Key::allowed() const {
     std::string text;
     if (std::isfinite(low)) text = fmt::format("{} {}", low_open ? ">" : ">=", low);
     if (std::isfinite(high)) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", high_open ? "<" : "<=", high);
+    if (kind == Kind::interval) {
+        return fmt::format("{}{}steps, or a number > 0 with s, min, h or d, in quotes", text, text.empty() ? "" : " ");
+    }
     return kind == Kind::vector && !text.empty() ? "each " + text : text;
 }
 

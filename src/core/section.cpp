@@ -143,6 +143,12 @@ const std::string& Section::text(const std::string& key) const {
     return std::get<std::string>(*item(key, is_choice ? Kind::choice : Kind::text).value);
 }
 
+Interval Section::interval(const std::string& key) const {
+    const PlainValue& value = *item(key, Kind::interval).value;
+    if (const auto* steps = std::get_if<std::int64_t>(&value)) return {*steps, std::nullopt};
+    return {std::nullopt, parse_wall_time(std::get<std::string>(value))};
+}
+
 const std::vector<double>& Section::vector(const std::string& key) const {
     return std::get<std::vector<double>>(*item(key, Kind::vector).value);
 }

@@ -16,6 +16,8 @@ constexpr double avogadro = 6.02214076e23;         // [1/mol], exact
 constexpr double electron_volt = 1.602176634e-19;  // [J], exact
 constexpr double atomic_mass = 1.66053906660e-27;  // [kg]
 
+constexpr double longest_wall_time = 1e9;  // [s], 32 years
+
 struct Unit {
     Dimension dimension;
     std::string_view name;
@@ -97,6 +99,17 @@ std::optional<double> parse_quantity(const std::string& text, Dimension dimensio
 std::optional<std::string> unit_of(const std::string& text) {
     const auto parts = split(text);
     return parts ? std::optional<std::string>(parts->unit) : std::nullopt;
+}
+
+std::optional<double> parse_wall_time(const std::string& text) {
+    constexpr std::pair<std::string_view, double> names[] = {{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+    const auto parts = split(text);
+    for (const auto& [name, seconds] : names) {
+        if (parts && parts->unit == name && parts->number > 0.0 && parts->number * seconds <= longest_wall_time) {
+            return parts->number * seconds;
+        }
+    }
+    return std::nullopt;
 }
 
 std::string dimension_name(Dimension dimension) {

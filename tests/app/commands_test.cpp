@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/app_fixtures.hpp"
+#include "ljmd/app/interruption.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;
@@ -89,6 +90,31 @@ TEST_CASE("run writes its files and prints its table, or JSON") {
     const Said second = said([&] { run_command(options, out); });
     CHECK(second.out == content_of(folder / "out" / "results.json"));
     CHECK(Json::parse(second.out).at("observables").contains("temperature"));
+}
+
+TEST_CASE("resume goes on with a run that its wall time has stopped, in its directory") {
+    const DeckFolder folder;
+    DeckOptions options = options_of(folder);
+    options.quiet = true;
+    const std::string out = (folder / "out").string();
+    CHECK_THROWS_AS(run_command(options, out, "soon"), InputError);
+    static_cast<void>(said([&] { CHECK_THROWS_AS(run_command(options, out, "1e-6 s"), Interrupted); }));
+    ResumeOptions resumed;
+    resumed.directory = out;
+    resumed.quiet = true;
+    resumed.json = true;
+    const Said words = said([&] { resume_command(resumed); });
+    CHECK(Json::parse(words.out).at("observables").contains("temperature"));
+    CHECK(Json::parse(content_of(folder / "out" / "run.json")).at("resumed_at_steps") == Json{0});
+
+    resumed.more_steps = 10;
+    resumed.json = false;
+    static_cast<void>(said([&] { resume_command(resumed); }));
+    CHECK(Json::parse(content_of(folder / "out" / "run.json")).at("steps_added") == 10);
+    CHECK(Json::parse(content_of(folder / "out" / "results.json")).at("stages").at(1).at("steps") == 50);
+
+    resumed.directory = (folder / "nowhere").string();
+    CHECK_THROWS_AS(resume_command(resumed), DataError);
 }
 
 TEST_CASE("a start that cannot be used costs an earlier run nothing") {

@@ -202,6 +202,11 @@ def compare_halved(t):
     t.check(3.8 < errors[0] / errors[1] < 4.2, f"position errors {errors}")
 
 
+def info_of_a_deck(t):
+    t.deck()
+    t.golden(t.expect(3, t.run("info", "deck.toml")).err)
+
+
 def cases():
     result = [Case(test.__name__.replace("_", " "), test)
               for test in (no_arguments, help_goes_to_stdout, version, info, info_keys, check_text, check_json,
@@ -214,10 +219,11 @@ def cases():
             ("run without a deck", ["run"]), ("no threads", ["run", "deck.toml", "--threads", "0"]), ("check without a deck", ["check"]),
             ("run with two decks", ["run", "deck.toml", "other.toml"]), ("--set without a value", ["run", "deck.toml", "--set"]),
             ("--out without a value", ["run", "deck.toml", "--out"]), ("check with --out", ["check", "deck.toml", "--out", "x"]),
-            ("two commands", ["info", "check", "deck.toml"]), ("info of a deck", ["info", "deck.toml"]),
+            ("two commands", ["info", "check", "deck.toml"]),
             ("info with keys and JSON", ["info", "--keys", "--json"]), ("compare without a program", ["compare", "deck.toml"]),
             ("compare without a deck", ["compare", "--with", "gsl"])]:
         result.append(Case(name, bad_usage(*arguments)))
+    result.append(Case("info of a deck", info_of_a_deck))
     back = STARS.replace("[output]", '[[stage]]\nname = "back"\ntime_step = 0.01\nsteps = 1\nreverse = true\n\n[output]')
     result += [Case("compare a fluid with gsl", compare_refused(DECK, "--with", "gsl")),
                Case("compare with an unknown program", compare_refused(STARS, "--with", "gromacs")),

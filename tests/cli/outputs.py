@@ -22,7 +22,8 @@ def run_all(t, *arguments, text=DECK, out="out"):
 def files_written(t):
     run_all(t)
     found = set(t.files("out"))
-    wanted = {"run.json", "results.json", "results.txt", "thermo.csv", "final.xyz", "trajectory.xyz", "rdf.csv"}
+    wanted = {"run.json", "results.json", "results.txt", "thermo.csv", "final.xyz", "trajectory.xyz", "rdf.csv",
+              "checkpoint.1", "checkpoint.2"}
     t.equal(found, wanted, "files")
     t.equal(sorted(p.name for p in t.dir.iterdir()), ["deck.toml", "out"], "files beside the output directory")
 
@@ -252,8 +253,8 @@ def few_bodies(t):
            ("[output]", '[[stage]]\nname = "back"\ntime_step = 0.01\nsteps = 100\nreverse = true\nsample = false\n' + stage +
             "\n[analysis]\norbit = { body = 2, about = 1 }\n\n[output]\ntrajectory = { every = 20 }"), text=STARS)
     printed = t.run_well("run", "deck.toml", "--quiet", "--out", "out").out
-    t.equal(t.files("out"), ["final.xyz", "orbit.csv", "results.json", "results.txt", "run.json", "thermo.csv",
-                             "trajectory.csv"], "files")
+    t.equal(t.files("out"), ["checkpoint.1", "checkpoint.2", "final.xyz", "orbit.csv", "results.json", "results.txt",
+                             "run.json", "thermo.csv", "trajectory.csv"], "files")
     t.equal(t.read("out/results.txt"), printed, "results.txt")
     stages = t.json("out/results.json")["stages"]
     t.equal(stages[1]["checksum_at_end"], stages[0]["checksum_at_start"], "checksum")

@@ -14,6 +14,7 @@ TEST_CASE("a key says in words what it allows") {
     CHECK(Key::number("x").above(1.0).at_least(2.0).below(4.0).at_most(3.0).allowed() == ">= 2, <= 3");
     CHECK(Key::choice("truncation", {"cut", "shifted"}).allowed() == "one of 'cut', 'shifted'");
     CHECK(Key::text("name").allowed().empty());
+    CHECK(Key::interval("every").at_least(1).allowed() == ">= 1 steps, or a number > 0 with s, min, h or d, in quotes");
     CHECK(Key::vector("position").allowed().empty());
     CHECK(Key::vector("position").at_least(0.0).below(1.0).allowed() == "each >= 0, < 1");
 }
@@ -27,6 +28,7 @@ TEST_CASE("a key names its type") {
     CHECK(Key::quantity("sigma", Dimension::length).type() == "number with a unit, in quotes");
     CHECK(Key::table("system", Schema("[system]")).type() == "table");
     CHECK(Key::tables("stage", Schema("[[stage]]")).type() == "array of tables");
+    CHECK(Key::interval("every").type() == "integer, or wall time in quotes");
     CHECK(Key::vector("position").type() == "array of 1 to 3 numbers");
     CHECK(Key::vector("position").components(2, 2).type() == "array of 2 numbers");
     CHECK(Key::vector("position").components(1, 1).type() == "array of 1 number");
@@ -61,6 +63,10 @@ TEST_CASE("a default has the type of its key") {
     CHECK_THROWS_AS(Key::integer("x").defaults_to(1.5), ContractViolation);
     CHECK_THROWS_AS(Key::text("x").defaults_to(true), ContractViolation);
     CHECK_FALSE(Key::vector("x").defaults_to(std::vector{1.0}).required);
+    CHECK(std::get<std::string>(*Key::interval("x").defaults_to("5 min").default_value) == "5 min");
+    CHECK(std::get<std::int64_t>(*Key::interval("x").defaults_to(100).default_value) == 100);
+    CHECK_THROWS_AS(Key::interval("x").defaults_to("often"), ContractViolation);
+    CHECK_THROWS_AS(Key::interval("x").defaults_to(0.5), ContractViolation);
     CHECK_THROWS_AS(Key::vector("x").defaults_to(1.0), ContractViolation);
     CHECK_THROWS_AS(Key::number("x").defaults_to(std::vector{1.0}), ContractViolation);
     CHECK_THROWS_AS(Key::quantity("x", Dimension::mass).defaults_to("1 kg"), ContractViolation);

@@ -149,6 +149,27 @@ TEST_CASE("integers: no float, no boolean, in range") {
     CHECK(One(steps(), std::int64_t{-7}).mistakes() == Mistakes{"'steps' in [t] is -7, allowed: >= 0"});
 }
 
+TEST_CASE("intervals: a number of steps, or a wall time") {
+    const Key every = Key::interval("every").at_least(1).at_most(100).defaults_to("5 min");
+    const One steps(every, std::int64_t{7});
+    CHECK(steps.mistakes().empty());
+    CHECK(steps.section.interval("every").steps == 7);
+    CHECK_FALSE(steps.section.interval("every").seconds);
+    const One time(every, text("2 h"));
+    CHECK(time.mistakes().empty());
+    CHECK_FALSE(time.section.interval("every").steps);
+    CHECK(time.section.interval("every").seconds == 7200.0);
+    CHECK(One(every, std::int64_t{0}).mistakes() ==
+          Mistakes{"'every' in [t] is 0, allowed: >= 1, <= 100 steps, or a number > 0 with s, min, h or d, in quotes"});
+    CHECK(One(every, text("often")).mistakes() ==
+          Mistakes{"'every' in [t]: 'often' is no wall time | allowed: >= 1, <= 100 steps, or a number > 0 with s, "
+                   "min, h or d, in quotes"});
+    CHECK(One(every, 2.5).mistakes().size() == 1);
+    CHECK(One(every, true).mistakes().size() == 1);
+    CHECK(One(every, std::int64_t{1000}).section.interval("every").steps == 100);
+    CHECK(One(every, text("-1 s")).section.interval("every").seconds == 300.0);
+}
+
 TEST_CASE("flags, texts and choices") {
     CHECK(One(Key::flag("tail"), text("true")).mistakes() ==
           Mistakes{"'tail' in [t] must be true or false, found a string | remove the quotes"});

@@ -122,3 +122,16 @@ TEST_CASE("the units of a substance are finite and positive") {
         CHECK_THROWS_AS(SubstanceUnits(1.0, 1.0, bad), ContractViolation);
     }
 }
+
+TEST_CASE("a wall time is a number above zero with a unit of time") {
+    CHECK(parse_wall_time("90 s") == 90.0);
+    CHECK(parse_wall_time("90s") == 90.0);
+    CHECK(parse_wall_time("0.5 min") == 30.0);
+    CHECK(parse_wall_time("2h") == 7200.0);
+    CHECK(parse_wall_time("1 d") == 86400.0);
+    for (const char* wrong :
+         {"", "5", "s", "0 s", "-1 s", "nan s", "inf h", "1e9 d", "2 hours", "1 h 30 min", "2 ns"}) {
+        INFO(wrong);
+        CHECK_FALSE(parse_wall_time(wrong));
+    }
+}

@@ -20,10 +20,28 @@ struct DeckOptions {
     int threads = 0;          ///< 0: OMP_NUM_THREADS, or 1
 };
 
+/// What `ljmd resume` takes.
+struct ResumeOptions {
+    std::string directory;
+    std::string walltime;
+    Index more_steps = 0;  ///< to add to the last stage
+    int threads = 0;       ///< 0: as many as before
+    bool quiet = false;
+    bool json = false;
+};
+
 // Each command prints results to stdout and talk to stderr, and throws the typed errors of core/errors.hpp.
 
-/// ljmd run DECK @param out  replaces the deck's output directory unless empty
-void run_command(const DeckOptions& options, const std::string& out);
+/// ljmd run DECK
+/// @param out       replaces the deck's output directory unless empty
+/// @param walltime  stop after that much time, "2h"; empty: no limit
+void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime = "");
+
+/// The threads that a run goes on with: those wanted, or as many as it had.
+[[nodiscard]] int resume_threads(const ResumeOptions& options);
+
+/// ljmd resume RUNDIR: go on with a run from its last checkpoint.
+void resume_command(const ResumeOptions& options);
 
 /// ljmd check DECK
 void check_command(const DeckOptions& options);
@@ -42,13 +60,15 @@ void export_command(const DeckOptions& options, const std::string& to, const std
 /// ljmd bench [DECK]: how fast a deck runs. An empty options.deck means the Lennard-Jones melt.
 void bench_command(const DeckOptions& options);
 
-/// ljmd info
-/// @param keys  print the reference page of all deck keys instead
-/// @param json  print it as JSON
-void info_command(bool keys, bool json);
+/// ljmd info, ljmd info RUNDIR
+/// @param directory  of a run to tell of; empty: tell of the program
+/// @param keys       print the reference page of all deck keys instead
+/// @param json       print it as JSON
+void info_command(const std::string& directory, bool keys, bool json);
 
 /// The exit code for the exception that is being handled, after its message has been printed to stderr:
-/// 1 internal, 2 usage or deck, 3 input data, 4 output, 5 physics, 7 memory.
+/// 1 internal, 2 usage or deck, 3 input data, 4 output, 5 physics,
+/// 6 checkpoint, 7 memory, 9 directory in use, 75 wall time reached, 128 + n signal.
 [[nodiscard]] int report_current_exception();
 
 }  // namespace ljmd

@@ -33,6 +33,12 @@ struct TrajectoryOutput {
     bool si;
 };
 
+/// When checkpoints are written, beside those at the start, at the ends of stages and when a run is stopped.
+struct CheckpointOutput {
+    Interval every;
+    int keep;  ///< generations
+};
+
 /// A run as its deck describes it: every key consumed, every value in range and in reduced units.
 struct Deck {
     DeckKind kind;
@@ -46,6 +52,7 @@ struct Deck {
     std::filesystem::path directory;
     Index thermo_every;
     std::optional<TrajectoryOutput> trajectory;
+    CheckpointOutput checkpoint;
 
     // Tables of a fluid.
     [[nodiscard]] const Section& system() const { return root.section("system"); }

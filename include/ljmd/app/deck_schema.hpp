@@ -6,6 +6,9 @@
 
 namespace ljmd {
 
+/// Of a stage, or of a run that is gone on with.
+inline constexpr Index most_steps = 1'000'000'000'000'000;
+
 /// What a deck is a deck of.
 enum class DeckKind {
     fluid,     ///< atoms in a periodic box

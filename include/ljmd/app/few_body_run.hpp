@@ -16,6 +16,8 @@ struct FewBodyHistory {
     double at_end;
     double mean;               ///< over the rows of thermo.csv
     double largest_deviation;  ///< from the start, over the same rows
+
+    void archive(Archive& a) { a(name, at_start, at_end, mean, largest_deviation); }
 };
 
 /// What a few-body run found.
@@ -31,9 +33,12 @@ struct FewBodyResult {
 
 /// Run all stages of a few-body deck and write its output directory (see docs/files.md).
 ///
-/// @pre  the output directory exists and is empty of earlier outputs (see prepare_directory)
-/// @throws PhysicsError, FileError; what was written until then stays
-FewBodyResult run_few_body(const Deck& deck, FewBodySystem& system, RunListener& listener);
+/// @pre  the output directory exists and is empty of earlier outputs (see prepare_directory), or it is the one of the
+/// run
+///       that is gone on with
+/// @throws PhysicsError, FileError, CheckpointError, Interrupted; what was written until then stays
+FewBodyResult run_few_body(const Deck& deck, FewBodySystem& system, RunListener& listener,
+                           const RunControl& control = {});
 
 /// results.json and the table on the screen.
 [[nodiscard]] std::string few_body_results_json(const Deck& deck, const FewBodyResult& result);

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "ljmd/core/archive.hpp"
+
 namespace ljmd {
 
 /// Where the wall time of a time loop went [s].
@@ -13,6 +15,8 @@ struct PhaseSeconds {
     double observe = 0.0;    ///< everything measured, watched and told on the way
     double write = 0.0;      ///< thermo.csv and trajectory
     [[nodiscard]] double sum() const { return force + list + sort + integrate + observe + write; }
+
+    void archive(Archive& a) { a(force, list, sort, integrate, observe, write); }
 };
 
 /// {"force": .., "list": .., ...}

@@ -14,7 +14,7 @@ namespace ljmd {
 class Progress : public RunListener {
   public:
     /// @param quiet  say nothing but warnings
-    Progress(Index atoms, Index total_steps, bool quiet);
+    Progress(Index atoms, Index total_steps, bool quiet, Index first_step = 0);
     ~Progress() override;
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

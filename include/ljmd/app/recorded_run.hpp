@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ljmd/app/deck.hpp"
+#include "ljmd/app/run_record.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -18,6 +19,19 @@ namespace ljmd {
 /// @throws InputError  a mistake in the settings
 [[nodiscard]] Deck recorded_deck(const std::filesystem::path& directory, const std::vector<std::string>& settings,
                                  Diagnostics& diagnostics);
+
+/// A run as its directory shows it, to be gone on with.
+struct RecordedRun {
+    Deck deck;             ///< writes to the directory
+    EarlierParts earlier;  ///< without the part that begins now
+    std::string simd;      ///< level that it was computed with; empty for a few bodies
+    int threads;
+    bool finished;
+};
+
+/// @param more_steps  at the end of the last stage, beside those that were added earlier
+/// @throws DataError as recorded_deck  @throws InputError more steps than can be counted
+[[nodiscard]] RecordedRun recorded_run(const std::filesystem::path& directory, Index more_steps = 0);
 
 /// The last configuration of a fluid's run, as its final.xyz has it.
 /// @throws DataError  there is none, or it cannot be used

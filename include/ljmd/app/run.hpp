@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "ljmd/app/phase_seconds.hpp"
+#include "ljmd/app/run_checkpoints.hpp"
+#include "ljmd/app/run_record.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/observables/run_averages.hpp"
 
@@ -23,7 +25,15 @@ struct StageResult {
     std::optional<double> energy_drift;  ///< least-squares slope of the total energy per atom [epsilon/tau]; NVE only
     std::string checksum_at_start;       ///< of the positions, see checksum()
     std::string checksum_at_end;
+
+    void archive(Archive& a) {
+        a(name, integrator, first_step, last_step, time_step, sampled, thermostatted, reversed, energy_drift,
+          checksum_at_start, checksum_at_end);
+    }
 };
+
+/// @throws CheckpointError unless these are the results of the stages of the deck that have begun
+void require_stages(const std::vector<StageResult>& results, const Deck& deck, const LoopPosition& position);
 
 /// What a run found.
 struct RunResult {
@@ -55,11 +65,25 @@ class RunListener {
     RunListener& operator=(const RunListener&) = default;
 };
 
+/// How a run is to go, beside what its deck says.
+struct RunControl {
+    std::optional<double> walltime = {};  ///< stop after that many seconds, with a checkpoint
+
+    /// Go on from a checkpoint.
+    struct Resumed {
+        ResumePoint point;
+        EarlierParts earlier;
+    };
+    std::optional<Resumed> resumed = {};
+};
+
 /// Run all stages of a deck and write its output directory (see docs/files.md): run.json when the run begins and when
 /// it ends, thermo.csv and the trajectory while it goes, final.xyz, the analyses' tables and results.json at the end.
 ///
-/// @pre  the output directory exists and is empty of earlier outputs (see prepare_directory)
-/// @throws PhysicsError, FileError; what was written until then stays
-RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener);
+/// @pre  the output directory exists and is empty of earlier outputs (see prepare_directory), or it is the one of the
+/// run
+///       that is gone on with
+/// @throws PhysicsError, FileError, CheckpointError, Interrupted; what was written until then stays
+RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener, const RunControl& control = {});
 
 }  // namespace ljmd

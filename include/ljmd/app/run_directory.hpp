@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "ljmd/app/run_checkpoints.hpp"
 #include "ljmd/app/run_record.hpp"
 #include "ljmd/io/thermo_csv.hpp"
 #include "ljmd/model/state.hpp"
@@ -29,24 +30,39 @@ void make_directory(const std::filesystem::path& directory);
 /// @throws FileError  it cannot be created or cleared
 void prepare_directory(const std::filesystem::path& directory);
 
+/// What the files of a run have been so far.
+struct ResumedOutputs {
+    CommittedOutputs kept;
+    EarlierParts earlier;
+};
+
+/// Refuse files that are not what the run left, where that can be seen without reading them: before one of them is
+/// changed. @throws CheckpointError
+void check_outputs(const Deck& deck, const ResumedOutputs& resumed);
+
 /// The files of a run while it goes. See docs/files.md for what each holds.
 class RunDirectory {
   public:
-    /// Writes run.json and opens the others. @throws FileError
-    RunDirectory(const Deck& deck, const State& first, bool order_parameter);
+    /// Opens the outputs and writes run.json.
+    /// @param resumed  go on with the files of an earlier part of the run  @throws FileError, CheckpointError
+    RunDirectory(const Deck& deck, const State& first, bool order_parameter,
+                 const std::optional<ResumedOutputs>& resumed = std::nullopt);
 
     void write_thermo(Index step, double time, const Thermodynamics& row, std::optional<double> order_parameter);
     void write_frame(const State& state);
     [[nodiscard]] bool frame_is_due(const State& state) const;
+
+    /// All that was written is on the disk. @return how much that is  @throws FileError
+    CommittedOutputs commit();
 
     /// Closes the outputs and writes final.xyz, the analyses' tables, results.json and .txt, and run.json once more.
     void finish(const State& state, const RunResult& result);
 
   private:
     const Deck& deck_;
-    RunRecord record_;
+    std::unique_ptr<TrajectoryWriter> trajectory_;  ///< opened first: it may refuse to go on
     ThermoCsv thermo_;
-    std::unique_ptr<TrajectoryWriter> trajectory_;
+    RunRecord record_;
     Index rows_since_flush_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ljmd/app/deck.hpp"
 #include "ljmd/app/phase_seconds.hpp"
@@ -10,11 +11,21 @@
 
 namespace ljmd {
 
+/// What the record of a run that is gone on with tells of its earlier parts.
+struct EarlierParts {
+    std::string began;
+    std::vector<Index> resumed_at_steps;
+    Index steps_added = 0;  ///< to the last stage of the deck, by `ljmd resume --steps`
+};
+
+/// XXH3 (64 bits) of the deck's text and of every --set, so that two runs can be told apart.
+[[nodiscard]] std::string deck_hash(const Deck& deck);
+
 /// run.json: what was run, by which program, where and when. Written when the run begins and again when it ends.
 class RunRecord {
   public:
-    /// @throws FileError
-    explicit RunRecord(const Deck& deck);
+    /// @param earlier  of a run that is gone on with, the step included at which it is now  @throws FileError
+    explicit RunRecord(const Deck& deck, const std::optional<EarlierParts>& earlier = std::nullopt);
 
     /// @param seconds  wall time of the time loop
     /// @param phases   where it went, if that was measured
@@ -25,10 +36,15 @@ class RunRecord {
 
     const Deck& deck_;
     std::string began_;
+    std::vector<Index> resumed_at_steps_;
+    Index steps_added_;
 };
 
-/// The trajectory that a deck asks for, in H5MD or extended XYZ; nothing when it asks for none. @throws FileError
-[[nodiscard]] std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first);
+/// The trajectory that a deck asks for, in H5MD or extended XYZ; nothing when it asks for none.
+/// @param kept  what of an existing one to go on with, see TrajectoryOptions
+/// @throws FileError, CheckpointError
+[[nodiscard]] std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first,
+                                                                std::optional<CommittedFrames> kept = std::nullopt);
 
 /// failed.xyz: the configuration at which a run was given up, whatever it is. Its positions and velocities may belong
 /// to no one time, but they show where it went wrong.

@@ -49,6 +49,9 @@ struct Simulation {
 /// The forces of a deck on a fluid.
 [[nodiscard]] PairForceField make_force_field(const Deck& deck);
 
+/// A fluid with nothing in its place yet: what a checkpoint fills.
+[[nodiscard]] Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box);
+
 /// Place the atoms, draw or take velocities, and set up forces and analyses.
 /// @param warn  receives one line for each thing a user should know
 /// @pre the deck has been checked against the start's box

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
@@ -23,6 +24,8 @@ class StabilityWatch {
     /// kinetic energy, and by what a plain cut adds when a few pairs of each atom cross it: sound runs stay far below.
     /// @throws PhysicsError when it has risen more, in a stage at constant energy
     void check_energy(const Thermodynamics& now);
+
+    void archive(Archive& a) { a(at_first_); }
 
   private:
     double time_step_;

@@ -1,12 +1,34 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "ljmd/app/deck.hpp"
+#include "ljmd/core/archive.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
+
+/// Wall time of a time loop [s]. The evaluation of the start is not counted.
+struct LoopSeconds {
+    double all = 0.0;
+    double steps = 0.0;  ///< integrators, with the forces they ask for
+
+    void archive(Archive& a) { a(all, steps); }
+};
+
+/// How far a time loop has come, from which it can go on.
+struct LoopPosition {
+    std::size_t stage = 0;    ///< by its place among the stages
+    bool begun = false;       ///< it has; if not, nothing of it has happened
+    Index steps = 0;          ///< of this stage that are done
+    double first_time = 0.0;  ///< when it began [tau]
+    LoopSeconds seconds;      ///< spent until here
+
+    void archive(Archive& a) { a(stage, begun, steps, first_time, seconds); }
+};
 
 /// What happens around the steps of a run: measuring, writing, watching.
 class StepObserver {
@@ -28,6 +50,13 @@ class StepObserver {
     /// A step is complete; state.step and state.time are those at its end.
     virtual void step_done(const Stage& stage, const Evaluation& evaluation) = 0;
 
+    /// Whether checkpoint() is wanted now: after the start, and after every step.
+    /// @param last_of_stage  also after the start
+    [[nodiscard]] virtual bool wants_checkpoint(bool /*last_of_stage*/) { return false; }
+
+    /// Everything is between two steps: from here the loop can go on another time. May throw, to end it.
+    virtual void checkpoint(const LoopPosition& /*position*/) {}
+
     virtual void stage_ends(const Stage& stage) = 0;
 
   protected:
@@ -36,20 +65,17 @@ class StepObserver {
     StepObserver& operator=(const StepObserver&) = default;
 };
 
-/// Wall time of a time loop [s]. The evaluation of the start is not counted.
-struct LoopSeconds {
-    double all = 0.0;
-    double steps = 0.0;  ///< integrators, with the forces they ask for
-};
-
 /// The one time loop: evaluates the start, then takes every step of every stage.
 ///
 /// Time grows in all stages, also in those that run the motion backwards.
+/// @param from  go on from there: state, force field and observer are what they were at that checkpoint
 /// @throws PhysicsError naming the step and the stage
-LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer);
+LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
+                       const std::optional<LoopPosition>& from = std::nullopt);
 
 /// The same for a run with an output directory, where a failure leaves failed.xyz.
 /// @throws PhysicsError naming the step, the stage and that file
-LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer);
+LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer,
+                       const std::optional<LoopPosition>& from = std::nullopt);
 
 }  // namespace ljmd

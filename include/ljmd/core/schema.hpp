@@ -24,6 +24,7 @@ enum class Kind {
     text,      ///< any string
     choice,    ///< one of the strings in `choices`
     quantity,  ///< always a string with a unit: the keys of [argon]
+    interval,  ///< an integer, steps, or a string, wall time: "5 min"
     vector,    ///< an array of numbers; the range holds for each of them
     table,     ///< a table with a schema of its own
     tables,    ///< an array of tables, [[stage]]
@@ -42,6 +43,7 @@ class Key {
     static Key text(std::string name);
     static Key choice(std::string name, std::vector<std::string> choices);
     static Key quantity(std::string name, Dimension dimension);
+    static Key interval(std::string name);
     static Key vector(std::string name);
     static Key table(std::string name, Schema schema);
     static Key tables(std::string name, Schema schema);

@@ -12,6 +12,12 @@
 
 namespace ljmd {
 
+/// How often something happens: one of the two.
+struct Interval {
+    std::optional<std::int64_t> steps;
+    std::optional<double> seconds;  ///< of wall time
+};
+
 /// One table of a deck after validation: every key of the schema has a value of the right type in its allowed range,
 /// in reduced units, or is an absent optional key. Knows where each value stands, so that later checks can point at it.
 class Section {
@@ -21,6 +27,7 @@ class Section {
     [[nodiscard]] std::int64_t integer(const std::string& key) const;
     [[nodiscard]] double number(const std::string& key) const;            ///< reduced units; for Kind::quantity SI
     [[nodiscard]] const std::string& text(const std::string& key) const;  ///< text and choice
+    [[nodiscard]] Interval interval(const std::string& key) const;
     [[nodiscard]] const std::vector<double>& vector(const std::string& key) const;
     [[nodiscard]] const Section& section(const std::string& key) const;
     [[nodiscard]] const std::vector<Section>& sections(const std::string& key) const;

@@ -23,6 +23,10 @@ enum class Dimension { none, length, energy, temperature, mass, time, density, p
 /// text does not begin with a finite number.
 [[nodiscard]] std::optional<std::string> unit_of(const std::string& text);
 
+/// A time of the clock on the wall: a number above 0 and s, min, h or d, as "90 s" or "2h".
+/// @return seconds; empty when the text is none
+[[nodiscard]] std::optional<double> parse_wall_time(const std::string& text);
+
 /// "length", "temperature", ...: how messages name a dimension.
 [[nodiscard]] std::string dimension_name(Dimension dimension);
 

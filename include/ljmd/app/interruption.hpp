@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/types.hpp"
+
+namespace ljmd {
+
+/// A run was stopped from outside, between two steps and with a checkpoint written. The text tells how to go on.
+class Interrupted : public Error {
+  public:
+    Interrupted(const std::string& text, int exit_code) : Error(text), exit_code_(exit_code) {}
+    [[nodiscard]] int exit_code() const { return exit_code_; }
+
+  private:
+    int exit_code_;
+};
+
+/// From now on SIGINT, SIGTERM and SIGHUP ask the program to stop, where they did not mean to be ignored; the second
+/// one ends it at once.
+void heed_signals();
+
+/// The signal that has asked to stop; 0: none.
+[[nodiscard]] int signal_received();
+
+/// Why a run has to stop before its end: a signal, or that its time is over.
+class Interruption {
+  public:
+    /// @param walltime  [s] from now; none: no limit
+    explicit Interruption(std::optional<double> walltime = std::nullopt);
+
+    [[nodiscard]] bool wanted() const { return signal_received() != 0 || time_is_over(); }
+
+    /// @pre wanted(), and a checkpoint has been written
+    /// @throws Interrupted
+    [[noreturn]] void stop(Index step, const std::string& directory) const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    [[nodiscard]] bool time_is_over() const { return end_ && Clock::now() >= *end_; }
+
+    std::optional<Clock::time_point> end_;
+};
+
+}  // namespace ljmd

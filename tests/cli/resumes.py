@@ -1,0 +1,394 @@
+"""Runs that are stopped and gone on with: by a signal, by the wall time, by a kill; and what cannot be gone on with."""
+
+import fcntl
+import json
+import os
+import shutil
+import signal
+import subprocess
+import time
+
+from harness import Case, STARS, clean_environment, decoded, Failure, Result, TIME_LIMIT, snapshot
+
+TIMES = ("began", "ended", "seconds_in_time_loop", "seconds_per_phase", "resumed_at_steps", "seconds")
+LONG = ("--set", "stage.production.steps=20000")
+OUTPUTS = [("thermo = { every = 5 }", 'thermo = { every = 5 }\ntrajectory = { format = "xyz", every = 10 }\n'
+                                      "[analysis]\nrdf = { bins = 20, every = 10 }")]
+
+
+def start(t, *arguments, **options):
+    return subprocess.Popen([t.ljmd, *arguments], cwd=t.dir, env=clean_environment(), stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+
+
+def end(process):
+    try:
+        out, err = process.communicate(timeout=TIME_LIMIT)
+    except subprocess.TimeoutExpired as late:
+        process.kill()
+        raise Failure("hangs") from late
+    return Result(process.returncode, decoded(out), decoded(err))
+
+
+def wait_until(t, condition, process, what):
+    deadline = time.monotonic() + TIME_LIMIT
+    while not condition():
+        t.check(process.poll() is None, f"the run ended before {what}")
+        t.check(time.monotonic() < deadline, f"never: {what}")
+        time.sleep(0.002)
+
+
+def has_begun(t, process, out="out"):
+    """A checkpoint is there, and rows of thermo.csv after it."""
+    wait_until(t, lambda: (t.dir / out / "checkpoint.1").exists() and (t.dir / out / "thermo.csv").stat().st_size > 2000,
+               process, "its first rows")
+
+
+def without_times(value):
+    if isinstance(value, dict):
+        return {key: without_times(inner) for key, inner in value.items() if key not in TIMES}
+    return [without_times(inner) for inner in value] if isinstance(value, list) else value
+
+
+def outputs(t, out):
+    """Every file of a run but its checkpoints; of JSON what does not tell of time, of results.txt nothing."""
+    files = {name: data for name, data in snapshot(t.dir / out).items()
+             if not name.startswith("checkpoint.") and name != "results.txt"}
+    return {name: without_times(json.loads(data)) if name.endswith(".json") else data for name, data in files.items()}
+
+
+def same_run(t, found, expected):
+    ours, theirs = outputs(t, found), outputs(t, expected)
+    t.equal(sorted(ours), sorted(theirs), "files")
+    for name, data in theirs.items():
+        t.check(ours[name] == data, f"{name} differs from that of the run that was not stopped")
+
+
+def stopped_by(number):
+    def test(t):
+        t.deck(*OUTPUTS)
+        process = start(t, "run", "deck.toml", "--out", "out", *LONG)
+        has_begun(t, process)
+        process.send_signal(number)
+        result = t.expect(128 + number, end(process))
+        t.contains(result.err, f"by {signal.Signals(number).name}; to go on: ljmd resume out\n")
+        t.equal(result.out, "", "stdout")
+        t.equal(t.json("out/run.json")["finished"], False, "finished")
+        again = t.run_well("resume", "out")
+        t.contains(again.err, "going on after step ")
+        t.contains(again.out, "compressibility_factor")
+        t.run_well("run", "deck.toml", "--out", "whole", "--quiet", *LONG)
+        same_run(t, "out", "whole")
+        steps = t.json("out/run.json")["resumed_at_steps"]
+        t.check(len(steps) == 1 and 0 < steps[0] < 20020, f"resumed_at_steps {steps}")
+    return test
+
+
+def second_signal(t):
+    """A program that was stopped in a debugger takes no step: the second signal does not wait for one."""
+    t.deck()
+    process = start(t, "run", "deck.toml", "--out", "out", *LONG)
+    has_begun(t, process)
+    process.send_signal(signal.SIGSTOP)
+    process.send_signal(signal.SIGINT)
+    time.sleep(0.05)
+    process.send_signal(signal.SIGCONT)
+    process.send_signal(signal.SIGINT)
+    code = end(process).code
+    t.check(code in (130, -signal.SIGINT), f"exit code {code}")
+    t.run_well("resume", "out", "--quiet")
+
+
+def held_and_let_go(t):
+    """SIGSTOP and SIGCONT, as `kill` or a laptop's lid give them, leave no trace in the results."""
+    t.deck(*OUTPUTS)
+    process = start(t, "run", "deck.toml", "--out", "out", "--quiet", *LONG)
+    has_begun(t, process)
+    process.send_signal(signal.SIGSTOP)
+    time.sleep(0.2)
+    process.send_signal(signal.SIGCONT)
+    t.expect(0, end(process))
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet", *LONG)
+    same_run(t, "out", "whole")
+
+
+def ignored_hangup(t):
+    """Under nohup a hang-up is not meant."""
+    t.deck()
+    process = start(t, "run", "deck.toml", "--out", "out", "--quiet", *LONG,
+                    preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+    has_begun(t, process)
+    process.send_signal(signal.SIGHUP)
+    t.expect(0, end(process))
+
+
+def in_parts(t):
+    """A wall time that is over at once: a step a part, and the end is the same."""
+    t.deck(*OUTPUTS)
+    result = t.expect(75, t.run("run", "deck.toml", "--out", "out", "--walltime", "0.000001s"))
+    t.contains(result.err, "stopped after step 0 by the end of its wall time; to go on: ljmd resume out\n")
+    parts = 0
+    while (code := t.run("resume", "out", "--quiet", "--walltime", "0.000001 s").code) == 75:
+        parts += 1
+    t.equal(code, 0, "exit code")
+    t.check(parts >= 3, f"{parts} parts")
+    t.equal(len(t.json("out/run.json")["resumed_at_steps"]), parts + 1, "resumed_at_steps")
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet")
+    same_run(t, "out", "whole")
+
+
+def bodies_in_parts(t):
+    t.deck(text=STARS)
+    t.expect(75, t.run("run", "deck.toml", "--out", "out", "--walltime", "0.000001s"))
+    while (code := t.run("resume", "out", "--quiet", "--walltime", "0.000001 s").code) == 75:
+        pass
+    t.equal(code, 0, "exit code")
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet")
+    same_run(t, "out", "whole")
+
+
+def longer(t):
+    """A finished run is made longer, twice; thermo.csv, the frames and the averages are those of one long run."""
+    t.deck(*OUTPUTS)
+    t.run_well("run", "deck.toml", "--out", "out", "--quiet")
+    t.run_well("resume", "out", "--steps", "+30", "--quiet")
+    t.run_well("resume", "out", "--steps", "30", "--quiet")
+    t.equal(t.json("out/run.json")["steps_added"], 60, "steps_added")
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet", "--set", "stage.production.steps=100")
+    for name in ("thermo.csv", "trajectory.xyz", "rdf.csv", "final.xyz"):
+        t.equal(t.read(f"out/{name}"), t.read(f"whole/{name}"), name)
+    t.equal(t.json("out/results.json")["observables"], t.json("whole/results.json")["observables"], "observables")
+    t.contains(t.run_well("info", "out").out, "after step 120 of 120, 100 of 100 in stage 'production'")
+
+
+def finished(t):
+    """Going on with what has come to its end changes nothing."""
+    t.deck(*OUTPUTS)
+    t.run_well("run", "deck.toml", "--out", "out", "--quiet")
+    before = outputs(t, "out")
+    result = t.run_well("resume", "out")
+    t.contains(result.err, "going on after step 60 of 60\n")
+    t.equal(outputs(t, "out"), before, "files")
+
+
+def threads_and_simd(t):
+    """What was chosen for the first part is chosen for the next; double precision is the same for all threads."""
+    t.deck(*OUTPUTS)
+    t.expect(75, t.run("run", "deck.toml", "--out", "out", "--threads", "2", "--simd", "portable", "--walltime", "1e-6 s"))
+    t.run_well("resume", "out", "--quiet")
+    record = t.json("out/run.json")
+    t.equal((record["threads"], record["simd"]), (2, "portable"), "threads and SIMD level")
+    t.expect(75, t.run("run", "deck.toml", "--out", "one", "--simd", "portable", "--walltime", "1e-6 s"))
+    t.run_well("resume", "one", "--quiet", "--threads", "2")
+    t.equal(t.read("one/thermo.csv"), t.read("out/thermo.csv"), "thermo.csv")
+
+
+def in_use(t):
+    """A second run is kept out of a directory, with and without --force, and so is `ljmd resume`."""
+    t.deck()
+    (t.dir / "out").mkdir()
+    descriptor = os.open(t.dir / "out", os.O_RDONLY)
+    fcntl.flock(descriptor, fcntl.LOCK_EX)
+    texts = ""
+    for arguments in (("run", "deck.toml", "--out", "out"), ("run", "deck.toml", "--out", "out", "--force")):
+        texts += t.expect(9, t.run(*arguments)).err
+    t.equal(t.files("out"), [], "files")
+    os.close(descriptor)
+    process = start(t, "run", "deck.toml", "--out", "out", *LONG)
+    has_begun(t, process)
+    texts += t.expect(9, t.run("resume", "out")).err
+    texts += t.expect(9, t.run("run", "deck.toml", "--out", "out", "--force")).err
+    process.kill()
+    end(process)
+    t.run_well("resume", "out", "--quiet")
+    t.golden(texts)
+
+
+def damage(t, path, where=-1):
+    """Turn one bit of a file."""
+    data = bytearray((t.dir / path).read_bytes())
+    data[where] ^= 1
+    (t.dir / path).write_bytes(data)
+
+
+def checkpoints(t, out="out"):
+    """Names, the newest last."""
+    names = sorted((t.dir / out).glob("checkpoint.*"), key=lambda path: path.stat().st_mtime_ns)
+    return [f"{out}/{path.name}" for path in names]
+
+
+def stopped(t):
+    """A run that was stopped before its end, in the directory `out`: at the start, and then after one step."""
+    t.deck(*OUTPUTS)
+    t.expect(75, t.run("run", "deck.toml", "--out", "out", "--quiet", "--walltime", "1e-6 s"))
+    t.expect(75, t.run("resume", "out", "--quiet", "--walltime", "1e-6 s"))
+
+
+def one_damaged(t):
+    """The older generation does, and that is said."""
+    t.deck(*OUTPUTS)
+    t.run_well("run", "deck.toml", "--out", "out", "--quiet", "--set", "output.checkpoint.every=20")
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet", "--set", "output.checkpoint.every=20")
+    damage(t, checkpoints(t)[-1], 100)
+    told = t.run_well("info", "out").out
+    t.contains(told, "damaged       ")
+    t.contains(told, "checkpoint    after step 40 of 60")
+    result = t.run_well("resume", "out")
+    t.contains(result.err, "warning: ")
+    t.contains(result.err, "damaged")
+    same_run(t, "out", "whole")
+
+
+def all_damaged(t):
+    stopped(t)
+    for name in checkpoints(t):
+        damage(t, name, 60)
+    before = snapshot(t.dir)
+    result = t.expect(6, t.run("resume", "out"))
+    t.contains(result.err, "error: no checkpoint can be used\n  out/checkpoint.")
+    t.equal(snapshot(t.dir), before, "files")
+    t.contains(t.run_well("info", "out").out, "checkpoint    none")
+
+
+def refused(change, code, *arguments):
+    """What is done to a stopped run is noticed before anything is touched."""
+    def test(t):
+        stopped(t)
+        change(t)
+        before = snapshot(t.dir)
+        result = t.expect(code, t.run("resume", "out", *arguments))
+        t.equal(result.out, "", "stdout")
+        t.equal(snapshot(t.dir), before, "files")
+        t.golden(result.err)
+    return test
+
+
+def remove(name):
+    return lambda t: (t.dir / name).unlink()
+
+
+def cut(name, length):
+    return lambda t: os.truncate(t.dir / name, length)
+
+
+def no_checkpoints(t):
+    for name in checkpoints(t):
+        (t.dir / name).unlink()
+
+
+def another_deck(t):
+    record = t.json("out/run.json")
+    record["deck"] = record["deck"].replace("0.8442", "0.7")
+    (t.dir / "out/run.json").write_text(json.dumps(record))
+
+
+def pipe_for(name):
+    def change(t):
+        (t.dir / name).unlink()
+        os.mkfifo(t.dir / name)
+    return change
+
+
+def link_to_a_copy(name):
+    def change(t):
+        shutil.move(t.dir / name, t.dir / "elsewhere")
+        (t.dir / name).symlink_to(t.dir / "elsewhere")
+    return change
+
+
+def beyond_the_checkpoint(t):
+    """What a killed run had written after its last checkpoint is cut off, whatever it is."""
+    t.deck(*OUTPUTS)
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet")
+    stopped(t)
+    for name in ("thermo.csv", "trajectory.xyz"):
+        with (t.dir / "out" / name).open("ab") as file:
+            file.write(b"half a li")
+    t.run_well("resume", "out", "--quiet")
+    same_run(t, "out", "whole")
+
+
+def not_a_run(t):
+    (t.dir / "empty").mkdir()
+    (t.dir / "other").mkdir()
+    (t.dir / "other/run.json").write_text('{"program": "another"}')
+    (t.dir / "torn").mkdir()
+    (t.dir / "torn/run.json").write_text('{"program": "ljmd", "deck')
+    texts = ""
+    for name in ("nowhere", "empty", "other", "torn"):
+        for command in ("resume", "info"):
+            texts += t.expect(3, t.run(command, name)).err
+    t.golden(texts)
+
+
+def told(t):
+    """`ljmd info` of a run that was stopped, and what another run into its directory is told."""
+    stopped(t)
+    text = t.run_well("info", "out").out
+    t.contains(text, "out: small\n")
+    t.contains(text, "finished      no\n")
+    t.contains(text, "checkpoint    after step 1 of 60, 1 of 20 in stage 'melt'\n")
+    t.contains(text, "to go on: ljmd resume out\n")
+    found = json.loads(t.run_well("info", "out", "--json").out)
+    t.equal(found["checkpoint"], {"step": 1, "stage": "melt", "atoms": 108}, "checkpoint")
+    t.equal((found["finished"], found["total_steps"]), (False, 60), "finished, total_steps")
+    t.golden(t.expect(2, t.run("run", "deck.toml", "--out", "out")).err)
+
+
+def usage(*arguments):
+    def test(t):
+        t.deck()
+        result = t.expect(2, t.run(*arguments))
+        t.equal(t.files(), ["deck.toml"], "files")
+        t.golden(result.err)
+    return test
+
+
+def moved(t):
+    """A directory that was moved elsewhere goes on there."""
+    t.deck(*OUTPUTS)
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet")
+    stopped(t)
+    (t.dir / "far").mkdir()
+    shutil.move(t.dir / "out", t.dir / "far/away")
+    (t.dir / "deck.toml").unlink()
+    t.run_well("resume", "far/away", "--quiet")
+    same_run(t, "far/away", "whole")
+
+
+def cases():
+    return [
+        Case("SIGTERM", stopped_by(signal.SIGTERM)),
+        Case("SIGINT", stopped_by(signal.SIGINT)),
+        Case("SIGHUP", stopped_by(signal.SIGHUP)),
+        Case("a second SIGINT", second_signal),
+        Case("SIGSTOP and SIGCONT", held_and_let_go),
+        Case("SIGHUP under nohup", ignored_hangup),
+        Case("in parts of a wall time", in_parts),
+        Case("a few bodies in parts of a wall time", bodies_in_parts),
+        Case("made longer", longer),
+        Case("finished before", finished),
+        Case("threads and SIMD level as before", threads_and_simd),
+        Case("a directory in use", in_use),
+        Case("one checkpoint damaged", one_damaged),
+        Case("all checkpoints damaged", all_damaged),
+        Case("no checkpoint", refused(no_checkpoints, 6)),
+        Case("a checkpoint of another deck", refused(another_deck, 6)),
+        Case("thermo.csv shorter than it was", refused(cut("out/thermo.csv", 100), 6)),
+        Case("thermo.csv gone", refused(remove("out/thermo.csv"), 6)),
+        Case("thermo.csv replaced by a pipe", refused(pipe_for("out/thermo.csv"), 6)),
+        Case("thermo.csv replaced by a link", refused(link_to_a_copy("out/thermo.csv"), 6)),
+        Case("trajectory shorter than it was", refused(cut("out/trajectory.xyz", 10), 6)),
+        Case("trajectory gone", refused(remove("out/trajectory.xyz"), 6)),
+        Case("too many steps more", refused(lambda t: None, 2, "--steps", "+9000000000000000000")),
+        Case("files longer than they were", beyond_the_checkpoint),
+        Case("not the directory of a run", not_a_run),
+        Case("what a directory holds", told),
+        Case("a wall time that is none", usage("run", "deck.toml", "--out", "out", "--walltime", "soon")),
+        Case("no steps more", usage("resume", "out", "--steps", "0")),
+        Case("a checkpoint interval that is none",
+             usage("check", "deck.toml", "--set", "output.checkpoint.every=\"often\"")),
+        Case("a checkpoint interval of no steps", usage("check", "deck.toml", "--set", "output.checkpoint.every=0")),
+        Case("more generations than can be kept", usage("check", "deck.toml", "--set", "output.checkpoint.keep=100")),
+        Case("a directory that was moved", moved),
+    ]
