@@ -1,0 +1,167 @@
+// A library to be preloaded: at one of the calls by which a program changes files, something happens.
+//
+//   LJMD_FAULT=kill:N   the program is killed instead of its call number N (counted from 1)
+//   LJMD_FAULT=tear:N   of call N, if it writes, half of the bytes are written, and then it is killed
+//   LJMD_FAULT=full:N   from call N on there is no space left for what writes
+//   LJMD_FAULT=clock:S  the clock on the wall jumps at each look, S seconds on and as many back
+//   LJMD_FAULT=count:F  nothing happens, and at the end the file F tells the number of calls
+//
+// Standard input, output and error are left alone.
+#include <dlfcn.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+
+namespace {
+
+enum class Mode { none, kill, tear, full, clock, count };
+
+struct Fault {
+    Mode mode = Mode::none;
+    long at = 0;
+    const char* file = nullptr;
+    std::atomic<long> calls = 0;
+
+    Fault() {
+        const char* text = std::getenv("LJMD_FAULT");
+        if (text == nullptr) {
+            return;
+        }
+        const char* rest = std::strchr(text, ':');
+        if (rest == nullptr) {
+            std::abort();
+        }
+        at = std::atol(rest + 1);
+        file = rest + 1;
+        const auto is = [&](const char* name) { return std::strncmp(text, name, std::strlen(name)) == 0; };
+        mode = is("kill:")    ? Mode::kill
+               : is("tear:")  ? Mode::tear
+               : is("full:")  ? Mode::full
+               : is("clock:") ? Mode::clock
+                              : Mode::count;
+    }
+
+    ~Fault() {
+        if (mode == Mode::count) {
+            std::FILE* out = std::fopen(file, "w");
+            std::fprintf(out, "%ld\n", calls.load());
+            std::fclose(out);
+        }
+    }
+};
+
+Fault& fault() {
+    static Fault the_one;
+    return the_one;
+}
+
+[[maybe_unused]] const Fault& made_at_load = fault();
+
+enum class Call { goes_on, torn, fails };
+
+/// What becomes of the next call.
+Call next(bool writes) {
+    Fault& f = fault();
+    const long number = ++f.calls;
+    if ((f.mode == Mode::kill || (f.mode == Mode::tear && !writes)) && number == f.at) {
+        std::raise(SIGKILL);
+    }
+    if (f.mode == Mode::tear && number == f.at) {
+        return Call::torn;
+    }
+    if (f.mode == Mode::full && number >= f.at && writes) {
+        errno = ENOSPC;
+        return Call::fails;
+    }
+    return Call::goes_on;
+}
+
+template <class Function>
+Function original(const char* name) {
+    return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
+}
+
+template <class Write>
+ssize_t write_or_not(int descriptor, size_t count, const Write& write) {
+    if (descriptor <= STDERR_FILENO) {
+        return write(count);
+    }
+    switch (next(true)) {
+        case Call::torn:
+            static_cast<void>(write(count / 2));
+            std::raise(SIGKILL);
+            return -1;
+        case Call::fails:
+            return -1;
+        default:
+            return write(count);
+    }
+}
+
+}  // namespace
+
+extern "C" {
+
+ssize_t write(int descriptor, const void* data, size_t count) {
+    static const auto call = original<ssize_t (*)(int, const void*, size_t)>("write");
+    return write_or_not(descriptor, count, [&](size_t n) { return call(descriptor, data, n); });
+}
+
+ssize_t pwrite(int descriptor, const void* data, size_t count, off_t offset) {
+    static const auto call = original<ssize_t (*)(int, const void*, size_t, off_t)>("pwrite");
+    return write_or_not(descriptor, count, [&](size_t n) { return call(descriptor, data, n, offset); });
+}
+
+ssize_t pwrite64(int descriptor, const void* data, size_t count, off64_t offset) {
+    static const auto call = original<ssize_t (*)(int, const void*, size_t, off64_t)>("pwrite64");
+    return write_or_not(descriptor, count, [&](size_t n) { return call(descriptor, data, n, offset); });
+}
+
+int fsync(int descriptor) {
+    static const auto call = original<int (*)(int)>("fsync");
+    static_cast<void>(next(false));
+    return call(descriptor);
+}
+
+int ftruncate(int descriptor, off_t length) noexcept {
+    static const auto call = original<int (*)(int, off_t)>("ftruncate");
+    static_cast<void>(next(false));
+    return call(descriptor, length);
+}
+
+int ftruncate64(int descriptor, off64_t length) noexcept {
+    static const auto call = original<int (*)(int, off64_t)>("ftruncate64");
+    static_cast<void>(next(false));
+    return call(descriptor, length);
+}
+
+int rename(const char* from, const char* to) noexcept {
+    static const auto call = original<int (*)(const char*, const char*)>("rename");
+    static_cast<void>(next(false));
+    return call(from, to);
+}
+
+int clock_gettime(clockid_t clock, struct timespec* now) noexcept {
+    static const auto call = original<int (*)(clockid_t, struct timespec*)>("clock_gettime");
+    const int result = call(clock, now);
+    if (fault().mode == Mode::clock && clock == CLOCK_REALTIME) {
+        static std::atomic<long> looks = 0;
+        now->tv_sec += ++looks % 2 == 0 ? fault().at : -fault().at;
+    }
+    return result;
+}
+
+int unlink(const char* path) noexcept {
+    static const auto call = original<int (*)(const char*)>("unlink");
+    static_cast<void>(next(false));
+    return call(path);
+}
+
+}  // extern "C"

@@ -1,0 +1,242 @@
+"""What tests of runs that are disturbed share: small decks, a preloaded library of faults, and the comparison of two runs.
+
+All files of a run that was disturbed and gone on with must be byte for byte what they are without, times and provenance
+excepted. A run that has written a checkpoint must not begin again.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Callable, Optional
+
+FLUID = """
+[system]
+lattice = {{ type = "fcc", cells = {cells} }}
+density = 0.8
+temperature = 1.0
+seed = 7
+[potential]
+type = "lennard-jones"
+cutoff = 2.0
+truncation = "force-shifted"
+[neighbors]
+skin = 0.2
+[[stage]]
+name = "equilibrate"
+time_step = 0.004
+steps = {equilibrate}
+thermostat = {{ type = "rescale", every = 5 }}
+[[stage]]
+name = "production"
+time_step = 0.004
+steps = {production}
+sample = true
+[output]
+thermo = {{ every = 2 }}
+trajectory = {{ format = "{format}", every = 3, velocities = true }}
+checkpoint = {{ every = {checkpoint} }}
+[analysis]
+rdf = {{ bins = 20, every = 4 }}
+"""
+
+BODIES = """
+[force]
+type = "newtonian-gravity"
+gravitational_constant = 1.0
+[[body]]
+mass = 0.5
+position = [-0.5, 0.0]
+velocity = [0.0, -0.3]
+[[body]]
+mass = 0.5
+position = [0.5, 0.0]
+velocity = [0.0, 0.3]
+[[stage]]
+name = "orbits"
+time_step = 0.01
+steps = {production}
+sample = true
+[output]
+thermo = {{ every = 2 }}
+trajectory = {{ format = "csv", every = 3 }}
+checkpoint = {{ every = {checkpoint} }}
+[analysis]
+orbit = {{ body = 1, about = 2 }}
+"""
+
+FORMATS = ("h5md", "xyz", "csv")
+NOT_COMPARED = ("began", "ended", "seconds_in_time_loop", "seconds_per_phase", "resumed_at_steps", "seconds")
+
+
+@dataclass
+class Case:
+    """A deck and its run in one piece."""
+
+    deck: Path
+    whole: Path
+
+
+class Failure(Exception):
+    pass
+
+
+def deck_text(form: str, equilibrate: int, production: int, checkpoint: int, cells: int = 3) -> str:
+    text = BODIES if form == "csv" else FLUID
+    return text.format(format=form, equilibrate=equilibrate, production=production, checkpoint=checkpoint,
+                       cells=cells)
+
+
+def without_times(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: without_times(inner) for key, inner in value.items() if key not in NOT_COMPARED}
+    if isinstance(value, list):
+        return [without_times(inner) for inner in value]
+    return value
+
+
+def check_same(found: Path, expected: Path) -> None:
+    names = {path.name for path in expected.iterdir() if not path.name.startswith("checkpoint.")}
+    more = {path.name for path in found.iterdir() if not path.name.startswith("checkpoint.")} - names
+    if more:
+        raise Failure(f"left behind: {', '.join(sorted(more))}")
+    for name in sorted(names):
+        if not (found / name).exists():
+            raise Failure(f"{name} is missing")
+        if name.endswith(".json"):
+            if without_times(json.loads((found / name).read_text())) != \
+                    without_times(json.loads((expected / name).read_text())):
+                raise Failure(f"{name} differs")
+        elif name == "results.txt":
+            continue  # the same as results.json, with a rate
+        elif (found / name).read_bytes() != (expected / name).read_bytes():
+            raise Failure(f"{name} differs")
+
+
+def frames_on_disk(directory: Path) -> int:
+    path = directory / "trajectory.h5md"
+    if not path.exists():
+        return -1
+    # HDF5 waits, practically for ever, for the writer to mend a half-written piece: another process can be left alone.
+    count = ("import h5py, sys; file = h5py.File(sys.argv[1], 'r', libver='latest', swmr=True); "
+             "print(file['particles/trajectory/position/value'].shape[0])")
+    try:
+        found = subprocess.run([sys.executable, "-c", count, str(path)], capture_output=True, text=True, timeout=10)
+    except subprocess.TimeoutExpired:
+        return -1
+    return int(found.stdout) if found.returncode == 0 else -1  # not yet a file: nothing was written that counts
+
+
+class Runner:
+    def __init__(self, program: Path, library: Path, random_source: random.Random) -> None:
+        self.program = program
+        self.library = library
+        self.random = random_source
+
+    def start(self, arguments: list[str], fault: Optional[str] = None) -> subprocess.Popen:
+        environment = dict(os.environ)
+        if fault is not None:
+            environment["LD_PRELOAD"] = str(self.library)
+            environment["LJMD_FAULT"] = fault
+        return subprocess.Popen([str(self.program), *arguments, "--quiet"], env=environment, stdout=subprocess.DEVNULL,
+                                stderr=subprocess.PIPE, text=True)
+
+    def finish(self, process: subprocess.Popen, allowed: tuple[int, ...]) -> int:
+        _, talk = process.communicate(timeout=120)
+        if process.returncode not in allowed:
+            raise Failure(f"{process.args[1:]} ended with {process.returncode}: {talk.strip()}")
+        return process.returncode
+
+    def kill_after(self, process: subprocess.Popen, seconds: float) -> bool:
+        """Whether it was killed, and had not ended before."""
+        try:
+            process.wait(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGKILL)
+        return self.finish(process, (0, -signal.SIGKILL)) != 0
+
+    def go_on(self, directory: Path, deck: Path, kill_again: bool) -> None:
+        """Bring a run that was killed to its end."""
+        while True:
+            checkpoints = list(directory.glob("checkpoint.?"))
+            if not checkpoints:
+                # Killed before there was anything to go on with: it begins again, and that is all that is lost.
+                if frames_on_disk(directory) > 1:
+                    raise Failure("frames, but no checkpoint")
+                self.finish(self.start(["run", str(deck), "--out", str(directory), "--force"]), (0,))
+                return
+            killed = False
+            if kill_again and self.random.random() < 1 / 3:
+                killed = self.kill_after(self.start(["resume", str(directory)]), self.random.uniform(0.0, 0.1))
+            if not killed:
+                self.finish(self.start(["resume", str(directory)]), (0,))
+                record = json.loads((directory / "run.json").read_text())
+                if not record["resumed_at_steps"]:
+                    raise Failure("run.json does not tell where it went on")
+                return
+
+
+def make_case(runner: Runner, folder: Path, form: str, equilibrate: int, production: int, checkpoint: int,
+              cells: int = 3) -> Case:
+    folder.mkdir()
+    case = Case(folder / "deck.toml", folder / "whole")
+    case.deck.write_text(deck_text(form, equilibrate, production, checkpoint, cells))
+    runner.finish(runner.start(["run", str(case.deck), "--out", str(case.whole)]), (0,))
+    return case
+
+
+def count_calls(runner: Runner, case: Case, folder: Path) -> int:
+    folder.mkdir(exist_ok=True)
+    runner.finish(runner.start(["run", str(case.deck), "--out", str(folder / "out"), "--force"],
+                               f"count:{folder / 'number'}"), (0,))
+    return int((folder / "number").read_text())
+
+
+def measure(runner: Runner, case: Case, directory: Path) -> float:
+    begin = time.perf_counter()
+    runner.finish(runner.start(["run", str(case.deck), "--out", str(directory), "--force"]), (0,))
+    return time.perf_counter() - begin
+
+
+class Tally:
+    """Counts attempts, and prints those that failed."""
+
+    def __init__(self) -> None:
+        self.passed = self.failed = 0
+
+    def attempt(self, what: str, action: Callable[[], None]) -> None:
+        try:
+            action()
+            self.passed += 1
+        except (Failure, subprocess.TimeoutExpired) as failure:
+            self.failed += 1
+            print(f"FAILED {what}: {failure}", flush=True)
+
+    def finish(self) -> int:
+        """@return the exit code"""
+        print(f"{self.passed} passed, {self.failed} failed")
+        return 1 if self.failed or not self.passed else 0
+
+
+def new_directory(folder: Path) -> Path:
+    directory = folder / "out"
+    shutil.rmtree(directory, ignore_errors=True)
+    return directory
+
+
+def parser_of(description: str) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--ljmd", type=Path, required=True)
+    parser.add_argument("--faults", type=Path, required=True, help="the library fault_at_call")
+    parser.add_argument("--seed", type=int, default=1)
+    return parser

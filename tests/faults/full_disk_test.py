@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Lets the disk fill up under `ljmd run`, and looks whether anything was lost.
+
+Usage: full_disk_test.py --ljmd PROGRAM --faults LIBRARY [--seed N]
+
+For each format of a trajectory a short run is made in one piece. Then the same run finds no space left, from each of its
+calls on that change a file (LIBRARY is preloaded): at a checkpoint, the trajectory, the thermo file, at the end. The same
+with a file system of a few hundred kilobytes, where such a one may be mounted. The run must end with exit code 4 and one
+message, what was reported must be there, and the run must go on when there is space again.
+
+Prints one line for each kind, and "N passed, M failed". Exit code 1 when something failed.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from faulty_runs import (FORMATS, Case, Failure, Runner, Tally, check_same, count_calls, make_case, new_directory,
+                         parser_of)
+
+OUTPUT_ERROR = 4
+
+
+def check_message(talk: str) -> None:
+    if talk.count("error: ") != 1 or "No space left on device" not in talk:
+        raise Failure(f"says: {talk.strip()}")
+
+
+def full_from_call(runner: Runner, case: Case, folder: Path, call: int) -> None:
+    directory = new_directory(folder)
+    process = runner.start(["run", str(case.deck), "--out", str(directory)], f"full:{call}")
+    _, talk = process.communicate(timeout=120)
+    if process.returncode != 0:  # 0: nothing was written from that call on
+        if process.returncode != OUTPUT_ERROR:
+            raise Failure(f"ended with {process.returncode}: {talk.strip()}")
+        check_message(talk)
+        runner.go_on(directory, case.deck, kill_again=False)
+    elif not json.loads((directory / "run.json").read_text())["finished"]:
+        raise Failure("ended well, but has not finished")
+    check_same(directory, case.whole)
+
+
+def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
+    """@return whether the run was stopped by it"""
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", str(mount)], check=True)
+    try:
+        directory = mount / "out"
+        process = runner.start(["run", str(case.deck), "--out", str(directory)])
+        _, talk = process.communicate(timeout=120)
+        if process.returncode == 0:
+            check_same(directory, case.whole)
+            return False
+        if process.returncode != OUTPUT_ERROR:
+            raise Failure(f"ended with {process.returncode}: {talk.strip()}")
+        check_message(talk)
+        if directory.exists():
+            subprocess.run(["mount", "-o", "remount,size=10m", str(mount)], check=True)
+            runner.go_on(directory, case.deck, kill_again=False)
+            check_same(directory, case.whole)
+        return True
+    finally:
+        subprocess.run(["umount", str(mount)], check=True)
+
+
+def may_mount(folder: Path) -> bool:
+    folder.mkdir()
+    if shutil.which("mount") is None:
+        return False
+    made = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", str(folder)], capture_output=True)
+    if made.returncode == 0:
+        subprocess.run(["umount", str(folder)], check=True)
+    return made.returncode == 0
+
+
+def fill_a_disk(runner: Runner, case: Case, mount: Path, form: str, tally: Tally) -> None:
+    stopped = []
+
+    def attempt(kilobytes: int) -> None:
+        if full_disk(runner, case, mount, kilobytes):
+            stopped.append(kilobytes)
+
+    before = tally.failed
+    sizes = range(4, 400, 12)
+    for kilobytes in sizes:
+        tally.attempt(f"{form}, a disk of {kilobytes} kB", lambda: attempt(kilobytes))
+    if not stopped or len(stopped) == len(sizes):
+        tally.attempt(form, lambda: fail(f"{len(stopped)} of {len(sizes)} disks were full: the sizes test nothing"))
+    print(f"{form}: {len(sizes)} disks, {len(stopped)} of them too small: {tally.failed - before} failed", flush=True)
+
+
+def fail(text: str) -> None:
+    raise Failure(text)
+
+
+def main(arguments: list[str]) -> int:
+    options = parser_of("Let the disk fill up under runs, go on with them, and look whether anything was lost."
+                        ).parse_args(arguments)
+    runner = Runner(options.ljmd.resolve(), options.faults.resolve(), random.Random(options.seed))
+    tally = Tally()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        mountable = may_mount(folder / "mount")
+        if not mountable:
+            print("small disks: skipped, file systems may not be mounted here")
+        for form in FORMATS:
+            case = make_case(runner, folder / f"short-{form}", form, 6, 12, 5)
+            calls = count_calls(runner, case, folder / "calls")
+            before = tally.failed
+            for call in range(1, calls + 1):
+                tally.attempt(f"{form}, full from call {call}", lambda: full_from_call(runner, case, folder, call))
+            print(f"{form}: full from each of {calls} calls: {tally.failed - before} failed", flush=True)
+            if mountable:
+                fill_a_disk(runner, case, folder / "mount", form, tally)
+    return tally.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,23 @@
+#include "fuzzed_decks.hpp"
+#include "ljmd/app/few_body_run.hpp"
+#include "resumed_run.hpp"
+
+using namespace ljmd;
+
+// Of two bodies in the plane, or of one by its distance alone: the head's deck tells.
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const fuzz::RunFolder orbit(fuzz::orbit_deck);
+    static const fuzz::RunFolder radial(fuzz::radial_deck);
+    try {
+        const fuzz::CheckpointContent content(std::as_bytes(std::span(data, size)));
+        const fuzz::RunFolder& folder = content.head.deck_hash == deck_hash(radial.deck()) ? radial : orbit;
+        RunControl control;
+        control.resumed = fuzz::found_again(folder, content);
+        FewBodySystem system = make_few_body_system(folder.deck());
+        fuzz::Quiet listener;
+        static_cast<void>(run_few_body(folder.deck(), system, listener, control));
+    } catch (const CheckpointError&) {
+    } catch (const PhysicsError&) {  // positions and velocities may be any
+    }
+    return 0;
+}

@@ -1,0 +1,13 @@
+#include "ljmd/io/checkpoint_file.hpp"
+#include "fuzz_target.hpp"
+
+using namespace ljmd;
+
+// The file as it lies on the disk: nothing is thrown, whatever it holds.
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const test::WrittenFile file("", "checkpoint.1");
+    file.rewrite(fuzz::text_of(data, size));
+    const FoundCheckpoints found = find_checkpoints(file.directory());
+    fuzz::require(found.whole.size() + found.damaged.size() == 1, "a file is neither whole nor damaged, or both");
+    return 0;
+}

@@ -1,0 +1,45 @@
+#include "ljmd/app/deck.hpp"
+
+#include "fuzz_target.hpp"
+#include "ljmd/app/few_body_check.hpp"
+#include "ljmd/app/simulation.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+/// What `ljmd check` makes of a good deck, but for the trial that tells how long a run will take.
+void check_fluid(const Deck& deck) {
+    constexpr Index many_atoms = 10000;  // those of a good deck may be more than there is memory for
+    if (deck.system().has("file")) {     // of whoever runs this
+        return;
+    }
+    const Start start = find_start(deck);
+    if (start.atoms <= many_atoms) {
+        static_cast<void>(empty_simulation(deck, start.atoms, start.box));
+    }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Diagnostics diagnostics;
+    const auto deck = load_deck_text("deck.toml", std::string(fuzz::text_of(data, size)), {}, false, diagnostics);
+    fuzz::require(deck.has_value() == !diagnostics.has_errors(), "a deck is there in spite of errors, or not without");
+    for (const Diagnostic& entry : diagnostics.entries()) {
+        fuzz::require(!format(entry).empty(), "a mistake without a word");
+    }
+    if (!deck) {
+        return 0;
+    }
+    try {
+        if (deck->kind == DeckKind::few_body) {
+            static_cast<void>(few_body_check_report(*deck));
+        } else {
+            check_fluid(*deck);
+        }
+    } catch (const PhysicsError&) {
+    }
+    return 0;
+}

@@ -1,0 +1,13 @@
+#include "configuration_promises.hpp"
+#include "ljmd/io/lammps_data_reader.hpp"
+
+using namespace ljmd;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        TextFile file(fuzz::file_of(data, size));
+        fuzz::check_promises(read_lammps_data(file));
+    } catch (const DataError&) {
+    }
+    return 0;
+}

@@ -1,0 +1,18 @@
+#include "fuzz_target.hpp"
+#include "ljmd/compare/lammps_output.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+
+// What LAMMPS prints: its log, and its help, which tells its version.
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static_cast<void>(lammps_version(std::string(fuzz::text_of(data, size))));
+    try {
+        LammpsLog log(fuzz::file_of(data, size));
+        while (log.next_row()) {
+        }
+        static_cast<void>(log.loop_seconds());
+    } catch (const DataError&) {
+    }
+    return 0;
+}

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz_target.hpp"
+#include "ljmd/app/run.hpp"
+#include "ljmd/app/run_directory.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/scratch_directory.hpp"
+
+/// Going on from a checkpoint whose checksum is right, whatever it holds. Inputs are the contents of checkpoints.
+namespace ljmd::fuzz {
+
+struct Quiet : RunListener {};
+
+/// A deck that is good, with an output directory of its own.
+class RunFolder {
+  public:
+    explicit RunFolder(const std::string& text) : deck_(load(text)) { deck_.directory = folder_.path() / "run"; }
+
+    [[nodiscard]] const Deck& deck() const { return deck_; }
+
+    /// Let there be a run that has written enough, and nothing else.
+    void prepare() const {
+        constexpr std::size_t enough = 4096;
+        prepare_directory(deck_.directory);
+        for (const char* name : {"thermo.csv", "trajectory.xyz", "trajectory.csv"}) {
+            write_file_atomically(deck_.directory / name, std::string(enough, '\n'));
+        }
+    }
+
+  private:
+    static Deck load(const std::string& text) {
+        Diagnostics diagnostics;
+        auto deck = load_deck_text("deck.toml", text, {}, false, diagnostics);
+        diagnostics.throw_if_errors();
+        return std::move(*deck);
+    }
+
+    ScratchDirectory folder_;
+    Deck deck_;
+};
+
+/// The content of a checkpoint in its two parts.
+struct CheckpointContent {
+    CheckpointHead head;
+    std::span<const std::byte> rest;  ///< the run's own
+
+    explicit CheckpointContent(std::span<const std::byte> whole) {
+        Archive once(whole);
+        once(head);
+        Archive again;
+        again(head);
+        rest = whole.subspan(again.bytes().size());
+    }
+};
+
+/// The checkpoint as the newest one of that deck's run. Version and deck are made to be right: what is refused for
+/// these is not looked at any further.
+inline RunControl::Resumed found_again(const RunFolder& folder, CheckpointContent content) {
+    const Deck& deck = folder.deck();
+    content.head.version = build_info().version;
+    content.head.deck_hash = deck_hash(deck);
+    Archive head;
+    head(content.head);
+    std::vector<std::byte> bytes(head.bytes().begin(), head.bytes().end());
+    bytes.insert(bytes.end(), content.rest.begin(), content.rest.end());
+    folder.prepare();
+    CheckpointStore(deck.directory, 1).write(bytes);
+    return {find_resume_point(deck).value(), {}};
+}
+
+}  // namespace ljmd::fuzz

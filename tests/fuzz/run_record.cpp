@@ -1,0 +1,19 @@
+#include "fuzz_target.hpp"
+#include "ljmd/app/recorded_run.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+
+// run.json, as `ljmd resume` reads it.
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    constexpr Index more_steps = 10;
+    static const test::WrittenFile file("", "run.json");
+    file.rewrite(fuzz::text_of(data, size));
+    try {
+        const RecordedRun run = recorded_run(file.directory(), more_steps);
+        fuzz::require(run.deck.stages.back().steps >= 0, "a stage has fewer steps than none");
+    } catch (const DataError&) {
+    } catch (const InputError&) {
+    }
+    return 0;
+}

@@ -1,0 +1,106 @@
+// Writes those seeds of the corpora that only the program can make: checkpoints and trajectories.
+//
+//     fuzz_write_seeds CORPORA      writes CORPORA/<target>/...
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "fuzzed_decks.hpp"
+#include "ljmd/app/few_body_run.hpp"
+#include "ljmd/app/simulation.hpp"
+#include "ljmd/io/trajectory_writer.hpp"
+#include "resumed_run.hpp"
+#include "two_atoms.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, std::span<const std::byte> bytes) {
+    write_file_atomically(path, fuzz::text_of(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+}
+
+/// What ends a run at a step.
+struct Stopped {};
+
+struct StopAt : RunListener {
+    explicit StopAt(Index step) : step_(step) {}
+    void step_done(Index step) override {
+        if (step == step_) {
+            throw Stopped();
+        }
+    }
+
+  private:
+    Index step_;
+};
+
+void run(const Deck& deck, RunListener& listener) {
+    if (deck.kind == DeckKind::few_body) {
+        FewBodySystem system = make_few_body_system(deck);
+        static_cast<void>(run_few_body(deck, system, listener));
+    } else {
+        Simulation simulation = make_simulation(deck, find_start(deck), [](const std::string&) {});
+        static_cast<void>(run_deck(deck, simulation, listener));
+    }
+}
+
+/// The contents of the checkpoints that the run of a deck writes: at its start, on its way, at the end of a stage.
+void write_checkpoints(const std::string& text, const fs::path& corpora, const std::string& target,
+                       const std::string& name) {
+    const fuzz::RunFolder folder(text);
+    const Deck& deck = folder.deck();
+    const Index stage = deck.stages.front().steps;
+    for (const Index step : {Index{1}, stage, stage + 1, deck.total_steps()}) {
+        prepare_directory(deck.directory);
+        StopAt listener(step);
+        try {
+            run(deck, listener);
+        } catch (const Stopped&) {
+        }
+        const auto point = find_resume_point(deck);
+        write(corpora / target / fmt::format("{}-after-{}", name, point->head.step), point->file.content);
+        if (step == stage) {
+            fs::copy_file(point->file.path, corpora / "checkpoint_file" / name, fs::copy_options::overwrite_existing);
+        }
+    }
+}
+
+/// Two frames of two atoms: where they lie, and the file.
+void write_trajectory(const fs::path& path) {
+    const test::WrittenFile file("");
+    State state = fuzz::two_atoms();
+    const auto writer = make_trajectory_writer("h5md", state, {.path = file.path(), .velocities = true});
+    writer->write(state);
+    writer->write(state);
+    CommittedFrames frames = writer->commit();
+    writer->close();
+    Archive places;
+    places(frames);
+    std::ifstream written(file.path(), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(written), std::istreambuf_iterator<char>()};
+    const auto first = std::as_bytes(std::span(bytes));
+    std::vector<std::byte> all(places.bytes().begin(), places.bytes().end());
+    all.insert(all.end(), first.begin(), first.end());
+    write(path, all);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: %s CORPORA\n", argv[0]);
+        return 2;
+    }
+    const fs::path corpora = argv[1];
+    for (const char* target : {"checkpoint_file", "checkpoint_fluid", "checkpoint_few_body", "h5md"}) {
+        fs::create_directories(corpora / target);
+    }
+    write_checkpoints(fuzz::fluid_deck, corpora, "checkpoint_fluid", "fluid");
+    write_checkpoints(fuzz::orbit_deck, corpora, "checkpoint_few_body", "orbit");
+    write_checkpoints(fuzz::radial_deck, corpora, "checkpoint_few_body", "radial");
+    write_trajectory(corpora / "h5md" / "two-frames");
+}
