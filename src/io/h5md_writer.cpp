@@ -214,9 +214,8 @@ void H5mdWriter::write(const State& state) {
     failed_ = true;  // until the frame is complete
     FramePlace frame{state.step, scale_.time * state.time, {}, {}, {}, 0};
     if (has_box_) {
-        for (int axis = 0; axis < 3; ++axis) {
-            frame.edges[static_cast<std::size_t>(4 * axis)] = scale_.length * state.box().edges()[axis];
-        }
+        const Mat3 edges = (scale_.length * state.box().edges()).asDiagonal();
+        std::copy_n(edges.data(), frame.edges.size(), frame.edges.begin());
     }
     Vectors vectors;
     if (has_velocities_) {
