@@ -170,11 +170,7 @@ class Context:
 
     def deck(self, *replacements, text=DECK, name="deck.toml"):
         """Write a deck, with (old, new) replaced in its text; returns its name."""
-        for old, new in replacements:
-            if text.count(old) != 1:
-                raise AssertionError(f"the test's deck holds {old!r} {text.count(old)} times")
-            text = text.replace(old, new)
-        (self.dir / name).write_text(text, encoding="utf-8")
+        (self.dir / name).write_text(replaced(text, *replacements), encoding="utf-8")
         return name
 
     def json(self, path):
@@ -221,9 +217,46 @@ def compare_refused(text, *arguments):
     return test
 
 
+def replaced(text, *replacements):
+    """The text of a deck with each (old, new) replaced; every old must stand in it once."""
+    for old, new in replacements:
+        if text.count(old) != 1:
+            raise AssertionError(f"the test's deck holds {old!r} {text.count(old)} times")
+        text = text.replace(old, new)
+    return text
+
+
 def clean_environment():
     keep = {key: value for key, value in os.environ.items() if not key.startswith(("LC_", "LJMD"))}
     return {**keep, "LANG": "C", "TERM": "xterm"}
+
+
+TIMES = ("began", "ended", "seconds_in_time_loop", "seconds_per_phase", "resumed_at_steps", "seconds")
+
+
+def without_times(value):
+    """JSON without what tells when and how fast a run was, and in how many parts."""
+    if isinstance(value, dict):
+        return {key: without_times(inner) for key, inner in value.items() if key not in TIMES}
+    return [without_times(inner) for inner in value] if isinstance(value, list) else value
+
+
+def run_outputs(directory):
+    """Every file of a run but its checkpoints; of JSON what does not tell of time, of results.txt, which tells the same
+    as results.json and a rate, nothing."""
+    files = {name: data for name, data in snapshot(directory).items()
+             if not name.startswith("checkpoint.") and name != "results.txt"}
+    return {name: without_times(json.loads(data)) if name.endswith(".json") else data for name, data in files.items()}
+
+
+def check_same_run(found, expected):
+    """Two directories hold the same run, byte for byte, times excepted."""
+    ours, theirs = run_outputs(found), run_outputs(expected)
+    if ours.keys() != theirs.keys():
+        raise Failure(f"files: {', '.join(sorted(ours))}; expected: {', '.join(sorted(theirs))}")
+    for name, data in theirs.items():
+        if ours[name] != data:
+            raise Failure(f"{name} differs from that of the run to which nothing happened")
 
 
 def snapshot(directory):

@@ -8,9 +8,9 @@ import signal
 import subprocess
 import time
 
-from harness import Case, STARS, clean_environment, decoded, Failure, Result, TIME_LIMIT, snapshot
+from harness import (Case, Failure, Result, STARS, TIME_LIMIT, check_same_run, clean_environment, decoded, run_outputs,
+                     snapshot)
 
-TIMES = ("began", "ended", "seconds_in_time_loop", "seconds_per_phase", "resumed_at_steps", "seconds")
 LONG = ("--set", "stage.production.steps=20000")
 OUTPUTS = [("thermo = { every = 5 }", 'thermo = { every = 5 }\ntrajectory = { format = "xyz", every = 10 }\n'
                                       "[analysis]\nrdf = { bins = 20, every = 10 }")]
@@ -44,24 +44,8 @@ def has_begun(t, process, out="out"):
                process, "its first rows")
 
 
-def without_times(value):
-    if isinstance(value, dict):
-        return {key: without_times(inner) for key, inner in value.items() if key not in TIMES}
-    return [without_times(inner) for inner in value] if isinstance(value, list) else value
-
-
-def outputs(t, out):
-    """Every file of a run but its checkpoints; of JSON what does not tell of time, of results.txt nothing."""
-    files = {name: data for name, data in snapshot(t.dir / out).items()
-             if not name.startswith("checkpoint.") and name != "results.txt"}
-    return {name: without_times(json.loads(data)) if name.endswith(".json") else data for name, data in files.items()}
-
-
 def same_run(t, found, expected):
-    ours, theirs = outputs(t, found), outputs(t, expected)
-    t.equal(sorted(ours), sorted(theirs), "files")
-    for name, data in theirs.items():
-        t.check(ours[name] == data, f"{name} differs from that of the run that was not stopped")
+    check_same_run(t.dir / found, t.dir / expected)
 
 
 def stopped_by(number):
@@ -165,10 +149,10 @@ def finished(t):
     """Going on with what has come to its end changes nothing."""
     t.deck(*OUTPUTS)
     t.run_well("run", "deck.toml", "--out", "out", "--quiet")
-    before = outputs(t, "out")
+    before = run_outputs(t.dir / "out")
     result = t.run_well("resume", "out")
     t.contains(result.err, "going on after step 60 of 60\n")
-    t.equal(outputs(t, "out"), before, "files")
+    t.equal(run_outputs(t.dir / "out"), before, "files")
 
 
 def threads_and_simd(t):

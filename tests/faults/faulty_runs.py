@@ -1,4 +1,4 @@
-"""What tests of runs that are disturbed share: small decks, a preloaded library of faults, and the comparison of two runs.
+"""What tests of runs that are disturbed share: small decks, a preloaded library of faults, the comparison of two runs.
 
 All files of a run that was disturbed and gone on with must be byte for byte what they are without, times and provenance
 excepted. A run that has written a checkpoint must not begin again.
@@ -18,65 +18,19 @@ import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Callable, Optional
 
-FLUID = """
-[system]
-lattice = {{ type = "fcc", cells = {cells} }}
-density = 0.8
-temperature = 1.0
-seed = 7
-[potential]
-type = "lennard-jones"
-cutoff = 2.0
-truncation = "force-shifted"
-[neighbors]
-skin = 0.2
-[[stage]]
-name = "equilibrate"
-time_step = 0.004
-steps = {equilibrate}
-thermostat = {{ type = "rescale", every = 5 }}
-[[stage]]
-name = "production"
-time_step = 0.004
-steps = {production}
-sample = true
-[output]
-thermo = {{ every = 2 }}
-trajectory = {{ format = "{format}", every = 3, velocities = true }}
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+
+from harness import DECK, STARS, Failure, check_same_run, replaced  # noqa: E402
+
+TABLES = """trajectory = {{ format = "{format}", every = 3{velocities} }}
 checkpoint = {{ every = {checkpoint} }}
 [analysis]
-rdf = {{ bins = 20, every = 4 }}
-"""
-
-BODIES = """
-[force]
-type = "newtonian-gravity"
-gravitational_constant = 1.0
-[[body]]
-mass = 0.5
-position = [-0.5, 0.0]
-velocity = [0.0, -0.3]
-[[body]]
-mass = 0.5
-position = [0.5, 0.0]
-velocity = [0.0, 0.3]
-[[stage]]
-name = "orbits"
-time_step = 0.01
-steps = {production}
-sample = true
-[output]
-thermo = {{ every = 2 }}
-trajectory = {{ format = "csv", every = 3 }}
-checkpoint = {{ every = {checkpoint} }}
-[analysis]
-orbit = {{ body = 1, about = 2 }}
+{analysis}
 """
 
 FORMATS = ("h5md", "xyz", "csv")
-NOT_COMPARED = ("began", "ended", "seconds_in_time_loop", "seconds_per_phase", "resumed_at_steps", "seconds")
 
 
 @dataclass
@@ -87,40 +41,16 @@ class Case:
     whole: Path
 
 
-class Failure(Exception):
-    pass
-
-
 def deck_text(form: str, equilibrate: int, production: int, checkpoint: int, cells: int = 3) -> str:
-    text = BODIES if form == "csv" else FLUID
-    return text.format(format=form, equilibrate=equilibrate, production=production, checkpoint=checkpoint,
-                       cells=cells)
-
-
-def without_times(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: without_times(inner) for key, inner in value.items() if key not in NOT_COMPARED}
-    if isinstance(value, list):
-        return [without_times(inner) for inner in value]
-    return value
-
-
-def check_same(found: Path, expected: Path) -> None:
-    names = {path.name for path in expected.iterdir() if not path.name.startswith("checkpoint.")}
-    more = {path.name for path in found.iterdir() if not path.name.startswith("checkpoint.")} - names
-    if more:
-        raise Failure(f"left behind: {', '.join(sorted(more))}")
-    for name in sorted(names):
-        if not (found / name).exists():
-            raise Failure(f"{name} is missing")
-        if name.endswith(".json"):
-            if without_times(json.loads((found / name).read_text())) != \
-                    without_times(json.loads((expected / name).read_text())):
-                raise Failure(f"{name} differs")
-        elif name == "results.txt":
-            continue  # the same as results.json, with a rate
-        elif (found / name).read_bytes() != (expected / name).read_bytes():
-            raise Failure(f"{name} differs")
+    """A deck of the command-line tests with a trajectory, checkpoints and an analysis."""
+    if form == "csv":
+        base = replaced(STARS, ("steps = 100", f"steps = {production}"), ("every = 10", "every = 2"))
+        velocities, analysis = "", "orbit = { body = 1, about = 2 }"
+    else:
+        base = replaced(DECK, ("cells = 3", f"cells = {cells}"), ("steps = 20", f"steps = {equilibrate}"),
+                        ("steps = 40", f"steps = {production}"), ("thermo = { every = 5 }", "thermo = { every = 2 }"))
+        velocities, analysis = ", velocities = true", "rdf = { bins = 20, every = 4 }"
+    return base + TABLES.format(format=form, velocities=velocities, checkpoint=checkpoint, analysis=analysis)
 
 
 def frames_on_disk(directory: Path) -> int:
@@ -219,8 +149,11 @@ class Tally:
             action()
             self.passed += 1
         except (Failure, subprocess.TimeoutExpired) as failure:
-            self.failed += 1
-            print(f"FAILED {what}: {failure}", flush=True)
+            self.fail(what, failure)
+
+    def fail(self, what: str, why: object) -> None:
+        self.failed += 1
+        print(f"FAILED {what}: {why}", flush=True)
 
     def finish(self) -> int:
         """@return the exit code"""
@@ -234,9 +167,22 @@ def new_directory(folder: Path) -> Path:
     return directory
 
 
-def parser_of(description: str) -> argparse.ArgumentParser:
+def run_tests(arguments: list[str], description: str, tests: Callable[[Runner, Path, Tally, int], None],
+              kills: Optional[int] = None) -> int:
+    """Read the options, let the tests be made in a folder of their own, and tell how they went.
+
+    @param kills  that many at random times, if nothing else is asked for; none: there is no such option
+    @return the exit code
+    """
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--ljmd", type=Path, required=True)
     parser.add_argument("--faults", type=Path, required=True, help="the library fault_at_call")
     parser.add_argument("--seed", type=int, default=1)
-    return parser
+    if kills is not None:
+        parser.add_argument("--kills", type=int, default=kills, help="at random times, in all formats together")
+    options = parser.parse_args(arguments)
+    runner = Runner(options.ljmd.resolve(), options.faults.resolve(), random.Random(options.seed))
+    tally = Tally()
+    with tempfile.TemporaryDirectory() as folder:
+        tests(runner, Path(folder), tally, getattr(options, "kills", 0))
+    return tally.finish()

@@ -14,15 +14,13 @@ Prints one line for each kind, and "N passed, M failed". Exit code 1 when someth
 from __future__ import annotations
 
 import json
-import random
 import shutil
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
-from faulty_runs import (FORMATS, Case, Failure, Runner, Tally, check_same, count_calls, make_case, new_directory,
-                         parser_of)
+from faulty_runs import (FORMATS, Case, Failure, Runner, Tally, check_same_run, count_calls, make_case, new_directory,
+                         run_tests)
 
 OUTPUT_ERROR = 4
 
@@ -43,7 +41,7 @@ def full_from_call(runner: Runner, case: Case, folder: Path, call: int) -> None:
         runner.go_on(directory, case.deck, kill_again=False)
     elif not json.loads((directory / "run.json").read_text())["finished"]:
         raise Failure("ended well, but has not finished")
-    check_same(directory, case.whole)
+    check_same_run(directory, case.whole)
 
 
 def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
@@ -54,7 +52,7 @@ def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
         process = runner.start(["run", str(case.deck), "--out", str(directory)])
         _, talk = process.communicate(timeout=120)
         if process.returncode == 0:
-            check_same(directory, case.whole)
+            check_same_run(directory, case.whole)
             return False
         if process.returncode != OUTPUT_ERROR:
             raise Failure(f"ended with {process.returncode}: {talk.strip()}")
@@ -62,7 +60,7 @@ def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
         if directory.exists():
             subprocess.run(["mount", "-o", "remount,size=10m", str(mount)], check=True)
             runner.go_on(directory, case.deck, kill_again=False)
-            check_same(directory, case.whole)
+            check_same_run(directory, case.whole)
         return True
     finally:
         subprocess.run(["umount", str(mount)], check=True)
@@ -90,35 +88,25 @@ def fill_a_disk(runner: Runner, case: Case, mount: Path, form: str, tally: Tally
     for kilobytes in sizes:
         tally.attempt(f"{form}, a disk of {kilobytes} kB", lambda: attempt(kilobytes))
     if not stopped or len(stopped) == len(sizes):
-        tally.attempt(form, lambda: fail(f"{len(stopped)} of {len(sizes)} disks were full: the sizes test nothing"))
+        tally.fail(form, f"{len(stopped)} of {len(sizes)} disks were full: the sizes test nothing")
     print(f"{form}: {len(sizes)} disks, {len(stopped)} of them too small: {tally.failed - before} failed", flush=True)
 
 
-def fail(text: str) -> None:
-    raise Failure(text)
-
-
-def main(arguments: list[str]) -> int:
-    options = parser_of("Let the disk fill up under runs, go on with them, and look whether anything was lost."
-                        ).parse_args(arguments)
-    runner = Runner(options.ljmd.resolve(), options.faults.resolve(), random.Random(options.seed))
-    tally = Tally()
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        mountable = may_mount(folder / "mount")
-        if not mountable:
-            print("small disks: skipped, file systems may not be mounted here")
-        for form in FORMATS:
-            case = make_case(runner, folder / f"short-{form}", form, 6, 12, 5)
-            calls = count_calls(runner, case, folder / "calls")
-            before = tally.failed
-            for call in range(1, calls + 1):
-                tally.attempt(f"{form}, full from call {call}", lambda: full_from_call(runner, case, folder, call))
-            print(f"{form}: full from each of {calls} calls: {tally.failed - before} failed", flush=True)
-            if mountable:
-                fill_a_disk(runner, case, folder / "mount", form, tally)
-    return tally.finish()
+def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
+    mountable = may_mount(folder / "mount")
+    if not mountable:
+        print("small disks: skipped, file systems may not be mounted here")
+    for form in FORMATS:
+        case = make_case(runner, folder / f"short-{form}", form, 6, 12, 5)
+        calls = count_calls(runner, case, folder / "calls")
+        before = tally.failed
+        for call in range(1, calls + 1):
+            tally.attempt(f"{form}, full from call {call}", lambda: full_from_call(runner, case, folder, call))
+        print(f"{form}: full from each of {calls} calls: {tally.failed - before} failed", flush=True)
+        if mountable:
+            fill_a_disk(runner, case, folder / "mount", form, tally)
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(run_tests(sys.argv[1:], "Let disks fill up under runs, go on with them, and look whether anything was lost.",
+                       tests))

@@ -12,14 +12,12 @@ Prints one line for each kind, and "N passed, M failed". Exit code 1 when someth
 
 from __future__ import annotations
 
-import random
 import signal
 import sys
-import tempfile
 from pathlib import Path
 
-from faulty_runs import (FORMATS, Case, Failure, Runner, Tally, check_same, count_calls, make_case, measure, new_directory,
-                         parser_of)
+from faulty_runs import (FORMATS, Case, Failure, Runner, Tally, check_same_run, count_calls, make_case, measure,
+                         new_directory, run_tests)
 
 
 def kill_at_call(runner: Runner, case: Case, folder: Path, mode: str, call: int) -> None:
@@ -29,7 +27,7 @@ def kill_at_call(runner: Runner, case: Case, folder: Path, mode: str, call: int)
     if code == 0:
         raise Failure("was not killed")
     runner.go_on(directory, case.deck, kill_again=False)
-    check_same(directory, case.whole)
+    check_same_run(directory, case.whole)
 
 
 def kill_at_random(runner: Runner, case: Case, folder: Path, seconds: float) -> None:
@@ -39,35 +37,26 @@ def kill_at_random(runner: Runner, case: Case, folder: Path, seconds: float) -> 
         if not directory.exists():
             return
         runner.go_on(directory, case.deck, kill_again=True)
-    check_same(directory, case.whole)
+    check_same_run(directory, case.whole)
 
 
-def main(arguments: list[str]) -> int:
-    parser = parser_of("Kill runs, go on with them, and look whether anything was lost.")
-    parser.add_argument("--kills", type=int, default=60, help="at random times, in all formats together")
-    options = parser.parse_args(arguments)
-    runner = Runner(options.ljmd.resolve(), options.faults.resolve(), random.Random(options.seed))
-    tally = Tally()
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        for form in FORMATS:
-            short = make_case(runner, folder / f"short-{form}", form, 6, 12, 5)
-            calls = count_calls(runner, short, folder / "calls")
-            for mode in ("kill", "tear"):
-                before = tally.failed
-                for call in range(1, calls + 1):
-                    tally.attempt(f"{form}, {mode} at call {call}",
-                                  lambda: kill_at_call(runner, short, folder, mode, call))
-                print(f"{form}: {mode} at each of {calls} calls: {tally.failed - before} failed", flush=True)
-            long = make_case(runner, folder / f"long-{form}", form, 200, 400, 50)
-            seconds = measure(runner, long, folder / "time")
+def tests(runner: Runner, folder: Path, tally: Tally, all_kills: int) -> None:
+    for form in FORMATS:
+        short = make_case(runner, folder / f"short-{form}", form, 6, 12, 5)
+        calls = count_calls(runner, short, folder / "calls")
+        for mode in ("kill", "tear"):
             before = tally.failed
-            kills = options.kills // len(FORMATS)
-            for number in range(kills):
-                tally.attempt(f"{form}, random kill {number}", lambda: kill_at_random(runner, long, folder, seconds))
-            print(f"{form}: {kills} kills at random times: {tally.failed - before} failed", flush=True)
-    return tally.finish()
+            for call in range(1, calls + 1):
+                tally.attempt(f"{form}, {mode} at call {call}", lambda: kill_at_call(runner, short, folder, mode, call))
+            print(f"{form}: {mode} at each of {calls} calls: {tally.failed - before} failed", flush=True)
+        long = make_case(runner, folder / f"long-{form}", form, 200, 400, 50)
+        seconds = measure(runner, long, folder / "time")
+        before = tally.failed
+        kills = all_kills // len(FORMATS)
+        for number in range(kills):
+            tally.attempt(f"{form}, random kill {number}", lambda: kill_at_random(runner, long, folder, seconds))
+        print(f"{form}: {kills} kills at random times: {tally.failed - before} failed", flush=True)
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(run_tests(sys.argv[1:], "Kill runs, go on with them, and look whether anything was lost.", tests, kills=60))
