@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run_fixtures.hpp"
-#include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/checkpoint_file.hpp"
 
@@ -14,32 +13,10 @@ using namespace ljmd::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
-namespace {
-
-struct Stop {};
-
-/// The deck's run, until the step after this one.
-void run_to(const Deck& deck, Index last) {
-    prepare_directory(deck.directory);
-    Recorder listener;
-    listener.at_step = [&](Index step) {
-        if (step > last) {
-            throw Stop();
-        }
-    };
-    Simulation simulation = simulation_of(deck);
-    try {
-        static_cast<void>(run_deck(deck, simulation, listener));
-    } catch (const Stop&) {
-    }
-}
-
-}  // namespace
-
 TEST_CASE("of a run that has ended its directory tells so, and how to make it longer") {
     const DeckFolder folder;
     const Deck deck = folder.load();
-    run_to(deck, deck.total_steps());
+    run_until(deck, deck.total_steps());
     const std::string text = directory_report(deck.directory);
     CHECK_THAT(text, Contains("A small liquid\n"));
     CHECK_THAT(text, Contains("finished      yes\n"));
@@ -53,7 +30,7 @@ TEST_CASE("of a run that has ended its directory tells so, and how to make it lo
 TEST_CASE("of a run that was stopped its directory tells how far it got, in words and as JSON") {
     const DeckFolder folder;
     const Deck deck = folder.load({"output.checkpoint.every=10"});
-    run_to(deck, 15);
+    run_until(deck, 15);
     CHECK_THAT(directory_report(deck.directory),
                Contains("finished      no\n") && Contains("after step 10 of 60, 10 of 20 in stage 'equilibrate'\n") &&
                    Contains("to go on: ljmd resume "));
@@ -74,7 +51,7 @@ TEST_CASE("of a run that was stopped its directory tells how far it got, in word
 TEST_CASE("damaged checkpoints are told, and a directory without a sound one has none") {
     const DeckFolder folder;
     const Deck deck = folder.load({"output.checkpoint.every=10"});
-    run_to(deck, 15);
+    run_until(deck, 15);
     for (const std::string& name : checkpoint_names()) {
         if (std::filesystem::exists(deck.directory / name)) {
             std::ofstream(deck.directory / name) << "nonsense";

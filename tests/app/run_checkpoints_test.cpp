@@ -6,11 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run_fixtures.hpp"
-#include "ljmd/app/few_body_run.hpp"
+#include "core/thread_guard.hpp"
 #include "ljmd/app/recorded_run.hpp"
-#include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 
@@ -20,9 +18,6 @@ using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
 namespace {
-
-/// What ends a run between writing and the next checkpoint, as a kill would.
-struct Killed {};
 
 /// Everything that a deck's run leaves, file by file; times and what tells of them left out.
 std::string outputs_of(const std::filesystem::path& directory) {
@@ -35,33 +30,6 @@ std::string outputs_of(const std::filesystem::path& directory) {
     Json results = Json::parse(content_of(directory / "results.json"));
     results.erase("seconds");
     return all + results.dump(1);
-}
-
-void run_in(const Deck& deck, RunListener& listener, const RunControl& control = {}) {
-    if (deck.kind == DeckKind::few_body) {
-        FewBodySystem system = make_few_body_system(deck);
-        static_cast<void>(run_few_body(deck, system, listener, control));
-        return;
-    }
-    Simulation simulation = control.resumed ? empty_simulation(deck, control.resumed->point.head.atoms,
-                                                               Box(control.resumed->point.head.edges))
-                                            : simulation_of(deck);
-    static_cast<void>(run_deck(deck, simulation, listener, control));
-}
-
-/// Run the deck and stop it dead in the step after this one.
-void run_until(const Deck& deck, Index step) {
-    prepare_directory(deck.directory);
-    Recorder listener;
-    listener.at_step = [&](Index now) {
-        if (now > step) {
-            throw Killed();
-        }
-    };
-    try {
-        run_in(deck, listener);
-    } catch (const Killed&) {
-    }
 }
 
 /// @return the step from which the run in the directory was gone on with
@@ -79,13 +47,14 @@ Index resume(const std::filesystem::path& directory) {
 }
 
 /// Stop a run at every step and go on with it: the end must be the end of the run that was not stopped.
-void check_every_step(const std::string& text, std::vector<std::string> settings, Index stride = 1) {
+/// @return how often that has built its neighbour list
+Index check_every_step(const std::string& text, const std::vector<std::string>& settings) {
     const DeckFolder whole_folder(text);
     const Deck whole = whole_folder.load(settings);
     run_until(whole, whole.total_steps());
     const std::string expected = outputs_of(whole.directory);
     Index wrong = 0;
-    for (Index step = 0; step < whole.total_steps(); step += stride) {
+    for (Index step = 0; step < whole.total_steps(); ++step) {
         const DeckFolder folder(text);
         std::vector<std::string> with_checkpoint = settings;
         with_checkpoint.push_back(fmt::format("output.checkpoint.every={}", std::max<Index>(step, 1)));
@@ -99,6 +68,7 @@ void check_every_step(const std::string& text, std::vector<std::string> settings
         }
     }
     CHECK(wrong == 0);
+    return Json::parse(content_of(whole.directory / "results.json")).value("neighbor_list_rebuilds", Index{0});
 }
 
 const std::string with_files = small_deck + R"(
@@ -111,36 +81,35 @@ rdf = { bins = 20, every = 4 }
 }  // namespace
 
 TEST_CASE("a fluid that is stopped after any step ends, gone on with, as if it had not been stopped") {
-    check_every_step(with_files, {"neighbors.skin=0.15"});
+    CHECK(check_every_step(with_files, {"neighbors.skin=0.15"}) >= 3);
 }
 
 TEST_CASE("so it is with every way to the neighbours and in mixed precision") {
     for (const char* setting : {"neighbors.method=\"all-pairs\"", "neighbors.method=\"cells\"", "neighbors.every=7",
                                 "performance.precision=\"mixed\""}) {
         INFO(setting);
-        check_every_step(with_files, {setting}, 7);
+        check_every_step(with_files, {setting});
     }
 }
 
-TEST_CASE("so it is with two threads") {
-    set_thread_count(2);
-    check_every_step(with_files, {"neighbors.skin=0.15"}, 5);
-    set_thread_count(1);
-}
-
-TEST_CASE("so it is with every integrator and thermostat of fluids") {
+TEST_CASE("so it is with every integrator and thermostat of fluids, in both precisions, with one thread and two") {
+    const ThreadGuard threads(GENERATE(1, 2));
+    const std::string precision = GENERATE("double", "mixed");
     for (const IntegratorMethod& method : all_integrators()) {
         if (method.unbounded_only) {
             continue;
         }
         for (const ThermostatMethod& thermostat : all_thermostats()) {
-            INFO(method.name << ", " << thermostat.name);
-            check_every_step(with_files,
-                             {"stage.equilibrate.integrator=\"" + method.name + "\"",
-                              "stage.production.integrator=\"" + method.name + "\"",
-                              "stage.equilibrate.time_step=0.0005", "stage.production.time_step=0.0005",  // Euler heats
-                              "stage.equilibrate.thermostat.type=\"" + thermostat.name + "\""},
-                             9);
+            INFO(method.name << ", " << thermostat.name << ", " << precision);
+            const Index rebuilds =
+                check_every_step(with_files, {"performance.precision=\"" + precision + "\"", "neighbors.skin=0.05",
+                                              "stage.equilibrate.integrator=\"" + method.name + "\"",
+                                              "stage.production.integrator=\"" + method.name + "\"",
+                                              "stage.equilibrate.time_step=0.001",  // Euler heats
+                                              "stage.production.time_step=0.001", "stage.equilibrate.steps=10",
+                                              "stage.production.steps=20",
+                                              "stage.equilibrate.thermostat.type=\"" + thermostat.name + "\""});
+            CHECK(rebuilds >= 3);  // two lists have come and gone
         }
     }
 }
@@ -156,9 +125,9 @@ TEST_CASE("so it is with few bodies, every integrator, and a stage that goes bac
                                                       integrator}}) +
             "trajectory = { format = \"csv\", every = 3 }\n[analysis]\norbit = { body = 1, about = 2 }\n"
             "closest_approach = {}\n";
-        check_every_step(text, {}, 11);
+        check_every_step(text, {});
     }
-    check_every_step(radial_deck, {}, 7);
+    check_every_step(radial_deck, {});
 }
 
 TEST_CASE("run.json tells at which steps a run was gone on with, and when it began") {

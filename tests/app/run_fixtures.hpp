@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "app/app_fixtures.hpp"
+#include "ljmd/app/few_body_run.hpp"
 #include "ljmd/app/run.hpp"
+#include "ljmd/app/run_directory.hpp"
 
 namespace ljmd::test {
 
@@ -26,6 +28,37 @@ struct Recorder : RunListener {
     std::vector<std::string> warnings;
     std::function<void(Index)> at_step;
 };
+
+/// What ends a run between writing and the next checkpoint, as a kill would.
+struct Killed {};
+
+/// Run a deck of either kind, from its start or from a checkpoint.
+inline void run_in(const Deck& deck, RunListener& listener, const RunControl& control = {}) {
+    if (deck.kind == DeckKind::few_body) {
+        FewBodySystem system = make_few_body_system(deck);
+        static_cast<void>(run_few_body(deck, system, listener, control));
+        return;
+    }
+    Simulation simulation = control.resumed ? empty_simulation(deck, control.resumed->point.head.atoms,
+                                                               Box(control.resumed->point.head.edges))
+                                            : simulation_of(deck);
+    static_cast<void>(run_deck(deck, simulation, listener, control));
+}
+
+/// Run the deck and stop it dead in the step after this one.
+inline void run_until(const Deck& deck, Index step) {
+    prepare_directory(deck.directory);
+    Recorder listener;
+    listener.at_step = [&](Index now) {
+        if (now > step) {
+            throw Killed();
+        }
+    };
+    try {
+        run_in(deck, listener);
+    } catch (const Killed&) {
+    }
+}
 
 /// The header of a CSV file.
 inline std::string header(const std::string& csv) {
