@@ -25,6 +25,10 @@ inline const std::filesystem::path& file_of(const std::uint8_t* data, std::size_
     return file.path();
 }
 
+/// Inputs that were read to their end and not refused. A corpus without any tries nothing behind the first check: the
+/// seeds are of another version of a format.
+inline int inputs_accepted = 0;
+
 /// What must be so whatever the input is.
 inline void require(bool so, const char* what) {
     if (!so) {

@@ -1,68 +1,35 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "app/sample_decks.hpp"
 
 /// Decks whose checkpoints are tried: runs of a millisecond that have a bit of everything in their state.
 namespace ljmd::fuzz {
 
-inline const std::string fluid_deck = R"(
-[system]
-lattice = { type = "fcc", cells = 1 }
-density = 0.1
-temperature = 1.0
-seed = 7
+struct FuzzedDeck {
+    std::string text;
+    std::vector<std::string> settings;
+};
 
-[potential]
-type = "lennard-jones"
-cutoff = 1.5
-truncation = "force-shifted"
-
-[neighbors]
-skin = 0.15
-
-[[stage]]
-name = "equilibrate"
-time_step = 0.004
-steps = 4
-thermostat = { type = "rescale", every = 2 }
-
-[[stage]]
-name = "production"
-integrator = "position-verlet"
-time_step = 0.004
-steps = 6
-sample = true
-
+inline const FuzzedDeck fluid{
+    test::small_deck + R"(
 [output]
-thermo = { every = 1 }
 trajectory = { format = "xyz", every = 2, velocities = true }
 checkpoint = { every = 3 }
 
 [analysis]
 rdf = { bins = 2, every = 1 }
-)";
+)",
+    {"system.lattice.cells=1", "system.density=0.1", "potential.cutoff=1.5", "neighbors.skin=0.15",
+     "output.thermo.every=1", "stage.equilibrate.steps=4", "stage.equilibrate.thermostat.every=2",
+     "stage.production.steps=6", "stage.production.integrator=position-verlet"}};
 
-/// Two stars on an ellipse, and there and back.
-inline const std::string orbit_deck = R"(
-[force]
-type = "newtonian-gravity"
-gravitational_constant = 1.0
-
-[[body]]
-mass = 0.5
-position = [-0.5, 0.0]
-velocity = [0.0, -0.3]
-
-[[body]]
-mass = 0.5
-position = [0.5, 0.0]
-velocity = [0.0, 0.3]
-
-[[stage]]
-name = "orbits"
-time_step = 0.3
-steps = 8
-sample = true
+/// There and back.
+inline const FuzzedDeck orbit{test::stars_deck + R"(
+trajectory = { format = "csv", every = 2 }
+checkpoint = { every = 4 }
 
 [[stage]]
 name = "back"
@@ -71,39 +38,21 @@ steps = 3
 sample = false
 reverse = true
 
-[output]
-trajectory = { format = "csv", every = 2 }
-checkpoint = { every = 4 }
-
 [analysis]
 orbit = { body = 1, about = 2 }
 closest_approach = {}
-)";
+)",
+                              {"output.thermo.every=1", "stage.orbits.time_step=0.3", "stage.orbits.steps=8"}};
 
 /// A comet by its distance alone: its angle is integrated beside it.
-inline const std::string radial_deck = R"(
-[force]
-type = "radial-kepler"
-gravitational_parameter = 1.0
-angular_momentum = 1.2
-
-[[body]]
-mass = 2.0
-position = [1.0]
-velocity = [0.0]
-
-[[stage]]
-name = "out"
-time_step = 0.3
-steps = 10
-sample = true
-
+inline const FuzzedDeck radial{test::radial_deck + R"(
 [output]
 checkpoint = { every = 4 }
 
 [analysis]
 orbit = { body = 1 }
 oscillation = { body = 1 }
-)";
+)",
+                               {"stage.out.time_step=0.3", "stage.out.steps=10"}};
 
 }  // namespace ljmd::fuzz

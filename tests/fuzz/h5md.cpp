@@ -20,6 +20,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const std::size_t length = again.bytes().size();
         const auto& path = fuzz::file_of(data + length, size - length);
         make_trajectory_writer("h5md", state, {.path = path, .velocities = true, .kept = frames})->close();
+        ++fuzz::inputs_accepted;
     } catch (const CheckpointError&) {
     }
     return 0;

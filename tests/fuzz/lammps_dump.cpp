@@ -12,6 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         for (;;) {
             dump.next_frame();
             fuzz::require(std::ssize(dump.vectors()) == atoms, "a frame has another number of atoms");
+            ++fuzz::inputs_accepted;
         }
     } catch (const DataError&) {
     }

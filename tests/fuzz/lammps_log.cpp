@@ -12,6 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         while (log.next_row()) {
         }
         static_cast<void>(log.loop_seconds());
+        ++fuzz::inputs_accepted;
     } catch (const DataError&) {
     }
     return 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fuzz_target.hpp"
+#include "fuzzed_decks.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/build_info.hpp"
@@ -21,7 +22,7 @@ struct Quiet : RunListener {};
 /// A deck that is good, with an output directory of its own.
 class RunFolder {
   public:
-    explicit RunFolder(const std::string& text) : deck_(load(text)) { deck_.directory = folder_.path() / "run"; }
+    explicit RunFolder(const FuzzedDeck& fuzzed) : deck_(load(fuzzed)) { deck_.directory = folder_.path() / "run"; }
 
     [[nodiscard]] const Deck& deck() const { return deck_; }
 
@@ -35,9 +36,9 @@ class RunFolder {
     }
 
   private:
-    static Deck load(const std::string& text) {
+    static Deck load(const FuzzedDeck& fuzzed) {
         Diagnostics diagnostics;
-        auto deck = load_deck_text("deck.toml", text, {}, false, diagnostics);
+        auto deck = load_deck_text("deck.toml", fuzzed.text, fuzzed.settings, false, diagnostics);
         diagnostics.throw_if_errors();
         return std::move(*deck);
     }

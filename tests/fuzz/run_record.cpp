@@ -12,6 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         const RecordedRun run = recorded_run(file.directory(), more_steps);
         fuzz::require(run.deck.stages.back().steps >= 0, "a stage has fewer steps than none");
+        ++fuzz::inputs_accepted;
     } catch (const DataError&) {
     } catch (const InputError&) {
     }

@@ -49,9 +49,9 @@ void run(const Deck& deck, RunListener& listener) {
 }
 
 /// The contents of the checkpoints that the run of a deck writes: at its start, on its way, at the end of a stage.
-void write_checkpoints(const std::string& text, const fs::path& corpora, const std::string& target,
+void write_checkpoints(const fuzz::FuzzedDeck& fuzzed, const fs::path& corpora, const std::string& target,
                        const std::string& name) {
-    const fuzz::RunFolder folder(text);
+    const fuzz::RunFolder folder(fuzzed);
     const Deck& deck = folder.deck();
     const Index stage = deck.stages.front().steps;
     for (const Index step : {Index{1}, stage, stage + 1, deck.total_steps()}) {
@@ -99,8 +99,8 @@ int main(int argc, char** argv) {
     for (const char* target : {"checkpoint_file", "checkpoint_fluid", "checkpoint_few_body", "h5md"}) {
         fs::create_directories(corpora / target);
     }
-    write_checkpoints(fuzz::fluid_deck, corpora, "checkpoint_fluid", "fluid");
-    write_checkpoints(fuzz::orbit_deck, corpora, "checkpoint_few_body", "orbit");
-    write_checkpoints(fuzz::radial_deck, corpora, "checkpoint_few_body", "radial");
+    write_checkpoints(fuzz::fluid, corpora, "checkpoint_fluid", "fluid");
+    write_checkpoints(fuzz::orbit, corpora, "checkpoint_few_body", "orbit");
+    write_checkpoints(fuzz::radial, corpora, "checkpoint_few_body", "radial");
     write_trajectory(corpora / "h5md" / "two-frames");
 }
