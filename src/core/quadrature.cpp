@@ -1,13 +1,13 @@
 #include "ljmd/core/quadrature.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "gsl_function.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {
@@ -19,24 +19,18 @@ constexpr double absolute_error = 1e-15;
 constexpr double relative_error = 1e-12;
 constexpr double round_off_allowance = 1000.0;
 
-double call(double x, void* f) {
-    return (*static_cast<const std::function<double(double)>*>(f))(x);
-}
-
 }  // namespace
 
 double integrate(const std::function<double(double)>& f, double a, double b) {
-    gsl_set_error_handler_off();  // errors come back as codes; GSL's own handler would abort the program
+    GslFunction function(f);
     const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> workspace(
         gsl_integration_workspace_alloc(most_intervals), gsl_integration_workspace_free);
-    auto copy = f;
-    gsl_function function{&call, &copy};
     double result = 0.0;
     double error = 0.0;
     const int status = std::isinf(b)
-                           ? gsl_integration_qagiu(&function, a, absolute_error, relative_error, most_intervals,
+                           ? gsl_integration_qagiu(function.get(), a, absolute_error, relative_error, most_intervals,
                                                    workspace.get(), &result, &error)
-                           : gsl_integration_qag(&function, a, b, absolute_error, relative_error, most_intervals,
+                           : gsl_integration_qag(function.get(), a, b, absolute_error, relative_error, most_intervals,
                                                  GSL_INTEG_GAUSS31, workspace.get(), &result, &error);
     // GSL reports round-off when bisecting stops to help. With nearly the requested error that is machine precision,
     // and good enough; with a large one the integral oscillates or diverges.
