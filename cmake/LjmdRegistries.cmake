@@ -70,3 +70,4 @@ ljmd_plugin_list(integrators/methods IntegratorMethod ljmd/integrators/integrato
 ljmd_plugin_list(integrators/thermostats ThermostatMethod ljmd/integrators/thermostat.hpp all_thermostats ljmd_generated_sources)
 ljmd_plugin_list(observables/analyses AnalysisMethod ljmd/observables/analysis.hpp all_analyses ljmd_generated_sources)
 ljmd_plugin_list(observables/few_body_analyses FewBodyAnalysisMethod ljmd/observables/few_body_analysis.hpp all_few_body_analyses ljmd_generated_sources)
+ljmd_plugin_list(reference/equations EquationOfState ljmd/reference/equation_of_state.hpp all_equations_of_state ljmd_generated_sources)

@@ -1,0 +1,120 @@
+#include "ljmd/reference/phase_equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/roots.hpp"
+
+namespace ljmd {
+
+namespace {
+
+// Where the critical points of Lennard-Jones fluids lie, truncated ones among them: 1.086 to 1.34, 0.31 to 0.32.
+constexpr double lowest_critical_temperature = 0.95;
+constexpr double highest_critical_temperature = 1.5;
+constexpr double thinnest_critical_density = 0.2;
+constexpr double thickest_critical_density = 0.45;
+
+constexpr double densest_liquid = 1.1;
+constexpr int scan_steps = 200;
+
+/// Where, among the densities that can be critical, an isotherm is least steep. Formulas with many terms have more than
+/// one inflection between the spinodals, and a root of d2p/drho2 alone may be any of them: all densities are looked at.
+FluidProperties least_steep(const EquationOfState& equation, double temperature) {
+    constexpr double step = (thickest_critical_density - thinnest_critical_density) / scan_steps;
+    FluidProperties least = properties(equation, temperature, thinnest_critical_density);
+    for (int i = 1; i <= scan_steps; ++i) {
+        const FluidProperties here = properties(equation, temperature, thinnest_critical_density + i * step);
+        if (here.pressure_density_slope < least.pressure_density_slope) {
+            least = here;
+        }
+    }
+    const auto curvature = [&](double density) {
+        return properties(equation, temperature, density).pressure_density_curvature;
+    };
+    const double before = least.density - step;
+    const double after = least.density + step;
+    if (curvature(before) < 0.0 && curvature(after) > 0.0) {
+        least = properties(equation, temperature, find_root(curvature, before, after));
+    }
+    return least;
+}
+
+/// The first density, on the way from a stable one to an unstable one, at which the slope dp/drho is zero. The first
+/// must be sought, because formulas with many terms wiggle between the spinodals.
+double spinodal(const EquationOfState& equation, double temperature, double stable, double unstable) {
+    const auto slope = [&](double density) {
+        return properties(equation, temperature, density).pressure_density_slope;
+    };
+    double before = stable;
+    const bool begins_stable = slope(stable) > 0.0;
+    for (int step = 1; begins_stable && step <= scan_steps; ++step) {
+        const double density = stable + (unstable - stable) * step / scan_steps;
+        if (slope(density) <= 0.0) {
+            return find_root(slope, before, density);
+        }
+        before = density;
+    }
+    throw PhysicsError(fmt::format("{} has no stable liquid or vapour at temperature {}: it was fitted from {} to {}",
+                                   equation.name, temperature, equation.valid.lowest_temperature,
+                                   equation.valid.highest_temperature));
+}
+
+/// The phase of that pressure between two densities; that at the nearer end when the pressure is not in between, as it
+/// is by round-off at the spinodals.
+FluidProperties phase_at(const EquationOfState& equation, double temperature, double pressure, double thin,
+                         double dense) {
+    const auto excess = [&](double density) { return properties(equation, temperature, density).pressure - pressure; };
+    const double density = excess(thin) >= 0.0 ? thin : excess(dense) <= 0.0 ? dense : find_root(excess, thin, dense);
+    return properties(equation, temperature, density);
+}
+
+/// Chemical potential, but for a function of temperature alone.
+double chemical_potential(const FluidProperties& phase) {
+    return phase.temperature * std::log(phase.density) + phase.excess_chemical_potential;
+}
+
+}  // namespace
+
+CriticalPoint critical_point(const EquationOfState& equation) {
+    const double temperature = find_root([&](double t) { return least_steep(equation, t).pressure_density_slope; },
+                                         lowest_critical_temperature, highest_critical_temperature);
+    const FluidProperties point = least_steep(equation, temperature);
+    return {temperature, point.density, point.pressure};
+}
+
+double Coexistence::heat_of_vaporisation() const {
+    return vapour.potential_energy - liquid.potential_energy + pressure * (1.0 / vapour.density - 1.0 / liquid.density);
+}
+
+std::optional<Coexistence> coexistence(const EquationOfState& equation, double temperature) {
+    const FluidProperties unstable = least_steep(equation, temperature);
+    if (unstable.pressure_density_slope >= 0.0) {
+        return std::nullopt;
+    }
+    const double thinnest = std::numeric_limits<double>::min();
+    const double end_of_vapour = spinodal(equation, temperature, thinnest, unstable.density);
+    const double end_of_liquid = spinodal(equation, temperature, densest_liquid, unstable.density);
+    const auto both = [&](double pressure) {
+        return Coexistence{pressure, phase_at(equation, temperature, pressure, end_of_liquid, densest_liquid),
+                           phase_at(equation, temperature, pressure, thinnest, end_of_vapour)};
+    };
+    // The logarithm, because at low temperatures the pressure is a small part of that at the spinodal.
+    const double highest = properties(equation, temperature, end_of_vapour).pressure;
+    const double stretched = properties(equation, temperature, end_of_liquid).pressure;
+    constexpr double lowest_part = 1e-12;
+    const double lowest = std::max(stretched, lowest_part * highest);
+    const double logarithm = find_root(
+        [&](double log_pressure) {
+            const Coexistence trial = both(std::exp(log_pressure));
+            return chemical_potential(trial.liquid) - chemical_potential(trial.vapour);
+        },
+        std::log(lowest), std::log(highest));
+    return both(std::exp(logarithm));
+}
+
+}  // namespace ljmd

@@ -1,0 +1,132 @@
+#include "ljmd/reference/equation_of_state.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/potentials/second_virial.hpp"
+
+using namespace ljmd;
+using Catch::Matchers::Contains;
+
+namespace {
+
+EquationOfState named(const std::string& name) {
+    return find_plugin(all_equations_of_state(), name, "equation of state");
+}
+
+double helmholtz(const EquationOfState& equation, double temperature, double density) {
+    return equation.residual_helmholtz(temperature, density).value();
+}
+
+}  // namespace
+
+TEST_CASE("there are four equations of state, each with its source") {
+    CHECK(plugin_names(all_equations_of_state()) ==
+          std::vector<std::string>{"johnson1993", "kolafa-nezbeda1994", "thol2015", "thol2016"});
+    for (const EquationOfState& equation : all_equations_of_state()) {
+        CHECK_THAT(equation.source, Contains("doi:10."));
+    }
+}
+
+TEST_CASE("properties are derivatives of the Helmholtz energy") {
+    for (const EquationOfState& equation : all_equations_of_state()) {
+        for (const double t : {0.8, 1.3, 3.0}) {
+            for (const double rho : {0.05, 0.5, 0.85}) {
+                INFO(equation.name << ", temperature " << t << ", density " << rho);
+                const FluidProperties state = properties(equation, t, rho);
+                const double h = 1e-5;
+                const double a_rho = (helmholtz(equation, t, rho + h) - helmholtz(equation, t, rho - h)) / (2.0 * h);
+                const double a_t = (helmholtz(equation, t + h, rho) - helmholtz(equation, t - h, rho)) / (2.0 * h);
+                const auto near = [&](double value) { return Approx(value).epsilon(1e-6).margin(1e-6); };
+                CHECK(state.compressibility_factor == near(1.0 + rho * a_rho));
+                CHECK(state.pressure == near(rho * t * (1.0 + rho * a_rho)));
+                CHECK(state.potential_energy == near(-t * t * a_t));
+                CHECK(state.residual_helmholtz_energy == near(t * helmholtz(equation, t, rho)));
+                const auto by_temperature = [&](auto member) {
+                    return (properties(equation, t + h, rho).*member - properties(equation, t - h, rho).*member) /
+                           (2.0 * h);
+                };
+                const auto by_density = [&](auto member) {
+                    return (properties(equation, t, rho + h).*member - properties(equation, t, rho - h).*member) /
+                           (2.0 * h);
+                };
+                CHECK(state.heat_capacity_cv == near(1.5 + by_temperature(&FluidProperties::potential_energy)));
+                CHECK(state.pressure_temperature_slope == near(by_temperature(&FluidProperties::pressure)));
+                CHECK(state.pressure_density_slope == near(by_density(&FluidProperties::pressure)));
+                CHECK(state.pressure_density_curvature == near(by_density(&FluidProperties::pressure_density_slope)));
+                // Gibbs and Duhem: d(mu)/d(rho) = (dp/drho)/rho.
+                CHECK(by_density(&FluidProperties::excess_chemical_potential) + t / rho ==
+                      near(state.pressure_density_slope / rho));
+            }
+        }
+    }
+}
+
+TEST_CASE("a dilute gas is ideal, and its first correction the second virial coefficient") {
+    const PairPotential full = PairPotential::lennard_jones("cut", {.radius = 2.5});
+    const PairPotential shifted = PairPotential::lennard_jones("shifted", {.radius = 2.5});
+    for (const EquationOfState& equation : all_equations_of_state()) {
+        for (const double t : {0.8, 1.3, 3.0}) {
+            INFO(equation.name << ", temperature " << t);
+            const FluidProperties nothing = properties(equation, t, 0.0);
+            CHECK(nothing.compressibility_factor == 1.0);
+            CHECK(nothing.pressure == 0.0);
+            CHECK(nothing.heat_capacity_cv == 1.5);
+            CHECK(nothing.excess_chemical_potential == Approx(0.0).margin(1e-15));
+            CHECK_FALSE(nothing.speed_of_sound());
+            const double exact = equation.name == "thol2015" ? second_virial_coefficient(shifted, t)
+                                                             : untruncated_second_virial_coefficient(full, t);
+            // How closely the formulas were fitted to it; Thol 2015 was not.
+            CHECK(second_virial_coefficient(equation, t) == Approx(exact).margin(0.06));
+            CHECK((properties(equation, t, 1e-6).compressibility_factor - 1.0) / 1e-6 ==
+                  Approx(second_virial_coefficient(equation, t)).margin(1e-3));
+        }
+    }
+}
+
+TEST_CASE("three fits of the full fluid agree where it is simple") {
+    for (const double t : {1.5, 2.74, 4.0}) {
+        for (const double rho : {0.1, 0.45, 0.8}) {
+            INFO("temperature " << t << ", density " << rho);
+            const FluidProperties thol = properties(named("thol2016"), t, rho);
+            for (const std::string other : {"johnson1993", "kolafa-nezbeda1994"}) {
+                const FluidProperties state = properties(named(other), t, rho);
+                CHECK(state.compressibility_factor == Approx(thol.compressibility_factor).margin(0.02));
+                CHECK(state.potential_energy == Approx(thol.potential_energy).margin(0.07));
+            }
+        }
+    }
+}
+
+TEST_CASE("the liquid has a heat capacity at constant pressure and a speed of sound, an unstable state neither") {
+    const FluidProperties liquid = properties(named("thol2016"), 0.8, 0.8);
+    const double squared = *liquid.heat_capacity_cp() / liquid.heat_capacity_cv * liquid.pressure_density_slope;
+    CHECK(*liquid.speed_of_sound() == Approx(std::sqrt(squared)));
+    CHECK(*liquid.heat_capacity_cp() > liquid.heat_capacity_cv);
+    const FluidProperties unstable = properties(named("thol2016"), 0.8, 0.5);
+    CHECK(unstable.pressure_density_slope < 0.0);
+    CHECK_FALSE(unstable.heat_capacity_cp());
+    CHECK_FALSE(unstable.speed_of_sound());
+    // A monatomic ideal gas: w^2 = 5/3 T.
+    CHECK(*properties(named("thol2016"), 2.0, 1e-9).speed_of_sound() == Approx(std::sqrt(10.0 / 3.0)).epsilon(1e-7));
+}
+
+TEST_CASE("states outside of what an equation was fitted to are told") {
+    const auto range = [](const std::string& name, double t, double rho) {
+        return outside_of_range(named(name), properties(named(name), t, rho));
+    };
+    CHECK(range("thol2016", 0.722, 0.8442).empty());
+    CHECK(range("thol2016", 0.6, 0.8442) == "temperature 0.6 is outside of 0.661 to 9, where thol2016 was fitted");
+    CHECK_THAT(range("thol2016", 9.5, 0.5), Contains("temperature 9.5"));
+    CHECK_THAT(range("thol2016", 5.0, 1.3), Contains("pressure") && Contains("is above 65"));
+    CHECK(range("johnson1993", 2.0, 1.3) == "density 1.3 is above 1.25, up to which johnson1993 was fitted");
+}
+
+TEST_CASE("where a formula gives nothing finite, that is said") {
+    // Hard spheres of packing fraction above 1.
+    CHECK_THROWS_WITH(
+        properties(named("kolafa-nezbeda1994"), 1.0, 3.0),
+        "kolafa-nezbeda1994 gives no pressure at temperature 1 and density 3: too far from where it holds");
+}
