@@ -18,6 +18,7 @@
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/few_body_analysis.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
+#include "ljmd/reference/equation_of_state.hpp"
 
 namespace ljmd {
 
@@ -41,6 +42,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
             {"thermostats", plugin_names(all_thermostats())},
             {"analyses", plugin_names(all_analyses())},
             {"of few bodies", plugin_names(all_few_body_analyses())},
+            {"equations", plugin_names(all_equations_of_state())},
             {"trajectories", {"h5md", "xyz", "csv (few bodies)"}}};
 }
 
@@ -93,7 +95,8 @@ std::string info_json() {
                                          {"integrators", integrators},
                                          {"thermostats", plugin_names(all_thermostats())},
                                          {"analyses", plugin_names(all_analyses())},
-                                         {"few_body_analyses", plugin_names(all_few_body_analyses())}};
+                                         {"few_body_analyses", plugin_names(all_few_body_analyses())},
+                                         {"equations_of_state", plugin_names(all_equations_of_state())}};
     return json.dump(2) + "\n";
 }
 

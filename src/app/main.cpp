@@ -143,6 +143,13 @@ int main(int argc, char** argv) {
     CLI::App& bench = *app.add_subcommand(
         "bench", "measure how fast a deck runs; without one, the Lennard-Jones melt of 32000 atoms");
     add_deck_options(bench, options, false);
+    ljmd::EosOptions state;
+    CLI::App& eos = *app.add_subcommand(
+        "eos", "what equations of state say of the Lennard-Jones fluid; of coexistence, without a density");
+    eos.add_option("--temperature", state.temperature, "in epsilon/k_B")->type_name("T");
+    eos.add_option("--density", state.density, "atoms per sigma^3")->type_name("RHO");
+    eos.add_option("--model", state.model, "one that `ljmd eos` lists, thol2016 by default")->type_name("NAME");
+    eos.add_flag("--json", state.json, "print it as JSON");
     CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select; of a run, how far it got");
     CLI::Option* of_run = info.add_option("directory", resumed.directory, "directory of a run")->type_name("RUNDIR");
     CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
@@ -175,6 +182,8 @@ int main(int argc, char** argv) {
             ljmd::compare_command(options, compared, out);
         } else if (convert.parsed()) {
             ljmd::export_command(options, to, out);
+        } else if (eos.parsed()) {
+            ljmd::eos_command(state);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {

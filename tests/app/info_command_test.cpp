@@ -11,6 +11,7 @@
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/few_body_analysis.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
+#include "ljmd/reference/equation_of_state.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -19,10 +20,10 @@ using Json = nlohmann::json;
 
 TEST_CASE("info names every plug-in, with keys it is the reference page") {
     const std::string text = said([] { info_command("", false, false); }).out;
-    for (const auto& names :
-         {PairPotential::formula_names(), PairPotential::truncation_names(), pair_search_names(),
-          plugin_names(all_few_body_forces()), plugin_names(all_integrators()), plugin_names(all_thermostats()),
-          plugin_names(all_analyses()), plugin_names(all_few_body_analyses())}) {
+    for (const auto& names : {PairPotential::formula_names(), PairPotential::truncation_names(), pair_search_names(),
+                              plugin_names(all_few_body_forces()), plugin_names(all_integrators()),
+                              plugin_names(all_thermostats()), plugin_names(all_analyses()),
+                              plugin_names(all_few_body_analyses()), plugin_names(all_equations_of_state())}) {
         for (const std::string& name : names) {
             CHECK_THAT(text, Contains(name));
         }
@@ -41,6 +42,7 @@ TEST_CASE("info as JSON has the lists that scripts go through, integrators with 
     CHECK(json.at("thermostats") == Json(plugin_names(all_thermostats())));
     CHECK(json.at("analyses") == Json(plugin_names(all_analyses())));
     CHECK(json.at("few_body_analyses") == Json(plugin_names(all_few_body_analyses())));
+    CHECK(json.at("equations_of_state") == Json(plugin_names(all_equations_of_state())));
     const auto methods = all_integrators();
     REQUIRE(json.at("integrators").size() == methods.size());
     for (std::size_t k = 0; k < methods.size(); ++k) {

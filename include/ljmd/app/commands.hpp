@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ struct ResumeOptions {
     Index more_steps = 0;  ///< to add to the last stage
     int threads = 0;       ///< 0: as many as before
     bool quiet = false;
+    bool json = false;
+};
+
+/// What `ljmd eos` takes.
+struct EosOptions {
+    std::string model = "thol2016";
+    std::optional<double> temperature{};
+    std::optional<double> density{};
     bool json = false;
 };
 
@@ -59,6 +68,10 @@ void export_command(const DeckOptions& options, const std::string& to, const std
 
 /// ljmd bench [DECK]: how fast a deck runs. An empty options.deck means the Lennard-Jones melt.
 void bench_command(const DeckOptions& options);
+
+/// ljmd eos: the equations of state there are; with a temperature, liquid and vapour at coexistence; with a density
+/// too, the state of one phase. What lies outside of the range that an equation was fitted to is warned of.
+void eos_command(const EosOptions& options);
 
 /// ljmd info, ljmd info RUNDIR
 /// @param directory  of a run to tell of; empty: tell of the program
