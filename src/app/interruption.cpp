@@ -9,7 +9,6 @@ namespace ljmd {
 namespace {
 
 constexpr int walltime_reached = 75;  // EX_TEMPFAIL: try again later
-constexpr int signal_base = 128;      // what a shell says of a program that a signal has ended
 
 volatile std::sig_atomic_t received = 0;
 
@@ -48,6 +47,11 @@ int signal_received() {
     return received;
 }
 
+int signal_exit_code(int signal) {
+    constexpr int base = 128;
+    return base + signal;
+}
+
 Interruption::Interruption(std::optional<double> walltime) {
     if (walltime) {
         end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*walltime));
@@ -58,7 +62,7 @@ void Interruption::stop(Index step, const std::string& directory) const {
     const int signal = signal_received();
     throw Interrupted(fmt::format("stopped after step {} by {}; to go on: ljmd resume {}", step,
                                   signal != 0 ? name_of(signal) : "the end of its wall time", directory),
-                      signal != 0 ? signal_base + signal : walltime_reached);
+                      signal != 0 ? signal_exit_code(signal) : walltime_reached);
 }
 
 }  // namespace ljmd

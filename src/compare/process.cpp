@@ -73,7 +73,9 @@ class Preparation {
         sigaddset(&usual, SIGPIPE);
         sigaddset(&usual, SIGXFSZ);
         posix_spawnattr_setsigdefault(&attributes_, &usual);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+        posix_spawnattr_setpgroup(&attributes_, 0);
+        posix_spawnattr_setflags(
+            &attributes_, static_cast<short>(POSIX_SPAWN_SETSIGDEF | (process.own_group ? POSIX_SPAWN_SETPGROUP : 0)));
     }
     ~Preparation() {
         posix_spawn_file_actions_destroy(&actions_);
@@ -110,26 +112,43 @@ std::optional<fs::path> find_program(const std::string& name) {
     return std::nullopt;
 }
 
-int run_process(const Process& process) {
-    std::vector<std::string> arguments{process.program.string()};
+ChildProcess::ChildProcess(const Process& process) : name_(process.program.string()) {
+    std::vector<std::string> arguments{name_};
     arguments.insert(arguments.end(), process.arguments.begin(), process.arguments.end());
     std::vector<std::string> environment = environment_of(process);
     const Preparation preparation(process);
-    pid_t child = 0;
-    const int error = posix_spawn(&child, process.program.c_str(), preparation.actions(), preparation.attributes(),
+    const int error = posix_spawn(&id_, process.program.c_str(), preparation.actions(), preparation.attributes(),
                                   pointers(arguments).data(), pointers(environment).data());
     if (error != 0) {
-        throw FileError(fmt::format("cannot start '{}' in '{}' with its output in '{}': {}", process.program.string(),
+        throw FileError(fmt::format("cannot start '{}' in '{}' with its output in '{}': {}", name_,
                                     process.directory.string(), process.output.string(), std::strerror(error)));
     }
+}
+
+std::optional<int> ChildProcess::wait(bool block) {
     int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) {
-            throw FileError(
-                fmt::format("lost sight of '{}' while it ran: {}", process.program.string(), std::strerror(errno)));
+    while (!status_) {
+        const pid_t found = waitpid(id_, &status, block ? 0 : WNOHANG);
+        if (found == 0) {
+            return std::nullopt;
+        }
+        if (found == id_) {
+            status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+        } else if (errno != EINTR) {
+            throw FileError(fmt::format("lost sight of '{}' while it ran: {}", name_, std::strerror(errno)));
         }
     }
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    return status_;
+}
+
+void ChildProcess::signal(int number) const {
+    if (!status_) {
+        kill(id_, number);
+    }
+}
+
+int run_process(const Process& process) {
+    return ChildProcess(process).wait();
 }
 
 }  // namespace ljmd

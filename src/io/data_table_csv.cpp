@@ -3,9 +3,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/text_file.hpp"
 
 namespace ljmd {
+
+namespace {
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(std::min(comma + 1, line.size()))) {
+        comma = line.find(',');
+        fields.push_back(line.substr(0, comma));
+    }
+    return fields;
+}
+
+}  // namespace
 
 std::string to_csv(const DataTable& table) {
     std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
@@ -17,6 +36,43 @@ std::string to_csv(const DataTable& table) {
         text += '\n';
     }
     return text;
+}
+
+DataTable read_csv(const std::filesystem::path& path) {
+    TextFile file(path);
+    DataTable table{path.stem().string(), {}, {}};
+    if (!file.next_line()) {
+        file.fail_at(0, "no header: the file is empty");
+    }
+    for (const std::string_view name : fields_of(file.line())) {
+        table.columns.emplace_back(name);
+    }
+    while (file.next_line()) {
+        const std::vector<std::string_view> fields = fields_of(file.line());
+        if (fields.size() != table.columns.size()) {
+            file.fail(fmt::format("{} fields, but {} columns", fields.size(), table.columns.size()));
+        }
+        std::vector<double>& row = table.rows.emplace_back();
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            row.push_back(fields[k].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                            : file.number(fields[k], table.columns[k]));
+        }
+    }
+    return table;
+}
+
+std::vector<double> column(const DataTable& table, const std::string& name) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+    if (found == table.columns.end()) {
+        throw DataError(fmt::format("{}.csv has no column '{}'", table.name, name));
+    }
+    const auto k = static_cast<std::size_t>(found - table.columns.begin());
+    std::vector<double> values;
+    values.reserve(table.rows.size());
+    for (const auto& row : table.rows) {
+        values.push_back(row[k]);
+    }
+    return values;
 }
 
 }  // namespace ljmd

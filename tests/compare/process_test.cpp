@@ -1,5 +1,7 @@
 #include "ljmd/compare/process.hpp"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -95,4 +97,31 @@ TEST_CASE("what cannot be started is an error that says what and where") {
     refused({.program = folder / "absent", .directory = here, .output = "said"});
     refused({.program = program, .directory = folder / "absent", .output = "said"});
     refused({.program = program, .directory = here, .output = "absent/said"});
+}
+
+TEST_CASE("a program that runs beside this one tells when it has ended, and takes signals") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", R"(while [ ! -e go ]; do sleep 0.01; done; exit 3)");
+    const Process process{.program = program, .directory = folder / "", .output = "said"};
+    ChildProcess child(process);
+    CHECK_FALSE(child.ended());
+    std::ofstream(folder / "go") << "now";
+    CHECK(child.wait() == 3);
+    CHECK(child.ended() == 3);
+    child.signal(SIGTERM);  // nobody is hit
+
+    fs::remove(folder / "go");
+    ChildProcess other(process);
+    other.signal(SIGTERM);
+    CHECK(other.wait() == 128 + SIGTERM);
+}
+
+TEST_CASE("a program with a group of its own is in another one than this") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", "cut -d' ' -f5 /proc/$$/stat");
+    for (const bool own_group : {false, true}) {
+        REQUIRE(run_process({.program = program, .directory = folder / "", .output = "said", .own_group = own_group}) ==
+                0);
+        CHECK((std::stol(content_of(folder / "said")) == getpgrp()) != own_group);
+    }
 }

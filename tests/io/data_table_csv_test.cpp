@@ -3,7 +3,10 @@
 #include <catch2/catch.hpp>
 #include <charconv>
 #include <clocale>
+#include <cmath>
 #include <limits>
+
+#include "io/written_file.hpp"
 
 using namespace ljmd;
 
@@ -43,4 +46,41 @@ TEST_CASE("no locale reaches the numbers") {
     const std::string text = to_csv({"t", {"x"}, {{1234567.5}}});
     std::setlocale(LC_ALL, before.c_str());
     CHECK(text == "x\n1234567.5\n");
+}
+
+TEST_CASE("a table is read back as it was written, unknown numbers too") {
+    const DataTable table{
+        "t", {"a", "b", "c"}, {{1.0 / 3.0, unknown, 3.0}, {unknown, 2e-300, -0.0}, {1.0, 2.0, unknown}}};
+    const test::WrittenFile file(to_csv(table), "t.csv");
+    const DataTable back = read_csv(file.path());
+    CHECK(back.name == "t");
+    CHECK(back.columns == table.columns);
+    CHECK(to_csv(back) == to_csv(table));
+    CHECK(column(back, "a")[0] == 1.0 / 3.0);
+    CHECK(column(back, "c")[0] == 3.0);
+    CHECK(std::isnan(column(back, "b")[0]));
+    CHECK_THROWS_WITH(column(back, "d"), "t.csv has no column 'd'");
+}
+
+TEST_CASE("a table with one column, and one without rows, are read") {
+    const test::WrittenFile one("x\n1\n\n3\n", "one.csv");
+    CHECK(read_csv(one.path()).rows.size() == 3);  // the empty line is a row whose number is not known
+    const test::WrittenFile none("a,b\n", "none.csv");
+    CHECK(read_csv(none.path()).rows.empty());
+}
+
+TEST_CASE("what is no table is refused with the line") {
+    const auto refused = [](const std::string& text) {
+        const test::WrittenFile file(text, "t.csv");
+        try {
+            static_cast<void>(read_csv(file.path()));
+        } catch (const DataError& error) {
+            return std::string(error.what()).substr(file.path().string().size());
+        }
+        return std::string("nothing");
+    };
+    CHECK(refused("") == ": no header: the file is empty");
+    CHECK(refused("a,b\n1\n") == ":2: 1 fields, but 2 columns");
+    CHECK(refused("a,b\n1,2\n1,2,3\n") == ":3: 3 fields, but 2 columns");
+    CHECK(refused("a,b\n1,x\n") == ":2: b must be a finite number, found 'x'");
 }

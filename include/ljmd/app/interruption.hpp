@@ -26,6 +26,9 @@ void heed_signals();
 /// The signal that has asked to stop; 0: none.
 [[nodiscard]] int signal_received();
 
+/// The exit code of a program that a signal has stopped: 128 + n, as a shell says it.
+[[nodiscard]] int signal_exit_code(int signal);
+
 /// Why a run has to stop before its end: a signal, or that its time is over.
 class Interruption {
   public:

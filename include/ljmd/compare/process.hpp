@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,11 +17,36 @@ struct Process {
     std::filesystem::path directory;  ///< where it runs
     std::filesystem::path output;     ///< file that takes its stdout and stderr; a relative one lies in `directory`
     std::vector<std::pair<std::string, std::string>> environment{};  ///< set for it, beside what this process has
+    bool own_group = false;  ///< keys on the terminal (Ctrl-C) do not reach it; who started it tells it to stop
 };
 
 /// The file that a name means, as a shell finds it: a name with a slash is itself, every other one is looked for in the
 /// directories of PATH. @return absolute; nothing when there is no such file or it may not be executed
 [[nodiscard]] std::optional<std::filesystem::path> find_program(const std::string& name);
+
+/// A program that runs beside this one.
+class ChildProcess {
+  public:
+    /// Start it without a shell between; it reads an empty stdin.
+    /// @throws FileError  it cannot be started, or the output cannot be made
+    explicit ChildProcess(const Process& process);
+
+    /// Its exit status, 128 + n when signal n ended it; nothing while it runs. @throws FileError
+    [[nodiscard]] std::optional<int> ended() { return wait(false); }
+
+    /// Wait for its end. @return as ended()
+    [[nodiscard]] int wait() { return *wait(true); }
+
+    /// Send it a signal, if it still runs.
+    void signal(int number) const;
+
+  private:
+    std::optional<int> wait(bool block);
+
+    std::string name_;
+    pid_t id_ = 0;
+    std::optional<int> status_;
+};
 
 /// Run a program to its end, without a shell between; it reads an empty stdin.
 /// @return its exit status; 128 + n when signal n ended it

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "ljmd/observables/analysis.hpp"
 
@@ -9,5 +11,12 @@ namespace ljmd {
 /// A table as CSV: a header row, then one row a line, numbers with as many digits as it takes to read them back. NaN
 /// (an unknown error) is written as an empty field.
 [[nodiscard]] std::string to_csv(const DataTable& table);
+
+/// The table that such a file holds; an empty field is NaN. Its name is that of the file, without suffix.
+/// @throws DataError  it cannot be read, a row has another number of fields than the header, or a field is no number
+[[nodiscard]] DataTable read_csv(const std::filesystem::path& path);
+
+/// The values of a column, row by row. @throws DataError  there is no such column
+[[nodiscard]] std::vector<double> column(const DataTable& table, const std::string& name);
 
 }  // namespace ljmd
