@@ -1,0 +1,115 @@
+#include "ljmd/app/job_pool.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "ljmd/app/interruption.hpp"
+#include "ljmd/compare/process.hpp"
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::chrono::milliseconds look_again{10};
+
+/// A line with a job that runs.
+struct Running {
+    std::size_t line;
+    ChildProcess process;
+};
+
+class Pool {
+  public:
+    explicit Pool(const std::filesystem::path& program) : program_(program) {}
+
+    /// Nobody is left behind.
+    ~Pool() {
+        stop(SIGTERM);
+        while (!running_.empty()) {
+            try {
+                static_cast<void>(running_.back().process.wait());
+            } catch (const Error&) {
+            }
+            running_.pop_back();
+        }
+    }
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+
+    void start(std::size_t line, const Job& job) {
+        running_.push_back({line, ChildProcess({.program = program_,
+                                                .arguments = job.arguments,
+                                                .directory = std::filesystem::current_path(),
+                                                .output = job.output,
+                                                .own_group = true})});
+    }
+
+    void stop(int signal) const {
+        for (const Running& one : running_) {
+            one.process.signal(signal);
+        }
+    }
+
+    [[nodiscard]] std::size_t size() const { return running_.size(); }
+
+    /// One that has ended, taken out: its line and exit status; nothing while all run.
+    std::optional<std::pair<std::size_t, int>> take_ended() {
+        for (auto one = running_.begin(); one != running_.end(); ++one) {
+            if (const auto status = one->process.ended()) {
+                const std::pair found(one->line, *status);
+                running_.erase(one);
+                return found;
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    std::filesystem::path program_;
+    std::vector<Running> running_;
+};
+
+}  // namespace
+
+void run_jobs(const std::filesystem::path& program, const std::vector<Job>& first, int at_most, const NextJob& next) {
+    Pool pool(program);
+    std::size_t begun = 0;
+    bool stopped = false;
+    while (pool.size() > 0 || (begun < first.size() && !stopped)) {
+        if (!stopped && signal_received() != 0) {
+            stopped = true;
+            pool.stop(signal_received());
+        }
+        while (!stopped && begun < first.size() && pool.size() < static_cast<std::size_t>(at_most)) {
+            pool.start(begun, first[begun]);
+            ++begun;
+        }
+        if (const auto ended = pool.take_ended()) {
+            const auto& [line, status] = *ended;
+            if (stopped) {
+                continue;
+            }
+            if (const auto job = next(line, status)) {
+                pool.start(line, *job);
+            }
+        } else {
+            std::this_thread::sleep_for(look_again);
+        }
+    }
+    if (stopped) {
+        throw Interrupted("stopped; to go on, give the same command again", signal_exit_code(signal_received()));
+    }
+}
+
+std::filesystem::path this_program() {
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error) {
+        throw FileError("cannot find the file of this program: " + error.message());
+    }
+    return path;
+}
+
+}  // namespace ljmd
