@@ -150,6 +150,21 @@ int main(int argc, char** argv) {
     eos.add_option("--density", state.density, "atoms per sigma^3")->type_name("RHO");
     eos.add_option("--model", state.model, "one that `ljmd eos` lists, thol2016 by default")->type_name("NAME");
     eos.add_flag("--json", state.json, "print it as JSON");
+    ljmd::ReproduceOptions table{.what = "", .out = "runs/verlet1967"};
+    CLI::App& reproduce = *app.add_subcommand(
+        "reproduce", "compute a published table anew, with error bars; what was stopped is gone on with");
+    reproduce.add_option("table", table.what, "verlet1967: Phys. Rev. 159, 98")->required()->type_name("TABLE");
+    reproduce.add_option("--rows", table.rows, "some of the rows: a density, or density:temperature")
+        ->type_name("RHO[:T],...")
+        ->delimiter(',');
+    reproduce.add_option("--jobs", table.jobs, "rows at a time; one for each processor by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_threads));
+    reproduce.add_option("--out", table.out, "directory, runs/verlet1967 by default")->type_name("DIR");
+    reproduce.add_flag("--quick", table.quick, "runs as short as Verlet's own, 1200 steps");
+    reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
+    reproduce.add_flag("--quiet", table.quiet, "no progress");
+    reproduce.add_flag("--json", table.json, "print the table as JSON");
     CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select; of a run, how far it got");
     CLI::Option* of_run = info.add_option("directory", resumed.directory, "directory of a run")->type_name("RUNDIR");
     CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
@@ -184,6 +199,8 @@ int main(int argc, char** argv) {
             ljmd::export_command(options, to, out);
         } else if (eos.parsed()) {
             ljmd::eos_command(state);
+        } else if (reproduce.parsed()) {
+            ljmd::reproduce_command(table);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {

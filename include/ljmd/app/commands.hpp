@@ -39,6 +39,18 @@ struct EosOptions {
     bool json = false;
 };
 
+/// What `ljmd reproduce` takes.
+struct ReproduceOptions {
+    std::string what;                 ///< "verlet1967"
+    std::string out;                  ///< directory
+    std::vector<std::string> rows{};  ///< "RHO" or "RHO:T"; empty: all
+    int jobs = 0;                     ///< rows at a time; 0: as many as there are processors
+    bool quick = false;               ///< as short as Verlet's own runs
+    bool force = false;
+    bool quiet = false;
+    bool json = false;
+};
+
 // Each command prints results to stdout and talk to stderr, and throws the typed errors of core/errors.hpp.
 
 /// ljmd run DECK
@@ -72,6 +84,10 @@ void bench_command(const DeckOptions& options);
 /// ljmd eos: the equations of state there are; with a temperature, liquid and vapour at coexistence; with a density
 /// too, the state of one phase. What lies outside of the range that an equation was fitted to is warned of.
 void eos_command(const EosOptions& options);
+
+/// ljmd reproduce verlet1967: the rows of the paper's table, each by a run of its own, compared with the printed values
+/// and with equations of state. Rows that are done are kept, those that were stopped are gone on with.
+void reproduce_command(const ReproduceOptions& options);
 
 /// ljmd info, ljmd info RUNDIR
 /// @param directory  of a run to tell of; empty: tell of the program
