@@ -209,10 +209,13 @@ void reproduce_command(const ReproduceOptions& options) {
         }
     }
     write_file_atomically(out / "rows.csv", reproduction_csv(rows));
+    write_file_atomically(out / "isotherms.csv", isotherms_csv());
     write_file_atomically(out / "rows.md", reproduction_markdown(rows));
     write_file_atomically(out / "results.json", reproduction_json(rows));
     print_result(options.json ? reproduction_json(rows)
-                              : reproduction_table(rows) + fmt::format("\nfiles: {}\n", out.string()));
+                              : reproduction_table(rows) +
+                                    fmt::format("\nfiles: {0}\nto draw them: analysis/plot_reproduction.py {0}\n",
+                                                out.string()));
     if (rows.size() < runs.size()) {
         throw PhysicsError(fmt::format("{} of {} rows failed; the same command tries them again",
                                        runs.size() - rows.size(), runs.size()));

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+
+#include "ljmd/core/registry.hpp"
+#include "ljmd/io/data_table_csv.hpp"
 
 namespace ljmd {
 
@@ -171,6 +175,30 @@ std::string reproduction_csv(const std::vector<ReproducedRow>& rows) {
                             soundness(z), soundness(u), quoted(remark_of(row)));
     }
     return text;
+}
+
+std::string isotherms_csv() {
+    constexpr std::array temperatures{0.75, 1.0, 1.35, 1.75, 2.75, 4.5};
+    constexpr double densest = 0.9;
+    constexpr double step = 0.01;
+    constexpr int steps = 60;
+    const EquationOfState thol = find_plugin(all_equations_of_state(), "thol2016", "equation of state");
+    const EquationOfState kolafa = find_plugin(all_equations_of_state(), "kolafa-nezbeda1994", "equation of state");
+    DataTable table{"isotherms", {"T", "rho", "Z_thol2016", "Z_kolafa_nezbeda1994"}, {}};
+    for (const double t : temperatures) {
+        std::vector<std::vector<double>> isotherm;  // from the dense end as far as the fluid is stable, or metastable
+        for (int k = 0; k <= steps; ++k) {
+            const double rho = densest - k * step;
+            const FluidProperties state = properties(thol, t, rho);
+            if (state.pressure_density_slope <= 0.0) {
+                break;
+            }
+            isotherm.push_back(
+                {t, rho, state.compressibility_factor, properties(kolafa, t, rho).compressibility_factor});
+        }
+        table.rows.insert(table.rows.end(), isotherm.rbegin(), isotherm.rend());
+    }
+    return to_csv(table);
 }
 
 std::string reproduction_json(const std::vector<ReproducedRow>& rows) {

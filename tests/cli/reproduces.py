@@ -11,7 +11,7 @@ from harness import Case, clean_environment, snapshot
 
 TWO_ROWS = ("reproduce", "verlet1967", "--quick", "--rows", "0.85:0.786,0.45:2.935", "--out", "out")
 DENSE, THIN = "rho0.8500-T0.786", "rho0.4500-T2.935"
-TABLES = ["out/results.json", "out/rows.csv", "out/rows.md"]
+TABLES = ["out/results.json", "out/isotherms.csv", "out/rows.csv", "out/rows.md"]
 
 
 def table(t):

@@ -22,6 +22,10 @@ namespace ljmd {
 /// results.json: rows and chi-square.
 [[nodiscard]] std::string reproduction_json(const std::vector<ReproducedRow>& rows);
 
+/// isotherms.csv: T, rho and Z of both equations of state along the isotherms near which the rows lie, from density 0.9
+/// down to 0.3 or to where Thol's fluid is unstable; for the picture.
+[[nodiscard]] std::string isotherms_csv();
+
 /// What is to be said of a row: what is known of the printed values, and whether they differ from what was found by
 /// more than can be chance while Thol's equation agrees with it.
 [[nodiscard]] std::string remark_of(const ReproducedRow& row);
