@@ -145,6 +145,8 @@ bool RunCheckpoints::due(Index step, bool last_of_stage) {
 void RunCheckpoints::write(const State& state, const LoopPosition& position, const CommittedOutputs& outputs,
                            const std::function<void(Archive&)>& archive) {
     Archive a;
+    constexpr Index usual_bytes_per_atom = 200;
+    a.reserve(static_cast<std::size_t>(usual_bytes_per_atom * state.count()));
     const Vec3 edges = state.has_box() ? state.box().edges() : Vec3::Zero();
     CheckpointHead head{deck_hash(deck_), build_info().version, state.step, state.count(), edges, position, outputs};
     a(head);

@@ -7,6 +7,9 @@
 #include <array>
 #include <cstring>
 #include <fstream>
+#include <initializer_list>
+#include <memory>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -40,24 +43,48 @@ fs::path file_of(const fs::path& directory, std::uint64_t slot) {
     return directory / fmt::format("checkpoint.{}", slot + 1);
 }
 
-XXH128_canonical_t hash_of(const char* data, std::size_t length) {
+/// Of one text behind the other.
+XXH128_canonical_t hash_of(std::initializer_list<std::string_view> texts) {
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
+    if (state == nullptr) {
+        throw std::bad_alloc();
+    }
+    XXH3_128bits_reset(state.get());
+    for (const std::string_view text : texts) {
+        XXH3_128bits_update(state.get(), text.data(), text.size());
+    }
     XXH128_canonical_t hash;
-    XXH128_canonicalFromHash(&hash, XXH3_128bits(data, length));
+    XXH128_canonicalFromHash(&hash, XXH3_128bits_digest(state.get()));
     return hash;
 }
 
-std::string file_text(std::uint64_t generation, std::span<const std::byte> content) {
-    Head head{{}, format_version, 0, generation, content.size()};
-    magic.copy(head.word.data(), magic.size());
-    std::string text(sizeof(Head) + content.size() + tail_length, '\0');
-    std::memcpy(text.data(), &head, sizeof(Head));
-    std::transform(content.begin(), content.end(), text.begin() + sizeof(Head),
-                   [](std::byte byte) { return static_cast<char>(byte); });
-    const std::size_t hashed = sizeof(Head) + content.size();
-    const XXH128_canonical_t hash = hash_of(text.data(), hashed);
-    std::memcpy(text.data() + hashed, &hash, hash_length);
-    end_mark.copy(text.data() + hashed + hash_length, end_mark.size());
-    return text;
+/// The three parts of a file. A checkpoint of many atoms is written and read back piece by piece: a copy of it all
+/// would be a good part of the memory that a run takes.
+using Parts = std::array<std::string_view, 3>;
+constexpr std::size_t piece_length = std::size_t{1} << 20;
+
+void write_parts(OutputFile& file, const Parts& parts) {
+    for (const std::string_view part : parts) {
+        for (std::size_t from = 0; from < part.size(); from += piece_length) {
+            file.write(part.substr(from, piece_length));
+        }
+    }
+    file.sync();
+}
+
+bool reads_back(const fs::path& path, const Parts& parts) {
+    std::ifstream file(path, std::ios::binary);
+    std::string read;
+    for (const std::string_view part : parts) {
+        for (std::size_t from = 0; from < part.size(); from += piece_length) {
+            const std::string_view piece = part.substr(from, piece_length);
+            read.resize(piece.size());
+            if (!file.read(read.data(), static_cast<std::streamsize>(read.size())) || read != piece) {
+                return false;
+            }
+        }
+    }
+    return file && file.peek() == std::ifstream::traits_type::eof();
 }
 
 std::string read_whole(const fs::path& path) {
@@ -87,7 +114,7 @@ CheckpointFile parse(const fs::path& path) {
     }
     std::memcpy(&head, text.data(), sizeof(Head));
     const std::size_t hashed = text.size() - tail_length;
-    const XXH128_canonical_t hash = hash_of(text.data(), hashed);
+    const XXH128_canonical_t hash = hash_of({std::string_view(text).substr(0, hashed)});
     const bool sound = std::memcmp(&hash, text.data() + hashed, hash_length) == 0 && text.ends_with(end_mark);
     if (!sound) {
         throw CheckpointError("it is damaged: its checksum is not that of its content");
@@ -113,17 +140,18 @@ CheckpointStore::CheckpointStore(fs::path directory, int keep) : directory_(std:
 
 void CheckpointStore::write(std::span<const std::byte> content) {
     const std::uint64_t generation = generation_ + 1;
-    const std::string text = file_text(generation, content);
+    Head head{{}, format_version, 0, generation, content.size()};
+    magic.copy(head.word.data(), magic.size());
+    const std::string_view first(reinterpret_cast<const char*>(&head), sizeof(Head));
+    const std::string_view second(reinterpret_cast<const char*>(content.data()), content.size());
+    const XXH128_canonical_t hash = hash_of({first, second});
+    std::string last(reinterpret_cast<const char*>(&hash), hash_length);
+    last += end_mark;
+    const Parts parts{first, second, last};
     const fs::path path = file_of(directory_, generation % static_cast<std::uint64_t>(keep_));
     write_file_atomically(path, [&](OutputFile& file) {
-        file.write(text);
-        file.sync();
-        bool same = false;
-        try {
-            same = read_whole(file.path()) == text;
-        } catch (const CheckpointError&) {  // not the same
-        }
-        if (!same) {
+        write_parts(file, parts);
+        if (!reads_back(file.path(), parts)) {
             throw FileError(
                 fmt::format("cannot write '{}': it does not read back as it was written", file.path().string()));
         }

@@ -43,6 +43,9 @@ class Archive {
     /// @throws CheckpointError
     void mark(std::string_view name);
 
+    /// Have room for so many bytes: growing little by little takes up to twice as many.
+    void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
+
     /// All that was written.
     [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 
