@@ -163,7 +163,7 @@ ZAndU cutoff_bias(const std::vector<double>& r, const std::vector<double>& g, do
     double virial = 0.0;
     for (std::size_t k = 0; k < r.size(); ++k) {
         if (r[k] > cutoff) {
-            const auto [u, w] = formula(r[k] * r[k]);
+            const auto [u, w] = pair_term(formula, r[k] * r[k]);
             energy += (g[k] - 1.0) * u * r[k] * r[k] * width;
             virial += (g[k] - 1.0) * w * std::pow(r[k], 4) * width;
         }

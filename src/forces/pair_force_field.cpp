@@ -18,18 +18,6 @@ namespace {
 /// Out of reach of everything, shifted by edges or not, and not so far that powers of the distance overflow.
 constexpr double far_away = -1e9;
 
-/// Bytes that a tile's partial forces take in double, a whole number of cache lines. One thread uses them for its tiles
-/// in turn: they stay in the cache next to its core.
-std::size_t room_for_partial_forces(const VerletList& list) {
-    std::int32_t most = 0;
-    for (const ClusterGrid::Run& tile : list.clusters().tiles()) {
-        most = std::max(most, tile.length());
-    }
-    constexpr std::size_t line = 64;
-    const auto numbers = static_cast<std::size_t>(Index{most} * 3 * ClusterGrid::slots * list.atoms_per_row());
-    return (numbers * sizeof(double) + line - 1) / line * line;
-}
-
 }  // namespace
 
 PairForceField::PairForceField(PairPotential potential, PairSearch search, PairArithmetic arithmetic)
@@ -88,16 +76,9 @@ Evaluation PairForceField::sum(State& state, Request request) {
 
 Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, bool energy) {
     const State& atoms = state;
-    const ClusterGrid& clusters = list.clusters();
+    const ClusterGrid& grid = list.clusters();
+    const FixedPoint& fixed_point = list.fixed_point();
     const bool mixed = arithmetic_.precision == Precision::mixed;
-    if (mixed) {
-        const FixedPoint& fixed_point = list.fixed_point();
-        fixed_positions_.update(
-            clusters, atoms, fixed_point, [&](double dx) { return fixed_point.distance(dx); }, FixedPoint::far_away);
-    } else {
-        positions_.update(
-            clusters, atoms, [](double x, int) { return x; }, [](double dx) { return dx; }, far_away);
-    }
     const void* pair = potential_.visit([](const auto& any) -> const void* { return &any; });
     const PairKernel kernel = pair_kernels(arithmetic_.simd)
                                   .by_precision[static_cast<std::size_t>(arithmetic_.precision)]
@@ -106,34 +87,79 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
     std::vector<PairKernelSums> sums(energy ? tiles.size() : 0);
     const double cutoff = potential_.cutoff().radius;
     double* forces = state.write_forces().data();
+    const auto sum_tile = [&](std::size_t t, Workspace& workspace) {
+        constexpr std::size_t per_cluster = std::size_t{3} * ClusterGrid::slots;
+        const VerletList::Tile& tile = tiles[t];
+        const ClusterGrid::Run own = grid.tiles()[t];
+        if (mixed) {
+            workspace.fixed_positions.update(
+                grid, own, tile.guests, tile.cluster_count, atoms, fixed_point,
+                [&](double dx) { return fixed_point.distance(dx); }, FixedPoint::far_away);
+        } else {
+            workspace.positions.update(
+                grid, own, tile.guests, tile.cluster_count, atoms, [](double x, int) { return x; },
+                [](double dx) { return dx; }, far_away);
+        }
+        const auto numbers = per_cluster * static_cast<std::size_t>(tile.cluster_count);
+        const auto partial = numbers * static_cast<std::size_t>(list.atoms_per_row());
+        workspace.partial_forces.resize(std::max(workspace.partial_forces.size(), partial));
+        guest_forces_[t].resize(numbers - per_cluster * static_cast<std::size_t>(own.length()));
+        const PairKernelTask task{
+            mixed ? static_cast<const void*>(workspace.fixed_positions.data()) : workspace.positions.data(),
+            fixed_point.unit(),
+            own.length(),
+            tile.cluster_count,
+            grid.first_atoms().data() + own.first,
+            tile.entries.data(),
+            tile.starts.data(),
+            cutoff * cutoff,
+            workspace.partial_forces.data(),
+            forces,
+            guest_forces_[t].data()};
+        kernel(pair, task, energy ? &sums[t] : nullptr);
+    };
     const auto count = static_cast<Index>(tiles.size());
     const Index workers = std::min<Index>(thread_count(), count);
-    const std::size_t room = room_for_partial_forces(list);
-    partial_forces_.resize(room * static_cast<std::size_t>(workers));
+    workspaces_.resize(static_cast<std::size_t>(workers));
+    guest_forces_.resize(tiles.size());
     for_each_block(workers, 1, [&](Index worker, Index) {
         for (Index tile = worker * count / workers; tile < (worker + 1) * count / workers; ++tile) {
-            const auto t = static_cast<std::size_t>(tile);
-            const PairKernelTask task{mixed ? static_cast<const void*>(fixed_positions_.data()) : positions_.data(),
-                                      list.fixed_point().unit(),
-                                      clusters.tiles()[t],
-                                      clusters.first_atoms().data(),
-                                      tiles[t].entries.data(),
-                                      tiles[t].starts.data(),
-                                      cutoff * cutoff,
-                                      partial_forces_.data() + room * static_cast<std::size_t>(worker),
-                                      forces};
-            kernel(pair, task, energy ? &sums[t] : nullptr);
+            sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(worker)]);
         }
     });
+    add_guest_forces(list, state);
     Evaluation total;
     for (const PairKernelSums& tile : sums) {
         const auto& w = tile.virial;
         Mat3 virial;
         virial << w[0], w[3], w[4], w[3], w[1], w[5], w[4], w[5], w[2];
-        total.potential_energy += 0.5 * tile.energy;  // both sides of every pair were added up
-        total.virial += 0.5 * virial;
+        total.potential_energy += tile.energy;
+        total.virial += virial;
     }
     return total;
+}
+
+/// What the atoms of a tile got as guests of others, tile by tile in the order of these.
+void PairForceField::add_guest_forces(const VerletList& list, State& state) const {
+    double* forces = state.write_forces().data();
+    constexpr Index slots = ClusterGrid::slots;
+    for_each_block(static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
+        for (const VerletList::Away& away : list.away(tile)) {
+            const VerletList::Tile& host = list.tiles()[away.tile];
+            const ClusterGrid::Guests& guests = host.guests[away.guests];
+            const Index first_guest = host.guests.front().first;
+            const double* from = guest_forces_[away.tile].data() + 3 * slots * (guests.first - first_guest);
+            for (Index cluster = guests.of.first; cluster < guests.of.last; ++cluster, from += 3 * slots) {
+                const AtomRange atoms = list.clusters().atoms_of_cluster(cluster);
+                for (Index k = 0; k < atoms.count(); ++k) {
+                    double* force = forces + 4 * (atoms.first + k);
+                    force[0] += from[k];
+                    force[1] += from[slots + k];
+                    force[2] += from[2 * slots + k];
+                }
+            }
+        }
+    });
 }
 
 }  // namespace ljmd

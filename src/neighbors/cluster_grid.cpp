@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/threads.hpp"
 
 namespace ljmd {
 
@@ -26,8 +27,8 @@ constexpr double fewest_atoms_per_tile = 200.0;
 /// Slices of a column for each cluster that it has on the mean.
 constexpr double slices_per_cluster = 2.0;
 
-/// Kernels count numbers of clusters in 32 bits, three a slot.
-constexpr Index most_slots = Index{1} << 30;
+/// Numbers of atoms are counted in 32 bits.
+constexpr Index most_atoms = Index{1} << 30;
 
 constexpr Index columns_per_block = 16;
 
@@ -66,7 +67,8 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms) {
         inverse_width_[static_cast<Index>(a)] = cells_[a] / edge;
         reach_[a] = static_cast<int>(std::ceil(range_ * inverse_width_[static_cast<Index>(a)]));
     }
-    height_ = box.edges()[2] / cells_[2];
+    edges_ = box.edges();
+    height_ = edges_[2] / cells_[2];
     slice_count_ = rounded(slices_per_cluster * height_ / width);
     inverse_slice_ = slice_count_ / height_;
 }
@@ -103,14 +105,6 @@ ClusterGrid::Cell ClusterGrid::cell_at(const Vec3& position) const {
     return cell;
 }
 
-std::size_t ClusterGrid::with_halo(const Cell& cell) const {
-    std::size_t flat = 0;
-    for (const std::size_t a : {2U, 1U, 0U}) {
-        flat = flat * static_cast<std::size_t>(cells_with_halo(a)) + static_cast<std::size_t>(cell[a] + reach_[a]);
-    }
-    return flat;
-}
-
 ClusterGrid::Run ClusterGrid::columns(std::size_t tile) const {
     const int per_tile = columns_per_tile_[0] * columns_per_tile_[1];
     const auto first = static_cast<std::int32_t>(tile) * per_tile;
@@ -122,30 +116,13 @@ ClusterGrid::Run ClusterGrid::clusters_of_column(std::int32_t column) const {
     return {column_clusters_[k], column_clusters_[k + 1]};
 }
 
-ClusterGrid::Members ClusterGrid::members(Index cluster) const {
-    Index owner = cluster;
-    Vec3 shift = Vec3::Zero();
-    if (cluster >= cluster_count()) {
-        const auto k = static_cast<std::size_t>(cluster - cluster_count());
-        const Images& images = images_[images_of_[k]];
-        owner = images.of.first + (cluster - images.first);
-        shift = images.shift;
-    }
-    const Index first = first_atoms_[static_cast<std::size_t>(owner)];
-    return {first, static_cast<int>(first_atoms_[static_cast<std::size_t>(owner) + 1] - first), shift};
-}
-
 void ClusterGrid::sort(State& state) {
-    if (state.count() > most_slots) {
+    if (state.count() > most_atoms) {
         throw InputError(fmt::format("{} atoms are more than one process can hold", state.count()));
     }
     state.wrap();
     put_in_order(state);
     make_clusters(state);
-    make_images(state.box());
-    if (with_images() * slots > most_slots) {
-        throw InputError(fmt::format("{} atoms and images are more than one process can hold", with_images() * slots));
-    }
 }
 
 void ClusterGrid::put_in_order(State& state) {
@@ -240,57 +217,80 @@ void ClusterGrid::cut_into_slices() {
     });
 }
 
-void ClusterGrid::make_images(const Box& box) {
-    images_.clear();
-    images_of_.clear();
-    image_count_ = 0;
-    extended_.clear();
-    // How many edges away the image is that a column belongs to; 0 in the box.
-    const auto crossings = [&](int cell, std::size_t axis) {
-        return floor_of(static_cast<double>(cell) / cells_[axis]);
-    };
-    for (int z = -reach_[2]; z < cells_[2] + reach_[2]; ++z) {
-        for (int y = -reach_[1]; y < cells_[1] + reach_[1]; ++y) {
-            for (int x = -reach_[0]; x < cells_[0] + reach_[0]; ++x) {
-                const Cell n{crossings(x, 0), crossings(y, 1), crossings(z, 2)};
-                const std::int32_t column =
-                    column_at({x - n[0] * cells_[0], y - n[1] * cells_[1], z - n[2] * cells_[2]});
-                const std::size_t slices =
-                    static_cast<std::size_t>(column) * 2 * static_cast<std::size_t>(slice_count_ + 2);
-                const double floor = z * height_;
-                Run run = clusters_of_column(column);
-                const Vec3 shift = Vec3(n[0], n[1], n[2]).cwiseProduct(box.edges());
-                if (n == Cell{}) {
-                    extended_.push_back({run, 0, floor, slices, true});
-                    continue;
+/// Squared distance of columns that lie so many cells apart: between them there is one whole cell less.
+double ClusterGrid::gap2(int cells, std::size_t axis) const {
+    const double gap = std::max(0, std::abs(cells) - 1) / inverse_width_[static_cast<Index>(axis)];
+    return gap * gap;
+}
+
+/// Those of a column's clusters that, shifted, lie at least in part between two heights.
+ClusterGrid::Run ClusterGrid::guests_of_column(std::int32_t column, double shift, double low, double high) const {
+    Run run = clusters_of_column(column);
+    while (run.length() > 0 && extent(run.first).high + shift < low) {
+        ++run.first;
+    }
+    while (run.length() > 0 && extent(run.last - 1).low + shift > high) {
+        --run.last;
+    }
+    return run;
+}
+
+ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
+    Neighborhood around;
+    around.own_ = tiles_[tile];
+    around.count_ = around.own_.length();
+    const Cell first = cell_of(columns(tile).first);
+    for (std::size_t a = 0; a < 3; ++a) {
+        around.corner_[a] = first[a] - reach_[a];
+        around.cells_[a] = columns_per_tile_[a] + 2 * reach_[a];
+    }
+    const auto [corner, cells] = std::pair(around.corner_, around.cells_);
+    Cell cell{};
+    for (cell[2] = corner[2]; cell[2] < corner[2] + cells[2]; ++cell[2]) {
+        for (cell[1] = corner[1]; cell[1] < corner[1] + cells[1]; ++cell[1]) {
+            for (cell[0] = corner[0]; cell[0] < corner[0] + cells[0]; ++cell[0]) {
+                Cell wrapped{};
+                Vec3 shift;
+                int side = 0;  // of the tile to which the column belongs, as seen from this one
+                double left2 = range_ * range_;
+                for (std::size_t a = 0; a < 3; ++a) {
+                    const int edges = floor_of(static_cast<double>(cell[a]) / cells_[a]);
+                    wrapped[a] = cell[a] - edges * cells_[a];
+                    shift[static_cast<Index>(a)] = edges * edges_[static_cast<Index>(a)];
+                    const int before = std::min(0, cell[a] - first[a]);
+                    const int behind = std::max(0, cell[a] - first[a] - columns_per_tile_[a] + 1);
+                    side = before < 0 ? -1 : behind > 0 ? 1 : side;
+                    left2 -= gap2(before + behind, a);
                 }
-                while (run.length() > 0 && extent(run.first).high + shift[2] < -range_) {
-                    ++run.first;
+                Column column;
+                column.column = column_at(wrapped);
+                column.floor = cell[2] * height_;
+                column.slices =
+                    static_cast<std::size_t>(column.column) * 2 * static_cast<std::size_t>(slice_count_ + 2);
+                column.guest = side != 0;
+                if (side == 0) {
+                    column.run = clusters_of_column(column.column);
+                    column.offset = -around.own_.first;
+                } else if (side > 0 && left2 >= 0.0) {
+                    const double floor = first[2] * height_;
+                    column.run = guests_of_column(column.column, shift[2], floor - range_, floor + height_ + range_);
+                    column.offset = around.count_ - column.run.first;
+                    if (column.run.length() > 0) {
+                        around.guests_.push_back({column.run, around.count_, shift});
+                        around.count_ += column.run.length();
+                    }
                 }
-                while (run.length() > 0 && extent(run.last - 1).low + shift[2] > box.edges()[2] + range_) {
-                    --run.last;
-                }
-                const auto first = cluster_count() + image_count_;
-                extended_.push_back({run, static_cast<std::int32_t>(first) - run.first, floor, slices, false});
-                if (run.length() > 0) {
-                    images_of_.resize(static_cast<std::size_t>(image_count_ + run.length()),
-                                      static_cast<std::uint32_t>(images_.size()));
-                    images_.push_back({run, first, shift});
-                    image_count_ += run.length();
-                }
+                around.columns_.push_back(column);
             }
         }
     }
+    return around;
 }
 
-void ClusterGrid::find_near(std::int32_t column, std::vector<Near>& near) const {
+void ClusterGrid::find_near(const Neighborhood& neighborhood, std::int32_t column, std::vector<Near>& near) const {
     near.clear();
+    const auto& [corner, cells] = std::tie(neighborhood.corner_, neighborhood.cells_);
     const Cell center = cell_of(column);
-    // Between columns that lie n apart along an axis there are n - 1 whole ones.
-    const auto gap2 = [&](int offset, std::size_t axis) {
-        const double gap = std::max(0, std::abs(offset) - 1) / inverse_width_[static_cast<Index>(axis)];
-        return gap * gap;
-    };
     for (int dz = -reach_[2]; dz <= reach_[2]; ++dz) {
         for (int dy = -reach_[1]; dy <= reach_[1]; ++dy) {
             for (int dx = -reach_[0]; dx <= reach_[0]; ++dx) {
@@ -298,14 +298,13 @@ void ClusterGrid::find_near(std::int32_t column, std::vector<Near>& near) const 
                 if (left2 < 0.0) {
                     continue;
                 }
-                const Cell cell{center[0] + dx, center[1] + dy, center[2] + dz};
-                const Column& other = extended_[with_halo(cell)];
-                bool same_tile = other.in_box;
-                for (std::size_t a = 0; a < 3 && same_tile; ++a) {
-                    same_tile = cell[a] / columns_per_tile_[a] == center[a] / columns_per_tile_[a];
-                }
-                if (other.run.length() > 0 && !(same_tile && column_at(cell) < column)) {
-                    near.push_back({other, std::sqrt(left2), same_tile});
+                const Index x = center[0] + dx - corner[0];
+                const Index y = center[1] + dy - corner[1];
+                const Index z = center[2] + dz - corner[2];
+                const Column& other =
+                    neighborhood.columns_[static_cast<std::size_t>((z * cells[1] + y) * cells[0] + x)];
+                if (other.run.length() > 0 && (other.guest || other.column >= column)) {
+                    near.push_back({other, std::sqrt(left2)});
                 }
             }
         }

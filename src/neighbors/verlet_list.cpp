@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <iterator>
+#include <numeric>
 
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
@@ -26,34 +26,27 @@ void make_room(std::vector<std::int32_t>& entries, std::size_t size) {
     }
 }
 
-/// The clusters that one cluster of a column can meet, of one kind.
+/// The clusters that one cluster of a column can meet.
 class CandidatesOfCluster {
   public:
     CandidatesOfCluster(const ClusterGrid& grid, ListKernel kernel, const ConstCandidates& all)
         : grid_(grid), kernel_(kernel), all_(all) {}
 
-    /// @param near  of the column
-    void begin(const std::vector<ClusterGrid::Near>& near, bool once) {
-        near_.clear();
-        std::copy_if(near.begin(), near.end(), std::back_inserter(near_),
-                     [once](const ClusterGrid::Near& other) { return other.once == once; });
-        runs_.resize(near_.size());
-    }
-
-    /// Collect those with a number of at least `least`.
-    void go_to(Index cluster, Index least) {
+    /// Collect those near a cluster; of its own tile, those behind it. @param near  of its column
+    void go_to(Index cluster, const std::vector<ClusterGrid::Near>& near) {
         const ClusterGrid::Extent& extent = grid_.extent(cluster);
         constexpr std::int32_t slots = ClusterGrid::slots;
+        runs_.resize(near.size());
         int runs = 0;
         std::int32_t points = 0;
-        for (const ClusterGrid::Near& other : near_) {
+        for (const ClusterGrid::Near& other : near) {
             if (!grid_.may_reach(other, extent)) {
                 continue;  // for most clusters, all columns of the next tiles along z
             }
             const ClusterGrid::Run window = grid_.window(other, extent);
-            const ClusterGrid::Run run{
-                (std::max(window.first, static_cast<std::int32_t>(least)) + other.column.offset) * slots,
-                (window.last + other.column.offset) * slots};
+            const std::int32_t least = other.column.guest ? 0 : static_cast<std::int32_t>(cluster) + 1;
+            const ClusterGrid::Run run{(std::max(window.first, least) + other.column.offset) * slots,
+                                       (window.last + other.column.offset) * slots};
             const bool any = run.first < run.last;
             runs_[static_cast<std::size_t>(runs)] = run;  // kept if there is one: a branch would be guessed wrong
             runs += any ? 1 : 0;
@@ -72,11 +65,44 @@ class CandidatesOfCluster {
     const ClusterGrid& grid_;
     ListKernel kernel_;
     ConstCandidates all_;
-    std::vector<ClusterGrid::Near> near_;
     std::vector<ClusterGrid::Run> runs_;
     CandidateArrays arrays_;
     int count_ = 0;
 };
+
+/// All slots of a tile and its guests, as the kernel wants them.
+CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighborhood& neighborhood,
+                              const State& state, const FixedPoint& fixed_point) {
+    constexpr Index slots = ClusterGrid::slots;
+    CandidateArrays candidates;
+    candidates.resize(static_cast<std::size_t>(neighborhood.cluster_count() * slots));
+    const Candidates to = candidates.write();
+    const auto r = state.positions();
+    const auto place = [&](const ClusterGrid::Run& clusters, Index first, const Vec3& shift) {
+        for (Index c = clusters.first; c < clusters.last; ++c) {
+            const AtomRange atoms = grid.atoms_of_cluster(c);
+            const Index number = first + c - clusters.first;
+            for (Index k = 0; k < slots; ++k) {
+                const Index slot = number * slots + k;
+                to.entry[slot] = static_cast<std::int32_t>(3 * number * slots);
+                if (k < atoms.count()) {
+                    const Vec3 there = r.col(atoms.first + k) + shift;
+                    to.x[slot] = static_cast<float>(fixed_point(there[0], 0));
+                    to.y[slot] = static_cast<float>(fixed_point(there[1], 1));
+                    to.z[slot] = static_cast<float>(fixed_point(there[2], 2));
+                } else {
+                    to.x[slot] = nowhere;
+                    to.y[slot] = to.z[slot] = 0.0F;
+                }
+            }
+        }
+    };
+    place(neighborhood.own(), 0, Vec3::Zero());
+    for (const ClusterGrid::Guests& guests : neighborhood.guests()) {
+        place(guests.of, guests.first, guests.shift);
+    }
+    return candidates;
+}
 
 }  // namespace
 
@@ -134,13 +160,14 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
 
 void VerletList::archive(Archive& a, const State& state, double cutoff) {
     bool built = built_for_cutoff_ == cutoff && built_for_order_ == state.order_version();
-    AlignedVector<double> reference = reference_;
-    Index age = age_;
-    SearchStatistics statistics = statistics_;
-    a(built, reference, age, statistics);
     if (!a.reading()) {
+        a(built, reference_, age_, statistics_);
         return;
     }
+    AlignedVector<double> reference;
+    Index age = 0;
+    SearchStatistics statistics;
+    a(built, reference, age, statistics);
     require_count(age);
     built_for_cutoff_ = -1.0;
     if (built) {
@@ -165,13 +192,12 @@ void VerletList::archive(Archive& a, const State& state, double cutoff) {
 void VerletList::build(const State& state, double cutoff) {
     const double range = cutoff + skin_;
     fixed_point_ = FixedPoint(state.box(), 2.0 * range);
-    find_candidates(state);
-
     tiles_.resize(grid_.tiles().size());
     statistics_.distance_tests += join_blocks(
         static_cast<Index>(tiles_.size()), 1, Index{0},
         [&](Index tile, Index) { return fill(static_cast<std::size_t>(tile), state, range); },
         [](Index& sum, Index tests) { sum += tests; });
+    find_guests_owners();
 
     reference_.resize(4 * static_cast<std::size_t>(state.count()));
     for_each_index(state.count(), [&, r = state.positions().data()](Index i) {
@@ -184,75 +210,79 @@ void VerletList::build(const State& state, double cutoff) {
     ++statistics_.rebuilds;
 }
 
-void VerletList::find_candidates(const State& state) {
-    constexpr Index slots = ClusterGrid::slots;
-    candidates_.resize(static_cast<std::size_t>(grid_.with_images() * slots));
-    const Candidates to = candidates_.write();
-    const auto r = state.positions();
-    const auto place = [&](Index i, const Vec3& shift, int axis) {
-        return static_cast<float>(fixed_point_(r(axis, i) + shift[axis], axis));
-    };
-    grid_.for_each_slot(
-        [&](Index cluster, int k, Index i, const Vec3& shift) {
-            const Index slot = cluster * slots + k;
-            to.x[slot] = place(i, shift, 0);
-            to.y[slot] = place(i, shift, 1);
-            to.z[slot] = place(i, shift, 2);
-            to.entry[slot] = static_cast<std::int32_t>(3 * cluster * slots);
-        },
-        [&](Index cluster, int k) { to.x[cluster * slots + k] = nowhere; });
-}
-
-Index VerletList::fill(std::size_t tile, const State& state, double range) {
-    const auto r = state.positions();
+Index VerletList::fill(std::size_t number, const State& state, double range) {
     const ListKernel kernel = list_kernel(level_);
-    const auto place = [&](double x, int axis) { return static_cast<float>(fixed_point_(x, axis)); };
     // Each coordinate may be off by 16.5 units, a distance by twice the root of three of that, and the kernel rounds:
     // no pair within range is lost, and one that is hardly farther away may be on the list.
     const double units = range / fixed_point_.unit() + 58.0;
     const auto range2 = static_cast<float>(units * units * (1.0 + 1e-6));
 
-    std::vector<std::int32_t>& entries = tiles_[tile].entries;
-    std::vector<std::uint32_t>& starts = tiles_[tile].starts;
-    starts.clear();
+    const ClusterGrid::Neighborhood neighborhood = grid_.neighborhood(number);
+    const CandidateArrays arrays = candidates_of(grid_, neighborhood, state, fixed_point_);
+    const ConstCandidates all = arrays.read();
+    Tile& tile = tiles_[number];
+    tile.guests = neighborhood.guests();
+    tile.cluster_count = neighborhood.cluster_count();
+    tile.starts.clear();
     std::size_t end = 0;
     Index tests = 0;
     std::vector<ClusterGrid::Near> near;
-    CandidatesOfCluster within_tile(grid_, kernel, candidates_.read());
-    CandidatesOfCluster others(grid_, kernel, candidates_.read());
-    const auto append = [&](const CandidatesOfCluster& candidates, const RowOfAtoms& row) {
-        starts.push_back(static_cast<std::uint32_t>(end));
-        make_room(entries, end + static_cast<std::size_t>(candidates.count() / ClusterGrid::slots) + list_kernel_slack);
-        end += static_cast<std::size_t>(
-            kernel.clusters_near(candidates.read(), candidates.count(), row, range2, entries.data() + end));
-        tests += Index{candidates.count()} * row.count;
-    };
-    const ClusterGrid::Run columns = grid_.columns(tile);
+    CandidatesOfCluster candidates(grid_, kernel, all);
+    const ClusterGrid::Run columns = grid_.columns(number);
     for (std::int32_t column = columns.first; column < columns.last; ++column) {
-        grid_.find_near(column, near);
-        within_tile.begin(near, true);
-        others.begin(near, false);
+        grid_.find_near(neighborhood, column, near);
         const ClusterGrid::Run clusters = grid_.clusters_of_column(column);
         for (Index cluster = clusters.first; cluster < clusters.last; ++cluster) {
-            within_tile.go_to(cluster, cluster + 1);
-            others.go_to(cluster, 0);
-            const ClusterGrid::Members atoms = grid_.members(cluster);
-            for (int k = 0; k < atoms.count; k += atoms_per_row_) {
+            candidates.go_to(cluster, near);
+            const Index atoms = grid_.atoms_of_cluster(cluster).count();
+            const Index slots = (cluster - neighborhood.own().first) * ClusterGrid::slots;
+            for (Index k = 0; k < atoms; k += atoms_per_row_) {
                 RowOfAtoms row;
                 row.count = atoms_per_row_;
-                for (int n = 0; n < atoms_per_row_ && k + n < atoms.count; ++n) {
-                    const auto center = r.col(atoms.first + k + n);
-                    row.x[n] = place(center[0], 0);
-                    row.y[n] = place(center[1], 1);
-                    row.z[n] = place(center[2], 2);
+                for (Index n = 0; n < atoms_per_row_ && k + n < atoms; ++n) {
+                    row.x[n] = all.x[slots + k + n];
+                    row.y[n] = all.y[slots + k + n];
+                    row.z[n] = all.z[slots + k + n];
                 }
-                append(within_tile, row);
-                append(others, row);
+                tile.starts.push_back(static_cast<std::uint32_t>(end));
+                make_room(tile.entries,
+                          end + static_cast<std::size_t>(candidates.count() / ClusterGrid::slots) + list_kernel_slack);
+                end += static_cast<std::size_t>(kernel.clusters_near(candidates.read(), candidates.count(), row, range2,
+                                                                     tile.entries.data() + end));
+                tests += Index{candidates.count()} * row.count;
             }
         }
     }
-    starts.push_back(static_cast<std::uint32_t>(end));
+    tile.starts.push_back(static_cast<std::uint32_t>(end));
+    make_room(tile.entries, end + list_kernel_slack);
+    std::fill_n(tile.entries.begin() + static_cast<std::ptrdiff_t>(end), list_kernel_slack, 0);
     return tests;
+}
+
+void VerletList::find_guests_owners() {
+    std::vector<std::uint32_t> tile_of(static_cast<std::size_t>(grid_.cluster_count()));
+    const auto tiles = grid_.tiles();
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        std::fill(tile_of.begin() + tiles[t].first, tile_of.begin() + tiles[t].last, static_cast<std::uint32_t>(t));
+    }
+    const auto owner = [&](const ClusterGrid::Guests& guests) {
+        return tile_of[static_cast<std::size_t>(guests.of.first)];  // guests that stand together are of one column
+    };
+    // Counting sort, as in ClusterGrid: away_starts_[t + 1] serves as the next free place of tile t.
+    away_starts_.assign(tiles.size() + 2, 0);
+    for (const Tile& tile : tiles_) {
+        for (const ClusterGrid::Guests& guests : tile.guests) {
+            ++away_starts_[owner(guests) + 2];
+        }
+    }
+    std::partial_sum(away_starts_.begin(), away_starts_.end(), away_starts_.begin());
+    away_.resize(away_starts_.back());
+    for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+        for (std::uint32_t n = 0; n < tiles_[t].guests.size(); ++n) {
+            away_[away_starts_[owner(tiles_[t].guests[n]) + 1]++] = {t, n};
+        }
+    }
+    away_starts_.pop_back();
 }
 
 }  // namespace ljmd

@@ -153,11 +153,11 @@ PairTerm<double> PairPotential::operator()(double r) const {
     if (!(r < cutoff_.radius)) {
         return {0.0, 0.0};
     }
-    return visit([r](const auto& pair) { return pair(r * r); });
+    return visit([r](const auto& pair) { return pair_term(pair, r * r); });
 }
 
 PairTerm<double> PairPotential::untruncated(double r) const {
-    return std::visit([r](const auto& formula) { return formula(r * r); }, bare_);
+    return std::visit([r](const auto& formula) { return pair_term(formula, r * r); }, bare_);
 }
 
 TailIntegrals PairPotential::tail() const {

@@ -11,7 +11,7 @@ namespace {
 
 /// u = r^2, w = 3 for every pair: sums that can be done by hand.
 struct Counting {
-    PairTerm<double> operator()(double r2) const {
+    PairTerm<double> operator()(double r2, double /*inverse_r2*/) const {
         ++calls;
         return {r2, 3.0};
     }
@@ -19,8 +19,10 @@ struct Counting {
 };
 
 /// Atoms in a row, x = 0, 1, 2, ...: every other one is a candidate, whatever the cutoff. Pairs of atoms of the same
-/// half of the row come once for both, the others from both sides.
+/// half of the row come once for both, the others from both sides; if wanted, all pairs come once.
 struct Row {
+    bool all_once = false;
+
     Index part_count(const State& /*state*/) const { return 2; }
     AtomRange atoms_of(const State& state, Index part) const {
         const Index half = state.count() / 2;
@@ -31,7 +33,7 @@ struct Row {
         const AtomRange atoms = atoms_of(state, part);
         for (Index i = atoms.first; i < atoms.last; ++i) {
             for (Index j = 0; j < state.count(); ++j) {
-                const bool once = j >= atoms.first && j < atoms.last;
+                const bool once = all_once || (j >= atoms.first && j < atoms.last);
                 if (once ? j > i : j != i) {
                     visit(PairVisit{i, j, static_cast<double>(i - j), 0.5 * static_cast<double>(i < j ? 1 : -1), 0.0,
                                     once});
@@ -94,6 +96,23 @@ TEST_CASE("a sum that does not depend on the order counts both sides of every pa
     CHECK(static_cast<const State&>(state).forces().col(0) == Vec3(-30.0, 6.0, 0.0));
     CHECK(static_cast<const State&>(state).forces().col(2) == Vec3(0.0, 0.0, 0.0));
     CHECK(static_cast<const State&>(state).forces().col(4) == Vec3(30.0, -6.0, 0.0));
+}
+
+TEST_CASE("a pair that comes once counts for both of its atoms, also where these are of two parts") {
+    constexpr Request exact{.energy = true, .order_independent = true};
+    for (const Index atoms : {2, 5, 64, 255}) {
+        State both_sides(atoms);
+        State once(atoms);
+        const Evaluation expected = sum_pairs<exact>(Counting(), Row(), 10.0, both_sides);
+        const Counting pair;
+        const Evaluation sum = sum_pairs<exact>(pair, Row{.all_once = true}, 10.0, once);
+        CHECK(sum.potential_energy == expected.potential_energy);
+        CHECK(sum.virial == expected.virial);
+        CHECK(static_cast<const State&>(once).forces() == static_cast<const State&>(both_sides).forces());
+        State floating(atoms);
+        sum_pairs<Request::forces>(Counting(), Row{.all_once = true}, 10.0, floating);
+        CHECK(static_cast<const State&>(floating).forces() == static_cast<const State&>(both_sides).forces());
+    }
 }
 
 TEST_CASE("the sum of forces alone returns zeros") {

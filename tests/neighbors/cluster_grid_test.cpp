@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
@@ -20,16 +23,50 @@ ClusterGrid sorted(State& state, double range) {
     return grid;
 }
 
-/// Numbers of clusters that a cluster may meet, once and from both sides.
-std::array<std::vector<Index>, 2> met_by(const ClusterGrid& grid, std::int32_t column, Index cluster) {
-    std::array<std::vector<Index>, 2> met;
+/// Two clusters, of the same number or not, and how many edges the second is away. Each pair has one name only.
+using Meeting = std::tuple<Index, Index, std::array<int, 3>>;
+
+Meeting meeting(Index first, Index second, std::array<int, 3> edges) {
+    const std::array<int, 3> back{-edges[0], -edges[1], -edges[2]};
+    return std::min(Meeting{first, second, edges}, Meeting{second, first, back});
+}
+
+std::array<int, 3> in_edges(const Vec3& shift, const Box& box) {
+    const Vec3 edges = shift.cwiseQuotient(box.edges());
+    return {static_cast<int>(std::lround(edges[0])), static_cast<int>(std::lround(edges[1])),
+            static_cast<int>(std::lround(edges[2]))};
+}
+
+/// How often each two clusters meet. Clusters of a tile are shown to those before them, too: left out here.
+std::map<Meeting, int> meetings(const ClusterGrid& grid, const Box& box) {
+    std::map<Meeting, int> met;
     std::vector<ClusterGrid::Near> near;
-    grid.find_near(column, near);
-    for (const ClusterGrid::Near& other : near) {
-        if (grid.may_reach(other, grid.extent(cluster))) {
-            const ClusterGrid::Run window = grid.window(other, grid.extent(cluster));
-            for (Index n = window.first; n < window.last; ++n) {
-                met[other.once ? 0 : 1].push_back(n + other.column.offset);
+    for (std::size_t t = 0; t < grid.tiles().size(); ++t) {
+        const ClusterGrid::Neighborhood tile = grid.neighborhood(t);
+        for (std::int32_t column = grid.columns(t).first; column < grid.columns(t).last; ++column) {
+            grid.find_near(tile, column, near);
+            const ClusterGrid::Run own = grid.clusters_of_column(column);
+            for (Index c = own.first; c < own.last; ++c) {
+                for (const ClusterGrid::Near& other : near) {
+                    if (!grid.may_reach(other, grid.extent(c))) {
+                        continue;
+                    }
+                    const ClusterGrid::Run window = grid.window(other, grid.extent(c));
+                    for (Index n = window.first; n < window.last; ++n) {
+                        if (!other.column.guest) {
+                            if (n > c) {
+                                ++met[meeting(c, n, {0, 0, 0})];
+                            }
+                            continue;
+                        }
+                        for (const ClusterGrid::Guests& guests : tile.guests()) {
+                            const Index number = n + other.column.offset - guests.first;
+                            if (number >= 0 && number < guests.of.length()) {
+                                ++met[meeting(c, guests.of.first + number, in_edges(guests.shift, box))];
+                            }
+                        }
+                    }
+                }
             }
         }
     }
@@ -46,19 +83,18 @@ TEST_CASE("clusters are the atoms in their order, four and four, and tiles are c
     const ClusterGrid grid = sorted(state, 1.2);
     Index next = 0;
     for (Index c = 0; c < grid.cluster_count(); ++c) {
-        const ClusterGrid::Members members = grid.members(c);
+        const AtomRange members = grid.atoms_of_cluster(c);
         CHECK(members.first == next);
-        CHECK(members.count >= 1);
-        CHECK(members.count <= 4);
-        CHECK(members.shift == Vec3::Zero());
-        next += members.count;
+        CHECK(members.count() >= 1);
+        CHECK(members.count() <= 4);
+        next += members.count();
     }
     CHECK(next == atoms);
     Index cluster = 0;
     for (std::size_t t = 0; t < grid.tiles().size(); ++t) {
         CHECK(grid.tiles()[t].first == cluster);
         CHECK(grid.atoms_of_tile(static_cast<Index>(t)).first ==
-              (cluster < grid.cluster_count() ? grid.members(cluster).first : atoms));
+              (cluster < grid.cluster_count() ? grid.atoms_of_cluster(cluster).first : atoms));
         cluster = grid.tiles()[t].last;
         const ClusterGrid::Run columns = grid.columns(t);
         CHECK(grid.clusters_of_column(columns.first).first == grid.tiles()[t].first);
@@ -78,11 +114,11 @@ TEST_CASE("clusters of a column follow each other along z, and their extents hol
             double z = 0.0;
             const ClusterGrid::Run clusters = grid.clusters_of_column(column);
             for (Index c = clusters.first; c < clusters.last; ++c) {
-                const ClusterGrid::Members members = grid.members(c);
-                right = right && (members.count == 4 || c == clusters.last - 1);
+                const AtomRange members = grid.atoms_of_cluster(c);
+                right = right && (members.count() == 4 || c == clusters.last - 1);
                 right = right && grid.extent(c).low == r(2, members.first);
-                right = right && grid.extent(c).high == r(2, members.first + members.count - 1);
-                for (Index i = members.first; i < members.first + members.count; ++i) {
+                right = right && grid.extent(c).high == r(2, members.last - 1);
+                for (Index i = members.first; i < members.last; ++i) {
                     right = right && r(2, i) >= z;
                     z = r(2, i);
                 }
@@ -103,105 +139,65 @@ TEST_CASE("a full box wastes few slots, and clusters are no longer than wide") {
     CHECK(length / static_cast<double>(grid.cluster_count()) < std::cbrt(4.0 / 0.8442));
 }
 
-TEST_CASE(
-    "whatever lies within range of a cluster is met, each cluster and image once, and of the tile from one side") {
+TEST_CASE("any two clusters within range of each other meet, images included, and no two meet twice") {
     const double range = GENERATE(1.2, 2.8, 4.9);  // the last wider than half the box
     const Box box(GENERATE(Vec3(6.0, 6.0, 6.0), Vec3(7.0, 9.0, 16.0), Vec3(30.0, 6.0, 6.0)));
     const double density = GENERATE(0.05, 0.8442);
     State state = test::random_state(static_cast<Index>(density * box.volume()), box, 11);
     const ClusterGrid grid = sorted(state, range);
     const auto r = static_cast<const State&>(state).positions();
+    const std::map<Meeting, int> met = meetings(grid, box);
     Index missed = 0;
-    Index doubled = 0;
-    Index wrong_side = 0;
-    for (std::size_t t = 0; t < grid.tiles().size(); ++t) {
-        for (std::int32_t column = grid.columns(t).first; column < grid.columns(t).last; ++column) {
-            const ClusterGrid::Run own = grid.clusters_of_column(column);
-            for (Index c = own.first; c < own.last; ++c) {
-                const auto [once, both] = met_by(grid, column, c);
-                std::vector<int> times(static_cast<std::size_t>(grid.with_images()));
-                for (const Index n : once) {
-                    ++times[static_cast<std::size_t>(n)];
-                    wrong_side += n < grid.tiles()[t].first || n >= grid.tiles()[t].last ? 1 : 0;
-                }
-                for (const Index n : both) {
-                    ++times[static_cast<std::size_t>(n)];
-                    wrong_side += n >= grid.tiles()[t].first && n < grid.tiles()[t].last ? 1 : 0;
-                }
-                const ClusterGrid::Members members = grid.members(c);
-                // Images of every atom by up to two edges, against all clusters that are met.
-                for (Index other = 0; other < grid.with_images(); ++other) {
-                    const ClusterGrid::Members others = grid.members(other);
-                    double nearest = 1e9;
-                    for (Index i = members.first; i < members.first + members.count; ++i) {
-                        for (Index j = others.first; j < others.first + others.count; ++j) {
-                            nearest = std::min(nearest, (r.col(i) - r.col(j) - others.shift).norm());
+    const auto check = [&](Index first, Index second, const std::array<int, 3>& edges) {
+        const Vec3 shift = Vec3(edges[0], edges[1], edges[2]).cwiseProduct(box.edges());
+        const AtomRange one = grid.atoms_of_cluster(first);
+        const AtomRange other = grid.atoms_of_cluster(second);
+        double nearest = 1e9;
+        for (Index i = one.first; i < one.last; ++i) {
+            for (Index j = other.first; j < other.last; ++j) {
+                nearest = std::min(nearest, (r.col(i) - r.col(j) - shift).norm());
+            }
+        }
+        missed += nearest < range && !met.contains(meeting(first, second, edges)) ? 1 : 0;
+    };
+    for (Index first = 0; first < grid.cluster_count(); ++first) {
+        for (Index second = first; second < grid.cluster_count(); ++second) {
+            for (int x = -1; x <= 1; ++x) {
+                for (int y = -1; y <= 1; ++y) {
+                    for (int z = -1; z <= 1; ++z) {
+                        if (first != second || std::tie(x, y, z) > std::tuple(0, 0, 0)) {
+                            check(first, second, {x, y, z});
                         }
                     }
-                    const bool before = other >= grid.tiles()[t].first && other < c;
-                    const int found = times[static_cast<std::size_t>(other)];
-                    missed += nearest < range && !before && found == 0 ? 1 : 0;
-                    doubled += found > 1 ? 1 : 0;
                 }
             }
         }
     }
     CHECK(missed == 0);
-    CHECK(doubled == 0);
-    CHECK(wrong_side == 0);
+    CHECK(std::all_of(met.begin(), met.end(), [](const auto& entry) { return entry.second == 1; }));
 }
 
-TEST_CASE("every image of an atom within range of the box is there once, and no other farther away than a cluster") {
-    const Box box(Vec3(5.0, 6.5, 11.0));
-    const double range = GENERATE(1.0, 2.8, 7.0);
-    State state = test::random_state(250, box, 13);
-    const ClusterGrid grid = sorted(state, range);
-    using Place = std::array<double, 3>;
-    std::vector<Place> images;
-    for (Index c = grid.cluster_count(); c < grid.with_images(); ++c) {
-        const ClusterGrid::Members members = grid.members(c);
-        for (Index i = members.first; i < members.first + members.count; ++i) {
-            const Vec3 r = static_cast<const State&>(state).positions().col(i) + members.shift;
-            images.push_back({r[0], r[1], r[2]});
-        }
-    }
-    std::sort(images.begin(), images.end());
-    CHECK(std::adjacent_find(images.begin(), images.end()) == images.end());
-    Index missed = 0;
-    for (Index i = 0; i < state.count(); ++i) {
-        for (int x = -2; x <= 2; ++x) {
-            for (int y = -2; y <= 2; ++y) {
-                for (int z = -2; z <= 2; ++z) {
-                    const Vec3 r =
-                        static_cast<const State&>(state).positions().col(i) + Vec3(x, y, z).cwiseProduct(box.edges());
-                    const Vec3 outside = (-r).cwiseMax(r - box.edges()).cwiseMax(0.0);
-                    const bool wanted = (x != 0 || y != 0 || z != 0) && outside.norm() < range;
-                    missed +=
-                        wanted && !std::binary_search(images.begin(), images.end(), Place{r[0], r[1], r[2]}) ? 1 : 0;
-                }
-            }
-        }
-    }
-    CHECK(missed == 0);
-}
-
-TEST_CASE("all slots are visited, each once, with its atom and shift or as empty") {
-    State state = test::random_state(333, Box(Vec3(6.0, 7.0, 8.0)), 17);
+TEST_CASE("guests are numbered behind a tile's own clusters, and those that stand together are of one column") {
+    State state = test::random_state(900, Box(Vec3(7.0, 9.0, 16.0)), 13);
     const ClusterGrid grid = sorted(state, 2.8);
-    std::vector<int> times(static_cast<std::size_t>(4 * grid.with_images()));
-    bool right = true;
-    grid.for_each_slot(
-        [&](Index cluster, int k, Index i, const Vec3& shift) {
-            const ClusterGrid::Members members = grid.members(cluster);
-            right = right && k < members.count && i == members.first + k && shift == members.shift;
-            ++times[static_cast<std::size_t>(4 * cluster + k)];
-        },
-        [&](Index cluster, int k) {
-            right = right && k >= grid.members(cluster).count;
-            ++times[static_cast<std::size_t>(4 * cluster + k)];
-        });
-    CHECK(right);
-    CHECK(std::count(times.begin(), times.end(), 1) == 4 * grid.with_images());
+    REQUIRE(grid.tiles().size() > 1);
+    for (std::size_t t = 0; t < grid.tiles().size(); ++t) {
+        const ClusterGrid::Neighborhood tile = grid.neighborhood(t);
+        CHECK(tile.own().first == grid.tiles()[t].first);
+        CHECK(tile.own().last == grid.tiles()[t].last);
+        std::int32_t next = tile.own().length();
+        bool together = true;
+        for (const ClusterGrid::Guests& guests : tile.guests()) {
+            CHECK(guests.first == next);
+            next += guests.of.length();
+            for (Index c = guests.of.first + 1; c < guests.of.last; ++c) {
+                together = together && grid.extent(c).low >= grid.extent(c - 1).high;
+            }
+        }
+        CHECK(together);
+        CHECK(next == tile.cluster_count());
+        CHECK(next > tile.own().length());
+    }
 }
 
 TEST_CASE("a position that is not finite is reported") {

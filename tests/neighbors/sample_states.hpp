@@ -108,6 +108,24 @@ inline std::vector<OrderedPair> all_pairs_within(State state, double cutoff) {
     return pairs_within(search, state, cutoff);
 }
 
+/// All separations r_i - r_j below the cutoff, of each pair from both sides, sorted. @pre a prepared search
+template <class Search>
+std::vector<std::array<double, 3>> separations_within(const Search& search, const State& state, double cutoff) {
+    std::vector<std::array<double, 3>> separations;
+    for (Index part = 0; part < search.part_count(state); ++part) {
+        search.for_each_candidate(state, part, [&](const PairVisit& pair) {
+            if (pair.dx * pair.dx + pair.dy * pair.dy + pair.dz * pair.dz < cutoff * cutoff) {
+                separations.push_back({pair.dx, pair.dy, pair.dz});
+                if (pair.once) {
+                    separations.push_back({-pair.dx, -pair.dy, -pair.dz});
+                }
+            }
+        });
+    }
+    std::sort(separations.begin(), separations.end());
+    return separations;
+}
+
 /// True when the separations r_i - r_j < cutoff that atoms see are to the last bit the opposites of those seen by the
 /// others, where both see each other. @pre a prepared search
 template <class Search>

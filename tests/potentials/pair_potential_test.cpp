@@ -158,7 +158,7 @@ TEST_CASE("energy and w agree with closed forms to 5 eps times the sum of absolu
                 Real worst_w = 0.0L;
                 for (const double r : distances(0.8, cutoff.radius, 5000)) {
                     const double r2 = r * r;
-                    const auto found = potential.visit([r2](const auto& pair) { return pair(r2); });
+                    const auto found = potential.visit([r2](const auto& pair) { return pair_term(pair, r2); });
                     const Expected expected =
                         truncated(setting.closed_form, truncation, cutoff, std::sqrt(static_cast<Real>(r2)));
                     worst_u = std::max(worst_u, std::abs(found.u - expected.u.value) / expected.u.terms);

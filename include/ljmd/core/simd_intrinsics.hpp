@@ -72,18 +72,20 @@ LJMD_INLINE RawVector<double, lanes> widened(RawVector<float, lanes> x) {
     }
 }
 
+/// Lanes from `first` on. (Copies of bytes would keep the vector in memory.)
+template <class T, int lanes, int first, int... lane>
+LJMD_INLINE RawVector<T, sizeof...(lane)> lanes_from(RawVector<T, lanes> v, std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(v, v, (first + lane)...);
+}
+
 /// Two vectors of half the length.
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes / 2> low_half(RawVector<T, lanes> v) {
-    RawVector<T, lanes / 2> half;
-    __builtin_memcpy(&half, &v, sizeof half);
-    return half;
+    return lanes_from<T, lanes, 0>(v, std::make_integer_sequence<int, lanes / 2>());
 }
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes / 2> high_half(RawVector<T, lanes> v) {
-    RawVector<T, lanes / 2> half;
-    __builtin_memcpy(&half, reinterpret_cast<const char*>(&v) + sizeof half, sizeof half);
-    return half;
+    return lanes_from<T, lanes, lanes / 2>(v, std::make_integer_sequence<int, lanes / 2>());
 }
 
 /// One vector of two: the opposite of low_half and high_half.

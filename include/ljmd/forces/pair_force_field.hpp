@@ -1,12 +1,13 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "ljmd/core/aligned_vector.hpp"
 #include "ljmd/core/simd.hpp"
 #include "ljmd/forces/force_field.hpp"
-#include "ljmd/neighbors/cluster_positions.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
+#include "ljmd/neighbors/tile_positions.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
 namespace ljmd {
@@ -42,13 +43,20 @@ class PairForceField : public ForceField {
 
     [[nodiscard]] Evaluation sum(State& state, Request request);
     [[nodiscard]] Evaluation sum_by_kernel(const VerletList& list, State& state, bool energy);
+    void add_guest_forces(const VerletList& list, State& state) const;
+
+    /// Of a thread, for the tile that it works on. What kernels need of a tile stays in the cache next to a core.
+    struct Workspace {
+        TilePositions<double> positions;
+        TilePositions<std::int32_t> fixed_positions;  ///< for mixed precision
+        AlignedVector<double> partial_forces;
+    };
+
     PairPotential potential_;
     PairSearch search_;
     PairArithmetic arithmetic_;
-    // Of clusters, for double and for mixed precision.
-    ClusterPositions<double> positions_;
-    ClusterPositions<std::int32_t> fixed_positions_;
-    AlignedVector<std::byte> partial_forces_;  ///< of a tile, for each thread
+    std::vector<Workspace> workspaces_;
+    std::vector<AlignedVector<double>> guest_forces_;  ///< of each tile, see PairKernelTask
     double seconds_summing_ = 0.0;
 };
 

@@ -13,7 +13,7 @@ namespace ljmd {
 
 /// Sum one pair term over all neighbours of all atoms: the readable reference that faster paths are held against.
 ///
-/// @param pair    PairTerm<double> operator()(double r2) const, valid for r < cutoff
+/// @param pair    PairTerm<double> operator()(double r2, double inverse_r2) const, valid for r < cutoff
 /// @param search  prepared pair search (see PairSearch)
 /// @post state.forces() hold the forces; a pair counts if r < cutoff
 /// @tparam what   order_independent: forces are summed in fixed point (see FixedPointSum)
@@ -23,10 +23,22 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
     const double cutoff2 = cutoff * cutoff;
     auto forces = state.write_forces();
     const State& atoms = state;
+    std::vector<std::array<Sum, 3>> sums(static_cast<std::size_t>(atoms.count()));
+    const auto add = [&sums](Index atom, const std::array<double, 3>& force) {
+        auto& sum = sums[static_cast<std::size_t>(atom)];
+        for (std::size_t a = 0; a < 3; ++a) {
+            sum[a].add(force[a]);
+        }
+    };
+    struct OnOther {
+        Index atom;
+        std::array<double, 3> force;
+    };
+    // Of each part, what atoms of others get from its pairs. Another thread may be at work on these.
+    std::vector<std::vector<OnOther>> on_others(static_cast<std::size_t>(search.part_count(atoms)));
 
     const auto sum_part = [&](Index part, Index) {
         const AtomRange range = search.atoms_of(atoms, part);
-        std::vector<std::array<Sum, 3>> f(static_cast<std::size_t>(range.count()));
         double u = 0.0;
         std::array<double, 6> virial{};  // xx yy zz xy xz yz
         search.for_each_candidate(atoms, part, [&](const PairVisit& visit) {
@@ -35,16 +47,15 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
             if (!(r2 < cutoff2)) {
                 return;
             }
-            const auto term = pair(r2);
-            const auto add = [&, dx = dx, dy = dy, dz = dz](Index atom, double w) {
-                auto& sum = f[static_cast<std::size_t>(atom - range.first)];
-                sum[0].add(w * dx);
-                sum[1].add(w * dy);
-                sum[2].add(w * dz);
-            };
-            add(i, term.w);
+            const auto term = pair(r2, 1.0 / r2);
+            add(i, {term.w * dx, term.w * dy, term.w * dz});
             if (once) {
-                add(j, -term.w);
+                const std::array reaction{-term.w * dx, -term.w * dy, -term.w * dz};
+                if (range.first <= j && j < range.last) {
+                    add(j, reaction);
+                } else {
+                    on_others[static_cast<std::size_t>(part)].push_back({j, reaction});
+                }
             }
             if constexpr (what.energy) {
                 const double sides = once ? 2.0 : 1.0;
@@ -58,10 +69,6 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
                 virial[5] += w * dy * dz;
             }
         });
-        for (Index i = range.first; i < range.last; ++i) {
-            const auto& sum = f[static_cast<std::size_t>(i - range.first)];
-            forces.col(i) << sum[0].value(), sum[1].value(), sum[2].value();
-        }
         Evaluation block;
         if constexpr (what.energy) {
             block.potential_energy = 0.5 * u;  // both sides of every pair were added up
@@ -71,11 +78,21 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
         }
         return block;
     };
-    return join_blocks(search.part_count(atoms), 1, Evaluation{}, sum_part,
-                       [](Evaluation& sum, const Evaluation& block) {
-                           sum.potential_energy += block.potential_energy;
-                           sum.virial += block.virial;
-                       });
+    const Evaluation total =
+        join_blocks(search.part_count(atoms), 1, Evaluation{}, sum_part, [](Evaluation& sum, const Evaluation& block) {
+            sum.potential_energy += block.potential_energy;
+            sum.virial += block.virial;
+        });
+    for (const std::vector<OnOther>& of_part : on_others) {
+        for (const OnOther& other : of_part) {
+            add(other.atom, other.force);
+        }
+    }
+    for_each_index(atoms.count(), [&](Index i) {
+        const auto& sum = sums[static_cast<std::size_t>(i)];
+        forces.col(i) << sum[0].value(), sum[1].value(), sum[2].value();
+    });
+    return total;
 }
 
 }  // namespace ljmd

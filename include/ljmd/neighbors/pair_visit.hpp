@@ -11,7 +11,8 @@ struct PairVisit {
     Index i;
     Index j;
     double dx, dy, dz;  ///< r_i - r_j of the nearest image [sigma]
-    bool once;          ///< this is the pair's only visit and stands for j, too; else j meets i in one of its own
+    bool once;          ///< this is the pair's only visit and stands for j, too, which may be an atom of another part;
+                        ///< else j meets i in one of its own
 };
 
 /// Atoms [first, last).

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -24,10 +26,9 @@ namespace ljmd {
 /// For comparison with programs that do so, a list can instead be kept for a fixed number of evaluations. Nothing is
 /// checked then, and pairs may be missed.
 ///
-/// What stands on the list are clusters (see ClusterGrid): of each atom, all that have a member within cutoff + skin.
-/// Pairs of a tile stand there once, those of two tiles, or with an image, from both sides. So the forces on the atoms
-/// of a tile are sums that one thread can do alone, in an order that the configuration decides. See PairSearch for the
-/// contract.
+/// What stands on the list are clusters (see ClusterGrid): of each atom, all that have a member within cutoff + skin,
+/// each pair of atoms once. A tile's pairs are summed up by one thread, in an order that the configuration decides;
+/// what its guests get is added to the forces on their owners afterwards, see Tile. See PairSearch for the contract.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98; Chialvo and Debenedetti (1990), doi:10.1016/0010-4655(90)90007-N.
 class VerletList {
   public:
@@ -51,13 +52,25 @@ class VerletList {
     /// The lists of a tile's atoms. Rows are what kernels sum up at once: one, two or all of the atoms of a cluster
     /// (and fewer if slots are empty), with the clusters that any of them has on its list.
     struct Tile {
-        /// Of each row, first the clusters of the tile with which pairs stand there once, all of them behind its own,
-        /// then the others. Its own is not among them. Cluster or image c stands there as 12 c, the place of its first
-        /// x in ClusterPositions, an unsigned number.
+        /// Clusters, in the numbers that they have in the tile; those behind the row's own and guests. Its own, whose
+        /// pairs the row has, too, is not among them. Cluster c stands there as 12 c, the place of its first x in
+        /// TilePositions. Behind the last row stand some of cluster 0, for those who look ahead.
         std::vector<std::int32_t> entries;
-        /// Of each row: where its entries begin, and where the second kind of them does; behind these, the end.
+        /// Of each row: where its entries begin; behind these, the end.
         std::vector<std::uint32_t> starts;
+        std::vector<ClusterGrid::Guests> guests;
+        std::int32_t cluster_count = 0;  ///< with the guests
     };
+    /// Guests of another tile whose owner is a tile's cluster.
+    struct Away {
+        std::uint32_t tile;
+        std::uint32_t guests;  ///< which of that tile's
+    };
+    /// All that a tile has, in the order of their tiles.
+    [[nodiscard]] std::span<const Away> away(Index tile) const {
+        const auto t = static_cast<std::size_t>(tile);
+        return std::span(away_).subspan(away_starts_[t], away_starts_[t + 1] - away_starts_[t]);
+    }
     [[nodiscard]] int atoms_per_row() const { return built_for_atoms_per_row_; }
     [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
     [[nodiscard]] const ClusterGrid& clusters() const { return grid_; }
@@ -78,10 +91,9 @@ class VerletList {
     [[nodiscard]] bool still_valid(const State& state, double cutoff) const;
     [[nodiscard]] bool nothing_moved_too_far(const State& state) const;
     void build(const State& state, double cutoff);
-    /// All slots, as the kernel wants them.
-    void find_candidates(const State& state);
     /// @return distance tests
     [[nodiscard]] Index fill(std::size_t tile, const State& state, double range);
+    void find_guests_owners();
 
     double skin_;
     std::optional<Index> every_;
@@ -94,39 +106,44 @@ class VerletList {
     int built_for_atoms_per_row_ = 0;
     ClusterGrid grid_;
     FixedPoint fixed_point_;
-    CandidateArrays candidates_;       ///< all slots
     AlignedVector<double> reference_;  ///< positions when the list was built, 4 numbers each
     std::vector<Tile> tiles_;
+    std::vector<Away> away_;                ///< tile by tile
+    std::vector<std::size_t> away_starts_;  ///< of each tile, and one more
     SearchStatistics statistics_;
 };
 
 template <class Visit>
 void VerletList::for_each_candidate(const State& state, Index part, Visit&& visit) const {
     const auto r = state.positions();
-    const auto first_atoms = grid_.first_atoms();
     const Tile& tile = tiles_[static_cast<std::size_t>(part)];
     const ClusterGrid::Run clusters = grid_.tiles()[static_cast<std::size_t>(part)];
     const std::uint32_t* row = tile.starts.data();
-    const auto meet = [&](Index i, const ClusterGrid::Members& others, bool once) {
-        const Vec3 from = r.col(i) - others.shift;  // exact on the grid of the coordinates
-        for (Index j = others.first; j < others.first + others.count; ++j) {
-            visit(PairVisit{i, j, from[0] - r(0, j), from[1] - r(1, j), from[2] - r(2, j), once});
+    const auto meet = [&](Index i, const AtomRange& others, const Vec3& shift) {
+        const Vec3 from = r.col(i) - shift;  // exact on the grid of the coordinates
+        for (Index j = others.first; j < others.last; ++j) {
+            visit(PairVisit{i, j, from[0] - r(0, j), from[1] - r(1, j), from[2] - r(2, j), true});
         }
     };
     for (Index c = clusters.first; c < clusters.last; ++c) {
-        const Index first = first_atoms[static_cast<std::size_t>(c)];
-        const Index last = first_atoms[static_cast<std::size_t>(c) + 1];
+        const auto [first, last] = grid_.atoms_of_cluster(c);
         for (Index i = first; i < last; ++i) {
-            const std::uint32_t* starts = row + 2 * ((i - first) / built_for_atoms_per_row_);
-            meet(i, {first, static_cast<int>(i - first), Vec3::Zero()}, false);
-            meet(i, {i + 1, static_cast<int>(last - i - 1), Vec3::Zero()}, false);
-            for (std::uint32_t e = starts[0]; e < starts[2]; ++e) {
-                const Index other =
-                    Index{static_cast<std::uint32_t>(tile.entries[e])} / (Index{3} * ClusterGrid::slots);
-                meet(i, grid_.members(other), e < starts[1]);
+            const std::uint32_t* starts = row + (i - first) / built_for_atoms_per_row_;
+            meet(i, {i + 1, last}, Vec3::Zero());
+            for (std::uint32_t e = starts[0]; e < starts[1]; ++e) {
+                const std::int32_t other = tile.entries[e] / (3 * ClusterGrid::slots);
+                if (other < clusters.length()) {
+                    meet(i, grid_.atoms_of_cluster(clusters.first + other), Vec3::Zero());
+                } else {
+                    const auto behind = std::upper_bound(
+                        tile.guests.begin(), tile.guests.end(), other,
+                        [](std::int32_t number, const ClusterGrid::Guests& guests) { return number < guests.first; });
+                    const ClusterGrid::Guests& guests = *std::prev(behind);
+                    meet(i, grid_.atoms_of_cluster(guests.of.first + other - guests.first), guests.shift);
+                }
             }
         }
-        row += 2 * ((last - first + built_for_atoms_per_row_ - 1) / built_for_atoms_per_row_);
+        row += (last - first + built_for_atoms_per_row_ - 1) / built_for_atoms_per_row_;
     }
 }
 

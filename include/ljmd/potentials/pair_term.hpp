@@ -16,6 +16,13 @@ struct PairTerm {
     Real w;  ///< [epsilon/sigma^2]
 };
 
+/// What a formula gives at a squared separation. It takes 1/r^2, too, which kernels compute ahead of the rest.
+/// @param formula  PairTerm<double> operator()(double r2, double inverse_r2) const
+template <class Formula>
+PairTerm<double> pair_term(const Formula& formula, double r2) {
+    return formula(r2, 1.0 / r2);
+}
+
 /// What is missing beyond a radius R when g(r) = 1: the integrals behind tail corrections.
 struct TailIntegrals {
     double energy;  ///< integral of u(r) r^2 dr from R to infinity [epsilon sigma^3]

@@ -35,8 +35,8 @@ class Cut {
     [[nodiscard]] const Formula& formula() const { return formula_; }
 
     template <class Real>
-    PairTerm<Real> operator()(Real r2) const {
-        return formula_(r2);
+    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
+        return formula_(r2, inverse_r2);
     }
 
   private:
@@ -53,11 +53,11 @@ class Shifted {
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
 
     Shifted(const Formula& formula, const Cutoff& cutoff)
-        : formula_(formula), u_cutoff_(formula(cutoff.radius * cutoff.radius).u) {}
+        : formula_(formula), u_cutoff_(pair_term(formula, cutoff.radius * cutoff.radius).u) {}
 
     template <class Real>
-    PairTerm<Real> operator()(Real r2) const {
-        const PairTerm<Real> full = formula_(r2);
+    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
+        const PairTerm<Real> full = formula_(r2, inverse_r2);
         return {full.u - Real(u_cutoff_), full.w};
     }
 
@@ -78,15 +78,15 @@ class ForceShifted {
     ForceShifted(const Formula& formula, const Cutoff& cutoff)
         : formula_(formula),
           radius_(cutoff.radius),
-          u_cutoff_(formula(cutoff.radius * cutoff.radius).u),
-          f_cutoff_(formula(cutoff.radius * cutoff.radius).w * cutoff.radius) {}
+          u_cutoff_(pair_term(formula, cutoff.radius * cutoff.radius).u),
+          f_cutoff_(pair_term(formula, cutoff.radius * cutoff.radius).w * cutoff.radius) {}
 
     template <class Real>
-    PairTerm<Real> operator()(Real r2) const {
+    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
         using std::sqrt;
-        const PairTerm<Real> full = formula_(r2);
+        const PairTerm<Real> full = formula_(r2, inverse_r2);
         const Real r = sqrt(r2);
-        const Real inverse_r = r * (Real(1) / r2);  // most formulas have divided by r2, too: once is enough
+        const Real inverse_r = r * inverse_r2;
         return {full.u - Real(u_cutoff_) + (r - Real(radius_)) * Real(f_cutoff_),
                 multiply_add(Real(-f_cutoff_), inverse_r, full.w)};
     }
@@ -119,12 +119,12 @@ class Switched {
         : formula_(formula), start_(cutoff.switch_start), inverse_width_(1.0 / (cutoff.radius - cutoff.switch_start)) {}
 
     template <class Real>
-    PairTerm<Real> operator()(Real r2) const {
+    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
         using std::max;
         using std::sqrt;
-        const PairTerm<Real> full = formula_(r2);
+        const PairTerm<Real> full = formula_(r2, inverse_r2);
         const Real r = sqrt(r2);
-        const Real inverse_r = r * (Real(1) / r2);                               // see ForceShifted
+        const Real inverse_r = r * inverse_r2;
         const Real x = max(Real(0), (r - Real(start_)) * Real(inverse_width_));  // 0 below rs: S = 1, S' = 0
         const Real s =
             multiply_add(x * x * x, multiply_add(x, multiply_add(Real(-6), x, Real(15)), Real(-10)), Real(1));

@@ -129,46 +129,40 @@ class Sums {
     V fx{0}, fy{0}, fz{0};
     V u{0}, xx{0}, yy{0}, zz{0}, xy{0}, xz{0}, yz{0};
 
-    /// The pairs' part in the sums, their other side left out.
+    /// @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
     template <class Pair>
-    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d) {
-        add_sides<1>(pair, cutoff2, d);
-    }
-
-    /// Both sides. @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
-    template <class Pair>
-    LJMD_INLINE void add_both(const Pair& pair, V cutoff2, const Separation<V>& d, typename V::Value* others) {
-        const V w = add_sides<2>(pair, cutoff2, d);
-        constexpr std::size_t axis = V::lanes * pieces<V>;
-        multiply_add(w, d.dx, V::load(others)).store(others);
-        multiply_add(w, d.dy, V::load(others + axis)).store(others + axis);
-        multiply_add(w, d.dz, V::load(others + 2 * axis)).store(others + 2 * axis);
-    }
-
-  private:
-    template <int sides, class Pair>
-    LJMD_INLINE V add_sides(const Pair& pair, V cutoff2, const Separation<V>& d) {
-        const auto term = pair(d.r2);
+    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d, V inverse_r2, typename V::Value* others) {
+        const auto term = pair(d.r2, inverse_r2);
         const V w = where_less(d.r2, cutoff2, term.w);
-        fx = multiply_add(w, d.dx, fx);
-        fy = multiply_add(w, d.dy, fy);
-        fz = multiply_add(w, d.dz, fz);
+        // Added to both sides, not fused: processors add and multiply at the same time, by different units.
+        const V wx = w * d.dx;
+        const V wy = w * d.dy;
+        const V wz = w * d.dz;
+        fx += wx;
+        fy += wy;
+        fz += wz;
+        // All are read before any is written. One by one would take a tenth longer.
+        constexpr std::size_t axis = V::lanes * pieces<V>;
+        const V x = V::load(others) + wx;
+        const V y = V::load(others + axis) + wy;
+        const V z = V::load(others + 2 * axis) + wz;
+        x.store(others);
+        y.store(others + axis);
+        z.store(others + 2 * axis);
         if constexpr (with_energy) {
-            u = multiply_add(V(sides), where_less(d.r2, cutoff2, term.u), u);
-            const V wx = V(sides) * w * d.dx;
-            const V wy = V(sides) * w * d.dy;
+            u += where_less(d.r2, cutoff2, term.u);
             xx = multiply_add(wx, d.dx, xx);
             yy = multiply_add(wy, d.dy, yy);
-            zz = multiply_add(V(sides) * w * d.dz, d.dz, zz);
+            zz = multiply_add(wz, d.dz, zz);
             xy = multiply_add(wx, d.dy, xy);
             xz = multiply_add(wx, d.dz, xz);
             yz = multiply_add(wy, d.dz, yz);
         }
-        return w;
     }
 };
 
-/// What to add to the squared distances of each row of a cluster from the cluster itself, so that no atom meets itself.
+/// What to add to the squared distances of each row of a cluster from the cluster itself, so that of two of its atoms
+/// only the one before meets the other, and none itself.
 template <class V>
 struct Aside {
     static constexpr std::size_t rows = slots / atoms_per_row<V>;
@@ -177,46 +171,80 @@ struct Aside {
     constexpr Aside() {
         for (std::size_t atom = 0; atom < slots; ++atom) {
             const std::size_t in_row = atom % (slots / rows);
-            of_row[atom / (slots / rows)][in_row * slots + atom] = typename V::Value(1e15);
+            for (std::size_t other = 0; other <= atom; ++other) {
+                of_row[atom / (slots / rows)][in_row * slots + other] = typename V::Value(1e15);
+            }
         }
     }
 };
 
-/// Over the lanes of a row's atom.
+using Four = simd::RawVector<double, slots>;
+
+/// The sums of four vectors over their lanes.
+LJMD_INLINE Four sums_of_four(Four a, Four b, Four c, Four d) {
+    const Four ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Four cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
+
+/// The part of a row's sums that is its atom n's.
 template <int n, class V>
-LJMD_INLINE double sum_of_atom(V v) {
-    if constexpr (V::lanes <= slots) {
-        return sum(v);
+LJMD_INLINE Four of_atom(V sums) {
+    if constexpr (V::lanes < slots) {
+        return simd::joined<double, V::lanes>(sums.raw, typename V::Raw{});
+    } else if constexpr (std::is_same_v<typename V::Value, double>) {
+        return simd::four_lanes<n, double, V::lanes>(sums.raw);
     } else {
-        return simd::sum_of_four<n>(v);
+        return simd::widened<slots>(simd::four_lanes<n, float, V::lanes>(sums.raw));
     }
 }
 
-/// Write the forces of a row's atoms. @param others  minus what they got from atoms before
-template <class Arithmetic, int n, class Sums>
-LJMD_INLINE void write_forces(const Arithmetic& arithmetic, const Sums& sums,
-                              const typename Arithmetic::V::Value* others, int atoms, double* forces) {
-    using V = typename Arithmetic::V;
-    if constexpr (n < atoms_per_row<V>) {
-        if (n < atoms) {
-            constexpr int axis = V::lanes * static_cast<int>(pieces<V>);
-            double before[3] = {};
-            for (int a = 0; a < 3; ++a) {
-                for (int m = 0; m < atoms_per_row<V>; ++m) {
-                    before[a] += static_cast<double>(others[a * axis + m * slots + n]);
-                }
-            }
-            double* force = forces + std::ptrdiff_t{4} * n;
-            force[0] = (sum_of_atom<n>(sums.fx) - before[0]) * arithmetic.unit();
-            force[1] = (sum_of_atom<n>(sums.fy) - before[1]) * arithmetic.unit();
-            force[2] = (sum_of_atom<n>(sums.fz) - before[2]) * arithmetic.unit();
-            write_forces<Arithmetic, n + 1>(arithmetic, sums, others, atoms, forces);
+/// What the rows of a cluster sum up to, atom by atom.
+class ForcesOfCluster {
+  public:
+    LJMD_INLINE void reset() {
+        for (auto& atom : sums_) {
+            atom[0] = atom[1] = atom[2] = Four{};
         }
     }
+
+    template <int n = 0, class Sums>
+    LJMD_INLINE void keep(int first, const Sums& row) {
+        using V = decltype(row.fx);
+        if constexpr (n < atoms_per_row<V>) {
+            Four* atom = sums_[first + n];
+            atom[0] = of_atom<n>(row.fx);
+            atom[1] = of_atom<n>(row.fy);
+            atom[2] = of_atom<n>(row.fz);
+            keep<n + 1>(first, row);
+        }
+    }
+
+    [[nodiscard]] LJMD_INLINE Four along(int axis) const {
+        return sums_of_four(sums_[0][axis], sums_[1][axis], sums_[2][axis], sums_[3][axis]);
+    }
+
+  private:
+    Four sums_[slots][3];
+};
+
+/// Along one axis, minus the forces of rows before on a cluster. @param others  of each row's atom in lanes of its own
+template <class V>
+LJMD_INLINE Four from_others(const typename V::Value* others) {
+    Four sum{};
+    for (int m = 0; m < atoms_per_row<V>; ++m) {
+        const auto part = simd::load_aligned<typename V::Value, slots>(others + std::ptrdiff_t{m} * slots);
+        if constexpr (std::is_same_v<typename V::Value, double>) {
+            sum += part;
+        } else {
+            sum += simd::widened<slots>(part);
+        }
+    }
+    return sum;
 }
 
-/// Row by row: its own cluster, then the clusters with which the pairs stand on the list once, then the others. When a
-/// row's turn comes, all atoms that have pairs with it on their lists have had theirs.
+/// Row by row: its own cluster, then those on its list. When a cluster's turn comes, all atoms of the tile that have
+/// pairs with it on their lists have had theirs.
 template <class Arithmetic, bool with_energy, class Pair>
 [[gnu::flatten]] void sum_tile(const void* potential, const PairKernelTask& task, PairKernelSums* sums) {
     using V = typename Arithmetic::V;
@@ -228,21 +256,26 @@ template <class Arithmetic, bool with_energy, class Pair>
     const V cutoff2(task.cutoff2);
     Arithmetic arithmetic(task);
     PairKernelSums total{};
-    const auto first = static_cast<std::size_t>(task.clusters.first);
-    const auto last = static_cast<std::size_t>(task.clusters.last);
-    auto* partial = static_cast<Real*>(task.partial_forces);
-    for (std::size_t k = 0; k < (last - first) * 3 * pieces<V>; ++k) {
+    const auto own_clusters = static_cast<std::size_t>(task.own_clusters);
+    const auto clusters = static_cast<std::size_t>(task.clusters);
+    // Minus the forces on the atoms of a cluster, of each row's atom in lanes of its own.
+    auto* const partial = static_cast<Real*>(task.partial_forces);
+    for (std::size_t k = 0; k < clusters * 3 * pieces<V>; ++k) {
         V(0).store(partial + k * V::lanes);
     }
-    // Minus the forces on the atoms of a cluster of the tile, of each row's atom in lanes of its own.
-    const auto others = [&](std::size_t entry) { return partial + (entry - first * stride) * width; };
-    const std::int32_t* entries = task.entries;
+    constexpr std::size_t axis = V::lanes * pieces<V>;
+    const std::int32_t* const entries = task.entries;
+    const auto place = [entries](std::size_t n) {
+        return static_cast<std::uint32_t>(entries[n / pieces<V>]) + n % pieces<V> * V::lanes;
+    };
     const std::uint32_t* row = task.starts;
-    for (std::size_t cluster = first; cluster < last; ++cluster) {
+    ForcesOfCluster forces;
+    for (std::size_t cluster = 0; cluster < own_clusters; ++cluster) {
         const std::size_t own = cluster * stride;
         const std::uint32_t first_atom = task.first_atoms[cluster];
         const int atoms = static_cast<int>(task.first_atoms[cluster + 1] - first_atom);
-        for (int k = 0; k < atoms; k += width, row += 2) {
+        forces.reset();
+        for (int k = 0; k < atoms; k += width, ++row) {
             if (width == 1 || k + width <= atoms) {
                 arithmetic.go_to(arithmetic.cluster(own) + k);
             } else {
@@ -256,29 +289,25 @@ template <class Arithmetic, bool with_energy, class Pair>
                 arithmetic.go_to(there);
             }
             Sums<V, with_energy> sum_of_row;
+            // The separations from the next cluster are on their way while the forces of one are worked out.
+            std::size_t n = row[0] * pieces<V>;
+            const std::size_t end = row[1] * pieces<V>;
+            std::size_t next_place = place(n);
+            Separation<V> next = arithmetic.separation(next_place);
             for (std::size_t p = 0; p < pieces<V>; ++p) {
-                Separation<V> d = arithmetic.separation(own + p * V::lanes);
+                const std::size_t now = own + p * V::lanes;
+                Separation<V> d = arithmetic.separation(now);
                 d.r2 += V::load_unaligned(aside.of_row[k / width] + p * V::lanes);
-                sum_of_row.add(pair, cutoff2, d);
+                sum_of_row.add(pair, cutoff2, d, V(1) / d.r2, partial + now * width);
             }
-            const std::uint32_t once_end = row[1];
-            const std::uint32_t end = row[2];
-            std::uint32_t e = row[0];
-            for (; e < once_end; ++e) {
-                const std::size_t entry = static_cast<std::uint32_t>(entries[e]);
-                for (std::size_t p = 0; p < pieces<V>; ++p) {
-                    sum_of_row.add_both(pair, cutoff2, arithmetic.separation(entry + p * V::lanes),
-                                        others(entry) + p * V::lanes);
-                }
+            while (n < end) {
+                const std::size_t now = next_place;
+                const Separation<V> d = next;
+                next_place = place(++n);
+                next = arithmetic.separation(next_place);
+                sum_of_row.add(pair, cutoff2, d, V(1) / d.r2, partial + now * width);
             }
-            for (; e < end; ++e) {
-                const std::size_t entry = static_cast<std::uint32_t>(entries[e]);
-                for (std::size_t p = 0; p < pieces<V>; ++p) {
-                    sum_of_row.add(pair, cutoff2, arithmetic.separation(entry + p * V::lanes));
-                }
-            }
-            write_forces<Arithmetic, 0>(arithmetic, sum_of_row, others(own) + k, atoms - k,
-                                        task.forces + 4 * (first_atom + static_cast<std::size_t>(k)));
+            forces.keep(k, sum_of_row);
             if constexpr (with_energy) {
                 total.energy += sum(sum_of_row.u);
                 total.virial[0] += sum(sum_of_row.xx);
@@ -289,6 +318,22 @@ template <class Arithmetic, bool with_energy, class Pair>
                 total.virial[5] += sum(sum_of_row.yz);
             }
         }
+        double force[3][slots];
+        for (std::size_t a = 0; a < 3; ++a) {
+            const Four f = (forces.along(static_cast<int>(a)) - from_others<V>(partial + own * width + a * axis)) *
+                           arithmetic.unit();
+            __builtin_memcpy(force[a], &f, sizeof f);
+        }
+        for (int k = 0; k < atoms; ++k) {
+            double* to = task.forces + 4 * (first_atom + static_cast<std::size_t>(k));
+            to[0] = force[0][k];
+            to[1] = force[1][k];
+            to[2] = force[2][k];
+        }
+    }
+    for (std::size_t n = 0; n < (clusters - own_clusters) * 3; ++n) {
+        const Four f = from_others<V>(partial + own_clusters * stride * width + n * axis) * -arithmetic.unit();
+        __builtin_memcpy(task.guest_forces + n * slots, &f, sizeof f);
     }
     if constexpr (with_energy) {
         sums->energy = total.energy;

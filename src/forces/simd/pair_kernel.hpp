@@ -12,27 +12,29 @@
 
 namespace ljmd {
 
-/// The atoms of a tile, whose forces are wanted, and their neighbours.
+/// The pairs of a tile: those among its atoms, and of these with its guests.
 struct PairKernelTask {
-    const void* positions;             ///< see ClusterPositions; double [sigma], for the mixed kernels std::int32_t
-                                       ///< in units of FixedPoint
-    double unit;                       ///< of the latter [sigma]
-    ClusterGrid::Run clusters;         ///< of the tile
-    const std::uint32_t* first_atoms;  ///< of every cluster, and one more
+    const void* positions;  ///< see TilePositions; double [sigma], for the mixed kernels std::int32_t in units of
+                            ///< FixedPoint
+    double unit;            ///< of the latter [sigma]
+    std::int32_t own_clusters;
+    std::int32_t clusters;             ///< with the guests
+    const std::uint32_t* first_atoms;  ///< of each of its own clusters, and one more
     const std::int32_t* entries;       ///< see VerletList::Tile
     const std::uint32_t* starts;       ///< see VerletList::Tile
     double cutoff2;                    ///< squared cutoff [sigma^2]
-    void* partial_forces;  ///< room for 12 atoms_per_row numbers a cluster of the tile; double, float if mixed
-    double* forces;        ///< x y z 0 of every atom [epsilon/sigma]
+    void* partial_forces;              ///< room for 12 atoms_per_row numbers a cluster; double, float if mixed
+    double* forces;                    ///< x y z 0 of every atom: forces on the tile's own [epsilon/sigma]
+    double* guest_forces;              ///< of each guest cluster the x of its four slots, y, z [epsilon/sigma]
 };
 
-/// Over the pairs of a task; every pair counts whole from each of its atoms in the tile.
+/// Over the pairs of a task, each once.
 struct PairKernelSums {
     double energy;                 ///< [epsilon]
     std::array<double, 6> virial;  ///< xx yy zz xy xz yz [epsilon]
 };
 
-/// Write the forces on the atoms of a task, and what they sum up to if `sums` is wanted.
+/// Write what the pairs of a task do to its atoms and its guests, and what they sum up to if `sums` is wanted.
 /// @param pair  a potential of the type that the kernel is compiled for
 using PairKernel = void (*)(const void* pair, const PairKernelTask& task, PairKernelSums* sums);
 

@@ -74,6 +74,21 @@ TEST_CASE("kernels give the same forces to the last bit with and without energy,
     }
 }
 
+TEST_CASE("kernels give the forces on guests to their owners, whatever tiles the box is cut into") {
+    const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
+    const State large = test::shaken_crystal(16, 0.8442, 0.1, 7);  // 16384 atoms, three tiles and more
+    const State small = test::shaken_crystal(3, 0.6, 0.1, 9);      // edges of 5.6, atoms that are guests of themselves
+    for (const State& fluid : {large, small}) {
+        const Evaluated expected = evaluated(potential, "cells", {}, fluid);
+        for (const SimdLevel level : usable_simd_levels()) {
+            CAPTURE(fluid.count(), name(level));
+            const Evaluated found = evaluated(potential, "verlet-list", {level}, fluid);
+            CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < 1e-13 * rms(expected.forces));
+            CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(1e-13));
+        }
+    }
+}
+
 TEST_CASE("kernels handle atoms without neighbours, and blocks that are not full") {
     const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
     for (const Index atoms : {1, 2, 63, 64, 65, 130}) {

@@ -23,42 +23,52 @@ TEST_CASE("list kernels of every SIMD level find the pairs of all-pairs, for any
     }
 }
 
-TEST_CASE("on a list stands every cluster with an atom in range, no other, and of the tile only later ones as once") {
+TEST_CASE("on a list stands every guest and every later cluster of the tile with an atom in range, and no other") {
     State state = test::random_state(900, cubic_box(900, 0.8442), 23);
     VerletList list(0.3);
     list.prepare_for(default_simd_level(), 1);
     list.prepare(state, 2.5);
     const ClusterGrid& grid = list.clusters();
     const auto r = static_cast<const State&>(state).positions();
-    const auto nearest = [&](Index i, Index cluster) {
-        const ClusterGrid::Members members = grid.members(cluster);
-        double d = 1e9;
-        for (Index j = members.first; j < members.first + members.count; ++j) {
-            d = std::min(d, (r.col(i) - r.col(j) - members.shift).norm());
-        }
-        return d;
+    struct Members {
+        AtomRange atoms;
+        Vec3 shift;
     };
     Index lists = 0;
     bool right = true;
     for (std::size_t t = 0; t < list.tiles().size(); ++t) {
-        const auto& [entries, starts] = list.tiles()[t];
-        const ClusterGrid::Run of_tile = grid.tiles()[t];
-        const std::uint32_t* row = starts.data();
-        for (Index own = of_tile.first; own < of_tile.last; ++own) {
-            const ClusterGrid::Members atoms = grid.members(own);
-            for (Index i = atoms.first; i < atoms.first + atoms.count; ++i, row += 2, ++lists) {
-                std::vector<int> times(static_cast<std::size_t>(grid.with_images()));
-                for (std::uint32_t e = row[0]; e < row[2]; ++e) {
-                    const Index cluster = entries[e] / 12;
-                    const bool later = cluster > own && cluster < of_tile.last;
-                    right = right && entries[e] % 12 == 0 && (e < row[1]) == later;
-                    ++times[static_cast<std::size_t>(cluster)];
+        const VerletList::Tile& tile = list.tiles()[t];
+        std::vector<Members> clusters;
+        for (Index own = grid.tiles()[t].first; own < grid.tiles()[t].last; ++own) {
+            clusters.push_back({grid.atoms_of_cluster(own), Vec3::Zero()});
+        }
+        const auto own_count = static_cast<Index>(clusters.size());
+        for (const ClusterGrid::Guests& guests : tile.guests) {
+            for (Index guest = guests.of.first; guest < guests.of.last; ++guest) {
+                clusters.push_back({grid.atoms_of_cluster(guest), guests.shift});
+            }
+        }
+        REQUIRE(static_cast<std::int32_t>(clusters.size()) == tile.cluster_count);
+        const auto nearest = [&](Index i, const Members& members) {
+            double d = 1e9;
+            for (Index j = members.atoms.first; j < members.atoms.last; ++j) {
+                d = std::min(d, (r.col(i) - r.col(j) - members.shift).norm());
+            }
+            return d;
+        };
+        const std::uint32_t* row = tile.starts.data();
+        for (Index own = 0; own < own_count; ++own) {
+            const AtomRange atoms = clusters[static_cast<std::size_t>(own)].atoms;
+            for (Index i = atoms.first; i < atoms.last; ++i, ++row, ++lists) {
+                std::vector<int> times(clusters.size());
+                for (std::uint32_t e = row[0]; e < row[1]; ++e) {
+                    right = right && tile.entries[e] % 12 == 0;
+                    ++times.at(static_cast<std::size_t>(tile.entries[e] / 12));
                 }
-                for (Index cluster = 0; cluster < grid.with_images(); ++cluster) {
-                    const bool before = cluster >= of_tile.first && cluster <= own;
-                    const double d = nearest(i, cluster);
+                for (Index cluster = 0; cluster < tile.cluster_count; ++cluster) {
+                    const double d = nearest(i, clusters[static_cast<std::size_t>(cluster)]);
                     if (std::abs(d - 2.8) > 1e-6) {  // the kernel computes in single precision
-                        right = right && times[static_cast<std::size_t>(cluster)] == (!before && d < 2.8 ? 1 : 0);
+                        right = right && times[static_cast<std::size_t>(cluster)] == (cluster > own && d < 2.8 ? 1 : 0);
                     }
                 }
             }

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <type_traits>
+
+#include "ljmd/core/aligned_vector.hpp"
+#include "ljmd/model/state.hpp"
+#include "ljmd/neighbors/cluster_grid.hpp"
+
+namespace ljmd {
+
+/// Positions of a tile's clusters and its guests as kernels load them: of cluster c the x of its four slots from place
+/// 12 c on, then y, then z.
+/// @tparam T  double, or std::int32_t for units of FixedPoint
+template <class T>
+class TilePositions {
+  public:
+    /// @param count     of clusters, guests included
+    /// @param place     T(x, axis)
+    /// @param distance  T(dx) of whole edges; what images are shifted by
+    /// @param far       for slots without an atom
+    template <class Place, class Distance>
+    void update(const ClusterGrid& grid, const ClusterGrid::Run& own, std::span<const ClusterGrid::Guests> guests,
+                Index count, const State& state, Place&& place, Distance&& distance, T far);
+
+    [[nodiscard]] const T* data() const { return positions_.data(); }
+
+  private:
+    /// Sums may leave the range of integers.
+    static T sum(T a, T b) {
+        if constexpr (std::is_integral_v<T>) {
+            using Unsigned = std::make_unsigned_t<T>;
+            return static_cast<T>(static_cast<Unsigned>(a) + static_cast<Unsigned>(b));
+        } else {
+            return a + b;
+        }
+    }
+
+    AlignedVector<T> positions_;
+};
+
+template <class T>
+template <class Place, class Distance>
+void TilePositions<T>::update(const ClusterGrid& grid, const ClusterGrid::Run& own,
+                              std::span<const ClusterGrid::Guests> guests, Index count, const State& state,
+                              Place&& place, Distance&& distance, T far) {
+    constexpr Index slots = ClusterGrid::slots;
+    constexpr Index stride = 3 * slots;
+    positions_.resize(std::max(positions_.size(), static_cast<std::size_t>(count * stride)));
+    const double* r = state.positions().data();
+    const auto first_atoms = grid.first_atoms();
+    const auto copy = [&](const ClusterGrid::Run& clusters, T* to, T dx, T dy, T dz) {
+        for (auto c = static_cast<std::size_t>(clusters.first); c < static_cast<std::size_t>(clusters.last);
+             ++c, to += stride) {
+            const double* from = r + 4 * Index{first_atoms[c]};
+            const auto copy_atom = [&](Index k) {
+                to[k] = sum(place(from[4 * k], 0), dx);
+                to[slots + k] = sum(place(from[4 * k + 1], 1), dy);
+                to[2 * slots + k] = sum(place(from[4 * k + 2], 2), dz);
+            };
+            const auto atoms = static_cast<Index>(first_atoms[c + 1] - first_atoms[c]);
+            if (atoms == slots) {  // nearly always; and the compiler knows how many there are
+                for (Index k = 0; k < slots; ++k) {
+                    copy_atom(k);
+                }
+            } else {
+                for (Index k = 0; k < atoms; ++k) {
+                    copy_atom(k);
+                }
+                for (Index k = atoms; k < slots; ++k) {
+                    to[k] = to[slots + k] = to[2 * slots + k] = far;
+                }
+            }
+        }
+    };
+    copy(own, positions_.data(), T{}, T{}, T{});
+    for (const ClusterGrid::Guests& run : guests) {
+        copy(run.of, positions_.data() + run.first * stride, distance(run.shift[0]), distance(run.shift[1]),
+             distance(run.shift[2]));
+    }
+}
+
+}  // namespace ljmd
