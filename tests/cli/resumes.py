@@ -3,6 +3,7 @@
 import fcntl
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -243,7 +244,8 @@ def refused(change, code, *arguments):
         result = t.expect(code, t.run("resume", "out", *arguments))
         t.equal(result.out, "", "stdout")
         t.equal(snapshot(t.dir), before, "files")
-        t.golden(result.err)
+        # The length of a row goes with the last digits of its numbers, which differ from processor to processor.
+        t.golden(re.sub(r"(but had )\d+", r"\1...", result.err))
     return test
 
 
