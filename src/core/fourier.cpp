@@ -1,0 +1,130 @@
+#include "ljmd/core/fourier.hpp"
+
+#include <fftw3.h>
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace detail {
+
+struct FourierPlan {
+    fftw_plan plan;
+};
+
+void DestroyFourierPlan::operator()(FourierPlan* plan) const {
+    fftw_destroy_plan(plan->plan);
+    delete plan;
+}
+
+}  // namespace detail
+
+namespace {
+
+using Complex = std::complex<double>;
+
+fftw_complex* fftw(AlignedVector<Complex>& values) {
+    return reinterpret_cast<fftw_complex*>(values.data());
+}
+
+/// Plans are made for arrays that are thrown away again: FFTW wants to see how arrays are aligned, not what is in them.
+detail::OwnedFourierPlan owned(fftw_plan plan) {
+    if (plan == nullptr) {
+        throw ContractViolation("FFTW has no transform of that kind");
+    }
+    return detail::OwnedFourierPlan(new detail::FourierPlan{plan});
+}
+
+int even_length(Index n) {
+    if (n < 2 || n % 2 != 0 || n > std::numeric_limits<int>::max()) {
+        throw ContractViolation(fmt::format("a transform of real numbers needs an even length, not {}", n));
+    }
+    return static_cast<int>(n);
+}
+
+int at_least(Index least, Index n) {
+    if (n < least || n > std::numeric_limits<int>::max()) {
+        throw ContractViolation(fmt::format("a transform needs a length of at least {}, not {}", least, n));
+    }
+    return static_cast<int>(n);
+}
+
+detail::OwnedFourierPlan real_to_real(int n, fftw_r2r_kind kind) {
+    AlignedVector<double> in(static_cast<std::size_t>(n));
+    AlignedVector<double> out(static_cast<std::size_t>(n));
+    return owned(fftw_plan_r2r_1d(n, in.data(), out.data(), kind, FFTW_ESTIMATE));
+}
+
+}  // namespace
+
+Index fast_length(Index n) {
+    if (n < 1) {
+        throw ContractViolation(fmt::format("a transform needs a length of at least 1, not {}", n));
+    }
+    const auto is_fast = [](Index length) {
+        for (const Index prime : {2, 3, 5, 7}) {
+            while (length % prime == 0) {
+                length /= prime;
+            }
+        }
+        return length == 1;
+    };
+    Index length = n + n % 2;
+    while (!is_fast(length)) {
+        length += 2;
+    }
+    return length;
+}
+
+RealTransform::RealTransform(Index n, Index batch) : length_(n) {
+    const int length = even_length(n);
+    const int count = at_least(1, batch);
+    AlignedVector<double> in(static_cast<std::size_t>(n * batch));
+    AlignedVector<Complex> out(static_cast<std::size_t>((n / 2 + 1) * batch));
+    plan_ = owned(fftw_plan_many_dft_r2c(1, &length, count, in.data(), nullptr, 1, length, fftw(out), nullptr, 1,
+                                         length / 2 + 1, FFTW_ESTIMATE));
+}
+
+void RealTransform::operator()(AlignedVector<double>& x, AlignedVector<Complex>& transformed) const {
+    fftw_execute_dft_r2c(plan_->plan, x.data(), fftw(transformed));
+}
+
+InverseRealTransform::InverseRealTransform(Index n) {
+    const int length = even_length(n);
+    AlignedVector<Complex> in(static_cast<std::size_t>(n / 2 + 1));
+    AlignedVector<double> out(static_cast<std::size_t>(n));
+    plan_ = owned(fftw_plan_dft_c2r_1d(length, fftw(in), out.data(), FFTW_ESTIMATE));
+}
+
+void InverseRealTransform::operator()(AlignedVector<Complex>& transformed, AlignedVector<double>& x) const {
+    fftw_execute_dft_c2r(plan_->plan, fftw(transformed), x.data());
+}
+
+GridTransform::GridTransform(const std::array<Index, 3>& lengths) {
+    const std::array<int, 3> n{even_length(lengths[0]), even_length(lengths[1]), even_length(lengths[2])};
+    const Index lines = lengths[0] * lengths[1];
+    AlignedVector<double> in(static_cast<std::size_t>(lines * lengths[2]));
+    AlignedVector<Complex> out(static_cast<std::size_t>(lines * (lengths[2] / 2 + 1)));
+    plan_ = owned(fftw_plan_dft_r2c(3, n.data(), in.data(), fftw(out), FFTW_ESTIMATE));
+}
+
+void GridTransform::operator()(AlignedVector<double>& x, AlignedVector<Complex>& transformed) const {
+    fftw_execute_dft_r2c(plan_->plan, x.data(), fftw(transformed));
+}
+
+SineTransform::SineTransform(Index n) : plan_(real_to_real(at_least(1, n), FFTW_RODFT10)) {}
+
+void SineTransform::operator()(AlignedVector<double>& x, AlignedVector<double>& transformed) const {
+    fftw_execute_r2r(plan_->plan, x.data(), transformed.data());
+}
+
+CosineTransform::CosineTransform(Index n) : plan_(real_to_real(at_least(2, n), FFTW_REDFT00)) {}
+
+void CosineTransform::operator()(AlignedVector<double>& x, AlignedVector<double>& transformed) const {
+    fftw_execute_r2r(plan_->plan, x.data(), transformed.data());
+}
+
+}  // namespace ljmd
