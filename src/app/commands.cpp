@@ -60,7 +60,7 @@ Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& d
     Start start = find_start(deck);
     set_thread_count(options.threads > 0 ? options.threads : default_thread_count());
     if (start.configuration) {  // only now is the box known
-        check_box(deck.root, start.box, diagnostics);
+        check_box(deck.root, start.atoms, start.box, diagnostics);
         diagnostics.throw_if_errors();
     }
     if (!options.quiet) {
@@ -100,7 +100,7 @@ Exportable end_of_run(const DeckOptions& options, Diagnostics& diagnostics) {
     const Deck deck = recorded_deck(options.deck, options.settings, diagnostics);
     refuse_bodies(deck);
     State state = last_configuration(options.deck, deck);
-    check_box(deck.root, state.box(), diagnostics);
+    check_box(deck.root, state.count(), state.box(), diagnostics);
     diagnostics.throw_if_errors();
     return {deck, std::move(state)};
 }

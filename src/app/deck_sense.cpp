@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/stage_sense.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/observables/analysis.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
 namespace ljmd {
@@ -206,8 +206,8 @@ void check_output(const Section& output, bool has_units, Diagnostics& diagnostic
     }
 }
 
-/// The box of a lattice start; nothing when the deck is too wrong to tell.
-std::optional<Box> lattice_box(const Section& system) {
+/// Number of atoms of a lattice start; nothing when the deck is too wrong to tell, also of the box.
+std::optional<Index> lattice_start(const Section& system) {
     if (!given(system, "lattice") || !given(system, "density")) {
         return std::nullopt;
     }
@@ -225,7 +225,7 @@ std::optional<Box> lattice_box(const Section& system) {
     if (type != "random" && near.below != near.above) {
         return std::nullopt;
     }
-    return cubic_box(atoms, system.number("density"));
+    return atoms;
 }
 
 }  // namespace
@@ -244,12 +244,12 @@ void check_sense(const Section& root, bool has_units, bool force, Diagnostics& d
     }
     check_stages(root.sections("stage"), force, diagnostics);
     check_output(root.section("output"), has_units, diagnostics);
-    if (const auto box = root.sound("system") ? lattice_box(system) : std::nullopt) {
-        check_box(root, *box, diagnostics);
+    if (const auto atoms = root.sound("system") ? lattice_start(system) : std::nullopt) {
+        check_box(root, *atoms, cubic_box(*atoms, system.number("density")), diagnostics);
     }
 }
 
-void check_box(const Section& root, const Box& box, Diagnostics& diagnostics) {
+void check_box(const Section& root, Index atoms, const Box& box, Diagnostics& diagnostics) {
     const Section& potential = root.section("potential");
     const double largest = 0.5 * box.shortest_edge();
     if (given(potential, "cutoff") && potential.number("cutoff") > largest) {
@@ -260,16 +260,8 @@ void check_box(const Section& root, const Box& box, Diagnostics& diagnostics) {
             fmt::format("largest allowed: {}{}", largest,
                         potential.number("cutoff") > unlikely_cutoff ? fmt::format("; {}", angstrom_hint) : ""));
     }
-    const Section& analysis = root.section("analysis");
-    for (const auto& method : all_analyses()) {
-        if (analysis.has(method.name)) {
-            const Section& section = analysis.section(method.name);
-            for (const auto& [key, message] : method.check(section, box)) {
-                if (section.sound(key)) {
-                    diagnostics.error(section.location(key), message);
-                }
-            }
-        }
+    if (!root.sections("stage").empty()) {
+        check_analysis(root, sampled_run(root, atoms, box), diagnostics);
     }
 }
 

@@ -34,6 +34,15 @@ std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<Su
     if (reduced == "epsilon/sigma^3") {
         return SiUnit{units->bar(), "bar"};
     }
+    if (reduced == "k_B") {
+        return SiUnit{1e3 * units->kilojoule_per_mole() / units->kelvin(), "J/(mol K)"};
+    }
+    if (reduced == "sigma^2/tau") {
+        return SiUnit{1e3 * units->nanometre() * units->nanometre() / units->picosecond(), "1e-9 m^2/s"};
+    }
+    if (reduced == "epsilon tau/sigma^3") {
+        return SiUnit{1e-4 * units->bar() * units->picosecond(), "mPa s"};
+    }
     return std::nullopt;
 }
 
@@ -72,11 +81,11 @@ std::string with_error(double mean, double error) {
 
 std::string table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
     if (!average.estimate) {
-        return fmt::format("  {:<24}{:<6}not defined\n", average.name, average.symbol);
+        return fmt::format("  {:<26}{:<6}not defined\n", average.name, average.symbol);
     }
     const Estimate& e = *average.estimate;
     std::string line = fmt::format(
-        "  {:<24}{:<6}{:>22}  {:<16}{:>8}", average.name, average.symbol, with_error(e.mean, e.standard_error),
+        "  {:<26}{:<6}{:>22}  {:<20}{:>8}", average.name, average.symbol, with_error(e.mean, e.standard_error),
         average.unit, std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-");
     if (const auto si = si_unit(average.unit, units)) {
         line += fmt::format("{:>26} {}", with_error(e.mean * si->factor, e.standard_error * si->factor), si->name);
@@ -87,9 +96,7 @@ std::string table_line(const ObservableAverage& average, const std::optional<Sub
 }  // namespace
 
 bool is_in_table(const std::string& observable) {
-    constexpr std::array<std::string_view, 6> names{"temperature",  "potential_energy", "kinetic_energy",
-                                                    "total_energy", "pressure",         "compressibility_factor"};
-    return std::find(names.begin(), names.end(), observable) != names.end();
+    return !observable.starts_with("pressure_") && observable != "virial";
 }
 
 std::string results_json(const Deck& deck, const RunResult& result) {
@@ -127,7 +134,7 @@ std::string results_table(const Deck& deck, const RunResult& result) {
     }
     text +=
         fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
-    text += fmt::format("  {:<24}{:<6}{:>22}  {:<16}{:>8}{:>26}\n", "observable", "", "mean +- standard error", "unit",
+    text += fmt::format("  {:<26}{:<6}{:>22}  {:<20}{:>8}{:>26}\n", "observable", "", "mean +- standard error", "unit",
                         "samples*", deck.units ? "SI" : "");
     for (const ObservableAverage& average : result.averages) {
         if (is_in_table(average.name)) {
@@ -141,14 +148,29 @@ std::string results_table(const Deck& deck, const RunResult& result) {
 }
 
 DataTable with_si_columns(DataTable table, const std::optional<SubstanceUnits>& units) {
-    const auto r = std::find(table.columns.begin(), table.columns.end(), "r");
-    if (!units || r == table.columns.end()) {
+    if (!units) {
         return table;
     }
-    const auto column = static_cast<std::size_t>(r - table.columns.begin());
-    table.columns.emplace_back("r_nm");
-    for (auto& row : table.rows) {
-        row.push_back(row[column] * units->nanometre());
+    struct SiColumn {
+        std::string_view column;
+        std::string_view suffix;
+        double factor;
+    };
+    const std::array<SiColumn, 4> known{{{"r", "_nm", units->nanometre()},
+                                         {"time", "_ps", units->picosecond()},
+                                         {"k", "_per_nm", 1.0 / units->nanometre()},
+                                         {"msd", "_nm2", units->nanometre() * units->nanometre()}}};
+    const std::vector<std::string> reduced = table.columns;
+    for (const SiColumn& si : known) {
+        const auto found = std::ranges::find(reduced, si.column);
+        if (found == reduced.end()) {
+            continue;
+        }
+        const auto column = static_cast<std::size_t>(found - reduced.begin());
+        table.columns.push_back(fmt::format("{}{}", si.column, si.suffix));
+        for (auto& row : table.rows) {
+            row.push_back(row[column] * si.factor);
+        }
     }
     return table;
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ljmd/app/checksum.hpp"
 #include "ljmd/app/results.hpp"
@@ -12,6 +14,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/observables/finite_size.hpp"
 #include "ljmd/observables/linear_trend.hpp"
 
 namespace ljmd {
@@ -27,6 +30,13 @@ constexpr double few_samples = 16.0;
 /// Steps between looks at the atoms' speeds; looking costs a hundredth of a step.
 constexpr Index steps_between_looks = 10;
 
+/// Samples of several stages, or of one with a thermostat, do not fluctuate as those of one at constant energy.
+bool is_sampled_at_constant_energy(const Deck& deck) {
+    const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
+    return std::ranges::count_if(deck.stages, sampled) == 1 &&
+           !std::ranges::find_if(deck.stages, sampled)->section.has("thermostat");
+}
+
 /// One run of a fluid: samples and writes what the time loop goes through.
 class FluidRun : private StepObserver {
   public:
@@ -36,7 +46,7 @@ class FluidRun : private StepObserver {
           listener_(listener),
           thermo_every_(deck.thermo_every),
           checkpoints_(deck, control.walltime, control.resumed ? control.resumed->point.file.generation : 0),
-          averages_(simulation.state.count(), density()) {
+          averages_(simulation.state.count(), density(), is_sampled_at_constant_energy(deck)) {
         std::optional<ResumedOutputs> outputs;
         if (control.resumed) {
             const ResumePoint& point = control.resumed->point;
@@ -89,6 +99,7 @@ class FluidRun : private StepObserver {
     }
 
     void begin_to_watch(const Stage& stage) {
+        sampling_ = stage.sample;
         watch_.emplace(stage.time_step, !stage.section.has("thermostat"), simulation_.force_field.potential());
     }
 
@@ -103,7 +114,7 @@ class FluidRun : private StepObserver {
         search_before_ = simulation_.force_field.search_statistics();
         if (deck_.total_steps() == 0) {
             averages_.add(row);
-            sample_analyses(true);
+            sample_analyses(evaluation, true);
         }
     }
 
@@ -127,10 +138,10 @@ class FluidRun : private StepObserver {
         seconds_.write += watch.lap();
     }
 
-    void sample_analyses(bool always) {
+    void sample_analyses(const Evaluation& evaluation, bool always) {
         for (const auto& analysis : simulation_.analyses) {
             if (always || analysis->due(simulation_.state.step)) {
-                analysis->sample(simulation_.state);
+                analysis->sample(simulation_.state, evaluation);
             }
         }
     }
@@ -143,6 +154,9 @@ class FluidRun : private StepObserver {
             order_at_sampling_ = order();
         }
         begin_to_watch(stage);
+        for (const auto& analysis : simulation_.analyses) {
+            analysis->interrupt();
+        }
         drift_ = {};
         stages_.push_back({stage.name,
                            stage.integrator,
@@ -157,7 +171,15 @@ class FluidRun : private StepObserver {
                            {}});
     }
 
-    [[nodiscard]] bool wants_energy(Index step) const override { return thermo_every_.due(step); }
+    [[nodiscard]] bool wants_energy(Index step) const override {
+        return thermo_every_.due(step) || (sampling_ && energy_is_needed(step));
+    }
+
+    [[nodiscard]] bool energy_is_needed(Index step) const {
+        return std::ranges::any_of(simulation_.analyses, [step](const auto& analysis) {
+            return analysis->needs_energy() && analysis->due(step);
+        });
+    }
 
     void moved(Index step_of_stage) override {
         if (step_of_stage % steps_between_looks == 0) {
@@ -167,7 +189,7 @@ class FluidRun : private StepObserver {
 
     void step_done(const Stage& stage, const Evaluation& evaluation) override {
         const State& state = simulation_.state;
-        if (wants_energy(state.step)) {
+        if (thermo_every_.due(state.step)) {
             const Thermodynamics row = thermodynamics_of(evaluation);
             write_thermo(row);
             watch_->check_energy(row);
@@ -177,7 +199,7 @@ class FluidRun : private StepObserver {
             }
         }
         if (stage.sample) {
-            sample_analyses(false);
+            sample_analyses(evaluation, false);
         }
         if (files_->frame_is_due(state)) {
             Stopwatch watch;
@@ -220,9 +242,11 @@ class FluidRun : private StepObserver {
                          first_,
                          last_};
         for (const auto& analysis : simulation_.analyses) {
-            if (analysis->samples() > 0) {
-                result.tables.push_back(analysis->result());
-            }
+            std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
+            std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
+        }
+        if (const auto infinite = diffusion_in_infinite_system(result.averages, state.box())) {
+            result.averages.push_back(*infinite);
         }
         result.warnings = doubts(result);
         for (const std::string& warning : result.warnings) {
@@ -278,6 +302,7 @@ class FluidRun : private StepObserver {
     RunAverages averages_;
     std::optional<double> order_at_sampling_;
     std::optional<StabilityWatch> watch_;  ///< of the stage that is running
+    bool sampling_ = false;                ///< in it
     Thermodynamics first_;
     Thermodynamics last_;
     LinearTrend drift_;  ///< of the total energy in it

@@ -29,10 +29,10 @@ Index steps_until(const LoopPosition& position, const Deck& deck) {
     return steps;
 }
 
-bool is_possible_box(const Deck& deck, const Vec3& edges) {
+bool is_possible_box(const Deck& deck, Index atoms, const Vec3& edges) {
     try {
         Diagnostics diagnostics;
-        check_box(deck.root, Box(edges), diagnostics);
+        check_box(deck.root, atoms, Box(edges), diagnostics);
         return !diagnostics.has_errors();
     } catch (const ContractViolation&) {  // no box has these edges
         return false;
@@ -52,7 +52,7 @@ std::string impossible(const CheckpointHead& head, const Deck& deck, std::size_t
     if (head.atoms < 1 || head.atoms > static_cast<Index>(bytes) / bytes_per_atom) {
         return "has fewer atoms than it says";
     }
-    if (deck.kind == DeckKind::fluid && !is_possible_box(deck, head.edges)) {
+    if (deck.kind == DeckKind::fluid && !is_possible_box(deck, head.atoms, head.edges)) {
         return "has a box that the deck cannot have";
     }
     if (head.outputs.thermo < 0 || head.outputs.trajectory.bytes < 0) {

@@ -29,7 +29,9 @@ std::vector<std::string> output_names() {
         names.push_back(name);
     }
     for (const auto& method : all_analyses()) {
-        names.push_back(method.name + ".csv");
+        for (const std::string& file : method.files) {
+            names.push_back(file + ".csv");
+        }
     }
     for (const auto& method : all_few_body_analyses()) {
         names.push_back(method.name + ".csv");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ljmd/app/sampled_run.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/relaxation.hpp"
 #include "ljmd/io/configuration_reader.hpp"
@@ -143,9 +144,11 @@ Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box) {
         simulation.order.emplace(lattice_type(lattice), lattice_cells(lattice));
     }
     const Section& analysis = deck.root.section("analysis");
+    SampledRun run = sampled_run(deck.root, atoms, box);
+    run.interaction = {simulation.force_field.potential(), simulation.tail};
     for (const auto& method : all_analyses()) {
         if (analysis.has(method.name)) {
-            simulation.analyses.push_back(method.make(analysis.section(method.name), simulation.state));
+            simulation.analyses.push_back(method.make(analysis.section(method.name), run));
         }
     }
     return simulation;

@@ -33,11 +33,11 @@ class Side {
         series_.add(row);
     }
 
-    void add(const State& state) { rdf_.sample(state); }
+    void add(const State& state) { rdf_.sample(state, {}); }
 
     [[nodiscard]] EnsembleAverages averages() const {
         return {{series_.estimate(0), series_.estimate(1), series_.estimate(2)},
-                rdf_.samples() > 0 ? rdf_.result() : DataTable{},
+                rdf_.samples() > 0 ? rdf_.tables().front() : DataTable{},
                 rdf_.samples()};
     }
 

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/core/threads.hpp"
+#include "ljmd/observables/pair_histogram.hpp"
 
 namespace ljmd {
 
 namespace {
 
-/// Each block counts into a histogram of its own: enough blocks for many threads, few enough for long histograms.
-constexpr Index most_blocks = 64;
-using Histogram = Eigen::Matrix<Index, Eigen::Dynamic, 1>;
+/// g - 1 is transformed as zero up to so many times R: wave numbers lie that much closer.
+constexpr Index padding = 4;
+
+constexpr double smoothing = 0.1;  // [sigma], to each side
 
 double sphere(double r) {
     return 4.0 / 3.0 * std::numbers::pi * r * r * r;
@@ -21,55 +22,89 @@ double sphere(double r) {
 }  // namespace
 
 RadialDistribution::RadialDistribution(Index bins, double radius, Every every)
-    : bins_(bins), radius_(radius), every_(every), histogram_(bins, Covariance::diagonal) {}
+    : bins_(bins), radius_(radius), every_(every), sines_(padding * bins), means_(3 * bins, Covariance::diagonal) {}
 
-void RadialDistribution::sample(const State& state) {
-    // The search sorts and wraps atoms, which must not happen to the running state.
-    State scratch(state.count(), state.box());
-    scratch.write_positions() = state.positions();
-    search_.prepare(scratch, radius_);
-
-    const double per_length = static_cast<double>(bins_) / radius_;
-    const auto count_pairs = [&](Index first, Index last) {
-        Histogram counts = Histogram::Zero(bins_);
-        for (Index part = first; part < last; ++part) {
-            search_.for_each_candidate(scratch, part, [&](const PairVisit& pair) {
-                const double r2 = pair.dx * pair.dx + pair.dy * pair.dy + pair.dz * pair.dz;
-                if (r2 < radius_ * radius_) {
-                    ++counts[std::min(static_cast<Index>(std::sqrt(r2) * per_length), bins_ - 1)];
-                }
-            });
-        }
-        return counts;
-    };
-    const Index parts = search_.part_count(scratch);
-    const Histogram counts = join_blocks(parts, std::max((parts + most_blocks - 1) / most_blocks, Index{1}),
-                                         Histogram(Histogram::Zero(bins_)), count_pairs,
-                                         [](Histogram& sum, const Histogram& block) { sum += block; });
-
-    Eigen::VectorXd pairs = counts.cast<double>();
-    atoms_ = state.count();
-    ideal_pairs_per_volume_ = static_cast<double>(atoms_) * static_cast<double>(atoms_ - 1) / state.box().volume();
-    const double width = radius_ / static_cast<double>(bins_);
-    for (Index k = 0; k < bins_; ++k) {
-        const double shell = sphere(width * static_cast<double>(k + 1)) - sphere(width * static_cast<double>(k));
-        pairs[k] = ideal_pairs_per_volume_ > 0.0 ? pairs[k] / (shell * ideal_pairs_per_volume_) : 0.0;
-    }
-    histogram_.add(pairs);
+double RadialDistribution::wave_number(Index m) const {
+    return std::numbers::pi * static_cast<double>(m) / (static_cast<double>(padding) * radius_);
 }
 
-DataTable RadialDistribution::result() const {
-    DataTable table{"rdf", {"r", "g", "g_standard_error", "coordination_number"}, {}};
-    const double width = radius_ / static_cast<double>(bins_);
-    double neighbors = 0.0;
+Eigen::VectorXd RadialDistribution::structure_factor(const Eigen::VectorXd& g, double density) const {
+    AlignedVector<double> h(static_cast<std::size_t>(padding * bins_));
+    AlignedVector<double> transformed(h.size());
     for (Index k = 0; k < bins_; ++k) {
-        const Estimate g = histogram_.estimate(k);
-        const double inner = width * static_cast<double>(k);
-        const double shell = sphere(inner + width) - sphere(inner);
-        neighbors += g.mean * shell * ideal_pairs_per_volume_ / static_cast<double>(atoms_);
-        table.rows.push_back({inner + 0.5 * width, g.mean, g.standard_error, neighbors});
+        h[static_cast<std::size_t>(k)] = width() * (static_cast<double>(k) + 0.5) * (g[k] - 1.0);
     }
-    return table;
+    sines_(h, transformed);
+    Eigen::VectorXd s(bins_);
+    for (Index m = 1; m <= bins_; ++m) {
+        const double integral = 0.5 * width() * transformed[static_cast<std::size_t>(m - 1)];
+        s[m - 1] = 1.0 + 4.0 * std::numbers::pi * density * integral / wave_number(m);
+    }
+    return s;
+}
+
+void RadialDistribution::sample(const State& state, const Evaluation& /*evaluation*/) {
+    const std::vector<Index> counts = pair_histogram(state, radius_, bins_);
+    const auto atoms = static_cast<double>(state.count());
+    const double volume = state.box().volume();
+    const double ideal_pairs_per_volume = atoms * (atoms - 1.0) / volume;
+    Eigen::VectorXd g(bins_);
+    Eigen::VectorXd coordination(bins_);
+    double pairs = 0.0;
+    for (Index k = 0; k < bins_; ++k) {
+        const auto count = 2.0 * static_cast<double>(counts[static_cast<std::size_t>(k)]);  // ordered pairs
+        const double inner = width() * static_cast<double>(k);
+        const double shell = sphere(inner + width()) - sphere(inner);
+        g[k] = ideal_pairs_per_volume > 0.0 ? count / (shell * ideal_pairs_per_volume) : 0.0;
+        pairs += count;
+        coordination[k] = pairs / atoms;
+    }
+    Eigen::VectorXd found(means_.width());
+    found << g, coordination, structure_factor(g, atoms / volume);
+    means_.add(found);
+}
+
+std::vector<DataTable> RadialDistribution::tables() const {
+    if (samples() == 0) {
+        return {};
+    }
+    DataTable rdf{
+        "rdf", {"r", "g", "g_standard_error", "coordination_number", "coordination_number_standard_error"}, {}};
+    DataTable sk{"sk_from_rdf", {"k", "S", "S_standard_error"}, {}};
+    for (Index k = 0; k < bins_; ++k) {
+        const Estimate g = means_.estimate(k);
+        const Estimate neighbors = means_.estimate(bins_ + k);
+        const Estimate s = means_.estimate(2 * bins_ + k);
+        rdf.rows.push_back({width() * (static_cast<double>(k) + 0.5), g.mean, g.standard_error, neighbors.mean,
+                            neighbors.standard_error});
+        sk.rows.push_back({wave_number(k + 1), s.mean, s.standard_error});
+    }
+    return {rdf, sk};
+}
+
+std::vector<ObservableAverage> RadialDistribution::observables() const {
+    if (samples() == 0) {
+        return {};
+    }
+    const Eigen::VectorXd g = means_.mean().head(bins_);
+    Index peak = 0;
+    g.maxCoeff(&peak);
+    const Index twice = 2 * peak + 1;  // the bin that holds twice the middle of the peak's
+    // Around its minimum g is flat: of single bins the lowest would be one of many, by chance.
+    const auto reach = static_cast<Index>(smoothing / width());
+    if (g[peak] == 0.0 || twice + reach >= bins_) {
+        return {};
+    }
+    Index minimum = peak;
+    double lowest = g[peak];
+    for (Index k = peak + 1; k <= twice; ++k) {
+        const double smooth = g.segment(std::max(k - reach, Index{0}), 2 * reach + 1).mean();
+        if (smooth < lowest) {
+            lowest = smooth;
+            minimum = k;
+        }
+    }
+    return {{"coordination_number", "n_c", "1", means_.estimate(bins_ + minimum)}};
 }
 
 }  // namespace ljmd

@@ -29,18 +29,24 @@ constexpr std::array<Column, 12> columns{{{"temperature", "T", "epsilon/k_B"},
                                           {"pressure_yz", "p_yz", "epsilon/sigma^3"},
                                           {"virial", "W", "epsilon"}}};
 
+/// Behind the columns that are reported: T^2.
+constexpr auto squared_temperature_column = static_cast<Index>(columns.size());
+
 }  // namespace
 
-RunAverages::RunAverages(Index atoms, double density)
-    : density_(density),
-      has_temperature_(degrees_of_freedom(atoms) > 0),
-      series_(static_cast<Index>(columns.size()), Covariance::full) {}
+RunAverages::RunAverages(Index atoms, double density, bool constant_energy)
+    : atoms_(static_cast<double>(atoms)),
+      density_(density),
+      degrees_of_freedom_(static_cast<double>(degrees_of_freedom(atoms))),
+      constant_energy_(constant_energy),
+      series_(squared_temperature_column + 1, Covariance::full) {}
 
 void RunAverages::add(const Thermodynamics& s) {
     const Mat3& p = s.pressure_tensor;
-    Eigen::VectorXd row(static_cast<Index>(columns.size()));
-    row << s.temperature.value_or(0.0), s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure, p(0, 0),
-        p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial;
+    const double t = s.temperature.value_or(0.0);
+    Eigen::VectorXd row(series_.width());
+    row << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure, p(0, 0), p(1, 1), p(2, 2), p(0, 1),
+        p(0, 2), p(1, 2), s.virial, t * t;
     series_.add(row);
 }
 
@@ -48,7 +54,7 @@ std::optional<Estimate> RunAverages::compressibility_factor() const {
     const Eigen::VectorXd mean = series_.mean();
     const double t = mean[temperature_column];
     const double p = mean[pressure_column];
-    if (!has_temperature_ || !(t > 0.0)) {
+    if (degrees_of_freedom_ == 0.0 || !(t > 0.0)) {
         return std::nullopt;
     }
     const double z = p / (density_ * t);
@@ -58,6 +64,23 @@ std::optional<Estimate> RunAverages::compressibility_factor() const {
     return series_.estimate(z, gradient);
 }
 
+std::optional<Estimate> RunAverages::heat_capacity() const {
+    const Eigen::VectorXd mean = series_.mean();
+    const double t = mean[temperature_column];
+    const double t_squared = mean[squared_temperature_column];
+    const double half_freedom = 0.5 * degrees_of_freedom_;
+    const double rest = 1.0 - half_freedom * (t_squared / (t * t) - 1.0);
+    if (degrees_of_freedom_ == 0.0 || !(t > 0.0) || !(rest > 0.0)) {
+        return std::nullopt;  // larger fluctuations than any heat capacity allows
+    }
+    const double c = half_freedom / (atoms_ * rest);
+    const double slope = c * half_freedom / rest;  // dc/d(<T^2>/<T>^2)
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
+    gradient[squared_temperature_column] = slope / (t * t);
+    gradient[temperature_column] = -2.0 * slope * t_squared / (t * t * t);
+    return series_.estimate(c, gradient);
+}
+
 std::vector<ObservableAverage> RunAverages::averages() const {
     std::vector<ObservableAverage> result;
     if (samples() == 0) {
@@ -65,11 +88,14 @@ std::vector<ObservableAverage> RunAverages::averages() const {
     }
     for (Index k = 0; k < static_cast<Index>(columns.size()); ++k) {
         const Column& column = columns[static_cast<std::size_t>(k)];
-        const bool defined = k != temperature_column || has_temperature_;
+        const bool defined = k != temperature_column || degrees_of_freedom_ > 0.0;
         result.push_back(
             {column.name, column.symbol, column.unit, defined ? std::optional(series_.estimate(k)) : std::nullopt});
         if (k == pressure_column) {
             result.push_back({"compressibility_factor", "Z", "1", compressibility_factor()});
+            if (const auto c = constant_energy_ ? heat_capacity() : std::nullopt) {
+                result.push_back({"heat_capacity_cv", "c_v", "k_B", c});
+            }
         }
     }
     return result;

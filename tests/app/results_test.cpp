@@ -57,7 +57,7 @@ std::string shown_with_error(double mean, double error) {
     RunResult result = some_result();
     result.averages = {average("pressure", "unit", mean, error)};
     const std::string line = line_of_table(results_table(deck_with(""), result), "pressure");
-    const std::string text = line.substr(line.find_first_not_of(' ', 2 + 24 + 1));
+    const std::string text = line.substr(line.find_first_not_of(' ', 2 + 26 + 1));
     return text.substr(0, text.find("  "));
 }
 
@@ -152,7 +152,30 @@ TEST_CASE("the table of a run shows what people look for, in SI too for a substa
     CHECK_THAT(argon, Contains("density 0.8442 sigma^-3 (1.4185 g/cm3)"));
 }
 
-TEST_CASE("lengths in tables stand in nanometres too for a substance") {
+TEST_CASE("transport, heat capacity and viscosity have the units of a substance, too") {
+    RunResult result = some_result();
+    result.averages = {average("diffusion", "sigma^2/tau", 0.0313, 0.0004),
+                       average("viscosity", "epsilon tau/sigma^3", 3.25, 0.1),
+                       average("heat_capacity_cv", "k_B", 2.63, 0.01)};
+    const Json json = Json::parse(results_json(deck_with(argon_table), result));
+    const auto si = [&](const char* name) { return json.at("observables").at(name).at("si"); };
+    // tau = (m sigma^2/epsilon)^(1/2) = 2.1563 ps: sigma^2/tau = 5.3768e-8 m^2/s, epsilon tau/sigma^3 = 0.090345 mPa s
+    CHECK(si("diffusion").at("unit") == "1e-9 m^2/s");
+    CHECK(si("diffusion").at("mean").get<double>() == Approx(0.0313 * 53.768).epsilon(1e-4));
+    CHECK(si("viscosity").at("unit") == "mPa s");
+    CHECK(si("viscosity").at("mean").get<double>() == Approx(3.25 * 0.090345).epsilon(1e-4));
+    CHECK(si("heat_capacity_cv").at("unit") == "J/(mol K)");
+    CHECK(si("heat_capacity_cv").at("mean").get<double>() == Approx(2.63 * 8.314462618).epsilon(1e-9));
+}
+
+TEST_CASE("the table leaves out components of the pressure tensor and the virial, and nothing else") {
+    CHECK(is_in_table("pressure"));
+    CHECK(is_in_table("diffusion_green_kubo"));
+    CHECK_FALSE(is_in_table("pressure_xy"));
+    CHECK_FALSE(is_in_table("virial"));
+}
+
+TEST_CASE("lengths, times and wave numbers in tables stand in nanometres and picoseconds too for a substance") {
     const DataTable table{"rdf", {"r", "g"}, {{1.0, 0.5}, {2.0, 1.5}}};
     const SubstanceUnits argon(3.405e-10, 1.65e-21, 6.63e-26);
     const DataTable si = with_si_columns(table, argon);
@@ -161,5 +184,11 @@ TEST_CASE("lengths in tables stand in nanometres too for a substance") {
     CHECK(si.rows[1][1] == 1.5);
     CHECK(si.rows[1][2] == Approx(0.681).epsilon(1e-14));
     CHECK(with_si_columns(table, std::nullopt).columns == table.columns);
-    CHECK(with_si_columns({"sk", {"k", "s"}, {{1.0, 2.0}}}, argon).rows[0].size() == 2);
+    const DataTable msd = with_si_columns({"msd", {"time", "msd", "msd_standard_error"}, {{2.0, 3.0, 0.1}}}, argon);
+    CHECK(msd.columns == std::vector<std::string>{"time", "msd", "msd_standard_error", "time_ps", "msd_nm2"});
+    CHECK(msd.rows[0][3] == Approx(2.0 * argon.picosecond()).epsilon(1e-14));
+    CHECK(msd.rows[0][4] == Approx(3.0 * 0.3405 * 0.3405).epsilon(1e-14));
+    const DataTable sk = with_si_columns({"sk", {"k", "S"}, {{6.8, 2.0}}}, argon);
+    CHECK(sk.columns.back() == "k_per_nm");
+    CHECK(sk.rows[0][2] == Approx(6.8 / 0.3405).epsilon(1e-14));
 }

@@ -138,8 +138,9 @@ TEST_CASE("a run of no steps evaluates its start once") {
     CHECK(json.at("observables").at("virial").at("mean").is_number());
     CHECK(json.at("observables").at("pressure").at("standard_error").is_null());
     CHECK(json.at("stages")[1].at("steps") == 0);
-    REQUIRE(run.result.tables.size() == 1);
+    REQUIRE(run.result.tables.size() == 2);
     CHECK(run.result.tables[0].name == "rdf");
+    CHECK(run.result.tables[1].name == "sk_from_rdf");
 }
 
 TEST_CASE("a stage of no steps among others samples nothing") {
@@ -196,6 +197,22 @@ TEST_CASE("analyses sample in sampled stages only, when they are due") {
     CHECK(samples({"analysis.rdf.every=8"}) == 5);  // 24, 32, 40, 48, 56
     CHECK(samples({"analysis.rdf.every=1"}) == 40);
     CHECK(Finished(small_deck, {"analysis.rdf.every=1000"}).result.tables.empty());
+}
+
+TEST_CASE("what follows atoms through time begins anew with each stage") {
+    const std::string deck = small_deck +
+                             "\n[[stage]]\nname = \"more\"\ntime_step = 0.004\nsteps = 40\nsample = true\n" +
+                             "[analysis]\nvacf = { every = 1, max_time = 0.1 }\n";  // windows of 40 configurations
+    const auto rows = [&deck](const std::string& setting) {
+        const Finished run(deck, {"stage.production.steps=30", setting});
+        REQUIRE(run.result.tables.size() == 2);
+        std::vector<std::vector<double>> numbers;
+        for (const auto& row : run.result.tables[0].rows) {
+            numbers.push_back({row[0], row[1]});
+        }
+        return numbers;
+    };
+    CHECK(rows("stage.production.sample=true") == rows("stage.production.sample=false"));
 }
 
 TEST_CASE("run.json tells a run that goes on from one that has ended") {

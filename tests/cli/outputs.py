@@ -23,7 +23,7 @@ def files_written(t):
     run_all(t)
     found = set(t.files("out"))
     wanted = {"run.json", "results.json", "results.txt", "thermo.csv", "final.xyz", "trajectory.xyz", "rdf.csv",
-              "checkpoint.1", "checkpoint.2"}
+              "sk_from_rdf.csv", "checkpoint.1", "checkpoint.2"}
     t.equal(found, wanted, "files")
     t.equal(sorted(p.name for p in t.dir.iterdir()), ["deck.toml", "out"], "files beside the output directory")
 
@@ -165,7 +165,7 @@ def force_replaces_its_own_files_only(t):
     t.equal(t.read("out/notes.txt"), "mine", "notes.txt")
     t.equal(t.read("out/start.xyz"), "mine too", "start.xyz")
     t.equal(t.read("elsewhere.csv"), "not to be followed", "the file that a link led to")
-    for name in ("trajectory.xyz", "rdf.csv"):
+    for name in ("trajectory.xyz", "rdf.csv", "sk_from_rdf.csv"):
         t.check(not (t.dir / "out" / name).exists(), f"{name} of the earlier run is still there")
     t.equal(t.columns("out/thermo.csv")["step"][-1], 40.0, "last step")
 

@@ -1,8 +1,12 @@
 #include "ljmd/observables/analysis.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
+#include "core/thread_guard.hpp"
 #include "ljmd/core/registry.hpp"
+#include "ljmd/model/velocities.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
@@ -26,30 +30,92 @@ TEST_CASE("every analysis works with its defaults and leaves the state untouched
     list.prepare(state, 2.5);
     std::mt19937_64 generator(1);
     test::displace(state, 0.05, generator);
+    draw_velocities(state, 1.0, 3);
     state.mark_forces_current();
     const State before = state;
     for (const AnalysisMethod& method : all_analyses()) {
         CAPTURE(method.name);
         const Section section = test::analysis_section(method, {});
-        CHECK(method.check(section, state.box()).empty());
-        const auto analysis = method.make(section, state);
+        const SampledRun run = test::run_of(state);
+        CHECK(method.check(section, run).empty());
+        const auto analysis = method.make(section, run);
         CHECK(analysis->samples() == 0);
+        CHECK(analysis->tables().empty());
+        CHECK(analysis->observables().empty());
         CHECK(analysis->due(0));
-        for (int k = 0; k < 3; ++k) {
-            analysis->sample(state);
+        Index due = 0;
+        for (Index step = 1; step <= run.steps; ++step) {
+            if (analysis->due(step)) {
+                analysis->sample(state, {});
+                ++due;
+            }
         }
-        CHECK(analysis->samples() == 3);
-        const DataTable table = analysis->result();
-        CHECK_FALSE(table.name.empty());
-        CHECK_FALSE(table.rows.empty());
-        for (const auto& row : table.rows) {
-            CHECK(row.size() == table.columns.size());
+        CHECK(analysis->samples() == due);
+        std::vector<std::string> names;
+        for (const DataTable& table : analysis->tables()) {
+            names.push_back(table.name);
+            CHECK_FALSE(table.rows.empty());
+            for (const auto& row : table.rows) {
+                CHECK(row.size() == table.columns.size());
+            }
         }
+        CHECK(names == method.files);
         const State& after = state;
         CHECK(after.positions_and_ghosts() == before.positions_and_ghosts());
         CHECK(after.velocities() == before.velocities());
         CHECK(after.ids() == before.ids());
         CHECK(after.order_version() == before.order_version());
         CHECK(after.forces_are_current());
+    }
+}
+
+TEST_CASE("every analysis goes on from an archive, and with any number of threads, to the same bits") {
+    for (const AnalysisMethod& method : all_analyses()) {
+        CAPTURE(method.name);
+        const auto found = [&method](int threads, Index archived_at) {
+            const test::ThreadGuard guard(threads);
+            State state = test::shaken_crystal(3, 0.8442, 0.2, 12);
+            draw_velocities(state, 1.0, 3);
+            const SampledRun run = test::run_of(state);
+            const Section section = test::analysis_section(method, {});
+            auto analysis = method.make(section, run);
+            std::mt19937_64 generator(1);
+            for (Index step = 1; step <= run.steps; ++step) {
+                if (step == archived_at) {
+                    Archive written;
+                    analysis->archive(written);
+                    analysis = method.make(section, run);
+                    Archive read(written.bytes());
+                    analysis->archive(read);
+                }
+                if (analysis->due(step)) {
+                    test::displace(state, 0.02, generator);
+                    draw_velocities(state, 1.0, static_cast<std::uint64_t>(step));
+                    state.step = step;
+                    Evaluation evaluation;
+                    evaluation.virial = state.velocities().leftCols<3>();
+                    analysis->sample(state, evaluation);
+                }
+            }
+            std::vector<double> numbers;
+            for (const DataTable& table : analysis->tables()) {
+                for (const auto& row : table.rows) {
+                    numbers.insert(numbers.end(), row.begin(), row.end());
+                }
+            }
+            for (const ObservableAverage& observable : analysis->observables()) {
+                REQUIRE(observable.estimate.has_value());
+                numbers.push_back(observable.estimate->mean);
+                numbers.push_back(observable.estimate->standard_error);
+            }
+            // Numbers that are not known are the same, too.
+            std::ranges::replace_if(
+                numbers, [](double x) { return std::isnan(x); }, -1.0);
+            return numbers;
+        };
+        const auto whole = found(1, 0);
+        CHECK_FALSE(whole.empty());
+        CHECK(found(3, 0) == whole);
+        CHECK(found(1, 5555) == whole);
     }
 }

@@ -39,8 +39,8 @@ std::vector<double> counts_by_brute_force(const State& state, Index bins, double
 
 DataTable measured(const State& state, Index bins, double radius) {
     RadialDistribution rdf(bins, radius, Every(1));
-    rdf.sample(state);
-    return rdf.result();
+    rdf.sample(state, {});
+    return rdf.tables().at(0);
 }
 
 /// Atoms closer than the end of the bin that holds r.
@@ -107,10 +107,11 @@ TEST_CASE("g of an ideal gas is 1 within three standard errors, for few atoms as
     RadialDistribution rdf(5, 2.5, Every(1));
     const int samples = atoms == 5 ? 4000 : 400;
     for (int k = 0; k < samples; ++k) {
-        rdf.sample(test::random_state(atoms, box, static_cast<unsigned>(1000 + k)));
+        rdf.sample(test::random_state(atoms, box, static_cast<unsigned>(1000 + k)), {});
     }
     CHECK(rdf.samples() == samples);
-    for (const auto& row : rdf.result().rows) {
+    const DataTable table = rdf.tables().at(0);
+    for (const auto& row : table.rows) {
         CAPTURE(row[r_column], row[g_column], row[error_column]);
         CHECK(row[error_column] > 0.0);
         CHECK(row[error_column] < 0.2);
@@ -125,11 +126,11 @@ TEST_CASE("standard errors are those of counting for independent configurations"
     const int samples = 512;
     RadialDistribution rdf(4, 2.5, Every(1));
     for (int k = 0; k < samples; ++k) {
-        rdf.sample(test::random_state(atoms, box, static_cast<unsigned>(5000 + k)));
+        rdf.sample(test::random_state(atoms, box, static_cast<unsigned>(5000 + k)), {});
     }
     for (Index k = 0; k < 4; ++k) {
         const double pairs = samples * static_cast<double>(atoms * (atoms - 1)) / box.volume() * shell(k, 0.625);
-        CHECK(rdf.result().rows[static_cast<std::size_t>(k)][error_column] ==
+        CHECK(rdf.tables().at(0).rows[static_cast<std::size_t>(k)][error_column] ==
               Approx(std::sqrt(2.0 / pairs)).epsilon(0.35));
     }
 }
@@ -154,7 +155,7 @@ TEST_CASE("sampling leaves the state untouched to the last bit") {
     state.mark_forces_current();
     const State before = state;
     RadialDistribution rdf(100, 2.5, Every(1));
-    rdf.sample(state);
+    rdf.sample(state, {});
     const State& after = state;
     CHECK(after.positions_and_ghosts() == before.positions_and_ghosts());
     CHECK(after.velocities() == before.velocities());
@@ -183,9 +184,10 @@ TEST_CASE("g does not depend on wrapping and order") {
 TEST_CASE("the table names its columns, and one atom has nobody around it") {
     const DataTable table = measured(test::random_state(1, Box(Vec3::Constant(5.0)), 1), 3, 2.5);
     CHECK(table.name == "rdf");
-    CHECK(table.columns == std::vector<std::string>{"r", "g", "g_standard_error", "coordination_number"});
+    CHECK(table.columns == std::vector<std::string>{"r", "g", "g_standard_error", "coordination_number",
+                                                    "coordination_number_standard_error"});
     for (const auto& row : table.rows) {
-        REQUIRE(row.size() == 4);
+        REQUIRE(row.size() == 5);
         CHECK(row[g_column] == 0.0);
         CHECK(row[coordination_column] == 0.0);
         CHECK(std::isnan(row[error_column]));
@@ -198,4 +200,44 @@ TEST_CASE("the distribution is due at its schedule") {
     CHECK_FALSE(rdf.due(49));
     CHECK(rdf.due(150));
     CHECK(rdf.samples() == 0);
+}
+
+TEST_CASE("the structure factor from g is its sine transform") {
+    const State state = test::shaken_crystal(4, 0.8442, 0.1, 3);
+    RadialDistribution rdf(60, 3.0, Every(1));
+    rdf.sample(state, {});
+    const auto tables = rdf.tables();
+    REQUIRE(tables.size() == 2);
+    CHECK(tables[1].name == "sk_from_rdf");
+    REQUIRE(tables[1].rows.size() == 60);
+    for (std::size_t m = 0; m < 60; ++m) {
+        const double k = std::numbers::pi * static_cast<double>(m + 1) / 12.0;
+        double integral = 0.0;
+        for (const auto& row : tables[0].rows) {
+            integral += 0.05 * row[r_column] * (row[g_column] - 1.0) * std::sin(k * row[r_column]) / k;
+        }
+        CHECK(tables[1].rows[m][0] == Approx(k).epsilon(1e-13));
+        CHECK(tables[1].rows[m][1] == Approx(1.0 + 4.0 * std::numbers::pi * 0.8442 * integral).epsilon(1e-10));
+    }
+}
+
+TEST_CASE("the coordination number of a crystal is that of its first shell") {
+    // Shells at 1, sqrt 2, sqrt 3, 2 of the nearest distance: the emptiest bin behind the peak lies before sqrt 2.
+    const State crystal = test::crystal_state(Lattice::fcc, 3, cubic_box(108, 1.0));
+    RadialDistribution rdf(200, 0.5 * crystal.box().shortest_edge(), Every(1));
+    CHECK(rdf.observables().empty());
+    rdf.sample(crystal, {});
+    const auto found = rdf.observables();
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].name == "coordination_number");
+    CHECK(found[0].estimate->mean == Approx(12.0).epsilon(1e-13));
+}
+
+TEST_CASE("there is no coordination number where g has no peak, or its minimum may lie further out") {
+    RadialDistribution one(20, 2.5, Every(1));
+    one.sample(test::random_state(1, Box(Vec3::Constant(5.0)), 1), {});
+    CHECK(one.observables().empty());
+    RadialDistribution near(20, 1.5, Every(1));
+    near.sample(test::crystal_state(Lattice::fcc, 3, cubic_box(108, 1.0)), {});
+    CHECK(near.observables().empty());
 }

@@ -59,7 +59,7 @@ class CorrelatedRun {
 }  // namespace
 
 TEST_CASE("every observable is averaged under its name and has a unit") {
-    RunAverages run(10, 0.5);
+    RunAverages run(10, 0.5, false);
     for (const double x : {0.0, 1.0, 2.0, 5.0}) {
         run.add(numbered(x));
     }
@@ -85,7 +85,7 @@ TEST_CASE("every observable is averaged under its name and has a unit") {
 }
 
 TEST_CASE("the compressibility factor is the ratio of the means, not the mean of the ratio") {
-    RunAverages run(10, 0.5);
+    RunAverages run(10, 0.5, false);
     for (const double x : {0.0, 1.0, 2.0, 5.0}) {
         run.add(numbered(x));
     }
@@ -105,7 +105,7 @@ TEST_CASE(
     double without_correlation = 0.0;
     for (int k = 0; k < runs; ++k) {
         CorrelatedRun series(static_cast<std::uint64_t>(k));
-        RunAverages run(100, density);
+        RunAverages run(100, density, false);
         for (int n = 0; n < samples; ++n) {
             run.add(series.next());
         }
@@ -128,12 +128,12 @@ TEST_CASE(
 }
 
 TEST_CASE("without samples there are no averages") {
-    CHECK(RunAverages(10, 0.5).averages().empty());
-    CHECK(RunAverages(10, 0.5).samples() == 0);
+    CHECK(RunAverages(10, 0.5, false).averages().empty());
+    CHECK(RunAverages(10, 0.5, false).samples() == 0);
 }
 
 TEST_CASE("one atom has neither temperature nor compressibility factor, but the other averages") {
-    RunAverages run(1, 0.5);
+    RunAverages run(1, 0.5, false);
     Thermodynamics sample = numbered(0.0);
     sample.temperature.reset();
     run.add(sample);
@@ -145,7 +145,7 @@ TEST_CASE("one atom has neither temperature nor compressibility factor, but the 
 }
 
 TEST_CASE("at T = 0 there is a temperature but no compressibility factor") {
-    RunAverages run(10, 0.5);
+    RunAverages run(10, 0.5, false);
     Thermodynamics sample = numbered(0.0);
     sample.temperature = 0.0;
     run.add(sample);
@@ -154,7 +154,7 @@ TEST_CASE("at T = 0 there is a temperature but no compressibility factor") {
 }
 
 TEST_CASE("the error of a mean is unknown with few samples, and 0 for a constant") {
-    RunAverages run(10, 0.5);
+    RunAverages run(10, 0.5, false);
     for (int n = 0; n < 3; ++n) {
         run.add(numbered(0.0));
     }
@@ -163,4 +163,70 @@ TEST_CASE("the error of a mean is unknown with few samples, and 0 for a constant
     run.add(numbered(0.0));
     CHECK(find(run.averages(), "pressure").estimate->standard_error == 0.0);
     CHECK(find(run.averages(), "compressibility_factor").estimate->standard_error == 0.0);
+}
+
+TEST_CASE("the heat capacity at constant energy is that of the fluctuations of the temperature") {
+    RunAverages run(3, 0.5, true);  // six degrees of freedom
+    for (const double t : {0.9, 1.0, 1.0, 1.1}) {
+        Thermodynamics sample;
+        sample.temperature = t;
+        run.add(sample);
+    }
+    // <T^2>/<T>^2 - 1 = 0.005: c = 1/(1 - 3 * 0.005).
+    const ObservableAverage found = find(run.averages(), "heat_capacity_cv");
+    CHECK(found.unit == "k_B");
+    CHECK(found.estimate->mean == Approx(1.0 / 0.985).epsilon(1e-12));
+
+    RunAverages thermostatted(3, 0.5, false);
+    thermostatted.add(numbered(1.0));
+    const auto averages = thermostatted.averages();
+    CHECK(std::none_of(averages.begin(), averages.end(), [](const auto& a) { return a.name == "heat_capacity_cv"; }));
+}
+
+TEST_CASE("fluctuations that no heat capacity allows, and one atom, have none") {
+    RunAverages wild(100, 0.5, true);
+    RunAverages single(1, 0.5, true);
+    for (const double t : {0.5, 1.0, 1.0, 1.5}) {
+        Thermodynamics sample;
+        sample.temperature = t;
+        wild.add(sample);
+        sample.temperature.reset();
+        single.add(sample);
+    }
+    for (const auto& averages : {wild.averages(), single.averages()}) {
+        CHECK(averages.size() > 10);
+        CHECK(
+            std::none_of(averages.begin(), averages.end(), [](const auto& a) { return a.name == "heat_capacity_cv"; }));
+    }
+}
+
+TEST_CASE("the error of the heat capacity is the scatter of many runs") {
+    const Index atoms = 101;  // 300 degrees of freedom
+    const double heat_capacity = 2.5;
+    // Relative variance of T at constant energy: 2/f (1 - f/(2 C)).
+    const double width = std::sqrt(2.0 / 300.0 * (1.0 - 150.0 / (101.0 * heat_capacity)));
+    const int runs = 200;
+    double sum = 0.0;
+    double squares = 0.0;
+    double reported = 0.0;
+    for (int k = 0; k < runs; ++k) {
+        std::mt19937_64 generator(static_cast<std::uint64_t>(k));
+        std::normal_distribution<double> normal;
+        RunAverages run(atoms, 0.8, true);
+        double memory = normal(generator);
+        for (int n = 0; n < 2048; ++n) {
+            memory = 0.8 * memory + 0.6 * normal(generator);
+            Thermodynamics sample;
+            sample.temperature = 0.7 * (1.0 + width * memory);
+            run.add(sample);
+        }
+        const Estimate c = *find(run.averages(), "heat_capacity_cv").estimate;
+        sum += c.mean;
+        squares += c.mean * c.mean;
+        reported += c.standard_error * c.standard_error;
+    }
+    const double mean = sum / runs;
+    const double scatter = std::sqrt(squares / runs - mean * mean);
+    CHECK(std::abs(mean - heat_capacity) < 0.05);
+    CHECK(std::sqrt(reported / runs) / scatter == Approx(1.0).margin(0.2));
 }

@@ -34,13 +34,13 @@ Run run_with(int threads, Precision precision, const std::string& search, const 
     rescale_velocities(state, 0.75);
     const Evaluation last = force_field.evaluate(state, Request::forces_and_energy);
     RadialDistribution rdf(50, 2.5, Every(1));
-    rdf.sample(state);
+    rdf.sample(state, {});
     return {test::unwrapped_by_id(state),
             test::by_id(state, state.velocities()),
             last,
             thermodynamics(state, last, TailCorrection(potential)),
             TranslationalOrder(Lattice::fcc, cells)(state),
-            rdf.result()};
+            rdf.tables().at(0)};
 }
 
 /// Columns r, g and coordination number: one sample has no standard error.

@@ -2,6 +2,7 @@
 
 #include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/section.hpp"
+#include "ljmd/model/box.hpp"
 
 namespace ljmd {
 
@@ -11,7 +12,7 @@ namespace ljmd {
 /// @pre root has [system], [potential] and [[stage]]
 void check_sense(const Section& root, bool has_units, bool force, Diagnostics& diagnostics);
 
-/// cutoff <= L/2, and what analyses ask of the box.
-void check_box(const Section& root, const class Box& box, Diagnostics& diagnostics);
+/// cutoff <= L/2, and what analyses ask of the run.
+void check_box(const Section& root, Index atoms, const Box& box, Diagnostics& diagnostics);
 
 }  // namespace ljmd

@@ -8,7 +8,7 @@ namespace ljmd {
 
 /// What random numbers are drawn for. Streams never share a number; the values are written in checkpoints and must not
 /// change.
-enum class RandomStream : std::uint64_t { positions = 1, velocities = 2 };
+enum class RandomStream : std::uint64_t { positions = 1, velocities = 2, insertions = 3 };
 
 /// Counter-based random numbers (Philox-4x64-10): a pure function of seed, stream, step and atom id. Nothing is carried
 /// along, so the order of atoms, the number of threads and restarts cannot change a number.

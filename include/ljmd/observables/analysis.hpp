@@ -2,12 +2,17 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/section.hpp"
+#include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/observables/observable_average.hpp"
+#include "ljmd/potentials/pair_potential.hpp"
+#include "ljmd/potentials/tail_correction.hpp"
 
 namespace ljmd {
 
@@ -18,6 +23,23 @@ struct DataTable {
     std::vector<std::vector<double>> rows;
 };
 
+/// What an analysis has to know of the run that it is made for.
+struct SampledRun {
+    Index atoms;
+    Box box;
+    double time_step;  ///< of the sampled stages [tau]
+    Index steps;       ///< of the longest one
+    std::uint64_t seed;
+    std::optional<double> held_temperature;  ///< by the thermostat of the sampled stages; none: constant energy
+
+    /// What the atoms feel of each other.
+    struct Interaction {
+        PairPotential potential;
+        TailCorrection tail;
+    };
+    std::optional<Interaction> interaction;  ///< not known while a deck is checked
+};
+
 /// Something measured on configurations during the sampled stages of a run. Sampling never changes the state.
 class Analysis {
   public:
@@ -25,11 +47,24 @@ class Analysis {
 
     /// @return true when a configuration at this step of the run is wanted
     [[nodiscard]] virtual bool due(Index step) const = 0;
-    virtual void sample(const State& state) = 0;
+
+    /// @return true when the evaluation that sample() is given must hold energy and virial
+    [[nodiscard]] virtual bool needs_energy() const { return false; }
+
+    /// @param evaluation  of the forces at the state's positions
+    virtual void sample(const State& state, const Evaluation& evaluation) = 0;
+
+    /// What follows does not go on from the last configuration: another stage begins.
+    virtual void interrupt() {}
+
+    /// Configurations that were sampled.
     [[nodiscard]] virtual Index samples() const = 0;
 
-    /// What has been found so far. @pre samples() > 0
-    [[nodiscard]] virtual DataTable result() const = 0;
+    /// What has been found so far; nothing where too little has been sampled.
+    [[nodiscard]] virtual std::vector<DataTable> tables() const = 0;
+
+    /// Single numbers among it, for results.json.
+    [[nodiscard]] virtual std::vector<ObservableAverage> observables() const { return {}; }
 
     /// All that sampling has changed.
     virtual void archive(Archive& a) = 0;
@@ -39,10 +74,12 @@ class Analysis {
 struct AnalysisMethod {
     std::string name;  ///< the key in [analysis]
     std::string meaning;
+    std::vector<std::string> files;  ///< names of its tables
+    bool follows_time;               ///< it compares configurations at different times
     std::vector<Key> keys;
-    /// Reasons why the values in the section do not fit the system: (key, message). Empty when all is well.
-    std::function<std::vector<std::pair<std::string, std::string>>(const Section&, const Box&)> check;
-    std::function<std::unique_ptr<Analysis>(const Section&, const State&)> make;
+    /// Reasons why the values in the section do not fit the run: (key, message). Empty when all is well.
+    std::function<std::vector<std::pair<std::string, std::string>>(const Section&, const SampledRun&)> check;
+    std::function<std::unique_ptr<Analysis>(const Section&, const SampledRun&)> make;
 };
 
 /// Every analysis there is, in alphabetical order.

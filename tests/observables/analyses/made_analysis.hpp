@@ -11,7 +11,7 @@
 
 namespace ljmd::test {
 
-using AnalysisSettings = std::vector<std::pair<std::string, std::variant<std::int64_t, double>>>;
+using AnalysisSettings = std::vector<std::pair<std::string, std::variant<std::int64_t, double, std::string>>>;
 
 inline AnalysisMethod analysis_method(const std::string& name) {
     const auto methods = all_analyses();
@@ -19,6 +19,18 @@ inline AnalysisMethod analysis_method(const std::string& name) {
         std::find_if(methods.begin(), methods.end(), [&](const AnalysisMethod& method) { return method.name == name; });
     REQUIRE(found != methods.end());
     return *found;
+}
+
+/// A run of 10000 steps that all are sampled.
+inline SampledRun run_of(const State& state) {
+    const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
+    return {state.count(),
+            state.box(),
+            0.004,
+            10000,
+            1,
+            std::nullopt,
+            SampledRun::Interaction{potential, TailCorrection(potential)}};
 }
 
 /// The section of an analysis as a deck gives it. Keys that are not given take their defaults.

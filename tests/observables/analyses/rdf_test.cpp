@@ -10,9 +10,9 @@ namespace {
 
 DataTable rdf_of(const State& state, const test::AnalysisSettings& settings) {
     const AnalysisMethod method = test::analysis_method("rdf");
-    const auto analysis = method.make(test::analysis_section(method, settings), state);
-    analysis->sample(state);
-    return analysis->result();
+    const auto analysis = method.make(test::analysis_section(method, settings), test::run_of(state));
+    analysis->sample(state, {});
+    return analysis->tables().at(0);
 }
 
 double radius_of(const DataTable& table) {
@@ -32,23 +32,23 @@ TEST_CASE("rdf has 250 bins up to 5 sigma or L/2, whichever is smaller, unless t
     CHECK(radius_of(table) == Approx(6.0));
 }
 
-TEST_CASE("rdf is sampled every 50 steps unless told otherwise") {
+TEST_CASE("rdf is sampled every 200 steps unless told otherwise") {
     const State state = test::random_state(20, Box(Vec3::Constant(6.0)), 1);
     const AnalysisMethod method = test::analysis_method("rdf");
-    const auto usual = method.make(test::analysis_section(method, {}), state);
-    CHECK(usual->due(100));
-    CHECK_FALSE(usual->due(110));
-    const auto often = method.make(test::analysis_section(method, {{"every", std::int64_t{10}}}), state);
+    const auto usual = method.make(test::analysis_section(method, {}), test::run_of(state));
+    CHECK(usual->due(400));
+    CHECK_FALSE(usual->due(100));
+    const auto often = method.make(test::analysis_section(method, {{"every", std::int64_t{10}}}), test::run_of(state));
     CHECK(often->due(110));
     CHECK_FALSE(often->due(115));
 }
 
 TEST_CASE("a radius beyond L/2 is a mistake, L/2 is not") {
     const AnalysisMethod method = test::analysis_method("rdf");
-    const Box box(Vec3(6.0, 7.0, 8.0));
-    CHECK(method.check(test::analysis_section(method, {}), box).empty());
-    CHECK(method.check(test::analysis_section(method, {{"radius", 3.0}}), box).empty());
-    const auto mistakes = method.check(test::analysis_section(method, {{"radius", 3.01}}), box);
+    const SampledRun run{20, Box(Vec3(6.0, 7.0, 8.0)), 0.004, 1000, 1, std::nullopt, std::nullopt};
+    CHECK(method.check(test::analysis_section(method, {}), run).empty());
+    CHECK(method.check(test::analysis_section(method, {{"radius", 3.0}}), run).empty());
+    const auto mistakes = method.check(test::analysis_section(method, {{"radius", 3.01}}), run);
     REQUIRE(mistakes.size() == 1);
     CHECK(mistakes[0].first == "radius");
     CHECK_THAT(mistakes[0].second, Catch::Contains("3.01") && Catch::Contains("3"));

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ljmd/observables/blocking.hpp"
+
+namespace ljmd {
+
+/// One observable of a run: its mean over the sampled stages and how well it is known.
+struct ObservableAverage {
+    std::string name;                  ///< as in results.json
+    std::string symbol;                ///< for tables
+    std::string unit;                  ///< reduced, e.g. "epsilon/k_B"
+    std::optional<Estimate> estimate;  ///< empty where the observable is not defined (temperature of one atom)
+};
+
+}  // namespace ljmd

@@ -1,0 +1,28 @@
+#include "ljmd/observables/widom_insertion.hpp"
+
+namespace ljmd {
+
+/// Excess chemical potential, see widom_insertion.hpp.
+AnalysisMethod chemical_potential() {
+    return {
+        .name = "chemical_potential",
+        .meaning = "excess chemical potential by Widom's insertion of test particles",
+        .files = {},
+        .follows_time = false,
+        .keys =
+            {Key::integer("every").at_least(1).defaults_to(std::int64_t{200}).meaning("steps between configurations"),
+             Key::integer("insertions")
+                 .at_least(1)
+                 .at_most(1e9)
+                 .optional("as many as there are atoms")
+                 .meaning("places that are tried in each configuration")},
+        .check = [](const Section&, const SampledRun&) -> std::vector<std::pair<std::string, std::string>> {
+            return {};
+        },
+        .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
+            const Index insertions = section.has("insertions") ? section.integer("insertions") : run.atoms;
+            return std::make_unique<WidomInsertion>(run, insertions, Every(section.integer("every")));
+        }};
+}
+
+}  // namespace ljmd

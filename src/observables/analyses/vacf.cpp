@@ -1,0 +1,35 @@
+#include <algorithm>
+
+#include "ljmd/observables/velocity_autocorrelation.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr UsualLags usual{.every = 5, .max_time = 4.0, .share = 0.1};
+
+/// Configurations in a window: pairs of every time apart, those with the largest time half as many as neighbours.
+Index window_of(const LagTimes& lags, Index steps) {
+    return std::clamp(steps / lags.every, lags.count + 1, 2 * lags.count);
+}
+
+}  // namespace
+
+/// Velocity autocorrelation, see velocity_autocorrelation.hpp.
+AnalysisMethod vacf() {
+    return {.name = "vacf",
+            .meaning =
+                "velocity autocorrelation, diffusion by Green and Kubo and vibrational spectrum, written to "
+                "vacf.csv and vibrational_spectrum.csv",
+            .files = {"vacf", "vibrational_spectrum"},
+            .follows_time = true,
+            .keys = lag_keys(usual),
+            .check = [](const Section& section,
+                        const SampledRun& run) { return lag_mistakes(section, run, usual, "vacf"); },
+            .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
+                const LagTimes lags = lag_times(section, run, usual);
+                return std::make_unique<VelocityAutocorrelation>(run.atoms, lags, window_of(lags, run.steps));
+            }};
+}
+
+}  // namespace ljmd

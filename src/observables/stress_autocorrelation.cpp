@@ -1,0 +1,88 @@
+#include "ljmd/observables/stress_autocorrelation.hpp"
+
+#include <numbers>
+
+#include "ljmd/observables/thermodynamics.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// The traceless, symmetric part of a tensor as six numbers whose squares add up to those of its nine.
+Eigen::VectorXd shear_part(const Mat3& p) {
+    const double mean = p.trace() / 3.0;
+    const double root = 0.5 * std::numbers::sqrt2;
+    Eigen::VectorXd part(6);
+    part << p(0, 0) - mean, p(1, 1) - mean, p(2, 2) - mean, root * (p(0, 1) + p(1, 0)), root * (p(0, 2) + p(2, 0)),
+        root * (p(1, 2) + p(2, 1));
+    return part;
+}
+
+}  // namespace
+
+StressAutocorrelation::StressAutocorrelation(const Box& box, const LagTimes& lags, Index window)
+    : volume_(box.volume()),
+      lags_(lags),
+      every_(lags.every),
+      window_(6, lags.count, window),
+      means_(2 * (lags.count + 1) + 1, Covariance::diagonal) {}
+
+void StressAutocorrelation::sample(const State& state, const Evaluation& evaluation) {
+    ++samples_;
+    const Thermodynamics now = thermodynamics(state, evaluation, TailCorrection());
+    ++in_window_;
+    temperature_sum_ += now.temperature.value_or(0.0);
+    const std::optional<Eigen::VectorXd> sum = window_.add(shear_part(now.pressure_tensor));
+    if (!sum) {
+        return;
+    }
+    const Index times = lags_.count + 1;
+    Eigen::VectorXd found(means_.width());
+    found.head(times) = *sum / 10.0;
+    found[times] = 0.0;
+    for (Index k = 1; k < times; ++k) {
+        found[times + k] = found[times + k - 1] + 0.5 * lags_.spacing * (found[k - 1] + found[k]);
+    }
+    found[2 * times] = temperature_sum_ / static_cast<double>(in_window_);
+    means_.add(found);
+    in_window_ = 0;
+    temperature_sum_ = 0.0;
+}
+
+void StressAutocorrelation::interrupt() {
+    window_.interrupt();
+    in_window_ = 0;
+    temperature_sum_ = 0.0;
+}
+
+std::vector<DataTable> StressAutocorrelation::tables() const {
+    if (means_.samples() == 0) {
+        return {};
+    }
+    DataTable table{"stress_autocorrelation",
+                    {"time", "stress_autocorrelation", "stress_autocorrelation_standard_error", "viscosity",
+                     "viscosity_standard_error"},
+                    {}};
+    const Index times = lags_.count + 1;
+    const double factor = volume_ / means_.mean()[2 * times];
+    for (Index k = 0; k < times; ++k) {
+        const Estimate c = means_.estimate(k);
+        const Estimate integral = means_.estimate(times + k);
+        table.rows.push_back(
+            {lags_.time(k), c.mean, c.standard_error, factor * integral.mean, factor * integral.standard_error});
+    }
+    return {table};
+}
+
+std::vector<ObservableAverage> StressAutocorrelation::observables() const {
+    if (means_.samples() == 0) {
+        return {};
+    }
+    const double factor = volume_ / means_.mean()[means_.width() - 1];
+    Estimate viscosity = means_.estimate(2 * lags_.count + 1);
+    viscosity.mean *= factor;
+    viscosity.standard_error *= factor;
+    return {{"viscosity", "eta", "epsilon tau/sigma^3", viscosity}};
+}
+
+}  // namespace ljmd

@@ -1,0 +1,73 @@
+#include "ljmd/observables/velocity_autocorrelation.hpp"
+
+#include <numbers>
+
+#include "ljmd/core/threads.hpp"
+
+namespace ljmd {
+
+VelocityAutocorrelation::VelocityAutocorrelation(Index atoms, const LagTimes& lags, Index window)
+    : atoms_(atoms),
+      lags_(lags),
+      every_(lags.every),
+      cosines_(lags.count + 1),
+      window_(3 * atoms, lags.count, window),
+      means_(3 * (lags.count + 1), Covariance::diagonal) {}
+
+void VelocityAutocorrelation::sample(const State& state, const Evaluation& /*evaluation*/) {
+    ++samples_;
+    Eigen::VectorXd frame(3 * atoms_);
+    const auto v = state.velocities();
+    for_each_index(atoms_, [&](Index i) { frame.segment<3>(3 * state.ids()[static_cast<std::size_t>(i)]) = v.col(i); });
+    const std::optional<Eigen::VectorXd> sum = window_.add(frame);
+    if (!sum) {
+        return;
+    }
+    const Index times = lags_.count + 1;
+    AlignedVector<double> correlation(static_cast<std::size_t>(times));
+    AlignedVector<double> spectrum(static_cast<std::size_t>(times));
+    Eigen::VectorXd found(3 * times);
+    double integral = 0.0;
+    for (Index k = 0; k < times; ++k) {
+        found[k] = (*sum)[k] / static_cast<double>(atoms_);
+        correlation[static_cast<std::size_t>(k)] = found[k];
+        integral += k == 0 ? 0.0 : 0.5 * lags_.spacing * (found[k - 1] + found[k]);
+        found[times + k] = integral / 3.0;
+    }
+    cosines_(correlation, spectrum);
+    for (Index k = 0; k < times; ++k) {
+        found[2 * times + k] = 0.5 * lags_.spacing * spectrum[static_cast<std::size_t>(k)];
+    }
+    means_.add(found);
+}
+
+std::vector<DataTable> VelocityAutocorrelation::tables() const {
+    if (means_.samples() == 0) {
+        return {};
+    }
+    DataTable vacf{"vacf",
+                   {"time", "vacf", "vacf_standard_error", "vacf_normalized", "diffusion", "diffusion_standard_error"},
+                   {}};
+    DataTable spectrum{"vibrational_spectrum", {"angular_frequency", "spectrum", "spectrum_standard_error"}, {}};
+    const Index times = lags_.count + 1;
+    const double at_zero = means_.mean()[0];
+    const double to_spectrum = 2.0 / (std::numbers::pi * at_zero);
+    for (Index k = 0; k < times; ++k) {
+        const Estimate c = means_.estimate(k);
+        const Estimate d = means_.estimate(times + k);
+        const Estimate s = means_.estimate(2 * times + k);
+        vacf.rows.push_back({lags_.time(k), c.mean, c.standard_error, c.mean / at_zero, d.mean, d.standard_error});
+        spectrum.rows.push_back({std::numbers::pi * static_cast<double>(k) / lags_.time(lags_.count),
+                                 to_spectrum * s.mean, to_spectrum * s.standard_error});
+    }
+    return {vacf, spectrum};
+}
+
+std::vector<ObservableAverage> VelocityAutocorrelation::observables() const {
+    if (means_.samples() == 0) {
+        return {};
+    }
+    return {{"diffusion_green_kubo", "D_GK", "sigma^2/tau", means_.estimate(2 * lags_.count + 1)}};
+}
+
+}  // namespace ljmd

@@ -1,0 +1,79 @@
+#include "ljmd/app/sampled_run.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "app/app_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr const char* stages = R"(
+[[stage]]
+name = "first"
+time_step = 0.002
+steps = 30
+sample = true
+temperature = 0.9
+thermostat = { type = "rescale" , every = 5 }
+
+[[stage]]
+name = "second"
+time_step = 0.002
+steps = 200
+sample = true
+
+[[stage]]
+name = "last"
+time_step = 0.001
+steps = 500
+)";
+
+SampledRun run_of(const std::string& deck) {
+    return sampled_run(DeckFolder(deck).load().root, 10, Box(Vec3::Constant(5.0)));
+}
+
+}  // namespace
+
+TEST_CASE("analyses hear of the sampled stages only: the first one's time step, the longest one's steps") {
+    const SampledRun run = run_of(changed(small_deck, {{"sample = true\n", ""}}) + stages);
+    CHECK(run.atoms == 10);
+    CHECK(run.box.edges() == Vec3::Constant(5.0));
+    CHECK(run.time_step == 0.002);
+    CHECK(run.steps == 200);
+    CHECK(run.held_temperature == std::optional<double>(0.9));
+    CHECK_FALSE(run.interaction.has_value());
+}
+
+TEST_CASE("a run at constant energy holds no temperature") {
+    const SampledRun run = run_of(small_deck);
+    CHECK(run.time_step == 0.004);
+    CHECK(run.steps == 40);
+    CHECK_FALSE(run.held_temperature.has_value());
+}
+
+TEST_CASE("where configurations at different times are compared, sampled stages have one time step") {
+    const auto mistakes = [](const std::string& analysis) {
+        const auto found = complaints(small_deck + stages + "[analysis]\n" + analysis + " = {}\n");  // 0.004 and 0.002
+        return std::ranges::count_if(found, [](const Diagnostic& diagnostic) {
+            return diagnostic.message.find("time steps of 0.004 and 0.002") != std::string::npos;
+        });
+    };
+    CHECK(mistakes("rdf") == 0);
+    CHECK(mistakes("structure_factor") == 0);
+    for (const char* analysis : {"msd", "vacf", "viscosity"}) {
+        CHECK(mistakes(analysis) == 2);  // at each of the two stages that differ from the first one
+    }
+}
+
+TEST_CASE("times that are longer than the run are found when the deck is checked") {
+    for (const std::string name : {"msd", "vacf", "viscosity"}) {
+        CAPTURE(name);
+        const auto found = complaints(small_deck + "[analysis]\n" + name + " = { max_time = 0.5 }\n");
+        REQUIRE(found.size() == 1);
+        CHECK_THAT(found[0].message, Contains("'max_time' in " + name) && Contains("lasts 0.16 tau"));
+    }
+}
