@@ -4,8 +4,9 @@
     plot_run.py RUNDIR [--out DIR] [--format png|pdf|svg] [--relative-to K]
 
 Writes pictures into DIR (RUNDIR itself by default) and prints the path of each, one a line. Of a fluid: thermo
-(thermodynamics against time) and, where the run has rdf.csv, rdf (the radial distribution function). Of a few-body
-system, what suits it: energy (error and parts), orbit (x-y plane), phase (velocity against coordinate of each body),
+(thermodynamics against time) and, where the run has these tables, rdf (the radial distribution function), sk (the
+structure factor), msd (displacements), vacf and vibrational_spectrum (velocities), stress_autocorrelation (viscosity).
+Of a few-body system, what suits it: energy (error and parts), orbit (x-y plane), phase (velocity against coordinate of each body),
 momentum (errors of momentum and angular momentum), relative (paths as seen from body K, 1 by default).
 Exit codes: 0 ok, 2 usage, 3 a file of the run is missing or damaged, 4 a picture cannot be written.
 """
@@ -23,6 +24,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import few_body_pictures  # noqa: E402
 import few_body_run  # noqa: E402
 import run_directory  # noqa: E402
+import structure_pictures  # noqa: E402
 import style  # noqa: E402
 from run_directory import RunDirectory, Stage, Table, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
@@ -216,7 +218,7 @@ def draw_fluid(path: Path) -> dict[str, plt.Figure]:
         print(f"{run.path / 'rdf.csv'}: not there, no picture of g(r)", file=sys.stderr)
     else:
         figures["rdf"] = plot_rdf(run, run.rdf)
-    return figures
+    return figures | structure_pictures.pictures(run)
 
 
 def draw_few_bodies(path: Path, relative_to: int) -> dict[str, plt.Figure]:

@@ -1,0 +1,153 @@
+"""Pictures of what a run found of structure and motion: S(k), displacements, velocities, stresses.
+
+Each function draws one table of a run of a fluid; `pictures` draws those that the run directory holds.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import run_directory
+import style
+from run_directory import RunDirectory, Table
+from style import plt
+
+SIZE = (7.0, 4.5)
+
+
+def draw_band(axes: plt.Axes, x: np.ndarray, y: np.ndarray, error: np.ndarray, colour: str, label: str = "") -> None:
+    """A curve with a band of one standard error, where that is known."""
+    error = np.nan_to_num(error)
+    axes.fill_between(x, y - error, y + error, color=colour, alpha=0.3, linewidth=0)
+    axes.plot(x, y, color=colour, linewidth=1.3, label=label or None)
+
+
+def caption(run: RunDirectory, name: str, symbol: str, unit: str) -> str:
+    """A mean of the run with its standard error, for a legend."""
+    observable = run.observables.get(name)
+    if observable is None or observable.mean is None:
+        return symbol
+    return rf"{symbol} = {style.with_uncertainty(observable.mean, observable.standard_error or 0.0)} {unit}"
+
+
+def finish(figure: plt.Figure, run: RunDirectory) -> plt.Figure:
+    figure.suptitle(style.plain(run.title), fontsize=11)
+    return figure
+
+
+def structure_factor(run: RunDirectory, table: Table) -> plt.Figure:
+    """S(k) with the transform of g(r) beside it, where that is there."""
+    figure, axes = plt.subplots(figsize=SIZE, constrained_layout=True)
+    axes.axhline(1.0, color=style.GREY, linewidth=0.8, linestyle="--")
+    k, s = table["k"], table["S"]
+    path = run.path / "sk_from_rdf.csv"
+    if path.exists():
+        other = run_directory.read_table(path, ("k", "S"), increasing=("k",))
+        near = other["k"] <= k[-1]
+        axes.plot(other["k"][near], other["S"][near], color=style.ORANGE, linewidth=1.0, label="from g(r)")
+    draw_band(axes, k, s, table["S_standard_error"], style.BLUE, "from the density")
+    top = int(np.argmax(s))
+    axes.annotate(f"{s[top]:.2f} at {k[top]:.2f}/$\\sigma$", (k[top], s[top]), xytext=(6, 0),
+                  textcoords="offset points", va="center", fontsize=9)
+    axes.set_xlim(0.0, k[-1])
+    axes.set_ylim(0.0, 1.12 * float(np.max(s)))
+    axes.set_xlabel(r"$k$ / $\sigma^{-1}$")
+    axes.set_ylabel(r"$S(k)$")
+    axes.legend(loc="upper right")
+    return finish(figure, run)
+
+
+def displacement(run: RunDirectory, table: Table) -> plt.Figure:
+    """The mean-square displacement, and a line with the slope of the diffusion found."""
+    figure, axes = plt.subplots(figsize=SIZE, constrained_layout=True)
+    time, msd = table["time"], table["msd"]
+    draw_band(axes, time, msd, table["msd_standard_error"], style.BLUE, "mean-square displacement")
+    diffusion = run.observables.get("diffusion")
+    if diffusion is not None and diffusion.mean is not None:
+        line = msd[-1] + 6.0 * diffusion.mean * (time - time[-1])  # through the last point
+        label = caption(run, "diffusion", r"slope $6D$, $D$", r"$\sigma^2/\tau$")
+        axes.plot(time[line > 0.0], line[line > 0.0], color=style.ORANGE, linewidth=1.0, linestyle="--", label=label)
+    axes.set_xlim(0.0, time[-1])
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel(style.LABELS["time"])
+    axes.set_ylabel(r"$\langle |r(t) - r(0)|^2 \rangle$ / $\sigma^2$")
+    axes.legend(loc="upper left")
+    return finish(figure, run)
+
+
+def integral_pair(run: RunDirectory, time: np.ndarray, above: tuple[np.ndarray, np.ndarray, str],
+                  below: tuple[np.ndarray, np.ndarray, str], label: str) -> plt.Figure:
+    """A correlation function and, below, the integral of it up to each time."""
+    figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(7.0, 6.0), constrained_layout=True)
+    for axes, (values, error, name), colour in ((upper, above, style.BLUE), (lower, below, style.GREEN)):
+        axes.axhline(0.0, color=style.GREY, linewidth=0.8, linestyle="--")
+        draw_band(axes, time, values, error, colour, label if axes is lower else "")
+        axes.set_ylabel(name)
+    lower.legend(loc="lower right")
+    lower.set_xlim(0.0, time[-1])
+    lower.set_xlabel(style.LABELS["time"])
+    figure.align_ylabels([upper, lower])
+    return finish(figure, run)
+
+
+def velocity_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
+    """The normalised velocity autocorrelation, and the diffusion that it adds up to."""
+    scale = table["vacf"][0]
+    above = (table["vacf"] / scale, table["vacf_standard_error"] / scale, r"$\langle v(0) v(t) \rangle / \langle v^2 \rangle$")
+    below = (table["diffusion"], table["diffusion_standard_error"], r"$D(t)$ / ($\sigma^2/\tau$)")
+    return integral_pair(run, table["time"], above, below,
+                         caption(run, "diffusion_green_kubo", r"$D$", r"$\sigma^2/\tau$"))
+
+
+def vibrational_spectrum(run: RunDirectory, table: Table) -> plt.Figure:
+    """The spectrum of the velocities, as far as there is anything in it."""
+    figure, axes = plt.subplots(figsize=SIZE, constrained_layout=True)
+    frequency, spectrum = table["angular_frequency"], table["spectrum"]
+    draw_band(axes, frequency, spectrum, table["spectrum_standard_error"], style.PURPLE)
+    rest = np.flatnonzero(spectrum > 0.01 * np.max(spectrum))
+    axes.set_xlim(0.0, frequency[min(int(1.2 * rest[-1]) + 1, frequency.size - 1)])
+    axes.set_ylim(bottom=min(0.0, float(np.min(spectrum))))
+    axes.set_xlabel(r"$\omega$ / $\tau^{-1}$")
+    axes.set_ylabel(r"$I(\omega)$ / $\tau$")
+    return finish(figure, run)
+
+
+def stress_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
+    """The stress autocorrelation, and the viscosity that it adds up to."""
+    name = "stress_autocorrelation"
+    above = (table[name], table[f"{name}_standard_error"], r"$\langle P_{xy}(0) P_{xy}(t) \rangle$ / ($\epsilon^2/\sigma^6$)")
+    below = (table["viscosity"], table["viscosity_standard_error"], r"$\eta(t)$ / ($\epsilon \tau/\sigma^3$)")
+    return integral_pair(run, table["time"], above, below,
+                         caption(run, "viscosity", r"$\eta$", r"$\epsilon \tau/\sigma^3$"))
+
+
+# table -> its first column, the others that are drawn, how
+PICTURES = {
+    "sk": ("k", ("S", "S_standard_error"), structure_factor),
+    "msd": ("time", ("msd", "msd_standard_error"), displacement),
+    "vacf": ("time", ("vacf", "vacf_standard_error", "diffusion", "diffusion_standard_error"), velocity_autocorrelation),
+    "vibrational_spectrum": ("angular_frequency", ("spectrum", "spectrum_standard_error"), vibrational_spectrum),
+    "stress_autocorrelation": ("time", ("stress_autocorrelation", "stress_autocorrelation_standard_error", "viscosity",
+                                        "viscosity_standard_error"), stress_autocorrelation),
+}
+
+
+def read(path: Path, first: str, others: tuple[str, ...]) -> Table:
+    """A table whose first column increases, and whose other columns have a number in every row, errors excepted."""
+    table = run_directory.read_table(path, (first, *others), increasing=(first,))
+    for name in others:
+        gaps = np.flatnonzero(~np.isfinite(table[name]))
+        if gaps.size and not name.endswith("_standard_error"):
+            raise run_directory.damaged(path, f"line {gaps[0] + 2}: column '{name}' has no number")
+    return table
+
+
+def pictures(run: RunDirectory) -> dict[str, plt.Figure]:
+    """The pictures of the tables that a run has, by their names."""
+    figures = {}
+    for name, (first, others, draw) in PICTURES.items():
+        path = run.path / f"{name}.csv"
+        if path.exists():
+            figures[name] = draw(run, read(path, first, others))
+    return figures

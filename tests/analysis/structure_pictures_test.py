@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Tests of the pictures of structure and motion on made-up runs. Prints "N passed, M failed"; exit code 1 if any failed."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import fixtures
+import numpy as np
+import structure_pictures
+from fixtures import edit, png_size
+from plot_run_test import run_script, write_run
+
+TIME = np.linspace(0.0, 4.0, 41)
+K = np.linspace(0.6, 15.0, 60)
+
+
+def write_tables(run: Path) -> Path:
+    """The tables of structure and motion of a liquid, roughly."""
+    error = np.full(K.size, 0.02)
+    peak = 1.0 + 1.8 * np.exp(-(((K - 6.8) / 0.5) ** 2))
+    fixtures.write_csv(run / "sk.csv", {"k": K, "S": peak, "S_standard_error": error, "vectors": 8.0 * K})
+    fixtures.write_csv(run / "sk_from_rdf.csv", {"k": 2.0 * K, "S": np.ones(K.size), "S_standard_error": error})
+    error = np.full(TIME.size, 0.01)
+    fixtures.write_csv(run / "msd.csv", {"time": TIME, "msd": 0.2 * TIME, "msd_standard_error": error})
+    decay = np.exp(-3.0 * TIME)
+    fixtures.write_csv(run / "vacf.csv", {"time": TIME, "vacf": 2.2 * decay, "vacf_standard_error": error,
+                                          "vacf_normalized": decay, "diffusion": 0.2 * (1.0 - decay),
+                                          "diffusion_standard_error": error})
+    fixtures.write_csv(run / "vibrational_spectrum.csv", {"angular_frequency": 10.0 * TIME, "spectrum": 0.05 * decay,
+                                                          "spectrum_standard_error": 0.1 * error})
+    fixtures.write_csv(run / "stress_autocorrelation.csv",
+                       {"time": TIME, "stress_autocorrelation": decay, "stress_autocorrelation_standard_error": error,
+                        "viscosity": 3.0 * (1.0 - decay), "viscosity_standard_error": error})
+    return run
+
+
+def test_every_table_has_its_picture(tmp: Path) -> None:
+    run = write_tables(write_run(tmp / "run"))
+    result = run_script(run)
+    assert result.returncode == 0, result.stderr
+    names = ["thermo", "rdf", *structure_pictures.PICTURES]
+    assert result.stdout.splitlines() == [str(run / f"{name}.png") for name in names], result.stdout
+    for name in structure_pictures.PICTURES:
+        width, height = png_size(run / f"{name}.png")
+        assert width == 1400 and height >= 900, (name, width, height)
+
+
+def test_tables_that_are_not_there_have_none(tmp: Path) -> None:
+    run = write_tables(write_run(tmp / "run"))
+    for name in ("msd", "sk_from_rdf", "stress_autocorrelation"):
+        (run / f"{name}.csv").unlink()
+    result = run_script(run)
+    assert result.returncode == 0, result.stderr
+    made = [Path(line).stem for line in result.stdout.splitlines()]
+    assert made == ["thermo", "rdf", "sk", "vacf", "vibrational_spectrum"], made
+
+
+def test_errors_that_are_not_known_are_no_obstacle(tmp: Path) -> None:
+    run = write_tables(write_run(tmp / "run"))
+    fixtures.write_csv(run / "msd.csv", {"time": TIME, "msd": TIME, "msd_standard_error": np.full(TIME.size, np.nan)})
+    assert run_script(run).returncode == 0
+
+
+def test_damaged_tables(tmp: Path) -> None:
+    for name, old, new, words in (
+        ("sk", "k,S,", "k,s,", "no column 'S'"),
+        ("msd", "time,", "t,", "no column 'time'"),
+        ("vacf", "0.1,", "-0.1,", "column 'time' has no number above the one before"),
+    ):
+        run = write_tables(write_run(tmp / name))
+        edit(run / f"{name}.csv", old, new)
+        fixtures.check_error(run_script(run), 3, f"{name}.csv", words)
+    run = write_tables(write_run(tmp / "gap"))
+    lines = (run / "sk.csv").read_text().splitlines()
+    fields = lines[5].split(",")
+    lines[5] = ",".join([fields[0], "", *fields[2:]])
+    (run / "sk.csv").write_text("\n".join(lines) + "\n")
+    fixtures.check_error(run_script(run), 3, "sk.csv", "line 6", "'S' has no number")
+
+
+if __name__ == "__main__":
+    sys.exit(fixtures.run_tests(globals()))
