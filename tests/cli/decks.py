@@ -23,8 +23,14 @@ def shortened(text):
     if cells and int(cells.group(1)) > MOST_CELLS:
         settings.append(f"system.lattice.cells={MOST_CELLS}")
     settings.append("output.thermo.every=2")
-    settings += [f"{table}.every=4" for table, key in (("output.trajectory", "trajectory"), ("analysis.rdf", "rdf"))
-                 if re.search(rf"^{key} = ", text, flags=re.M)]
+    if re.search(r"^trajectory = ", text, flags=re.M):
+        settings.append("output.trajectory.every=4")
+    fluid = re.search(r"^\[system\]", text, flags=re.M)
+    analysis = re.search(r"^\[analysis\]\n(.*?)(?=^\[|\Z)", text, flags=re.M | re.S)
+    for key, values in re.findall(r"^(\w+) = (\{.*\})", analysis.group(1) if fluid and analysis else "", flags=re.M):
+        settings.append(f"analysis.{key}.every=2")
+        if "max_time" in values:
+            settings.append(f"analysis.{key}.max_time=0.05")
     return [part for setting in settings for part in ("--set", setting)]
 
 
