@@ -165,6 +165,10 @@ int main(int argc, char** argv) {
     reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
     reproduce.add_flag("--quiet", table.quiet, "no progress");
     reproduce.add_flag("--json", table.json, "print the table as JSON");
+    CLI::App& analyze = *app.add_subcommand(
+        "analyze", "where a run has come to equilibrium, and how many of its samples are independent");
+    analyze.add_option("directory", resumed.directory, "directory of a run")->required()->type_name("RUNDIR");
+    analyze.add_flag("--json", json, "print it as JSON");
     CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select; of a run, how far it got");
     CLI::Option* of_run = info.add_option("directory", resumed.directory, "directory of a run")->type_name("RUNDIR");
     CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
@@ -201,6 +205,8 @@ int main(int argc, char** argv) {
             ljmd::eos_command(state);
         } else if (reproduce.parsed()) {
             ljmd::reproduce_command(table);
+        } else if (analyze.parsed()) {
+            ljmd::analyze_command(resumed.directory, json);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {

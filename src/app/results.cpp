@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/run_report.hpp"
+#include "ljmd/core/text.hpp"
 
 namespace ljmd {
 
@@ -68,15 +69,6 @@ Json observable_json(const ObservableAverage& average, const std::optional<Subst
                       {"unit", si->name}};
     }
     return json;
-}
-
-/// "-6.0871 +- 0.0012": the error to two digits, the mean to the same decimals.
-std::string with_error(double mean, double error) {
-    if (!(error > 0.0) || !std::isfinite(error)) {
-        return fmt::format("{:.6g}", mean);
-    }
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
-    return fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals);
 }
 
 std::string table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {

@@ -1,5 +1,10 @@
 #include "ljmd/core/text.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace ljmd {
 
 std::size_t utf8_length(std::string_view text) {
@@ -60,6 +65,15 @@ std::string printable(std::string_view text, std::size_t limit) {
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t most_characters = 60;
     return "'" + printable(text, most_characters) + "'";
+}
+
+std::string with_error(double mean, double error) {
+    if (!(error > 0.0) || !std::isfinite(error)) {
+        return fmt::format("{:.6g}", mean);
+    }
+    constexpr int most_decimals = 12;
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, most_decimals);
+    return fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals);
 }
 
 std::string_view line_of(std::string_view text, int line) {

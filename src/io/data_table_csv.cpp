@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <string_view>
 
@@ -24,6 +25,43 @@ std::vector<std::string_view> fields_of(std::string_view line) {
     return fields;
 }
 
+/// Whether the last line of a file has its end. True for a file that cannot be read, which others will say.
+bool ends_with_a_line(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    char last = '\n';
+    if (file && file.tellg() > 0) {
+        file.seekg(-1, std::ios::end);
+        file.get(last);
+    }
+    return last == '\n';
+}
+
+DataTable read(const std::filesystem::path& path, bool without_last_line) {
+    TextFile file(path);
+    DataTable table{path.stem().string(), {}, {}};
+    if (!file.next_line()) {
+        file.fail_at(0, "no header: the file is empty");
+    }
+    for (const std::string_view name : fields_of(file.line())) {
+        table.columns.emplace_back(name);
+    }
+    while (file.next_line()) {
+        if (without_last_line && file.bytes_left() == 0) {
+            break;
+        }
+        const std::vector<std::string_view> fields = fields_of(file.line());
+        if (fields.size() != table.columns.size()) {
+            file.fail(fmt::format("{} fields, but {} columns", fields.size(), table.columns.size()));
+        }
+        std::vector<double>& row = table.rows.emplace_back();
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            row.push_back(fields[k].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                            : file.number(fields[k], table.columns[k]));
+        }
+    }
+    return table;
+}
+
 }  // namespace
 
 std::string to_csv(const DataTable& table) {
@@ -39,26 +77,11 @@ std::string to_csv(const DataTable& table) {
 }
 
 DataTable read_csv(const std::filesystem::path& path) {
-    TextFile file(path);
-    DataTable table{path.stem().string(), {}, {}};
-    if (!file.next_line()) {
-        file.fail_at(0, "no header: the file is empty");
-    }
-    for (const std::string_view name : fields_of(file.line())) {
-        table.columns.emplace_back(name);
-    }
-    while (file.next_line()) {
-        const std::vector<std::string_view> fields = fields_of(file.line());
-        if (fields.size() != table.columns.size()) {
-            file.fail(fmt::format("{} fields, but {} columns", fields.size(), table.columns.size()));
-        }
-        std::vector<double>& row = table.rows.emplace_back();
-        for (std::size_t k = 0; k < fields.size(); ++k) {
-            row.push_back(fields[k].empty() ? std::numeric_limits<double>::quiet_NaN()
-                                            : file.number(fields[k], table.columns[k]));
-        }
-    }
-    return table;
+    return read(path, false);
+}
+
+DataTable read_growing_csv(const std::filesystem::path& path) {
+    return read(path, !ends_with_a_line(path));
 }
 
 std::vector<double> column(const DataTable& table, const std::string& name) {

@@ -1,6 +1,7 @@
 #include "ljmd/core/text.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 using namespace ljmd;
 
@@ -37,6 +38,14 @@ TEST_CASE("printable text moves no cursor and ends in time") {
 TEST_CASE("quoted text is short and in quotes") {
     CHECK(in_quotes("densty") == "'densty'");
     CHECK(in_quotes(std::string(61, 'x')) == "'" + std::string(60, 'x') + "...'");
+}
+
+TEST_CASE("a mean has as many decimals as its error, which has two digits") {
+    CHECK(with_error(-6.08712, 0.00123) == "-6.0871 +- 0.0012");
+    CHECK(with_error(0.722, 0.021) == "0.722 +- 0.021");
+    CHECK(with_error(1234.567, 123.0) == "1235 +- 123");
+    CHECK(with_error(1.5, 0.0) == "1.5");
+    CHECK(with_error(1.23456789, std::numeric_limits<double>::quiet_NaN()) == "1.23457");
 }
 
 TEST_CASE("line_of finds a line without its end") {

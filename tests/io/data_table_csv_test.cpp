@@ -84,3 +84,17 @@ TEST_CASE("what is no table is refused with the line") {
     CHECK(refused("a,b\n1,2\n1,2,3\n") == ":3: 3 fields, but 2 columns");
     CHECK(refused("a,b\n1,x\n") == ":2: b must be a finite number, found 'x'");
 }
+
+TEST_CASE("of a table that is still written the last line counts when it has its end") {
+    const auto rows = [](const std::string& text) {
+        const test::WrittenFile file(text, "t.csv");
+        return read_growing_csv(file.path()).rows.size();
+    };
+    CHECK(rows("a,b\n1,2\n3,4\n") == 2);
+    CHECK(rows("a,b\n1,2\n3,4") == 1);
+    CHECK(rows("a,b\n1,2\n3,") == 1);
+    CHECK(rows("a,b\n1,2\n3") == 1);
+    CHECK(rows("a,b") == 0);
+    const test::WrittenFile damaged("a,b\n1\n3,4", "t.csv");
+    CHECK_THROWS_AS(read_growing_csv(damaged.path()), DataError);
+}

@@ -89,6 +89,11 @@ void eos_command(const EosOptions& options);
 /// and with equations of state. Rows that are done are kept, those that were stopped are gone on with.
 void reproduce_command(const ReproduceOptions& options);
 
+/// ljmd analyze RUNDIR: where the sampled stages of a run have come to equilibrium, and how many independent samples
+/// are left. Nothing is written; the run may still be going on.
+/// @param json  print it as JSON
+void analyze_command(const std::string& directory, bool json);
+
 /// ljmd info, ljmd info RUNDIR
 /// @param directory  of a run to tell of; empty: tell of the program
 /// @param keys       print the reference page of all deck keys instead

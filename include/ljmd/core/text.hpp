@@ -24,6 +24,10 @@ namespace ljmd {
 /// A name or value as messages show it: printable, in single quotes, at most 60 characters.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// "-6.0871 +- 0.0012": the error to two digits, the mean to the same decimals; the mean alone to six digits where the
+/// error is 0 or not known.
+[[nodiscard]] std::string with_error(double mean, double error);
+
 /// Line number `line` (from 1) of `text` without its line end ("\n" or "\r\n"); empty when there is no such line.
 [[nodiscard]] std::string_view line_of(std::string_view text, int line);
 

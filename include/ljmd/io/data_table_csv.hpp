@@ -16,6 +16,10 @@ namespace ljmd {
 /// @throws DataError  it cannot be read, a row has another number of fields than the header, or a field is no number
 [[nodiscard]] DataTable read_csv(const std::filesystem::path& path);
 
+/// The same of a file that may still be written: what follows the last end of a line is left out.
+/// @throws DataError
+[[nodiscard]] DataTable read_growing_csv(const std::filesystem::path& path);
+
 /// The values of a column, row by row. @throws DataError  there is no such column
 [[nodiscard]] std::vector<double> column(const DataTable& table, const std::string& name);
 

@@ -1,0 +1,138 @@
+#include "ljmd/app/thermo_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/io/data_table_csv.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Index most_starts = 100;  // of a series that are tried
+constexpr std::array<const char*, 4> reported{"temperature", "potential_energy", "total_energy", "pressure"};
+
+/// Whether a step belongs to a stage that is sampled, or to any where none is.
+class SampledSteps {
+  public:
+    explicit SampledSteps(const std::vector<Stage>& stages)
+        : stages_(stages), all_(std::ranges::none_of(stages, &Stage::sample)) {}
+
+    [[nodiscard]] bool contain(Index step) const {
+        Index before = 0;
+        for (const Stage& stage : stages_) {
+            if (step > before && step <= before + stage.steps) {
+                return all_ || stage.sample;
+            }
+            before += stage.steps;
+        }
+        return false;
+    }
+
+  private:
+    const std::vector<Stage>& stages_;
+    bool all_;
+};
+
+Estimate blocking(const std::vector<double>& series) {
+    BlockingAccumulator blocks(1, Covariance::diagonal);
+    for (const double value : series) {
+        blocks.add(Eigen::VectorXd::Constant(1, value));
+    }
+    return blocks.estimate(0);
+}
+
+/// (g - 1)/2 rows as a time.
+double correlation_time(const ThermoReport& report, const Equilibration& found) {
+    return 0.5 * (found.inefficiency - 1.0) * report.interval;
+}
+
+Index step_of_row(const ThermoReport& report, Index row) {
+    return report.first_step + row * ((report.last_step - report.first_step) / std::max(report.rows - 1, Index{1}));
+}
+
+Json number_or_null(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+}  // namespace
+
+ThermoReport thermo_report(const RecordedRun& run) {
+    if (run.deck.kind == DeckKind::few_body) {
+        throw InputError("a few-body run has no equilibrium: `ljmd analyze` wants one of a fluid");
+    }
+    DataTable table = read_growing_csv(run.deck.directory / "thermo.csv");
+    const SampledSteps sampled(run.deck.stages);
+    const std::vector<double> all_steps = column(table, "step");
+    std::size_t row = 0;
+    std::erase_if(table.rows, [&](const auto&) { return !sampled.contain(static_cast<Index>(all_steps[row++])); });
+    const auto rows = static_cast<Index>(table.rows.size());
+    if (rows < 2) {
+        throw DataError(fmt::format("{} has {} of the rows that are looked at: the sampled stages have hardly begun",
+                                    (run.deck.directory / "thermo.csv").string(), rows));
+    }
+    const std::vector<double> steps = column(table, "step");
+    const std::vector<double> times = column(table, "time");
+    ThermoReport report{rows,
+                        static_cast<Index>(steps.front()),
+                        static_cast<Index>(steps.back()),
+                        (times.back() - times.front()) / static_cast<double>(rows - 1),
+                        std::max(rows / most_starts, Index{1}),
+                        {}};
+    for (const char* name : reported) {
+        const std::vector<double> series = column(table, name);
+        report.columns.push_back(
+            {name, detect_equilibration(series, report.stride), statistical_inefficiency(series), blocking(series)});
+    }
+    return report;
+}
+
+std::string thermo_table(const ThermoReport& report) {
+    std::string text = fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n", report.rows,
+                                   report.first_step, report.last_step, report.interval);
+    text += fmt::format("  {:<18}{:>20}{:>18}{:>14}{:>26}\n", "observable", "equilibrated at step", "correlation time",
+                        "independent", "mean +- standard error");
+    for (const ThermoReport::Column& column : report.columns) {
+        const Equilibration& found = column.found;
+        if (!std::isfinite(found.inefficiency)) {
+            text += fmt::format("  {:<18}not defined\n", column.name);
+            continue;
+        }
+        text += fmt::format("  {:<18}{:>20}{:>14.3g} tau{:>14.0f}{:>26}\n", column.name,
+                            step_of_row(report, found.start), correlation_time(report, found),
+                            found.independent_samples, with_error(found.mean, found.standard_error));
+    }
+    return text;
+}
+
+std::string thermo_json(const ThermoReport& report) {
+    Json observables = Json::object();
+    for (const ThermoReport::Column& column : report.columns) {
+        const Equilibration& found = column.found;
+        observables[column.name] = {
+            {"equilibrated_at_row", found.start},
+            {"equilibrated_at_step", step_of_row(report, found.start)},
+            {"statistical_inefficiency", number_or_null(found.inefficiency)},
+            {"correlation_time", number_or_null(correlation_time(report, found))},
+            {"independent_samples", number_or_null(found.independent_samples)},
+            {"mean", number_or_null(found.mean)},
+            {"standard_error", number_or_null(found.standard_error)},
+            {"statistical_inefficiency_of_all", number_or_null(column.whole_inefficiency)},
+            {"mean_of_all", number_or_null(column.by_blocking.mean)},
+            {"blocking_standard_error_of_all", number_or_null(column.by_blocking.standard_error)}};
+    }
+    const Json json = {{"rows", report.rows},           {"first_step", report.first_step},
+                       {"last_step", report.last_step}, {"interval", report.interval},
+                       {"stride", report.stride},       {"observables", observables}};
+    return json.dump(2) + "\n";
+}
+
+}  // namespace ljmd

@@ -1,0 +1,110 @@
+#include "ljmd/app/thermo_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "app/run_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/data_table_csv.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A run of the small deck with a row for every step.
+class SmallRun {
+  public:
+    explicit SmallRun(std::vector<std::string> settings = {}, Index steps = 1000000) {
+        settings.emplace_back("output.thermo.every=1");
+        deck_ = folder_.load(settings);
+        run_until(*deck_, std::min(steps, deck_->total_steps()));
+    }
+    [[nodiscard]] ThermoReport report() const { return thermo_report(recorded_run(deck_->directory)); }
+    [[nodiscard]] std::vector<double> column_of(const std::string& name) const {
+        return column(read_csv(deck_->directory / "thermo.csv"), name);
+    }
+    [[nodiscard]] std::filesystem::path directory() const { return deck_->directory; }
+
+  private:
+    DeckFolder folder_;
+    std::optional<Deck> deck_;
+};
+
+}  // namespace
+
+TEST_CASE("the report looks at the rows of sampled stages, as the averages of a run do") {
+    const SmallRun run;
+    const ThermoReport report = run.report();
+    CHECK(report.rows == 40);
+    CHECK(report.first_step == 21);
+    CHECK(report.last_step == 60);
+    CHECK(report.interval == Approx(0.004));
+    CHECK(report.stride == 1);
+    REQUIRE(report.columns.size() == 4);
+    const Json results = Json::parse(content_of(run.directory() / "results.json"));
+    for (const ThermoReport::Column& column : report.columns) {
+        CAPTURE(column.name);
+        const std::vector<double> all = run.column_of(column.name);
+        const std::vector<double> sampled(all.end() - 40, all.end());
+        const Equilibration expected = detect_equilibration(sampled, 1);
+        CHECK(column.found.start == expected.start);
+        CHECK(column.found.mean == expected.mean);
+        CHECK(column.found.standard_error == expected.standard_error);
+        CHECK(column.whole_inefficiency == statistical_inefficiency(sampled));
+        const Json& reported = results.at("observables").at(column.name);
+        CHECK(column.by_blocking.mean == Approx(reported.at("mean").get<double>()).epsilon(1e-12));
+        CHECK(column.by_blocking.standard_error == Approx(reported.at("standard_error").get<double>()).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("where no stage is sampled all rows but the start's are looked at") {
+    const ThermoReport report = SmallRun({"stage.production.sample=false"}).report();
+    CHECK(report.rows == 60);
+    CHECK(report.first_step == 1);
+}
+
+TEST_CASE("the report of a run that was stopped is that of its rows") {
+    const ThermoReport report = SmallRun({"output.checkpoint.every=10"}, 35).report();
+    CHECK(report.rows <= 16);
+    CHECK(report.rows >= 2);
+    CHECK(report.first_step == 21);
+}
+
+TEST_CASE("the report says the same to people and to programs") {
+    const ThermoReport report = SmallRun().report();
+    const Json json = Json::parse(thermo_json(report));
+    CHECK(json.at("rows") == 40);
+    CHECK(json.at("stride") == 1);
+    const Json& pressure = json.at("observables").at("pressure");
+    const Equilibration& found = report.columns.back().found;
+    CHECK(pressure.at("equilibrated_at_row") == found.start);
+    CHECK(pressure.at("equilibrated_at_step") == 21 + found.start);
+    CHECK(pressure.at("statistical_inefficiency") == found.inefficiency);
+    CHECK(pressure.at("correlation_time").get<double>() == Approx(0.5 * (found.inefficiency - 1.0) * 0.004));
+    CHECK(pressure.at("mean") == found.mean);
+    const std::string table = thermo_table(report);
+    CHECK_THAT(table, Contains("40 rows of thermo.csv, steps 21 to 60, 0.004 tau apart"));
+    for (const char* name : {"temperature", "potential_energy", "total_energy", "pressure"}) {
+        CHECK_THAT(table, Contains(name));
+    }
+}
+
+TEST_CASE("a column without numbers is not defined") {
+    ThermoReport report{5, 1, 5, 0.1, 1, {}};
+    const std::vector<double> unknown(5, std::nan(""));
+    report.columns.push_back({"temperature", detect_equilibration(unknown, 1), std::nan(""), {}});
+    CHECK_THAT(thermo_table(report), Contains("temperature       not defined"));
+    CHECK(Json::parse(thermo_json(report)).at("observables").at("temperature").at("mean").is_null());
+}
+
+TEST_CASE("what has hardly begun, or has no equilibrium, is refused") {
+    const SmallRun begun({"stage.production.steps=1"});
+    const std::string file = (begun.directory() / "thermo.csv").string();
+    CHECK_THROWS_WITH(begun.report(),
+                      file + " has 1 of the rows that are looked at: the sampled stages have hardly begun");
+    const DeckFolder folder(stars_deck);
+    const Deck deck = folder.load();
+    CHECK_THROWS_AS(thermo_report(RecordedRun{deck, {}, "", 1, true}), InputError);
+}
