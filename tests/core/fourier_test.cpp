@@ -60,7 +60,8 @@ TEST_CASE("transforms of several real series are the sums that define them") {
         for (Index k = 0; k <= n / 2; ++k) {
             Complex expected = 0.0;
             for (Index j = 0; j < n; ++j) {
-                expected += at(x, series * n + j) * std::polar(1.0, -2.0 * pi * static_cast<double>(j * k % n) / static_cast<double>(n));
+                expected += at(x, series * n + j) *
+                            std::polar(1.0, -2.0 * pi * static_cast<double>(j * k % n) / static_cast<double>(n));
             }
             CHECK(std::abs(at(found, series * (n / 2 + 1) + k) - expected) < 1e-14);
         }
@@ -84,7 +85,9 @@ TEST_CASE("the transform of a grid is the sum that defines it") {
     AlignedVector<double> x = random_numbers(n[0] * n[1] * n[2], 5);
     AlignedVector<Complex> found(static_cast<std::size_t>(n[0] * n[1] * (n[2] / 2 + 1)));
     GridTransform{n}(x, found);
-    const auto phase = [](Index j, Index k, Index length) { return static_cast<double>(j * k) / static_cast<double>(length); };
+    const auto phase = [](Index j, Index k, Index length) {
+        return static_cast<double>(j * k) / static_cast<double>(length);
+    };
     for (const std::array<Index, 3>& k : {std::array<Index, 3>{0, 0, 0}, {1, 0, 0}, {3, 5, 2}, {2, 1, 5}, {0, 4, 3}}) {
         Complex expected = 0.0;
         for (Index a = 0; a < n[0]; ++a) {

@@ -40,8 +40,8 @@ class RealTransform {
     detail::OwnedFourierPlan plan_;
 };
 
-/// x_j = sum over all k of X_k exp(2 pi i j k/n) of a Hermitian X, of which k = 0 ... n/2 are given: n times the inverse
-/// of RealTransform. X is lost.
+/// x_j = sum over all k of X_k exp(2 pi i j k/n) of a Hermitian X, of which k = 0 ... n/2 are given: n times the
+/// inverse of RealTransform. X is lost.
 class InverseRealTransform {
   public:
     /// @throws ContractViolation unless n is even and positive
@@ -77,7 +77,8 @@ class SineTransform {
 };
 
 /// Y_k = x_0 + (-1)^k x_{n-1} + 2 sum_{j=1}^{n-2} x_j cos(pi j k/(n - 1)), k = 0 ... n - 1: an even function that is
-/// known at the ends of n - 1 intervals; Y is what the trapezoidal rule makes of its cosine integrals, but for a factor.
+/// known at the ends of n - 1 intervals; Y is what the trapezoidal rule makes of its cosine integrals, but for a
+/// factor.
 class CosineTransform {
   public:
     /// @throws ContractViolation if n < 2

@@ -27,7 +27,8 @@ class RunAverages {
     [[nodiscard]] Index samples() const { return series_.samples(); }
 
     /// temperature, potential_energy, kinetic_energy, total_energy, pressure, compressibility_factor,
-    /// heat_capacity_cv at constant energy, where one has such fluctuations, pressure_xx ... pressure_yz, virial; empty without samples.
+    /// heat_capacity_cv at constant energy, where one has such fluctuations, pressure_xx ... pressure_yz, virial; empty
+    /// without samples.
     [[nodiscard]] std::vector<ObservableAverage> averages() const;
 
     void archive(Archive& a) { a(series_); }
