@@ -6,7 +6,6 @@
 #include "ljmd/app/equation_report.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 
 namespace ljmd {
 
@@ -28,7 +27,7 @@ void warn(const std::string& doubt) {
 }  // namespace
 
 void eos_command(const EosOptions& options) {
-    const EquationOfState equation = find_plugin(all_equations_of_state(), options.model, "equation of state");
+    const EquationOfState equation = equation_of_state(options.model);
     if (!options.temperature) {
         if (options.density) {
             throw InputError("--density wants a --temperature");

@@ -28,6 +28,9 @@ constexpr double hottest_trial = 2.0;  // [epsilon/k_B]; stable with the usual t
 constexpr double thermo_row = 240.0;
 constexpr double thermo_row_si = 350.0;
 
+/// Bytes that a run of few atoms takes.
+constexpr double program_itself = 1.1e6;
+
 double density_of(const Start& start) {
     return static_cast<double>(start.atoms) / start.box.volume();
 }
@@ -97,10 +100,10 @@ double memory(const Deck& deck, const Start& start) {
     if (method == "cells") {
         per_atom += (with_images - 1.0) * 32.0 + with_images * 8.0;
     } else if (method == "verlet-list") {
-        per_atom += 32.0 + 24.0 + with_images * (24.0 + 16.0);  // old positions, partial forces; clusters, candidates
-        per_atom += 4.0 * (0.25 * neighbors + 4.0);             // clusters on the list
+        per_atom += 32.0 + 174.0;  // old positions; clusters and candidates, guests of tiles, their forces
+        per_atom += 4.0 * (0.125 * neighbors + 4.0);  // clusters on the list, each pair once
     }
-    return per_atom * static_cast<double>(start.atoms);
+    return program_itself + per_atom * static_cast<double>(start.atoms);
 }
 
 double disk(const Deck& deck, const Start& start) {
@@ -151,7 +154,7 @@ std::string check_report(const Deck& deck, const Start& start, const Forecast& f
                             stage.time_step, static_cast<double>(stage.steps) * stage.time_step,
                             stage.sample ? ", sampled" : "");
     }
-    text += fmt::format("  memory    about {}\n", bytes(forecast.memory_bytes));
+    text += fmt::format("  memory    about {}, analyses not counted\n", bytes(forecast.memory_bytes));
     text += fmt::format("  disk      about {} in {}\n", bytes(forecast.disk_bytes), deck.directory.string());
     text += fmt::format("  time      about {} on this machine with {}, analyses not counted\n",
                         duration(forecast.seconds), threads_text());

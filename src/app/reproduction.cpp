@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/potentials/formulas/lennard_jones.hpp"
 
@@ -23,10 +22,6 @@ namespace fs = std::filesystem;
 constexpr double verlet_cutoff = 2.5;
 constexpr double verlet_step = 0.0046188;  // 0.032 (m sigma^2/48 epsilon)^(1/2)
 constexpr double melting_temperature = 3.0;
-
-EquationOfState equation(const std::string& name) {
-    return find_plugin(all_equations_of_state(), name, "equation of state");
-}
 
 ZAndU values_of(const EquationOfState& equation, double temperature, double density) {
     const FluidProperties state = properties(equation, temperature, density);
@@ -75,7 +70,7 @@ SampledStage sampled_stage(const fs::path& results) {
 /// Z and U at the nominal temperature, from those at the one that was measured.
 void estimate_at(ReproducedRow& row, const BlockingAccumulator& series) {
     const double rho = row.verlet.density;
-    const EquationOfState thol = equation("thol2016");
+    const EquationOfState thol = equation_of_state("thol2016");
     const Eigen::VectorXd mean = series.mean();
     const double t = mean[0];
     const double u = mean[1];
@@ -183,8 +178,8 @@ ReproducedRow evaluate_row(const VerletRow& row, const fs::path& directory) {
                          .z = {},
                          .u = {},
                          .beyond_cutoff = cutoff_bias(column(rdf, "r"), column(rdf, "g"), rho, t, verlet_cutoff),
-                         .thol = values_of(equation("thol2016"), t, rho),
-                         .kolafa = values_of(equation("kolafa-nezbeda1994"), t, rho)};
+                         .thol = values_of(equation_of_state("thol2016"), t, rho),
+                         .kolafa = values_of(equation_of_state("kolafa-nezbeda1994"), t, rho)};
     estimate_at(result, series);
     return result;
 }

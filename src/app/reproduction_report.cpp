@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "ljmd/core/registry.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 
 namespace ljmd {
@@ -21,16 +20,17 @@ constexpr double printed_error_z = 0.05;
 constexpr double printed_error_u = 0.03;
 
 /// "0.2709(46)": the error in units of the last two digits.
-std::string with_error(double value, double error) {
-    if (!(error > 0.0) || !std::isfinite(error)) {
-        return fmt::format("{:.4f}", value);
+std::string with_error_of_digits(const Estimate& found) {
+    if (!(found.standard_error > 0.0) || !std::isfinite(found.standard_error)) {
+        return fmt::format("{:.4f}", found.mean);
     }
-    const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 9);
-    return fmt::format("{:.{}f}({:.0f})", value, digits, error * std::pow(10.0, digits));
-}
-
-std::string with_error(const Estimate& estimate) {
-    return with_error(estimate.mean, estimate.standard_error);
+    constexpr int most_digits = 9;
+    constexpr double three_digits = 99.5;  // what is rounded to 100
+    int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(found.standard_error))), 0, most_digits);
+    if (digits > 0 && found.standard_error * std::pow(10.0, digits) >= three_digits) {
+        --digits;
+    }
+    return fmt::format("{:.{}f}({:.0f})", found.mean, digits, found.standard_error * std::pow(10.0, digits));
 }
 
 std::string printed(const std::optional<Printed>& value) {
@@ -65,12 +65,12 @@ const std::vector<Column>& columns() {
     static const std::vector<Column> all{
         {"rho", [](const ReproducedRow& row) { return fmt::format("{:.4f}", row.verlet.density); }},
         {"T", [](const ReproducedRow& row) { return fmt::format("{:.3f}", row.verlet.temperature); }},
-        {"Z", [](const ReproducedRow& row) { return with_error(row.z); }},
+        {"Z", [](const ReproducedRow& row) { return with_error_of_digits(row.z); }},
         {"Verlet", [](const ReproducedRow& row) { return printed(row.verlet.compressibility_factor); }},
         {"Thol", [](const ReproducedRow& row) { return fmt::format("{:.3f}", row.thol.z); }},
         {"cutoff", [](const ReproducedRow& row) { return fmt::format("{:+.3f}", row.beyond_cutoff.z); }},
         {"z", [](const ReproducedRow& row) { return fmt::format("{:+.1f}", row.z_scores().z); }},
-        {"U", [](const ReproducedRow& row) { return with_error(row.u); }},
+        {"U", [](const ReproducedRow& row) { return with_error_of_digits(row.u); }},
         {"Verlet", [](const ReproducedRow& row) { return printed(row.verlet.potential_energy); }},
         {"Thol", [](const ReproducedRow& row) { return fmt::format("{:.3f}", row.thol.u); }},
         {"cutoff", [](const ReproducedRow& row) { return fmt::format("{:+.4f}", row.beyond_cutoff.u); }},
@@ -182,8 +182,8 @@ std::string isotherms_csv() {
     constexpr double densest = 0.9;
     constexpr double step = 0.01;
     constexpr int steps = 60;
-    const EquationOfState thol = find_plugin(all_equations_of_state(), "thol2016", "equation of state");
-    const EquationOfState kolafa = find_plugin(all_equations_of_state(), "kolafa-nezbeda1994", "equation of state");
+    const EquationOfState thol = equation_of_state("thol2016");
+    const EquationOfState kolafa = equation_of_state("kolafa-nezbeda1994");
     DataTable table{"isotherms", {"T", "rho", "Z_thol2016", "Z_kolafa_nezbeda1994"}, {}};
     for (const double t : temperatures) {
         std::vector<std::vector<double>> isotherm;  // from the dense end as far as the fluid is stable, or metastable

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
 
 namespace ljmd {
 
@@ -18,6 +19,10 @@ Taylor residual(const EquationOfState& equation, double temperature, double dens
 }
 
 }  // namespace
+
+EquationOfState equation_of_state(const std::string& name) {
+    return find_plugin(all_equations_of_state(), name, "equation of state");
+}
 
 FluidProperties properties(const EquationOfState& equation, double temperature, double density) {
     const Taylor a = residual(equation, temperature, density);

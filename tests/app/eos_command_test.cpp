@@ -4,30 +4,21 @@
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/equation_report.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
 
-namespace {
-
-EquationOfState named(const std::string& name) {
-    return find_plugin(all_equations_of_state(), name, "equation of state");
-}
-
-}  // namespace
-
 TEST_CASE("eos prints the equations, coexistence, or a state, by what it is given") {
     CHECK(said([] { eos_command({}); }).out == equations_table());
     CHECK(said([] { eos_command({.json = true}); }).out == equations_json());
-    CHECK(said([] { eos_command({.temperature = 0.9}); }).out == coexistence_table(named("thol2016"), 0.9));
+    CHECK(said([] { eos_command({.temperature = 0.9}); }).out == coexistence_table(equation_of_state("thol2016"), 0.9));
     CHECK(said([] { eos_command({.temperature = 0.9, .json = true}); }).out ==
-          coexistence_json(named("thol2016"), 0.9));
+          coexistence_json(equation_of_state("thol2016"), 0.9));
     CHECK(said([] { eos_command({.temperature = 1.5, .density = 0.5}); }).out ==
-          state_table(named("thol2016"), 1.5, 0.5));
+          state_table(equation_of_state("thol2016"), 1.5, 0.5));
     CHECK(said([] { eos_command({.model = "thol2015", .temperature = 1.5, .density = 0.5, .json = true}); }).out ==
-          state_json(named("thol2015"), 1.5, 0.5));
+          state_json(equation_of_state("thol2015"), 1.5, 0.5));
 }
 
 TEST_CASE("eos warns of doubtful numbers, and only of these") {

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;
@@ -13,7 +12,7 @@ using Json = nlohmann::json;
 namespace {
 
 EquationOfState thol() {
-    return find_plugin(all_equations_of_state(), "thol2016", "equation of state");
+    return equation_of_state("thol2016");
 }
 
 }  // namespace

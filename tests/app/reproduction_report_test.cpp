@@ -43,6 +43,18 @@ TEST_CASE("the table shows values with their errors, and marks what is suspect")
     CHECK_THAT(markdown, Contains("| 0.8500 | 0.786 | 0.957(14) | 0.99 | 0.999 |"));
 }
 
+TEST_CASE("errors have two digits, also where rounding would make it three") {
+    const auto z = [](double error) {
+        ReproducedRow row = a_row();
+        row.z.standard_error = error;
+        return reproduction_table({row});
+    };
+    CHECK_THAT(z(0.0994), Contains("0.957(99)"));
+    CHECK_THAT(z(0.0996), Contains("0.96(10)"));
+    CHECK_THAT(z(0.1), Contains("0.96(10)"));
+    CHECK_THAT(z(0.0), Contains("0.9571 "));
+}
+
 TEST_CASE("the CSV has a field for each column, with all digits") {
     std::istringstream csv(reproduction_csv({a_row()}));
     std::string header;

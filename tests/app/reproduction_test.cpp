@@ -6,7 +6,6 @@
 
 #include "app/app_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -63,7 +62,7 @@ TEST_CASE("every row has a deck that is right, with 864 atoms and a name of its 
 }
 
 TEST_CASE("a row is read from its run: means of the production stage, at Verlet's temperature") {
-    const EquationOfState thol = find_plugin(all_equations_of_state(), "thol2016", "equation of state");
+    const EquationOfState thol = equation_of_state("thol2016");
     const double measured = 0.8;
     const MadeUpRun run(measured, 0.7);
     const ReproducedRow row = evaluate_row(argon, run.path());
@@ -93,7 +92,7 @@ TEST_CASE("the error takes into account that temperature, energy and pressure sw
     const ReproducedRow row = evaluate_row(argon, run.path());
     const double rho = argon.density;
     const double t = argon.temperature;
-    const EquationOfState thol = find_plugin(all_equations_of_state(), "thol2016", "equation of state");
+    const EquationOfState thol = equation_of_state("thol2016");
     const double h = 1e-5;
     const double slope =
         (properties(thol, t + h, rho).compressibility_factor - properties(thol, t - h, rho).compressibility_factor) /

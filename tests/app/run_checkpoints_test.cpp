@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/run_fixtures.hpp"
 #include "core/thread_guard.hpp"
@@ -21,11 +22,15 @@ namespace {
 
 /// Everything that a deck's run leaves, file by file; times and what tells of them left out.
 std::string outputs_of(const std::filesystem::path& directory) {
-    std::string all;
-    for (const char* name : {"thermo.csv", "rdf.csv", "orbit.csv", "trajectory.xyz", "trajectory.csv", "final.xyz"}) {
-        if (std::filesystem::exists(directory / name)) {
-            all += fmt::format("== {}\n{}", name, content_of(directory / name));
+    std::set<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+        if (entry.path().extension() == ".csv" || entry.path().extension() == ".xyz") {
+            files.insert(entry.path());
         }
+    }
+    std::string all;
+    for (const std::filesystem::path& file : files) {
+        all += fmt::format("== {}\n{}", file.filename().string(), content_of(file));
     }
     Json results = Json::parse(content_of(directory / "results.json"));
     results.erase("seconds");
@@ -76,6 +81,11 @@ const std::string with_files = small_deck + R"(
 trajectory = { format = "xyz", every = 7, velocities = true }
 [analysis]
 rdf = { bins = 20, every = 4 }
+structure_factor = { k_max = 3.0, every = 4 }
+msd = { every = 2, origins = 3 }
+vacf = { every = 1 }
+viscosity = { every = 1 }
+chemical_potential = { every = 3, insertions = 5 }
 )";
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "ljmd/observables/order_parameter.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 
 #include "neighbors/sample_states.hpp"
 
@@ -22,6 +24,21 @@ TEST_CASE("a shift of the crystal along x by half the distance of its planes giv
         state.write_positions()(0, i) += half;
     }
     CHECK(TranslationalOrder(lattice, 4)(state) == Approx(1.0 / 3.0).epsilon(1e-12));
+}
+
+TEST_CASE("the order parameter is the mean of the cosines that define it") {
+    const Vec3 edges(4.0, 5.0, 7.0);
+    const State state = test::random_state(1000, Box(edges), 5);
+    double sum = 0.0;
+    for (Index i = 0; i < state.count(); ++i) {
+        sum += (2.0 * std::numbers::pi * 6.0 * state.positions().col(i).cwiseQuotient(edges)).array().cos().sum();
+    }
+    CHECK(TranslationalOrder(Lattice::fcc, 3)(state) == Approx(sum / 3000.0).epsilon(1e-12).margin(1e-13));
+    State one = test::random_state(1, Box(edges), 1);
+    for (int k = -70; k <= 70; ++k) {
+        one.write_positions().col(0) = 0.05 * k * edges / 6.0;
+        CHECK(TranslationalOrder(Lattice::fcc, 3)(one) == Approx(std::cos(0.1 * std::numbers::pi * k)).margin(2e-13));
+    }
 }
 
 TEST_CASE("wrapping, and scaling of the box, do not change the order parameter") {

@@ -55,13 +55,14 @@ def main() -> int:
     check("standard error of Z", factor["standard_error"], 0.01, 0.01)
     check("temperature", found["temperature"]["mean"], TEMPERATURE, 0.02)
     check("translational order when sampling begins", results["translational_order_at_sampling"], 0.0, 0.1)
-    for name, low, high, sign, radius, height, margin in (
-        ("first peak", 0.9, 1.4, 1, 1.085, 3.04, 0.06),
-        ("first minimum", 1.3, 1.9, -1, 1.545, 0.578, 0.02),
-        ("second peak", 1.8, 2.4, 1, 2.085, 1.28, 0.03),
+    # Where g is flat, the lowest or highest of a hundred bins is found by chance within these.
+    for name, low, high, sign, radius, place, height, margin in (
+        ("first peak", 0.9, 1.4, 1, 1.085, 0.0201, 3.04, 0.06),
+        ("first minimum", 1.3, 1.9, -1, 1.545, 0.0601, 0.578, 0.02),
+        ("second peak", 1.8, 2.4, 1, 2.085, 0.0401, 1.28, 0.03),
     ):
         r, g = extremum(curve, low, high, sign)
-        check(f"g(r), {name}: r", r, radius, 0.0201)
+        check(f"g(r), {name}: r", r, radius, place)
         check(f"g(r), {name}: height", g, height, margin)
     print(f"{passed} passed, {failures} failed")
     return 1 if failures else 0

@@ -12,10 +12,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-EquationOfState named(const std::string& name) {
-    return find_plugin(all_equations_of_state(), name, "equation of state");
-}
-
 double helmholtz(const EquationOfState& equation, double temperature, double density) {
     return equation.residual_helmholtz(temperature, density).value();
 }
@@ -90,9 +86,9 @@ TEST_CASE("three fits of the full fluid agree where it is simple") {
     for (const double t : {1.5, 2.74, 4.0}) {
         for (const double rho : {0.1, 0.45, 0.8}) {
             INFO("temperature " << t << ", density " << rho);
-            const FluidProperties thol = properties(named("thol2016"), t, rho);
+            const FluidProperties thol = properties(equation_of_state("thol2016"), t, rho);
             for (const std::string other : {"johnson1993", "kolafa-nezbeda1994"}) {
-                const FluidProperties state = properties(named(other), t, rho);
+                const FluidProperties state = properties(equation_of_state(other), t, rho);
                 CHECK(state.compressibility_factor == Approx(thol.compressibility_factor).margin(0.02));
                 CHECK(state.potential_energy == Approx(thol.potential_energy).margin(0.07));
             }
@@ -101,21 +97,22 @@ TEST_CASE("three fits of the full fluid agree where it is simple") {
 }
 
 TEST_CASE("the liquid has a heat capacity at constant pressure and a speed of sound, an unstable state neither") {
-    const FluidProperties liquid = properties(named("thol2016"), 0.8, 0.8);
+    const FluidProperties liquid = properties(equation_of_state("thol2016"), 0.8, 0.8);
     const double squared = *liquid.heat_capacity_cp() / liquid.heat_capacity_cv * liquid.pressure_density_slope;
     CHECK(*liquid.speed_of_sound() == Approx(std::sqrt(squared)));
     CHECK(*liquid.heat_capacity_cp() > liquid.heat_capacity_cv);
-    const FluidProperties unstable = properties(named("thol2016"), 0.8, 0.5);
+    const FluidProperties unstable = properties(equation_of_state("thol2016"), 0.8, 0.5);
     CHECK(unstable.pressure_density_slope < 0.0);
     CHECK_FALSE(unstable.heat_capacity_cp());
     CHECK_FALSE(unstable.speed_of_sound());
     // A monatomic ideal gas: w^2 = 5/3 T.
-    CHECK(*properties(named("thol2016"), 2.0, 1e-9).speed_of_sound() == Approx(std::sqrt(10.0 / 3.0)).epsilon(1e-7));
+    CHECK(*properties(equation_of_state("thol2016"), 2.0, 1e-9).speed_of_sound() ==
+          Approx(std::sqrt(10.0 / 3.0)).epsilon(1e-7));
 }
 
 TEST_CASE("states outside of what an equation was fitted to are told") {
     const auto range = [](const std::string& name, double t, double rho) {
-        return outside_of_range(named(name), properties(named(name), t, rho));
+        return outside_of_range(equation_of_state(name), properties(equation_of_state(name), t, rho));
     };
     CHECK(range("thol2016", 0.722, 0.8442).empty());
     CHECK(range("thol2016", 0.6, 0.8442) == "temperature 0.6 is outside of 0.661 to 9, where thol2016 was fitted");
@@ -127,6 +124,6 @@ TEST_CASE("states outside of what an equation was fitted to are told") {
 TEST_CASE("where a formula gives nothing finite, that is said") {
     // Hard spheres of packing fraction above 1.
     CHECK_THROWS_WITH(
-        properties(named("kolafa-nezbeda1994"), 1.0, 3.0),
+        properties(equation_of_state("kolafa-nezbeda1994"), 1.0, 3.0),
         "kolafa-nezbeda1994 gives no pressure at temperature 1 and density 3: too far from where it holds");
 }

@@ -4,17 +4,8 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/registry.hpp"
 
 using namespace ljmd;
-
-namespace {
-
-EquationOfState named(const std::string& name) {
-    return find_plugin(all_equations_of_state(), name, "equation of state");
-}
-
-}  // namespace
 
 TEST_CASE("critical points are those that the papers give") {
     struct Published {
@@ -28,18 +19,18 @@ TEST_CASE("critical points are those that the papers give") {
                                        {"johnson1993", 1.313, 0.310, 0.1299},
                                        {"kolafa-nezbeda1994", 1.3396, 0.3108, 0.1405}}) {
         INFO(published.name);
-        const CriticalPoint point = critical_point(named(published.name));
+        const CriticalPoint point = critical_point(equation_of_state(published.name));
         CHECK(point.temperature == Approx(published.temperature).margin(6e-5));
         CHECK(point.density == Approx(published.density).margin(4e-3));
         CHECK(point.pressure == Approx(published.pressure).margin(6e-5));
-        const FluidProperties there = properties(named(published.name), point.temperature, point.density);
+        const FluidProperties there = properties(equation_of_state(published.name), point.temperature, point.density);
         CHECK(std::abs(there.pressure_density_slope) < 1e-8);
         CHECK(std::abs(there.pressure_density_curvature) < 1e-3);
     }
 }
 
 TEST_CASE("above the critical temperature of Thol 2016 every isotherm rises, below it none does") {
-    const EquationOfState thol = named("thol2016");
+    const EquationOfState thol = equation_of_state("thol2016");
     const double critical = critical_point(thol).temperature;
     const auto least_slope = [&](double temperature) {
         double least = 1.0;
@@ -93,7 +84,7 @@ TEST_CASE("Thol 2016 at coexistence: values of other programs") {
     for (const Row& row :
          {Row{0.70, 0.84265, 0.001992, 0.001367, -6.0954}, Row{0.80, 0.79903, 0.006084, 0.004634, -5.7111},
           Row{1.00, 0.70182, 0.029452, 0.024885, -4.9013}, Row{1.20, 0.56562, 0.097923, 0.076875, -3.8788}}) {
-        const auto found = coexistence(named("thol2016"), row.t);
+        const auto found = coexistence(equation_of_state("thol2016"), row.t);
         CHECK(found->liquid.density == Approx(row.liquid).margin(6e-6));
         CHECK(found->vapour.density == Approx(row.vapour).margin(6e-7));
         CHECK(found->pressure == Approx(row.pressure).margin(6e-7));
@@ -112,6 +103,6 @@ TEST_CASE("at and above the critical temperature nothing coexists") {
 }
 
 TEST_CASE("an equation that has no liquid at a temperature says so") {
-    CHECK_THROWS_WITH(coexistence(named("johnson1993"), 0.6),
+    CHECK_THROWS_WITH(coexistence(equation_of_state("johnson1993"), 0.6),
                       "johnson1993 has no stable liquid or vapour at temperature 0.6: it was fitted from 0.7 to 6");
 }

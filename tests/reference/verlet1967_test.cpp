@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "ljmd/core/registry.hpp"
 #include "ljmd/reference/equation_of_state.hpp"
 
 using namespace ljmd;
@@ -20,7 +19,7 @@ TEST_CASE("the table has 39 rows of falling density, none twice") {
 }
 
 TEST_CASE("numbers that are called sound lie near the equation of state, those that are suspect do not") {
-    const EquationOfState thol = find_plugin(all_equations_of_state(), "thol2016", "equation of state");
+    const EquationOfState thol = equation_of_state("thol2016");
     for (const VerletRow& row : verlet1967_table()) {
         INFO("density " << row.density << ", temperature " << row.temperature);
         const FluidProperties state = properties(thol, row.temperature, row.density);

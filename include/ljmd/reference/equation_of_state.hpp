@@ -62,6 +62,9 @@ struct FluidProperties {
     [[nodiscard]] std::optional<double> speed_of_sound() const;
 };
 
+/// The one of that name. @throws InputError, naming those there are
+[[nodiscard]] EquationOfState equation_of_state(const std::string& name);
+
 /// @pre temperature > 0, density >= 0; not beyond what the formula can take
 /// @throws PhysicsError where the equation gives no finite pressure
 [[nodiscard]] FluidProperties properties(const EquationOfState& equation, double temperature, double density);
