@@ -19,8 +19,8 @@ namespace ljmd {
 /// Table `rdf`: r (middle of the bin) [sigma], g, g_standard_error, coordination_number (atoms closer than the bin's
 /// end), its error. Table `sk_from_rdf`: k [1/sigma], S, its error, for k = pi m/(4 R), m = 1 ... bins.
 /// Observable: coordination_number, of the atoms closer than the minimum of g, smoothed over 0.1 sigma to each side,
-/// between its highest peak and twice that distance; only where that is within R. Source: Allen and Tildesley, 2nd ed.,
-/// section 8.2; Verlet (1968), doi:10.1103/PhysRev.165.201
+/// between its highest peak and twice that distance; only where that is within R. The error does not hold that of this
+/// place. Source: Allen and Tildesley, 2nd ed., section 8.2; Verlet (1968), doi:10.1103/PhysRev.165.201
 class RadialDistribution : public Analysis {
   public:
     /// @param bins    at least 1
