@@ -13,6 +13,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from figures import check, exit_code  # noqa: E402
+
 DECK = """
 [system]
 lattice = { type = "simple-cubic", cells = 6 }
@@ -34,17 +37,6 @@ sample = true
 [output]
 thermo = { every = 3 }
 """
-
-failures = 0
-passed = 0
-
-
-def check(name: str, value: float, expected: float, tolerance: float) -> None:
-    global failures, passed
-    good = abs(value - expected) <= tolerance
-    print(f"{'ok  ' if good else 'FAIL'} {name}: {value:.12g}, expected {expected:.12g} +- {tolerance:.3g}")
-    passed += good
-    failures += not good
 
 
 def main() -> int:
@@ -83,8 +75,7 @@ def main() -> int:
         check(f"{name}: most independent samples", found["independent_samples"], most, 2e-3 * most + 1.0 / rest)
     latest = max(found["equilibrated_at_row"] for found in report["observables"].values())
     check("rows that a start from a lattice costs", latest, 500, 495)
-    print(f"{passed} passed, {failures} failed")
-    return 1 if failures else 0
+    return exit_code()
 
 
 if __name__ == "__main__":

@@ -15,18 +15,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from figures import check, exit_code  # noqa: E402
+
 TEMPERATURE = 0.722
-
-failures = 0
-passed = 0
-
-
-def check(name: str, value: float, expected: float, tolerance: float) -> None:
-    global failures, passed
-    good = abs(value - expected) <= tolerance
-    print(f"{'ok  ' if good else 'FAIL'} {name}: {value:.5g}, expected {expected:.5g} +- {tolerance:.3g}")
-    passed += good
-    failures += not good
 
 
 def extremum(curve: list[tuple[float, float]], low: float, high: float, sign: int) -> tuple[float, float]:
@@ -64,8 +56,7 @@ def main() -> int:
         r, g = extremum(curve, low, high, sign)
         check(f"g(r), {name}: r", r, radius, place)
         check(f"g(r), {name}: height", g, height, margin)
-    print(f"{passed} passed, {failures} failed")
-    return 1 if failures else 0
+    return exit_code()
 
 
 if __name__ == "__main__":

@@ -19,16 +19,8 @@ import subprocess
 import sys
 import tempfile
 
-failures = 0
-passed = 0
-
-
-def check(name: str, value: float, expected: float, tolerance: float) -> None:
-    global failures, passed
-    good = abs(value - expected) <= tolerance
-    print(f"{'ok  ' if good else 'FAIL'} {name}: {value:.5g}, expected {expected:.5g} +- {tolerance:.3g}")
-    passed += good
-    failures += not good
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from figures import check, exit_code  # noqa: E402
 
 
 def table(path: pathlib.Path) -> list[dict[str, float]]:
@@ -91,8 +83,7 @@ def main() -> int:
                             check=True, capture_output=True, text=True)
     check("excess chemical potential", mean("excess_chemical_potential"),
           json.loads(answer.stdout)["excess_chemical_potential"], 3.0 * error("excess_chemical_potential"))
-    print(f"{passed} passed, {failures} failed")
-    return 1 if failures else 0
+    return exit_code()
 
 
 if __name__ == "__main__":
