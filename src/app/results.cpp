@@ -39,7 +39,7 @@ std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<Su
         return SiUnit{1e3 * units->kilojoule_per_mole() / units->kelvin(), "J/(mol K)"};
     }
     if (reduced == "sigma^2/tau") {
-        return SiUnit{1e3 * units->nanometre() * units->nanometre() / units->picosecond(), "1e-9 m^2/s"};
+        return SiUnit{1e3 * units->nanometre() * units->nanometre() / units->picosecond(), "nm^2/ns"};
     }
     if (reduced == "epsilon tau/sigma^3") {
         return SiUnit{1e-4 * units->bar() * units->picosecond(), "mPa s"};

@@ -159,8 +159,8 @@ TEST_CASE("transport, heat capacity and viscosity have the units of a substance,
                        average("heat_capacity_cv", "k_B", 2.63, 0.01)};
     const Json json = Json::parse(results_json(deck_with(argon_table), result));
     const auto si = [&](const char* name) { return json.at("observables").at(name).at("si"); };
-    // tau = (m sigma^2/epsilon)^(1/2) = 2.1563 ps: sigma^2/tau = 5.3768e-8 m^2/s, epsilon tau/sigma^3 = 0.090345 mPa s
-    CHECK(si("diffusion").at("unit") == "1e-9 m^2/s");
+    // tau = (m sigma^2/epsilon)^(1/2) = 2.1563 ps: sigma^2/tau = 53.768 nm^2/ns, epsilon tau/sigma^3 = 0.090345 mPa s
+    CHECK(si("diffusion").at("unit") == "nm^2/ns");
     CHECK(si("diffusion").at("mean").get<double>() == Approx(0.0313 * 53.768).epsilon(1e-4));
     CHECK(si("viscosity").at("unit") == "mPa s");
     CHECK(si("viscosity").at("mean").get<double>() == Approx(3.25 * 0.090345).epsilon(1e-4));
