@@ -90,4 +90,13 @@ void CorrelationWindows::archive(Archive& a) {
     }
 }
 
+Eigen::VectorXd running_integral(const Eigen::VectorXd& values, double spacing) {
+    Eigen::VectorXd integral(values.size());
+    integral[0] = 0.0;
+    for (Index k = 1; k < values.size(); ++k) {
+        integral[k] = integral[k - 1] + 0.5 * spacing * (values[k - 1] + values[k]);
+    }
+    return integral;
+}
+
 }  // namespace ljmd

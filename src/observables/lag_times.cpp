@@ -40,6 +40,10 @@ LagTimes lag_times(const Section& section, const SampledRun& run, const UsualLag
     return {every, std::max(whole_spacings(time, spacing), Index{1}), spacing};
 }
 
+Index correlation_window(const LagTimes& lags, const SampledRun& run) {
+    return std::clamp(run.steps / lags.every, lags.count + 1, 2 * lags.count);
+}
+
 std::vector<std::pair<std::string, std::string>> lag_mistakes(const Section& section, const SampledRun& run,
                                                               const UsualLags& usual, const std::string& analysis) {
     std::vector<std::pair<std::string, std::string>> mistakes;

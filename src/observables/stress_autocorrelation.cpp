@@ -39,10 +39,7 @@ void StressAutocorrelation::sample(const State& state, const Evaluation& evaluat
     const Index times = lags_.count + 1;
     Eigen::VectorXd found(means_.width());
     found.head(times) = *sum / 10.0;
-    found[times] = 0.0;
-    for (Index k = 1; k < times; ++k) {
-        found[times + k] = found[times + k - 1] + 0.5 * lags_.spacing * (found[k - 1] + found[k]);
-    }
+    found.segment(times, times) = running_integral(found.head(times), lags_.spacing);
     found[2 * times] = temperature_sum_ / static_cast<double>(in_window_);
     means_.add(found);
     in_window_ = 0;

@@ -24,20 +24,13 @@ void VelocityAutocorrelation::sample(const State& state, const Evaluation& /*eva
         return;
     }
     const Index times = lags_.count + 1;
-    AlignedVector<double> correlation(static_cast<std::size_t>(times));
-    AlignedVector<double> spectrum(static_cast<std::size_t>(times));
-    Eigen::VectorXd found(3 * times);
-    double integral = 0.0;
-    for (Index k = 0; k < times; ++k) {
-        found[k] = (*sum)[k] / static_cast<double>(atoms_);
-        correlation[static_cast<std::size_t>(k)] = found[k];
-        integral += k == 0 ? 0.0 : 0.5 * lags_.spacing * (found[k - 1] + found[k]);
-        found[times + k] = integral / 3.0;
-    }
-    cosines_(correlation, spectrum);
-    for (Index k = 0; k < times; ++k) {
-        found[2 * times + k] = 0.5 * lags_.spacing * spectrum[static_cast<std::size_t>(k)];
-    }
+    const Eigen::VectorXd correlation = *sum / static_cast<double>(atoms_);
+    AlignedVector<double> even(correlation.begin(), correlation.end());
+    AlignedVector<double> spectrum(even.size());
+    cosines_(even, spectrum);
+    Eigen::VectorXd found(means_.width());
+    found << correlation, running_integral(correlation, lags_.spacing) / 3.0,
+        0.5 * lags_.spacing * Eigen::Map<const Eigen::VectorXd>(spectrum.data(), times);
     means_.add(found);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/thread_guard.hpp"
+#include "core/through_archive.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
@@ -82,11 +83,9 @@ TEST_CASE("every analysis goes on from an archive, and with any number of thread
             std::mt19937_64 generator(1);
             for (Index step = 1; step <= run.steps; ++step) {
                 if (step == archived_at) {
-                    Archive written;
-                    analysis->archive(written);
-                    analysis = method.make(section, run);
-                    Archive read(written.bytes());
-                    analysis->archive(read);
+                    auto restored = method.make(section, run);
+                    test::through_archive(*analysis, *restored);
+                    analysis = std::move(restored);
                 }
                 if (analysis->due(step)) {
                     test::displace(state, 0.02, generator);

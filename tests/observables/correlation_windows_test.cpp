@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/thread_guard.hpp"
+#include "core/through_archive.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;
@@ -97,21 +98,16 @@ TEST_CASE("a window goes on from an archive, and refuses that of another") {
     for (std::size_t t = 0; t < 5; ++t) {
         static_cast<void>(windows.add(frames[t]));
     }
-    Archive written;
-    windows.archive(written);
     CorrelationWindows restored(4, 3, 8);
-    Archive read(written.bytes());
-    restored.archive(read);
-    const std::vector<Eigen::VectorXd> rest(frames.begin() + 5, frames.end());
-    CHECK(first_window(restored, rest) == first_window(windows, rest));
+    test::through_archive(windows, restored);
     for (const Index series : {3, 6}) {
         CorrelationWindows other(series, 3, 8);
-        Archive again(written.bytes());
-        CHECK_THROWS_AS(other.archive(again), CheckpointError);
+        CHECK_THROWS_AS(test::through_archive(windows, other), CheckpointError);
     }
     CorrelationWindows shorter(4, 3, 5);
-    Archive again(written.bytes());
-    CHECK_THROWS_AS(shorter.archive(again), CheckpointError);
+    CHECK_THROWS_AS(test::through_archive(windows, shorter), CheckpointError);
+    const std::vector<Eigen::VectorXd> rest(frames.begin() + 5, frames.end());
+    CHECK(first_window(restored, rest) == first_window(windows, rest));
 }
 
 TEST_CASE("windows that make no sense are refused") {
@@ -120,4 +116,14 @@ TEST_CASE("windows that make no sense are refused") {
     CHECK_THROWS_AS(CorrelationWindows(4, 8, 8), ContractViolation);
     CorrelationWindows windows(4, 3, 8);
     CHECK_THROWS_AS(windows.add(Eigen::VectorXd::Zero(5)), ContractViolation);
+}
+
+TEST_CASE("the running integral is exact for straight lines") {
+    const Eigen::VectorXd line = Eigen::VectorXd::LinSpaced(6, 1.0, 2.0);  // 1 + 0.4 t at t = 0, 0.5, ... 2.5
+    const Eigen::VectorXd integral = running_integral(line, 0.5);
+    for (Index k = 0; k < 6; ++k) {
+        const double t = 0.5 * static_cast<double>(k);
+        CHECK(integral[k] == Approx(t + 0.2 * t * t));
+    }
+    CHECK(running_integral(Eigen::VectorXd::Ones(1), 0.5)[0] == 0.0);
 }

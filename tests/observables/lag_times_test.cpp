@@ -58,3 +58,14 @@ TEST_CASE("times that no two configurations of the run are apart are mistakes") 
     CHECK_THAT(mistake({{"max_time", 10.1}}),
                Catch::Contains("'max_time' in vacf is 10.1") && Catch::Contains("lasts 10 tau"));
 }
+
+TEST_CASE("a window is twice the largest time long, or a stage, and has every time apart in it") {
+    const LagTimes lags = lags_of({{"max_time", 2.0}});  // 40 spacings of 10 steps
+    CHECK(correlation_window(lags, run) == 80);
+    SampledRun shorter = run;
+    shorter.steps = 500;
+    CHECK(correlation_window(lags, shorter) == 50);
+    shorter.steps = 100;
+    CHECK(correlation_window(lags, shorter) == 41);
+    CHECK(correlation_window({10, 1, 0.05}, shorter) == 2);
+}

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/through_archive.hpp"
 #include "ljmd/core/errors.hpp"
 #include "neighbors/sample_states.hpp"
 
@@ -133,11 +134,9 @@ TEST_CASE("displacements go on from an archive bit for bit, and begin anew where
                 msd->interrupt();
             }
             if (t == archived_at) {
-                Archive written;
-                msd->archive(written);
-                msd = std::make_unique<MeanSquareDisplacement>(displacement_of(20, origins));
-                Archive read(written.bytes());
-                msd->archive(read);
+                auto restored = std::make_unique<MeanSquareDisplacement>(displacement_of(20, origins));
+                test::through_archive(*msd, *restored);
+                msd = std::move(restored);
             }
             msd->sample(walk.next(), {});
         }
@@ -158,12 +157,7 @@ TEST_CASE("an archive of other displacements is refused") {
     for (int t = 0; t < 20; ++t) {
         msd.sample(walk.next(), {});
     }
-    Archive written;
-    msd.archive(written);
-    const auto read_by = [&](MeanSquareDisplacement other) {
-        Archive read(written.bytes());
-        other.archive(read);
-    };
+    const auto read_by = [&msd](MeanSquareDisplacement other) { test::through_archive(msd, other); };
     CHECK_NOTHROW(read_by(displacement_of(20, 5)));
     CHECK_THROWS_AS(read_by(displacement_of(21, 5)), CheckpointError);
     CHECK_THROWS_AS(read_by(displacement_of(20, 12)), CheckpointError);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/through_archive.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "neighbors/sample_states.hpp"
 
@@ -132,11 +133,9 @@ TEST_CASE("a stress autocorrelation goes on from an archive bit for bit, and dro
                 viscosity->interrupt();
             }
             if (t == archived_at) {
-                Archive written;
-                viscosity->archive(written);
-                viscosity = std::make_unique<StressAutocorrelation>(box, lags, 12);
-                Archive read(written.bytes());
-                viscosity->archive(read);
+                auto restored = std::make_unique<StressAutocorrelation>(box, lags, 12);
+                test::through_archive(*viscosity, *restored);
+                viscosity = std::move(restored);
             }
             const State state = two_atoms(1.0 + 0.01 * t);
             viscosity->sample(state, evaluation_for(state, stress.next()));

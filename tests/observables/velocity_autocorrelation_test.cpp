@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/through_archive.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
@@ -155,11 +156,9 @@ TEST_CASE("a velocity autocorrelation goes on from an archive bit for bit, and d
                 vacf->interrupt();
             }
             if (t == archived_at) {
-                Archive written;
-                vacf->archive(written);
-                vacf = std::make_unique<VelocityAutocorrelation>(30, lags, 15);
-                Archive read(written.bytes());
-                vacf->archive(read);
+                auto restored = std::make_unique<VelocityAutocorrelation>(30, lags, 15);
+                test::through_archive(*vacf, *restored);
+                vacf = std::move(restored);
             }
             vacf->sample(bath.next(), {});
         }

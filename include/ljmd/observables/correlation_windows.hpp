@@ -47,4 +47,8 @@ class CorrelationWindows {
     std::vector<double> frames_;  ///< one behind the other
 };
 
+/// Integral of a function from 0 to each of the equally spaced times where it is known, by the trapezoidal rule.
+/// @pre at least one value
+[[nodiscard]] Eigen::VectorXd running_integral(const Eigen::VectorXd& values, double spacing);
+
 }  // namespace ljmd

@@ -29,6 +29,10 @@ struct UsualLags {
 /// What the keys say for a run. The largest time is rounded down to a multiple of h, but never below h.
 [[nodiscard]] LagTimes lag_times(const Section& section, const SampledRun& run, const UsualLags& usual);
 
+/// Configurations in a window over which correlations at these times are averaged: twice as many as the largest one
+/// spans, or what the longest sampled stage holds; always more than lags.count.
+[[nodiscard]] Index correlation_window(const LagTimes& lags, const SampledRun& run);
+
 /// What is wrong with them: a largest time below h, or one that is more than the longest sampled stage lasts.
 /// @param analysis  for the message
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> lag_mistakes(const Section& section,

@@ -15,7 +15,7 @@ namespace ljmd {
 ///     eta(t) = V/T integral from 0 to t of C,   eta = eta(max_time)
 ///
 /// An isotropic fluid has <P_xy(0) P_xy(t)> = C(t); the sum is ten times that. Averages over all time origins within
-/// windows of several times the largest time; standard errors by blocking over windows; T is the mean of the sampled
+/// windows of twice the largest time; standard errors by blocking over windows; T is the mean of the sampled
 /// configurations. Tail corrections have no part in it.
 /// Table `stress_autocorrelation`: time [tau], stress_autocorrelation [epsilon^2/sigma^6], its error, viscosity eta(t)
 /// [epsilon tau/sigma^3], its error. Observable: viscosity.

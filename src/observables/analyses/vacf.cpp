@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "ljmd/observables/velocity_autocorrelation.hpp"
 
 namespace ljmd {
@@ -7,11 +5,6 @@ namespace ljmd {
 namespace {
 
 constexpr UsualLags usual{.every = 5, .max_time = 4.0, .share = 0.1};
-
-/// Configurations in a window: pairs of every time apart, those with the largest time half as many as neighbours.
-Index window_of(const LagTimes& lags, Index steps) {
-    return std::clamp(steps / lags.every, lags.count + 1, 2 * lags.count);
-}
 
 }  // namespace
 
@@ -28,7 +21,7 @@ AnalysisMethod vacf() {
                         const SampledRun& run) { return lag_mistakes(section, run, usual, "vacf"); },
             .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
                 const LagTimes lags = lag_times(section, run, usual);
-                return std::make_unique<VelocityAutocorrelation>(run.atoms, lags, window_of(lags, run.steps));
+                return std::make_unique<VelocityAutocorrelation>(run.atoms, lags, correlation_window(lags, run));
             }};
 }
 

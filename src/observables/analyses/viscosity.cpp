@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "ljmd/observables/stress_autocorrelation.hpp"
 
 namespace ljmd {
@@ -7,11 +5,6 @@ namespace ljmd {
 namespace {
 
 constexpr UsualLags usual{.every = 5, .max_time = 5.0, .share = 0.05};
-
-/// Configurations in a window: long enough that few pairs of the largest time are lost between windows.
-Index window_of(const LagTimes& lags, Index steps) {
-    return std::clamp(steps / lags.every, lags.count + 1, 4 * lags.count);
-}
 
 }  // namespace
 
@@ -28,7 +21,7 @@ AnalysisMethod viscosity() {
                         const SampledRun& run) { return lag_mistakes(section, run, usual, "viscosity"); },
             .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
                 const LagTimes lags = lag_times(section, run, usual);
-                return std::make_unique<StressAutocorrelation>(run.box, lags, window_of(lags, run.steps));
+                return std::make_unique<StressAutocorrelation>(run.box, lags, correlation_window(lags, run));
             }};
 }
 
