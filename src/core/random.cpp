@@ -1,8 +1,12 @@
 #include "ljmd/core/random.hpp"
 
 #include <Random123/philox.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace ljmd {
@@ -22,6 +26,34 @@ double fraction(std::uint64_t bits) {
     return static_cast<double>(bits >> 11U) * 0x1p-53;
 }
 
+/// As many numbers as an algorithm of GSL asks for, in the third word of the counter.
+struct Sequence {
+    Philox::ctr_type counter;
+    Philox::key_type key;
+    Philox::ctr_type block{};
+    std::size_t left = 0;
+
+    std::uint64_t next() {
+        if (left == 0) {
+            ++counter[2];
+            block = Philox{}(counter, key);
+            left = block.size();
+        }
+        return block[--left];
+    }
+};
+
+unsigned long next_word(void* sequence) {
+    return static_cast<Sequence*>(sequence)->next() >> 32U;
+}
+
+double next_fraction(void* sequence) {
+    return fraction(static_cast<Sequence*>(sequence)->next());
+}
+
+constexpr gsl_rng_type philox_type{"philox4x64", 0xffffffffUL, 0, sizeof(Sequence), [](void*, unsigned long) {},
+                                   next_word,    next_fraction};
+
 }  // namespace
 
 Vec3 Random::uniform(Index step, Index atom) const {
@@ -37,6 +69,13 @@ Vec3 Random::normal(Index step, Index atom) const {
     const double angle_a = 2.0 * std::numbers::pi * fraction(bits[1]);
     const double angle_b = 2.0 * std::numbers::pi * fraction(bits[3]);
     return {radius_a * std::cos(angle_a), radius_a * std::sin(angle_a), radius_b * std::cos(angle_b)};
+}
+
+double Random::gamma(Index step, Index atom, double shape) const {
+    Sequence sequence{{{static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(atom), 0, 0}},
+                      {{seed_, static_cast<std::uint64_t>(stream_)}}};
+    const gsl_rng generator{&philox_type, &sequence};
+    return gsl_ran_gamma(&generator, shape, 1.0);
 }
 
 }  // namespace ljmd

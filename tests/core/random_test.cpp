@@ -1,5 +1,7 @@
 #include "ljmd/core/random.hpp"
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,7 +10,10 @@
 #include <set>
 #include <vector>
 
+#include "core/kolmogorov_smirnov.hpp"
+
 using namespace ljmd;
+using test::kolmogorov_smirnov;
 
 namespace {
 
@@ -34,19 +39,6 @@ double correlation(const std::vector<double>& x, const std::vector<double>& y) {
         sxy += x[k] * y[k];
     }
     return (sxy - sx * sy / n) / std::sqrt((sxx - sx * sx / n) * (syy - sy * sy / n));
-}
-
-/// Largest distance between the distribution of the numbers and F, times sqrt(n): below 1.63 with 99 % probability.
-template <class Distribution>
-double kolmogorov_smirnov(std::vector<double> x, const Distribution& f) {
-    std::sort(x.begin(), x.end());
-    const auto n = static_cast<double>(x.size());
-    double largest = 0.0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        const auto below = static_cast<double>(k);
-        largest = std::max({largest, f(x[k]) - below / n, (below + 1.0) / n - f(x[k])});
-    }
-    return largest * std::sqrt(n);
 }
 
 }  // namespace
@@ -191,4 +183,37 @@ TEST_CASE("no two draws share a number, and a draw depends on nothing but its ke
     CHECK(random.normal(std::numeric_limits<Index>::max(), std::numeric_limits<Index>::max()).allFinite());
     CHECK(random.normal(4, 9) == before);
     CHECK(Random(5, RandomStream::velocities).normal(4, 9) == before);
+}
+
+TEST_CASE("gamma numbers have the gamma distribution of their shape") {
+    const Random random(7, RandomStream::thermostat);
+    for (const double shape : {0.5, 1.0, 2.5, 158.5, 5e4}) {
+        CAPTURE(shape);
+        std::vector<double> x;
+        double sum = 0.0;
+        for (Index step = 0; step < many; ++step) {
+            x.push_back(random.gamma(step, 1, shape));
+            sum += x.back();
+        }
+        CHECK(kolmogorov_smirnov(x, [&](double g) { return gsl_cdf_gamma_P(g, shape, 1.0); }) < 1.63);
+        CHECK(std::abs(sum / static_cast<double>(many) - shape) < 4.0 * std::sqrt(shape / static_cast<double>(many)));
+    }
+}
+
+TEST_CASE("a gamma number is a function of seed, stream, step and atom alone") {
+    const Random random(7, RandomStream::thermostat);
+    std::set<double> seen;
+    for (const std::uint64_t seed : {7U, 8U}) {
+        for (const RandomStream stream : {RandomStream::thermostat, RandomStream::barostat}) {
+            for (const Index step : {0, 1}) {
+                for (const Index atom : {0, 1}) {
+                    seen.insert(Random(seed, stream).gamma(step, atom, 3.0));
+                    CHECK(Random(seed, stream).gamma(step, atom, 3.0) == Random(seed, stream).gamma(step, atom, 3.0));
+                }
+            }
+        }
+    }
+    CHECK(seen.size() == 16);
+    // It must not change: checkpoints rest on it.
+    CHECK(random.gamma(5, 1, 158.5) == Approx(166.20270741642).epsilon(1e-11));
 }

@@ -8,7 +8,14 @@ namespace ljmd {
 
 /// What random numbers are drawn for. Streams never share a number; the values are written in checkpoints and must not
 /// change.
-enum class RandomStream : std::uint64_t { positions = 1, velocities = 2, insertions = 3 };
+enum class RandomStream : std::uint64_t {
+    positions = 1,
+    velocities = 2,
+    insertions = 3,
+    thermostat = 4,
+    collisions = 5,
+    barostat = 6
+};
 
 /// Counter-based random numbers (Philox-4x64-10): a pure function of seed, stream, step and atom id. Nothing is carried
 /// along, so the order of atoms, the number of threads and restarts cannot change a number.
@@ -23,6 +30,12 @@ class Random {
     /// Three independent numbers from the normal distribution of mean 0 and variance 1 (Box and Muller 1958,
     /// doi:10.1214/aoms/1177706645).
     [[nodiscard]] Vec3 normal(Index step, Index atom) const;
+
+    /// One number of the gamma distribution of mean and variance `shape`: half the sum of 2 shape squared normal
+    /// numbers. Independent of all that the stream has for other atoms or steps, not of uniform() and normal() for this
+    /// one. By GSL (Marsaglia and Tsang 2000, doi:10.1145/358407.358414).
+    /// @pre shape > 0
+    [[nodiscard]] double gamma(Index step, Index atom, double shape) const;
 
   private:
     std::uint64_t seed_;
