@@ -10,16 +10,22 @@ std::string field(std::optional<double> value) {
 }
 }  // namespace
 
-ThermoCsv::ThermoCsv(const std::filesystem::path& path, bool order_parameter, std::optional<SubstanceUnits> units,
+ThermoCsv::ThermoCsv(const std::filesystem::path& path, const Extra& extra, std::optional<SubstanceUnits> units,
                      std::optional<std::int64_t> kept)
-    : file_(path, kept), order_parameter_(order_parameter), units_(units) {
+    : file_(path, kept), extra_(extra), units_(units) {
     if (kept) {
         return;
     }
     file_.write(
         "step,time,temperature,potential_energy,kinetic_energy,total_energy,pressure,"
         "pressure_xx,pressure_yy,pressure_zz,pressure_xy,pressure_xz,pressure_yz");
-    if (order_parameter_) {
+    if (extra_.density) {
+        file_.write(",density");
+    }
+    if (extra_.conserved_energy) {
+        file_.write(",conserved_energy");
+    }
+    if (extra_.order_parameter) {
         file_.write(",order_parameter");
     }
     if (units_) {
@@ -30,13 +36,19 @@ ThermoCsv::ThermoCsv(const std::filesystem::path& path, bool order_parameter, st
     file_.write("\n");
 }
 
-void ThermoCsv::write(Index step, double time, const Thermodynamics& row, std::optional<double> order_parameter) {
+void ThermoCsv::write(Index step, double time, const Thermodynamics& row, const Values& values) {
     const Mat3& p = row.pressure_tensor;
     std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", step, time, field(row.temperature),
                                    row.potential_energy, row.kinetic_energy, row.total_energy, row.pressure, p(0, 0),
                                    p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2));
-    if (order_parameter_) {
-        line += ',' + field(order_parameter);
+    if (extra_.density) {
+        line += ',' + field(row.density);
+    }
+    if (extra_.conserved_energy) {
+        line += ',' + field(values.conserved_energy);
+    }
+    if (extra_.order_parameter) {
+        line += ',' + field(values.order_parameter);
     }
     if (units_) {
         const auto kelvin = row.temperature ? std::optional(*row.temperature * units_->kelvin()) : std::nullopt;

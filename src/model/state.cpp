@@ -195,7 +195,7 @@ void State::archive(Archive& a) {
         images.insert(images.end(), {image[0], image[1], image[2]});
     }
     a(count_, bounded, edges, positions, velocities_, forces_, masses_, ids_, images, registered_, forces_current_,
-      phase_, time, step);
+      phase_, time, step, bath);
     if (!a.reading()) {
         return;
     }

@@ -11,6 +11,10 @@ namespace {
 double mass_of(const State& state, Index i) {
     return state.masses()[static_cast<std::size_t>(i)];
 }
+
+double total_mass(const State& state) {
+    return sum_over(state.count(), 0.0, [&](Index i) { return mass_of(state, i); });
+}
 }  // namespace
 
 Index degrees_of_freedom(Index atoms) {
@@ -27,7 +31,8 @@ std::optional<double> temperature(const State& state) {
     if (freedom == 0) {
         return std::nullopt;
     }
-    return 2.0 * kinetic_energy(state) / static_cast<double>(freedom);
+    const double together = total_momentum(state).squaredNorm() / total_mass(state);
+    return (2.0 * kinetic_energy(state) - together) / static_cast<double>(freedom);
 }
 
 Vec3 total_momentum(const State& state) {
@@ -54,8 +59,7 @@ void remove_momentum(State& state) {
     if (state.count() == 0) {
         return;
     }
-    const double mass = sum_over(state.count(), 0.0, [&](Index i) { return mass_of(state, i); });
-    const Vec3 drift = total_momentum(state) / mass;
+    const Vec3 drift = total_momentum(state) / total_mass(state);
     auto v = state.write_velocities();
     for_each_index(state.count(), [&](Index i) { v.col(i) -= drift; });
 }

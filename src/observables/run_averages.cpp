@@ -15,12 +15,15 @@ struct Column {
 };
 
 constexpr Index temperature_column = 0;
+constexpr Index energy_column = 3;
 constexpr Index pressure_column = 4;
-constexpr std::array<Column, 12> columns{{{"temperature", "T", "epsilon/k_B"},
+constexpr Index density_column = 5;
+constexpr std::array<Column, 13> columns{{{"temperature", "T", "epsilon/k_B"},
                                           {"potential_energy", "U/N", "epsilon"},
                                           {"kinetic_energy", "K/N", "epsilon"},
                                           {"total_energy", "E/N", "epsilon"},
                                           {"pressure", "p", "epsilon/sigma^3"},
+                                          {"density", "rho", "sigma^-3"},
                                           {"pressure_xx", "p_xx", "epsilon/sigma^3"},
                                           {"pressure_yy", "p_yy", "epsilon/sigma^3"},
                                           {"pressure_zz", "p_zz", "epsilon/sigma^3"},
@@ -29,24 +32,24 @@ constexpr std::array<Column, 12> columns{{{"temperature", "T", "epsilon/k_B"},
                                           {"pressure_yz", "p_yz", "epsilon/sigma^3"},
                                           {"virial", "W", "epsilon"}}};
 
-/// Behind the columns that are reported: T^2.
+/// Behind the columns that are reported: T^2 and e^2.
 constexpr auto squared_temperature_column = static_cast<Index>(columns.size());
+constexpr Index squared_energy_column = squared_temperature_column + 1;
 
 }  // namespace
 
-RunAverages::RunAverages(Index atoms, double density, bool constant_energy)
+RunAverages::RunAverages(Index atoms, Ensemble ensemble)
     : atoms_(static_cast<double>(atoms)),
-      density_(density),
       degrees_of_freedom_(static_cast<double>(degrees_of_freedom(atoms))),
-      constant_energy_(constant_energy),
-      series_(squared_temperature_column + 1, Covariance::full) {}
+      ensemble_(ensemble),
+      series_(squared_energy_column + 1, Covariance::full) {}
 
 void RunAverages::add(const Thermodynamics& s) {
     const Mat3& p = s.pressure_tensor;
     const double t = s.temperature.value_or(0.0);
     Eigen::VectorXd row(series_.width());
-    row << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure, p(0, 0), p(1, 1), p(2, 2), p(0, 1),
-        p(0, 2), p(1, 2), s.virial, t * t;
+    row << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure, s.density, p(0, 0), p(1, 1), p(2, 2),
+        p(0, 1), p(0, 2), p(1, 2), s.virial, t * t, s.total_energy * s.total_energy;
     series_.add(row);
 }
 
@@ -54,23 +57,39 @@ std::optional<Estimate> RunAverages::compressibility_factor() const {
     const Eigen::VectorXd mean = series_.mean();
     const double t = mean[temperature_column];
     const double p = mean[pressure_column];
+    const double density = mean[density_column];
     if (degrees_of_freedom_ == 0.0 || !(t > 0.0)) {
         return std::nullopt;
     }
-    const double z = p / (density_ * t);
+    const double z = p / (density * t);
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
-    gradient[pressure_column] = 1.0 / (density_ * t);
+    gradient[pressure_column] = 1.0 / (density * t);
+    gradient[density_column] = -z / density;
     gradient[temperature_column] = -z / t;
     return series_.estimate(z, gradient);
 }
 
 std::optional<Estimate> RunAverages::heat_capacity() const {
+    if (degrees_of_freedom_ == 0.0 || !(series_.mean()[temperature_column] > 0.0)) {
+        return std::nullopt;
+    }
+    switch (ensemble_) {
+        case Ensemble::constant_energy:
+            return heat_capacity_at_constant_energy();
+        case Ensemble::canonical:
+            return heat_capacity_at_constant_temperature();
+        default:
+            return std::nullopt;
+    }
+}
+
+std::optional<Estimate> RunAverages::heat_capacity_at_constant_energy() const {
     const Eigen::VectorXd mean = series_.mean();
     const double t = mean[temperature_column];
     const double t_squared = mean[squared_temperature_column];
     const double half_freedom = 0.5 * degrees_of_freedom_;
     const double rest = 1.0 - half_freedom * (t_squared / (t * t) - 1.0);
-    if (degrees_of_freedom_ == 0.0 || !(t > 0.0) || !(rest > 0.0)) {
+    if (!(rest > 0.0)) {
         return std::nullopt;  // larger fluctuations than any heat capacity allows
     }
     const double c = half_freedom / (atoms_ * rest);
@@ -81,6 +100,19 @@ std::optional<Estimate> RunAverages::heat_capacity() const {
     return series_.estimate(c, gradient);
 }
 
+std::optional<Estimate> RunAverages::heat_capacity_at_constant_temperature() const {
+    const Eigen::VectorXd mean = series_.mean();
+    const double t = mean[temperature_column];
+    const double e = mean[energy_column];
+    const double per_variance = atoms_ / (t * t);
+    const double c = per_variance * (mean[squared_energy_column] - e * e);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
+    gradient[squared_energy_column] = per_variance;
+    gradient[energy_column] = -2.0 * per_variance * e;
+    gradient[temperature_column] = -2.0 * c / t;
+    return series_.estimate(c, gradient);
+}
+
 std::vector<ObservableAverage> RunAverages::averages() const {
     std::vector<ObservableAverage> result;
     if (samples() == 0) {
@@ -88,12 +120,15 @@ std::vector<ObservableAverage> RunAverages::averages() const {
     }
     for (Index k = 0; k < static_cast<Index>(columns.size()); ++k) {
         const Column& column = columns[static_cast<std::size_t>(k)];
+        if (k == density_column && ensemble_ != Ensemble::constant_pressure) {
+            continue;
+        }
         const bool defined = k != temperature_column || degrees_of_freedom_ > 0.0;
         result.push_back(
             {column.name, column.symbol, column.unit, defined ? std::optional(series_.estimate(k)) : std::nullopt});
         if (k == pressure_column) {
             result.push_back({"compressibility_factor", "Z", "1", compressibility_factor()});
-            if (const auto c = constant_energy_ ? heat_capacity() : std::nullopt) {
+            if (const auto c = heat_capacity()) {
                 result.push_back({"heat_capacity_cv", "c_v", "k_B", c});
             }
         }

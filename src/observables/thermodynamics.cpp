@@ -23,6 +23,7 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
     result.total_energy = result.potential_energy + result.kinetic_energy;
     result.pressure_tensor = (kinetic_tensor + evaluation.virial) / volume + tail.pressure(density) * Mat3::Identity();
     result.pressure = result.pressure_tensor.trace() / 3.0;
+    result.density = density;
     result.virial = evaluation.virial.trace();
     return result;
 }

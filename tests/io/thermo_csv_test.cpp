@@ -74,20 +74,22 @@ const SubstanceUnits& argon() {
     return units;
 }
 
-std::vector<Row> written(bool order_parameter, std::optional<SubstanceUnits> units, const Thermodynamics& row,
-                         std::optional<double> order) {
+std::vector<Row> written(const ThermoCsv::Extra& extra, std::optional<SubstanceUnits> units, const Thermodynamics& row,
+                         const ThermoCsv::Values& values) {
     const test::TemporaryFolder folder;
-    ThermoCsv csv(folder / "thermo.csv", order_parameter, units);
-    csv.write(1234567890123, 0.1 + 0.2, row, order);
+    ThermoCsv csv(folder / "thermo.csv", extra, units);
+    csv.write(1234567890123, 0.1 + 0.2, row, values);
     csv.close();
     return rows_of(test::content_of(folder / "thermo.csv"));
 }
+
+constexpr ThermoCsv::Extra with_order{.order_parameter = true};
 
 }  // namespace
 
 TEST_CASE("thermo.csv begins with its header, and its numbers are read back to the last bit") {
     const Thermodynamics s = sample();
-    const auto rows = written(false, std::nullopt, s, std::nullopt);
+    const auto rows = written({}, std::nullopt, s, {});
     REQUIRE(rows.size() == 2);
     CHECK(rows[0] == Row{"step", "time", "temperature", "potential_energy", "kinetic_energy", "total_energy",
                          "pressure", "pressure_xx", "pressure_yy", "pressure_zz", "pressure_xy", "pressure_xz",
@@ -109,17 +111,27 @@ TEST_CASE("thermo.csv begins with its header, and its numbers are read back to t
 }
 
 TEST_CASE("a run from a lattice has a column for the order parameter") {
-    const auto rows = written(true, std::nullopt, sample(), 0.987);
+    const auto rows = written(with_order, std::nullopt, sample(), {std::nullopt, 0.987});
     CHECK(rows[0].size() == 14);
     CHECK(rows[0].back() == "order_parameter");
     CHECK(number(fields(rows, 1)["order_parameter"]) == 0.987);
-    CHECK(fields(written(true, std::nullopt, sample(), std::nullopt), 1)["order_parameter"].empty());
+    CHECK(fields(written(with_order, std::nullopt, sample(), {}), 1)["order_parameter"].empty());
+}
+
+TEST_CASE("runs with a barostat have a column for the density, those with a thermostat one for the conserved energy") {
+    Thermodynamics s = sample();
+    s.density = 0.1 + 0.7;
+    const auto rows = written({true, true, true}, std::nullopt, s, {-2.0 / 3.0, 0.5});
+    CHECK(Row(rows[0].end() - 3, rows[0].end()) == Row{"density", "conserved_energy", "order_parameter"});
+    CHECK(number(fields(rows, 1)["density"]) == 0.1 + 0.7);
+    CHECK(number(fields(rows, 1)["conserved_energy"]) == -2.0 / 3.0);
+    CHECK(fields(written({true, true, false}, std::nullopt, s, {}), 1)["conserved_energy"].empty());
 }
 
 TEST_CASE("a substance adds its columns in SI") {
     const Thermodynamics s = sample();
     const bool order = GENERATE(false, true);
-    const auto rows = written(order, argon(), s, 0.5);
+    const auto rows = written({false, false, order}, argon(), s, {std::nullopt, 0.5});
     CHECK(Row(rows[0].end() - 6, rows[0].end()) == Row{"time_ps", "temperature_K", "potential_energy_kJ_per_mol",
                                                        "kinetic_energy_kJ_per_mol", "total_energy_kJ_per_mol",
                                                        "pressure_bar"});
@@ -138,7 +150,7 @@ TEST_CASE("a substance adds its columns in SI") {
 TEST_CASE("a temperature that is not defined is an empty field, in SI as well") {
     Thermodynamics s = sample();
     s.temperature.reset();
-    const auto rows = written(true, argon(), s, 0.5);
+    const auto rows = written(with_order, argon(), s, {std::nullopt, 0.5});
     auto row = fields(rows, 1);
     CHECK(row["temperature"].empty());
     CHECK(row["temperature_K"].empty());
@@ -148,9 +160,9 @@ TEST_CASE("a temperature that is not defined is an empty field, in SI as well") 
 
 TEST_CASE("rows follow each other, and flushed ones are in the file before it is closed") {
     const test::TemporaryFolder folder;
-    ThermoCsv csv(folder / "thermo.csv", false, std::nullopt);
+    ThermoCsv csv(folder / "thermo.csv", {}, std::nullopt);
     for (Index step = 0; step < 5; ++step) {
-        csv.write(10 * step, 0.5 * static_cast<double>(step), sample(), std::nullopt);
+        csv.write(10 * step, 0.5 * static_cast<double>(step), sample(), {});
     }
     csv.flush();
     const auto rows = rows_of(test::content_of(folder / "thermo.csv"));
@@ -164,12 +176,12 @@ TEST_CASE("rows follow each other, and flushed ones are in the file before it is
 
 TEST_CASE("a file that cannot be created or written is an error") {
     const test::TemporaryFolder folder;
-    CHECK_THROWS_AS(ThermoCsv(folder / "nowhere/thermo.csv", false, std::nullopt), FileError);
-    ThermoCsv csv(folder / "thermo.csv", false, std::nullopt);
+    CHECK_THROWS_AS(ThermoCsv(folder / "nowhere/thermo.csv", {}, std::nullopt), FileError);
+    ThermoCsv csv(folder / "thermo.csv", {}, std::nullopt);
     csv.flush();
     const std::string header = test::content_of(folder / "thermo.csv");
     const test::FileSizeLimit full(header.size() + 10);
-    csv.write(0, 0.0, sample(), std::nullopt);
+    csv.write(0, 0.0, sample(), {});
     CHECK_THROWS_AS(csv.flush(), FileError);
     CHECK(test::content_of(folder / "thermo.csv") == header);
 }

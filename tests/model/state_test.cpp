@@ -256,6 +256,10 @@ TEST_CASE("a new box takes the atoms along") {
     CHECK(state.box().edges() == new_box.edges());
 }
 
+TEST_CASE("without a thermostat no heat has been given") {
+    CHECK(State(3).heat() == 0.0);
+}
+
 namespace {
 
 /// A state with everything that one can have.
@@ -266,6 +270,7 @@ State rich() {
     state.reorder({8, 7, 6, 5, 4, 3, 2, 1, 0});
     state.time = 0.75;
     state.step = 12;
+    state.bath = {-3.5, 0.25};
     return state;
 }
 
@@ -297,6 +302,8 @@ TEST_CASE("a state that was archived is the same in every bit, in memory order t
     }
     CHECK(other.time == 0.75);
     CHECK(other.step == 12);
+    CHECK(other.bath == state.bath);
+    CHECK(other.heat() == -3.5);
     CHECK(other.forces_are_current() == state.forces_are_current());
     CHECK(other.order_version() != order);
 

@@ -43,13 +43,24 @@ TEST_CASE("kinetic energy, temperature and momentum of known velocities") {
         2.0, -1.0, 0.0,                         // y
         2.0, 3.0, 4.0;                          // z
     CHECK(kinetic_energy(state) == 0.5 * (9.0 + 2.0 * 10.0 + 0.5 * 20.0));
-    CHECK(*temperature(state) == 2.0 * 19.5 / 6.0);
+    // Of the motion about the centre of mass: P^2/M = 104/3.5 is not of it.
+    CHECK(*temperature(state) == Approx((2.0 * 19.5 - 104.0 / 3.5) / 6.0).epsilon(1e-15));
     CHECK(total_momentum(state) == Vec3(2.0, 0.0, 10.0));
     CHECK(kinetic_energy(State(0)) == 0.0);
     CHECK(total_momentum(State(0)) == Vec3::Zero());
     CHECK_FALSE(temperature(State(0)).has_value());
     CHECK_FALSE(temperature(State(1)).has_value());
     CHECK(*temperature(State(2)) == 0.0);
+}
+
+TEST_CASE("the motion of the centre of mass is no heat") {
+    State state = mixture(50);
+    draw_velocities(state, 0.5, 3);
+    auto v = state.write_velocities();
+    for (Index i = 0; i < state.count(); ++i) {
+        v.col(i) += Vec3(1.0, -2.0, 0.5);
+    }
+    CHECK(*temperature(state) == Approx(0.5).epsilon(1e-12));
 }
 
 TEST_CASE("drawn velocities have exactly the temperature and no momentum") {

@@ -26,6 +26,7 @@ Thermodynamics numbered(double x) {
     sample.pressure = 5.0 + x;
     sample.pressure_tensor << 6.0, 9.0, 10.0, 9.0, 7.0, 11.0, 10.0, 11.0, 8.0;
     sample.pressure_tensor.array() += x;
+    sample.density = 0.5;
     sample.virial = 12.0 + x;
     return sample;
 }
@@ -33,6 +34,8 @@ Thermodynamics numbered(double x) {
 /// Temperature and pressure of a made-up run: both wander slowly, and together.
 class CorrelatedRun {
   public:
+    static constexpr double density = 0.8;
+
     explicit CorrelatedRun(std::uint64_t seed) : generator_(seed), shared_(noise()), own_(noise()) {}
 
     Thermodynamics next() {
@@ -44,6 +47,7 @@ class CorrelatedRun {
         sample.temperature = 2.0 + 0.4 * shared_;
         sample.pressure = 4.0 + 0.7 * shared_ + 0.1 * own_;
         sample.pressure_tensor = sample.pressure * Mat3::Identity();
+        sample.density = density;
         return sample;
     }
 
@@ -59,7 +63,7 @@ class CorrelatedRun {
 }  // namespace
 
 TEST_CASE("every observable is averaged under its name and has a unit") {
-    RunAverages run(10, 0.5, false);
+    RunAverages run(10, Ensemble::none);
     for (const double x : {0.0, 1.0, 2.0, 5.0}) {
         run.add(numbered(x));
     }
@@ -85,7 +89,7 @@ TEST_CASE("every observable is averaged under its name and has a unit") {
 }
 
 TEST_CASE("the compressibility factor is the ratio of the means, not the mean of the ratio") {
-    RunAverages run(10, 0.5, false);
+    RunAverages run(10, Ensemble::none);
     for (const double x : {0.0, 1.0, 2.0, 5.0}) {
         run.add(numbered(x));
     }
@@ -96,7 +100,6 @@ TEST_CASE("the compressibility factor is the ratio of the means, not the mean of
 
 TEST_CASE(
     "the error of the compressibility factor is the scatter of many runs, correlations in time and with T included") {
-    const double density = 0.8;
     const int runs = 150;
     const int samples = 1024;
     double sum = 0.0;
@@ -105,7 +108,7 @@ TEST_CASE(
     double without_correlation = 0.0;
     for (int k = 0; k < runs; ++k) {
         CorrelatedRun series(static_cast<std::uint64_t>(k));
-        RunAverages run(100, density, false);
+        RunAverages run(100, Ensemble::none);
         for (int n = 0; n < samples; ++n) {
             run.add(series.next());
         }
@@ -121,19 +124,19 @@ TEST_CASE(
     }
     const double mean = sum / runs;
     const double scatter = std::sqrt(squares / runs - mean * mean);
-    CHECK(mean == Approx(4.0 / (2.0 * density)).epsilon(1e-3));
+    CHECK(mean == Approx(4.0 / (2.0 * CorrelatedRun::density)).epsilon(1e-3));
     CHECK(std::sqrt(reported / runs) == Approx(scatter).epsilon(0.25));
     // The test can tell: had the correlation of p and T been left out, the error would be much larger.
     CHECK(std::sqrt(without_correlation / runs) > 3.0 * scatter);
 }
 
 TEST_CASE("without samples there are no averages") {
-    CHECK(RunAverages(10, 0.5, false).averages().empty());
-    CHECK(RunAverages(10, 0.5, false).samples() == 0);
+    CHECK(RunAverages(10, Ensemble::none).averages().empty());
+    CHECK(RunAverages(10, Ensemble::none).samples() == 0);
 }
 
 TEST_CASE("one atom has neither temperature nor compressibility factor, but the other averages") {
-    RunAverages run(1, 0.5, false);
+    RunAverages run(1, Ensemble::none);
     Thermodynamics sample = numbered(0.0);
     sample.temperature.reset();
     run.add(sample);
@@ -145,7 +148,7 @@ TEST_CASE("one atom has neither temperature nor compressibility factor, but the 
 }
 
 TEST_CASE("at T = 0 there is a temperature but no compressibility factor") {
-    RunAverages run(10, 0.5, false);
+    RunAverages run(10, Ensemble::none);
     Thermodynamics sample = numbered(0.0);
     sample.temperature = 0.0;
     run.add(sample);
@@ -154,7 +157,7 @@ TEST_CASE("at T = 0 there is a temperature but no compressibility factor") {
 }
 
 TEST_CASE("the error of a mean is unknown with few samples, and 0 for a constant") {
-    RunAverages run(10, 0.5, false);
+    RunAverages run(10, Ensemble::none);
     for (int n = 0; n < 3; ++n) {
         run.add(numbered(0.0));
     }
@@ -166,7 +169,7 @@ TEST_CASE("the error of a mean is unknown with few samples, and 0 for a constant
 }
 
 TEST_CASE("the heat capacity at constant energy is that of the fluctuations of the temperature") {
-    RunAverages run(3, 0.5, true);  // six degrees of freedom
+    RunAverages run(3, Ensemble::constant_energy);  // six degrees of freedom
     for (const double t : {0.9, 1.0, 1.0, 1.1}) {
         Thermodynamics sample;
         sample.temperature = t;
@@ -177,15 +180,15 @@ TEST_CASE("the heat capacity at constant energy is that of the fluctuations of t
     CHECK(found.unit == "k_B");
     CHECK(found.estimate->mean == Approx(1.0 / 0.985).epsilon(1e-12));
 
-    RunAverages thermostatted(3, 0.5, false);
+    RunAverages thermostatted(3, Ensemble::none);
     thermostatted.add(numbered(1.0));
     const auto averages = thermostatted.averages();
     CHECK(std::none_of(averages.begin(), averages.end(), [](const auto& a) { return a.name == "heat_capacity_cv"; }));
 }
 
 TEST_CASE("fluctuations that no heat capacity allows, and one atom, have none") {
-    RunAverages wild(100, 0.5, true);
-    RunAverages single(1, 0.5, true);
+    RunAverages wild(100, Ensemble::constant_energy);
+    RunAverages single(1, Ensemble::constant_energy);
     for (const double t : {0.5, 1.0, 1.0, 1.5}) {
         Thermodynamics sample;
         sample.temperature = t;
@@ -212,7 +215,7 @@ TEST_CASE("the error of the heat capacity is the scatter of many runs") {
     for (int k = 0; k < runs; ++k) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(k));
         std::normal_distribution<double> normal;
-        RunAverages run(atoms, 0.8, true);
+        RunAverages run(atoms, Ensemble::constant_energy);
         double memory = normal(generator);
         for (int n = 0; n < 2048; ++n) {
             memory = 0.8 * memory + 0.6 * normal(generator);
@@ -229,4 +232,63 @@ TEST_CASE("the error of the heat capacity is the scatter of many runs") {
     const double scatter = std::sqrt(squares / runs - mean * mean);
     CHECK(std::abs(mean - heat_capacity) < 0.05);
     CHECK(std::sqrt(reported / runs) / scatter == Approx(1.0).margin(0.2));
+}
+
+TEST_CASE("the heat capacity in the canonical ensemble is that of the fluctuations of the energy") {
+    RunAverages run(50, Ensemble::canonical);
+    for (const double e : {-2.9, -3.0, -3.0, -3.1}) {
+        Thermodynamics sample;
+        sample.temperature = 0.5;
+        sample.total_energy = e;
+        run.add(sample);
+    }
+    CHECK(find(run.averages(), "heat_capacity_cv").estimate->mean == Approx(50.0 * 0.005 / 0.25).epsilon(1e-12));
+}
+
+TEST_CASE("the error of that heat capacity is the scatter of many runs, too") {
+    const Index atoms = 100;
+    const double heat_capacity = 2.5;
+    const double width = std::sqrt(heat_capacity * 0.49 / 100.0);
+    const int runs = 200;
+    double sum = 0.0;
+    double squares = 0.0;
+    double reported = 0.0;
+    for (int k = 0; k < runs; ++k) {
+        std::mt19937_64 generator(static_cast<std::uint64_t>(k));
+        std::normal_distribution<double> normal;
+        RunAverages run(atoms, Ensemble::canonical);
+        double memory = normal(generator);
+        for (int n = 0; n < 2048; ++n) {
+            memory = 0.8 * memory + 0.6 * normal(generator);
+            Thermodynamics sample;
+            sample.temperature = 0.7;
+            sample.total_energy = -3.0 + width * memory;
+            run.add(sample);
+        }
+        const Estimate c = *find(run.averages(), "heat_capacity_cv").estimate;
+        sum += c.mean;
+        squares += c.mean * c.mean;
+        reported += c.standard_error * c.standard_error;
+    }
+    const double mean = sum / runs;
+    const double scatter = std::sqrt(squares / runs - mean * mean);
+    CHECK(std::abs(mean - heat_capacity) < 0.05);
+    CHECK(std::sqrt(reported / runs) / scatter == Approx(1.0).margin(0.2));
+}
+
+TEST_CASE("a density that fluctuates is an observable, and the compressibility factor is that of its mean") {
+    RunAverages run(10, Ensemble::constant_pressure);
+    for (const double x : {-0.1, 0.0, 0.1, 0.2}) {
+        Thermodynamics sample = numbered(0.0);
+        sample.temperature = 2.0;
+        sample.density = 0.5 + x;
+        run.add(sample);
+    }
+    const auto averages = run.averages();
+    CHECK(find(averages, "density").estimate->mean == Approx(0.55).epsilon(1e-14));
+    CHECK(find(averages, "density").unit == "sigma^-3");
+    const Estimate z = *find(averages, "compressibility_factor").estimate;
+    CHECK(z.mean == Approx(5.0 / (0.55 * 2.0)).epsilon(1e-14));
+    const Estimate rho = *find(averages, "density").estimate;
+    CHECK(z.standard_error / z.mean == Approx(rho.standard_error / rho.mean).epsilon(1e-12));
 }

@@ -29,7 +29,9 @@ TEST_CASE("the thermodynamics of two atoms, by hand") {
     const Evaluation evaluation{-5.0, tensor(1.0, 2.0, 6.0, -4.0, 0.5, 8.0)};
     const Thermodynamics result = thermodynamics(state, evaluation, no_tail);
     // 2 K = (9 + 1) + 3 (1 + 4) = 25; sum m v v = xx 9 + 3, yy 12, zz 1, xy -6, xz -3, yz 0.
-    CHECK(result.temperature.value() == Approx(25.0 / 3.0).epsilon(1e-15));
+    // P = (0, 6, -1) and M = 4: the motion of the centre of mass has no part in the temperature.
+    CHECK(result.temperature.value() == Approx((25.0 - 9.25) / 3.0).epsilon(1e-15));
+    CHECK(result.density == 0.05);
     CHECK(result.potential_energy == -2.5);
     CHECK(result.kinetic_energy == 6.25);
     CHECK(result.total_energy == 3.75);

@@ -12,17 +12,30 @@ namespace ljmd {
 /// The thermodynamic history of a run, one row a sample, as CSV.
 ///
 /// Columns in reduced units: step, time, temperature, potential_energy, kinetic_energy, total_energy (per atom),
-/// pressure, pressure_xx, pressure_yy, pressure_zz, pressure_xy, pressure_xz, pressure_yz; order_parameter when the run
-/// started from a lattice; then, for a substance, time_ps, temperature_K, potential_energy_kJ_per_mol,
+/// pressure, pressure_xx, pressure_yy, pressure_zz, pressure_xy, pressure_xz, pressure_yz; those of `Extra` that are
+/// wanted; then, for a substance, time_ps, temperature_K, potential_energy_kJ_per_mol,
 /// kinetic_energy_kJ_per_mol, total_energy_kJ_per_mol, pressure_bar. A quantity that is not defined is an empty field.
 class ThermoCsv {
   public:
+    /// Columns that only some runs have.
+    struct Extra {
+        bool density = false;           ///< when a barostat changes it
+        bool conserved_energy = false;  ///< when a thermostat has one
+        bool order_parameter = false;   ///< when the run started from a lattice
+    };
+
+    /// What stands in them beside the density.
+    struct Values {
+        std::optional<double> conserved_energy;  ///< per atom [epsilon]
+        std::optional<double> order_parameter;
+    };
+
     /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
-    ThermoCsv(const std::filesystem::path& path, bool order_parameter, std::optional<SubstanceUnits> units,
+    ThermoCsv(const std::filesystem::path& path, const Extra& extra, std::optional<SubstanceUnits> units,
               std::optional<std::int64_t> kept = std::nullopt);
 
     /// @throws FileError
-    void write(Index step, double time, const Thermodynamics& row, std::optional<double> order_parameter);
+    void write(Index step, double time, const Thermodynamics& row, const Values& values);
 
     /// What was written so far survives a kill of the program.
     void flush() { file_.flush(); }
@@ -33,7 +46,7 @@ class ThermoCsv {
 
   private:
     OutputFile file_;
-    bool order_parameter_;
+    Extra extra_;
     std::optional<SubstanceUnits> units_;
 };
 

@@ -120,6 +120,13 @@ class State {
     double time = 0.0;  ///< [tau]
     Index step = 0;     ///< steps since the start of the run
 
+    /// What the thermostat of the stage keeps from one step to the next; empty without one. The first number is heat().
+    std::vector<double> bath;
+
+    /// Energy that the thermostat has given to the atoms since the stage began [epsilon]. What the total energy is
+    /// above it, is conserved as well as the integrator does it.
+    [[nodiscard]] double heat() const { return bath.empty() ? 0.0 : bath.front(); }
+
   private:
     struct Registered {
         std::string name;

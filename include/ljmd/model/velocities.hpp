@@ -13,7 +13,8 @@ namespace ljmd {
 /// Kinetic energy K = sum m v^2 / 2 [epsilon].
 [[nodiscard]] double kinetic_energy(const State& state);
 
-/// T = 2 K / (3 N - 3) [epsilon/k_B]; empty for fewer than two atoms, which have no degree of freedom.
+/// T = (2 K - P^2/M)/(3 N - 3) [epsilon/k_B], of the motion about the centre of mass: P = sum m v is 0 but under
+/// thermostats that do not conserve it. Empty for fewer than two atoms, which have no degree of freedom.
 [[nodiscard]] std::optional<double> temperature(const State& state);
 
 /// Total momentum sum m v [m sigma/tau].
