@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <variant>
+
 #include "ljmd/core/registry.hpp"
 
 namespace ljmd {
@@ -33,6 +36,23 @@ Integrator::Integrator(const IntegratorMethod& method, double time_step)
 
 Integrator::Integrator(const IntegratorMethod& method, double time_step, const Section& options)
     : identity_(identity(method, time_step, options)), scheme_(method.scheme(time_step, options)) {}
+
+Integrator Integrator::with_half_way(const std::function<void(State&)>& change) const {
+    Integrator changed = *this;
+    for (std::vector<Operator>& operators : changed.scheme_.cycle) {
+        std::vector<Operator> split;
+        for (const Operator& op : operators) {
+            if (const auto* drift = std::get_if<Drift>(&op)) {
+                const Drift half{0.5 * drift->dt};
+                split.insert(split.end(), {half, Thermalise{change}, half});
+            } else {
+                split.push_back(op);
+            }
+        }
+        operators = std::move(split);
+    }
+    return changed;
+}
 
 void Integrator::prepare(State& state, ForceField& force_field) const {
     if (state.phase().integrator == identity_) {

@@ -74,6 +74,8 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
         } else if (const auto* u = std::get_if<Update>(&*op)) {
             require_current_forces(state);
             u->apply(state);
+        } else if (const auto* t = std::get_if<Thermalise>(&*op)) {
+            t->apply(state);
         } else {
             std::get<Solve>(*op).advance(state, force_field);
         }

@@ -159,7 +159,9 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
 }
 
 void VerletList::archive(Archive& a, const State& state, double cutoff) {
-    bool built = built_for_cutoff_ == cutoff && built_for_order_ == state.order_version();
+    // A list for another box, or another order of the atoms, is built anew at the next evaluation in any case.
+    bool built = built_for_cutoff_ == cutoff && built_for_order_ == state.order_version() &&
+                 built_for_edges_ == state.box().edges();
     if (!a.reading()) {
         a(built, reference_, age_, statistics_);
         return;

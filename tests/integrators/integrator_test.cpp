@@ -192,3 +192,25 @@ TEST_CASE("integrators are listed by name, in alphabetical order, with a meaning
     CHECK_THROWS_AS(find_integrator("euler's"), InputError);
     CHECK_THROWS_WITH(find_integrator("euler's"), Catch::Contains("integrator") && Catch::Contains("velocity-verlet"));
 }
+
+TEST_CASE("what is to be done half-way of a drift is done there, and a drift in two halves is one drift") {
+    test::Oscillator springs(2.0);
+    State whole = test::swinging(springs);
+    State halves = whole;
+    State watched = whole;
+    const Integrator integrator(find_integrator("velocity-verlet"), 0.1);
+    const Integrator idle = integrator.with_half_way([](State&) {});
+    std::vector<Eigen::Matrix3Xd> seen;
+    const Integrator watching =
+        integrator.with_half_way([&](State& state) { seen.emplace_back(test::positions(state)); });
+    for (int n = 0; n < 10; ++n) {
+        const Eigen::Matrix3Xd before = test::positions(watched);
+        integrator.step(whole, springs, Request::forces);
+        idle.step(halves, springs, Request::forces);
+        watching.step(watched, springs, Request::forces);
+        REQUIRE(seen.size() == static_cast<std::size_t>(n + 1));
+        CHECK((seen.back() - 0.5 * (before + test::positions(watched))).norm() < 1e-14);
+    }
+    CHECK((test::positions(whole) - test::positions(halves)).norm() < 1e-14);
+    CHECK((test::velocities(whole) - test::velocities(halves)).norm() < 1e-14);
+}

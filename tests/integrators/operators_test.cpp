@@ -72,6 +72,15 @@ TEST_CASE("an update runs in its place, and is refused when the forces are stale
     CHECK(test::positions(state) == 4.0 * before);
 }
 
+TEST_CASE("velocities may be thermalised while forces are stale") {
+    test::Oscillator springs(2.0);
+    State state = test::swinging(springs);
+    const Eigen::Matrix3Xd before = test::velocities(state);
+    apply({Drift{0.1}, Thermalise{[](State& s) { s.write_velocities() *= 2.0; }}}, state, springs, energy);
+    CHECK(test::velocities(state) == 2.0 * before);
+    CHECK_FALSE(state.forces_are_current());
+}
+
 TEST_CASE("a method that solves by itself gets the force field, and leaves the forces stale") {
     test::Oscillator springs(2.0);
     State state = test::swinging(springs);

@@ -26,8 +26,6 @@ WITHOUT_TEST = {
     "src/app/main.cpp": "hands the command line over; the tests in tests/cli run the program",
     "src/forces/few_body/*.cpp": "plug-ins: the tests that loop over the registry try each",
     "src/integrators/methods/*.cpp": "plug-ins: the tests that loop over the registry try each",
-    "src/integrators/thermostats/*.cpp": "plug-ins: the tests that loop over the registry try each",
-    "src/observables/analyses/*.cpp": "plug-ins: the tests that loop over the registry try each",
 }
 
 TOP_LEVEL = {

@@ -50,6 +50,9 @@ class Integrator {
     Integrator(const IntegratorMethod& method, double time_step);
     Integrator(const IntegratorMethod& method, double time_step, const Section& options);
 
+    /// With something that is done to the velocities in the middle of each drift.
+    [[nodiscard]] Integrator with_half_way(const std::function<void(State&)>& change) const;
+
     /// The start-up of the method, unless the state goes on from its last step. step() and reverse() do it themselves;
     /// called before, it shows where the motion really begins: bit-reversible puts bodies without a box on its grid.
     void prepare(State& state, ForceField& force_field) const;

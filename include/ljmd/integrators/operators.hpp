@@ -30,13 +30,18 @@ struct Update {
     std::function<void(State&)> apply;
 };
 
+/// Change velocities at a time when forces may be stale, as a thermostat does half-way of a drift.
+struct Thermalise {
+    std::function<void(State&)> apply;
+};
+
 /// Advance by a method that evaluates the forces as often as it needs. Leaves them stale.
 struct Solve {
     std::function<void(State&, ForceField&)> advance;
 };
 
 /// An integrator is a list of these. A backend may fuse neighbouring ones.
-using Operator = std::variant<Kick, Drift, Evaluate, Update, Solve>;
+using Operator = std::variant<Kick, Drift, Evaluate, Update, Thermalise, Solve>;
 
 /// Apply the operators of one step in order.
 ///

@@ -10,22 +10,49 @@
 
 namespace ljmd {
 
-/// Acts on velocities between steps to hold a temperature.
+/// What a thermostat has to know of the stage in which it works.
+struct HeatBath {
+    double temperature;        ///< to be held [epsilon/k_B]
+    double time_step;          ///< [tau]
+    std::uint64_t seed;        ///< of random numbers
+    Index degrees_of_freedom;  ///< of the motion of the atoms
+};
+
+/// Acts on velocities to hold a temperature: around the steps of an integrator, or half-way of its drift. What it keeps
+/// from one time to the next lies in State::bath, so that a checkpoint has it.
 class Thermostat {
   public:
     virtual ~Thermostat() = default;
 
+    /// State::bath as it is when a stage begins. The first number is the heat, see State::heat().
+    [[nodiscard]] virtual std::vector<double> beginning() const { return {0.0}; }
+
+    /// Called before every step of its stage.
+    virtual void before_step(State& /*state*/) const {}
+
+    /// Called in the middle of the drift of every step, when acts_half_way(). Forces may be stale.
+    virtual void half_way(State& /*state*/) const {}
+    [[nodiscard]] virtual bool acts_half_way() const { return false; }
+
     /// Called after every step of its stage.
     /// @param step_of_stage  1 after the first step
-    virtual void apply(State& state, Index step_of_stage) = 0;
+    virtual void after_step(State& /*state*/, Index /*step_of_stage*/) const {}
+
+  protected:
+    Thermostat() = default;
+    Thermostat(const Thermostat&) = default;
+    Thermostat& operator=(const Thermostat&) = default;
 };
 
 /// A kind of thermostat that decks can select. One file in src/integrators/thermostats each.
 struct ThermostatMethod {
     std::string name;
     std::string meaning;
-    std::vector<Key> keys;  ///< beside `type`
-    std::function<std::unique_ptr<Thermostat>(const Section&, double temperature)> make;
+    bool canonical;           ///< what is sampled under it is the canonical ensemble (of a fluid; temperature above 0)
+    bool conserves_momentum;  ///< if not, the centre of mass moves as any particle of its mass does
+    bool every_step;          ///< acts within or around every step: a part of velocity Verlet's, and of no other scheme
+    std::vector<Key> keys;    ///< beside `type`
+    std::function<std::unique_ptr<Thermostat>(const Section&, const HeatBath&)> make;
 };
 
 /// Every thermostat there is, in alphabetical order.

@@ -10,9 +10,11 @@ class Rescale : public Thermostat {
   public:
     Rescale(Every every, double temperature) : every_(every), temperature_(temperature) {}
 
-    void apply(State& state, Index step_of_stage) override {
+    void after_step(State& state, Index step_of_stage) const override {
         if (every_.due(step_of_stage)) {
+            const double before = kinetic_energy(state);
             rescale_velocities(state, temperature_);
+            state.bath.front() += kinetic_energy(state) - before;
         }
     }
 
@@ -30,9 +32,12 @@ ThermostatMethod rescale() {
     return {
         .name = "rescale",
         .meaning = "scale all velocities to the temperature every n steps (Verlet 1967); for equilibration only",
+        .canonical = false,
+        .conserves_momentum = true,
+        .every_step = false,
         .keys = {Key::integer("every").at_least(1).meaning("steps between rescalings").defaults_to(std::int64_t{20})},
-        .make = [](const Section& section, double temperature) -> std::unique_ptr<Thermostat> {
-            return std::make_unique<Rescale>(Every(section.integer("every")), temperature);
+        .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
+            return std::make_unique<Rescale>(Every(section.integer("every")), bath.temperature);
         }};
 }
 

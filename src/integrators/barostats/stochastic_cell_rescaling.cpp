@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/random.hpp"
+#include "ljmd/core/schedule.hpp"
+#include "ljmd/core/threads.hpp"
+#include "ljmd/integrators/barostat.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Of the square root of the volume, at once. Sound runs change it by thousandths.
+constexpr double largest_change = 0.05;
+
+class StochasticCellRescaling : public Barostat {
+  public:
+    StochasticCellRescaling(double pressure, double mobility, Every every, const PressureBath& bath)
+        : pressure_(pressure),
+          mobility_(mobility * bath.time_step * static_cast<double>(every.steps())),
+          every_(every),
+          bath_(bath),
+          random_(bath.seed, RandomStream::barostat) {}
+
+    [[nodiscard]] bool due(Index step_of_stage) const override { return every_.due(step_of_stage); }
+
+    void apply(State& state, double pressure) const override {
+        const double volume = state.box().volume();
+        const double root = std::sqrt(volume);
+        const double drift = -0.5 * mobility_ * root * (pressure_ - pressure - 0.5 * bath_.temperature / volume);
+        const double noise = std::sqrt(0.5 * mobility_ * bath_.temperature) * random_.normal(state.step, 0)[0];
+        const double change = (drift + noise) / root;
+        if (!(std::abs(change) < largest_change)) {
+            throw PhysicsError(fmt::format(
+                "the barostat would change the volume by {:.2g} % at once: the pressure is {:.6g}, not {:.6g} "
+                "epsilon/sigma^3; equilibrate at constant volume first, or give the barostat a longer time",
+                100.0 * ((1.0 + change) * (1.0 + change) - 1.0), pressure, pressure_));
+        }
+        rescale(state, std::cbrt((1.0 + change) * (1.0 + change)));
+    }
+
+  private:
+    void rescale(State& state, double factor) const {
+        const Box box(factor * state.box().edges());
+        if (box.shortest_edge() < bath_.shortest_edge) {
+            throw PhysicsError(
+                fmt::format("the barostat would make the box {:.6g} sigma long, less than two cutoffs: it needs more "
+                            "atoms",
+                            box.shortest_edge()));
+        }
+        state.rescale_to(box);
+        auto velocities = state.write_velocities();
+        for_each_index(state.count(), [&](Index i) { velocities.col(i) /= factor; });
+    }
+
+    double pressure_;
+    double mobility_;  ///< n dt beta/tau_p
+    Every every_;
+    PressureBath bath_;
+    Random random_;
+};
+
+}  // namespace
+
+/// Stochastic cell rescaling, isotropic: the volume V follows
+///
+///     dV = -(beta V/tau_p) (p_0 - p - T/V) dt + sqrt(2 T beta V/tau_p) dW
+///
+/// p the instantaneous pressure from kinetic energy and virial. Every n steps lambda = sqrt(V), for which the noise is
+/// the same at all volumes, makes a step of n dt,
+///
+///     d lambda = -(beta lambda/2 tau_p) (p_0 - p - T/(2 V)) dt + sqrt(T beta/(2 tau_p)) dW,
+///
+/// and positions are scaled by (V'/V)^(1/3), velocities by its inverse. With a canonical thermostat beside it, it
+/// samples the isothermal-isobaric ensemble. The compressibility beta need only be roughly known: where it is the true
+/// one, the volume is forgotten after tau_p.
+/// Source: Bernetti and Bussi (2020), doi:10.1063/5.0020514
+BarostatMethod stochastic_cell_rescaling() {
+    return {.name = "stochastic-cell-rescaling",
+            .meaning =
+                "scale the box so that its volume fluctuates as at constant pressure (Bernetti and Bussi 2020); "
+                "isothermal-isobaric with a canonical thermostat",
+            .keys = {Key::number("pressure")
+                         .dimension(Dimension::pressure)
+                         .unit("epsilon/sigma^3")
+                         .meaning("to be held; that of virial and kinetic energy, with tail where the deck has it"),
+                     Key::number("time")
+                         .dimension(Dimension::time)
+                         .unit("tau")
+                         .above(0.0)
+                         .defaults_to(2.0)
+                         .meaning("tau_p: the volume is forgotten after it"),
+                     Key::number("compressibility")
+                         .unit("sigma^3/epsilon")
+                         .above(0.0)
+                         .defaults_to(0.05)
+                         .meaning("isothermal, about that of the fluid; 0.05 is that of the liquid near its triple "
+                                  "point, a gas has 1/p"),
+                     Key::integer("every").at_least(1).defaults_to(std::int64_t{10}).meaning("steps between changes")},
+            .make = [](const Section& section, const PressureBath& bath) -> std::unique_ptr<Barostat> {
+                return std::make_unique<StochasticCellRescaling>(
+                    section.number("pressure"), section.number("compressibility") / section.number("time"),
+                    Every(section.integer("every")), bath);
+            }};
+}
+
+}  // namespace ljmd

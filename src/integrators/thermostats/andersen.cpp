@@ -1,0 +1,57 @@
+#include <cmath>
+
+#include "ljmd/core/random.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "velocity_changes.hpp"
+
+namespace ljmd {
+
+namespace {
+
+class Andersen : public Thermostat {
+  public:
+    Andersen(double time, const HeatBath& bath)
+        : probability_(-std::expm1(-bath.time_step / time)),
+          temperature_(bath.temperature),
+          chances_(bath.seed, RandomStream::collisions),
+          velocities_(bath.seed, RandomStream::thermostat) {}
+
+    void after_step(State& state, Index /*step_of_stage*/) const override {
+        change_velocities(state, [&](const Vec3& v, double mass, Index id) -> Vec3 {
+            if (chances_.uniform(state.step, id)[0] >= probability_) {
+                return v;
+            }
+            return std::sqrt(temperature_ / mass) * velocities_.normal(state.step, id);
+        });
+    }
+
+  private:
+    double probability_;  ///< of a collision in one step
+    double temperature_;
+    Random chances_;
+    Random velocities_;
+};
+
+}  // namespace
+
+/// Andersen's thermostat: after a step, each atom collides with the bath with the probability 1 - exp(-dt/tau_T),
+/// which gives it a velocity from Maxwell's distribution. Canonical; the motion of single atoms is no longer Newton's.
+/// Source: Andersen (1980), doi:10.1063/1.439486
+ThermostatMethod andersen() {
+    return {.name = "andersen",
+            .meaning = "atoms collide with a bath, each about once in `time` (Andersen 1980); canonical",
+            .canonical = true,
+            .conserves_momentum = false,
+            .every_step = true,
+            .keys = {Key::number("time")
+                         .dimension(Dimension::time)
+                         .unit("tau")
+                         .above(0.0)
+                         .defaults_to(1.0)
+                         .meaning("tau_T: mean time between two collisions of an atom")},
+            .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
+                return std::make_unique<Andersen>(section.number("time"), bath);
+            }};
+}
+
+}  // namespace ljmd

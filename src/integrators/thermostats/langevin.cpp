@@ -1,0 +1,58 @@
+#include <cmath>
+
+#include "ljmd/core/random.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "velocity_changes.hpp"
+
+namespace ljmd {
+
+namespace {
+
+class Langevin : public Thermostat {
+  public:
+    Langevin(double time, const HeatBath& bath)
+        : kept_(std::exp(-bath.time_step / time)),
+          gained2_(-std::expm1(-2.0 * bath.time_step / time) * bath.temperature),
+          random_(bath.seed, RandomStream::thermostat) {}
+
+    [[nodiscard]] bool acts_half_way() const override { return true; }
+
+    void half_way(State& state) const override {
+        change_velocities(state, [&](const Vec3& v, double mass, Index id) -> Vec3 {
+            return kept_ * v + std::sqrt(gained2_ / mass) * random_.normal(state.step, id);
+        });
+    }
+
+  private:
+    double kept_;     ///< c = exp(-dt/tau_T)
+    double gained2_;  ///< (1 - c^2) T
+    Random random_;
+};
+
+}  // namespace
+
+/// Langevin dynamics, m dv/dt = f - m v/tau_T + noise, in the splitting BAOAB: half-way of velocity Verlet's drift,
+///
+///     v = c v + sqrt((1 - c^2) T/m) xi,   c = exp(-dt/tau_T),   xi normal
+///
+/// Canonical. Configurations are right to a higher order than velocities: at whole steps the kinetic energy is low by
+/// about (omega dt)^2/4 of itself for vibrations of frequency omega, half-way of the drift it is right.
+/// Source: Leimkuhler and Matthews (2013), doi:10.1093/amrx/abs010; doi:10.1063/1.4802990
+ThermostatMethod langevin() {
+    return {.name = "langevin",
+            .meaning = "friction and noise on every atom, BAOAB (Leimkuhler and Matthews 2013); canonical",
+            .canonical = true,
+            .conserves_momentum = false,
+            .every_step = true,
+            .keys = {Key::number("time")
+                         .dimension(Dimension::time)
+                         .unit("tau")
+                         .above(0.0)
+                         .defaults_to(1.0)
+                         .meaning("tau_T: friction makes velocities forgotten after it")},
+            .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
+                return std::make_unique<Langevin>(section.number("time"), bath);
+            }};
+}
+
+}  // namespace ljmd

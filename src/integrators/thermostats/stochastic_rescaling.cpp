@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ljmd/core/random.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/model/velocities.hpp"
+#include "velocity_changes.hpp"
+
+namespace ljmd {
+
+namespace {
+
+class StochasticRescaling : public Thermostat {
+  public:
+    StochasticRescaling(double time, const HeatBath& bath)
+        : kept_(std::exp(-bath.time_step / time)),
+          freedom_(static_cast<double>(bath.degrees_of_freedom)),
+          temperature_(bath.temperature),
+          random_(bath.seed, RandomStream::thermostat) {}
+
+    void after_step(State& state, Index /*step_of_stage*/) const override {
+        const double now = kinetic_energy(state);
+        if (!(now > 0.0) || freedom_ < 1.0) {
+            return;
+        }
+        const double gained = 0.5 * (1.0 - kept_) * temperature_;  // of each degree of freedom
+        const double one = random_.normal(state.step, 0)[0];
+        const double others = freedom_ > 1.0 ? 2.0 * random_.gamma(state.step, 1, 0.5 * (freedom_ - 1.0)) : 0.0;
+        const double along = std::sqrt(kept_ * now) + std::sqrt(gained) * one;
+        const double wanted = along * along + gained * others;
+        scale_velocities(state, std::copysign(std::sqrt(wanted / now), along), now);
+    }
+
+  private:
+    double kept_;  ///< c = exp(-dt/tau_T)
+    double freedom_;
+    double temperature_;
+    Random random_;
+};
+
+}  // namespace
+
+/// Stochastic velocity rescaling: after a step all velocities are scaled so that the kinetic energy becomes
+///
+///     K' = (sqrt(c K) + sqrt((1 - c) T/2) R)^2 + (1 - c) T/2 S,   c = exp(-dt/tau_T)
+///
+/// R normal, S the sum of f - 1 squared normal numbers, f the degrees of freedom; the factor has the sign of the
+/// bracket. That is what f velocities become under friction, so that K is forgotten after tau_T and has the canonical
+/// distribution. The motion of single atoms is hardly disturbed.
+/// Source: Bussi, Donadio and Parrinello (2007), doi:10.1063/1.2408420; Bussi and Parrinello (2008),
+/// doi:10.1016/j.cpc.2008.01.006
+ThermostatMethod stochastic_rescaling() {
+    return {.name = "stochastic-rescaling",
+            .meaning =
+                "scale all velocities to a kinetic energy from the canonical distribution (Bussi, Donadio and "
+                "Parrinello 2007); canonical",
+            .canonical = true,
+            .conserves_momentum = true,
+            .every_step = true,
+            .keys = {Key::number("time")
+                         .dimension(Dimension::time)
+                         .unit("tau")
+                         .above(0.0)
+                         .defaults_to(0.5)
+                         .meaning("tau_T: the kinetic energy is forgotten after it")},
+            .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
+                return std::make_unique<StochasticRescaling>(section.number("time"), bath);
+            }};
+}
+
+}  // namespace ljmd

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+
+#include "ljmd/core/threads.hpp"
+#include "ljmd/model/state.hpp"
+
+namespace ljmd {
+
+/// Let `change(v, mass, id)` give each atom another velocity v; the energy that it takes is counted as heat.
+template <class Change>
+void change_velocities(State& state, const Change& change) {
+    auto velocities = state.write_velocities();
+    const std::vector<double>& masses = state.masses();
+    const std::vector<Index>& ids = state.ids();
+    state.bath.front() += sum_over(state.count(), 0.0, [&](Index i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Vec3 before = velocities.col(i);
+        const Vec3 after = change(before, masses[k], ids[k]);
+        velocities.col(i) = after;
+        return 0.5 * masses[k] * (after.squaredNorm() - before.squaredNorm());
+    });
+}
+
+/// Multiply all velocities by a factor; the energy that it takes is counted as heat.
+/// @param kinetic_energy  of the state
+inline void scale_velocities(State& state, double factor, double kinetic_energy) {
+    auto velocities = state.write_velocities();
+    for_each_index(state.count(), [&](Index i) { velocities.col(i) *= factor; });
+    state.bath.front() += (factor * factor - 1.0) * kinetic_energy;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,114 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/integrators/barostat.hpp"
+#include "ljmd/model/velocities.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+std::unique_ptr<Barostat> made(const PressureBath& bath, double pressure, double compressibility, Index every) {
+    const BarostatMethod method = find_barostat("stochastic-cell-rescaling");
+    const Table table{{"pressure", {}, {pressure, {}}},
+                      {"compressibility", {}, {compressibility, {}}},
+                      {"time", {}, {1.0, {}}},
+                      {"every", {}, {std::int64_t{every}, {}}}};
+    Diagnostics diagnostics;
+    const Section section = validate(table, {}, Schema("barostat", method.keys), std::nullopt, diagnostics);
+    diagnostics.throw_if_errors();
+    return method.make(section, bath);
+}
+
+State gas(Index atoms) {
+    State state(atoms, Box(Vec3(4.0, 5.0, 6.0)));
+    for (Index i = 0; i < atoms; ++i) {
+        state.write_positions().col(i) = state.snapped(Vec3(0.1, 0.2, 0.25) * static_cast<double>(i));
+    }
+    draw_velocities(state, 1.3, 2);
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("positions are scaled as the box is, velocities inversely, and forces become stale") {
+    State state = gas(20);
+    state.mark_forces_current();
+    const State before = state;
+    const auto barostat = made({1.3, 0.005, 8, 1.0}, 0.5, 0.05, 10);
+    barostat->apply(state, 0.7);
+    const Vec3 factors = state.box().edges().cwiseQuotient(before.box().edges());
+    CHECK(factors[0] != 1.0);
+    CHECK(factors[1] == Approx(factors[0]).epsilon(1e-14));
+    CHECK(factors[2] == Approx(factors[0]).epsilon(1e-14));
+    CHECK_FALSE(state.forces_are_current());
+    const State& after = state;
+    CHECK((after.positions() - factors[0] * before.positions()).norm() < 1e-13);
+    CHECK((after.velocities() - before.velocities() / factors[0]).norm() < 1e-13);
+}
+
+TEST_CASE("it acts at its schedule, and more strongly the rarer that is") {
+    const auto rare = made({1e-12, 0.005, 8, 1.0}, 0.5, 0.05, 20);
+    const auto often = made({1e-12, 0.005, 8, 1.0}, 0.5, 0.05, 10);
+    CHECK(rare->due(20));
+    CHECK_FALSE(rare->due(10));
+    CHECK(often->due(10));
+    State a = gas(20);
+    State b = gas(20);
+    const double volume = a.box().volume();
+    rare->apply(a, 0.7);
+    often->apply(b, 0.7);
+    // dV = (beta V/tau_p) (p - p_0) n dt, without noise at T = 0
+    CHECK(b.box().volume() / volume - 1.0 == Approx(0.05 * 0.2 * 0.05).epsilon(1e-3));
+    CHECK(a.box().volume() / volume - 1.0 == Approx(2.0 * 0.05 * 0.2 * 0.05).epsilon(1e-3));
+}
+
+TEST_CASE("the volume of an ideal gas takes the distribution of the ensemble of constant pressure") {
+    // Without motion of the centre of mass p has the mean (N - 1) T/V, and with that the volume the density
+    // V^(N - 1) exp(-p_0 V/T), whose mean is N T/p_0 and whose variance N (T/p_0)^2.
+    constexpr Index atoms = 40;
+    constexpr double wanted = 1.5;
+    State state = gas(atoms);
+    const auto barostat = made({1.3, 0.01, 8, 0.1}, wanted, 0.2, 1);
+    double sum = 0.0;
+    double squares = 0.0;
+    constexpr Index steps = 800000;
+    for (Index step = 1; step <= steps; ++step) {
+        state.step = step;
+        barostat->apply(state, static_cast<double>(atoms - 1) * 1.3 / state.box().volume());
+        sum += state.box().volume();
+        squares += state.box().volume() * state.box().volume();
+    }
+    const double mean = sum / steps;
+    const double variance = squares / steps - mean * mean;
+    const double scale = 1.3 / wanted;
+    CHECK(mean == Approx(atoms * scale).epsilon(0.015));
+    CHECK(variance == Approx(atoms * scale * scale).epsilon(0.15));
+}
+
+TEST_CASE("the noise is the same for the same seed and step, and another for others") {
+    const auto volume_after = [](std::uint64_t seed, Index step) {
+        State state = gas(20);
+        state.step = step;
+        made({1.3, 0.005, seed, 1.0}, 0.5, 0.05, 10)->apply(state, 0.5);
+        return state.box().volume();
+    };
+    CHECK(volume_after(1, 10) == volume_after(1, 10));
+    CHECK(volume_after(1, 10) != volume_after(2, 10));
+    CHECK(volume_after(1, 10) != volume_after(1, 20));
+}
+
+TEST_CASE("a pressure far from the wanted one, nonsense, and a box that becomes too small end the run") {
+    State state = gas(20);
+    const Vec3 edges = state.box().edges();
+    const auto barostat = made({1.3, 0.005, 8, 1.0}, 0.5, 0.05, 10);
+    for (const double pressure : {100.0, -100.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        CHECK_THROWS_AS(barostat->apply(state, pressure), PhysicsError);
+    }
+    CHECK_THROWS_WITH(barostat->apply(state, 100.0), Catch::Contains("the pressure is 100, not 0.5"));
+    CHECK_THROWS_WITH(made({1.3, 0.005, 8, 4.5}, 0.5, 0.05, 10)->apply(state, 0.5),
+                      Catch::Contains("less than two cutoffs"));
+    CHECK(state.box().edges() == edges);
+}
