@@ -6,6 +6,7 @@
 
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/app/few_body_sense.hpp"
+#include "ljmd/app/stage_sense.hpp"
 #include "ljmd/io/deck_file.hpp"
 #include "ljmd/io/deck_setting.hpp"
 
@@ -73,12 +74,17 @@ void explain_mixture(const Table& table, Diagnostics& diagnostics) {
 }
 
 Stage to_stage(const Section& section, const Section& root) {
-    const double temperature = section.has("temperature") ? section.number("temperature")
-                               : root.has("system") && root.section("system").has("temperature")
-                                   ? root.section("system").number("temperature")
-                                   : 0.0;
-    return {section.text("name"), section.text("integrator"), section.number("time_step"), section.integer("steps"),
-            temperature,          section.flag("sample"),     section.flag("reverse"),     section};
+    const double temperature = stage_temperature(section, root).value_or(0.0);
+    const Index seed = root.has("system") ? root.section("system").integer("seed") : 0;
+    return {section.text("name"),
+            section.text("integrator"),
+            section.number("time_step"),
+            section.integer("steps"),
+            temperature,
+            section.flag("sample"),
+            section.flag("reverse"),
+            section,
+            static_cast<std::uint64_t>(seed)};
 }
 
 std::filesystem::path default_directory(const std::filesystem::path& deck) {
@@ -127,6 +133,11 @@ Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& f
 }
 
 }  // namespace
+
+bool conserves_energy(const Stage& stage) {
+    const auto thermostat = thermostat_method(stage.section);
+    return (!thermostat || thermostat->canonical) && !stage.section.has("barostat");
+}
 
 Index Deck::total_steps() const {
     Index sum = 0;

@@ -1,6 +1,7 @@
 #include "ljmd/app/deck_schema.hpp"
 
 #include "ljmd/core/registry.hpp"
+#include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/io/deck_reference.hpp"
@@ -66,7 +67,11 @@ Schema system_schema() {
          Key::choice("velocities", {"maxwell", "file"})
              .optional("file if it has velocities, else maxwell")
              .meaning("draw velocities from Maxwell's distribution, or keep those of `file`"),
-         Key::integer("seed").at_least(0).defaults_to(std::int64_t{1}).meaning("of all random numbers")});
+         Key::integer("seed")
+             .at_least(0)
+             .defaults_to(std::int64_t{1})
+             .meaning("of all random numbers; a run that goes on from another one's end under a thermostat "
+                      "needs another seed")});
 }
 
 Schema potential_schema() {
@@ -126,15 +131,16 @@ Schema performance_schema() {
                                 "in double; verlet-list only")});
 }
 
-Schema thermostat_schema() {
-    std::map<std::string, std::vector<Key>> methods;
+/// A table whose `type` is the name of one of these plug-ins, which has keys of its own.
+template <class Plugin>
+Schema plugin_schema(const std::string& title, const std::vector<Plugin>& plugins) {
+    std::map<std::string, std::vector<Key>> keys;
     std::string meaning;
-    for (const auto& method : all_thermostats()) {
-        methods[method.name] = method.keys;
-        meaning += (meaning.empty() ? "" : "; ") + method.name + ": " + method.meaning;
+    for (const Plugin& plugin : plugins) {
+        keys[plugin.name] = plugin.keys;
+        meaning += (meaning.empty() ? "" : "; ") + plugin.name + ": " + plugin.meaning;
     }
-    Schema schema("thermostat", {Key::choice("type", plugin_names(all_thermostats())).meaning(meaning)});
-    return schema.select("type", methods);
+    return Schema(title, {Key::choice("type", plugin_names(plugins)).meaning(meaning)}).select("type", keys);
 }
 
 Schema fluid_stage_schema() {
@@ -149,9 +155,12 @@ Schema fluid_stage_schema() {
                    .at_least(0.0)
                    .optional("that of [system]")
                    .meaning("what the thermostat holds in this stage"),
-               Key::table("thermostat", thermostat_schema())
+               Key::table("thermostat", plugin_schema("thermostat", all_thermostats()))
                    .optional("none: constant energy")
-                   .meaning("holds the temperature"),
+                   .meaning("holds the temperature; all but `rescale` go with velocity-verlet"),
+               Key::table("barostat", plugin_schema("barostat", all_barostats()))
+                   .optional("none: constant volume")
+                   .meaning("holds the pressure, beside a canonical thermostat"),
                Key::flag("sample").defaults_to(false).meaning("measure observables in this stage")});
 }
 

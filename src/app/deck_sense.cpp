@@ -172,7 +172,8 @@ void check_search(const Section& root, Diagnostics& diagnostics) {
     }
 }
 
-void check_stages(const std::vector<Section>& stages, bool force, Diagnostics& diagnostics) {
+void check_stages(const Section& root, bool force, Diagnostics& diagnostics) {
+    const std::vector<Section>& stages = root.sections("stage");
     check_stage_names(stages, diagnostics);
     for (const Section& stage : stages) {
         if (given(stage, "time_step") && stage.number("time_step") >= unlikely_time_step) {
@@ -186,10 +187,7 @@ void check_stages(const std::vector<Section>& stages, bool force, Diagnostics& d
             diagnostics.warning(stage.location("temperature"),
                                 "'temperature' in [[stage]] has no effect without a thermostat");
         }
-        if (stage.has("thermostat") && stage.flag("sample")) {
-            diagnostics.warning(stage.location("sample"),
-                                "this stage is sampled under a thermostat that samples no ensemble");
-        }
+        check_baths(stage, root, diagnostics);
     }
 }
 
@@ -242,7 +240,7 @@ void check_sense(const Section& root, bool has_units, bool force, Diagnostics& d
     if (root.sound("neighbors") && root.sound("performance")) {
         check_search(root, diagnostics);
     }
-    check_stages(root.sections("stage"), force, diagnostics);
+    check_stages(root, force, diagnostics);
     check_output(root.section("output"), has_units, diagnostics);
     if (const auto atoms = root.sound("system") ? lattice_start(system) : std::nullopt) {
         check_box(root, *atoms, cubic_box(*atoms, system.number("density")), diagnostics);

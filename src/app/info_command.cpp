@@ -13,6 +13,7 @@
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/forces/few_body_force.hpp"
+#include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
@@ -40,6 +41,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
             {"forces", plugin_names(all_few_body_forces())},
             {"integrators", plugin_names(all_integrators())},
             {"thermostats", plugin_names(all_thermostats())},
+            {"barostats", plugin_names(all_barostats())},
             {"analyses", plugin_names(all_analyses())},
             {"of few bodies", plugin_names(all_few_body_analyses())},
             {"equations", plugin_names(all_equations_of_state())},
@@ -94,6 +96,7 @@ std::string info_json() {
                                          {"forces", plugin_names(all_few_body_forces())},
                                          {"integrators", integrators},
                                          {"thermostats", plugin_names(all_thermostats())},
+                                         {"barostats", plugin_names(all_barostats())},
                                          {"analyses", plugin_names(all_analyses())},
                                          {"few_body_analyses", plugin_names(all_few_body_analyses())},
                                          {"equations_of_state", plugin_names(all_equations_of_state())}};

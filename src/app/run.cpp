@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "ljmd/app/checksum.hpp"
+#include "ljmd/app/deck_sense.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/stability.hpp"
@@ -30,11 +31,17 @@ constexpr double few_samples = 16.0;
 /// Steps between looks at the atoms' speeds; looking costs a hundredth of a step.
 constexpr Index steps_between_looks = 10;
 
-/// Samples of several stages, or of one with a thermostat, do not fluctuate as those of one at constant energy.
-bool is_sampled_at_constant_energy(const Deck& deck) {
+/// Samples of several stages do not fluctuate as those of one.
+Ensemble sampled_ensemble(const Deck& deck) {
     const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
-    return std::ranges::count_if(deck.stages, sampled) == 1 &&
-           !std::ranges::find_if(deck.stages, sampled)->section.has("thermostat");
+    const auto first = std::ranges::find_if(deck.stages, sampled);
+    if (std::any_of(first, deck.stages.end(), [](const Stage& stage) { return stage.section.has("barostat"); })) {
+        return Ensemble::constant_pressure;
+    }
+    if (std::ranges::count_if(deck.stages, sampled) != 1 || !conserves_energy(*first)) {
+        return Ensemble::none;
+    }
+    return first->section.has("thermostat") ? Ensemble::canonical : Ensemble::constant_energy;
 }
 
 /// One run of a fluid: samples and writes what the time loop goes through.
@@ -46,7 +53,8 @@ class FluidRun : private StepObserver {
           listener_(listener),
           thermo_every_(deck.thermo_every),
           checkpoints_(deck, control.walltime, control.resumed ? control.resumed->point.file.generation : 0),
-          averages_(simulation.state.count(), density(), is_sampled_at_constant_energy(deck)) {
+          averages_(simulation.state.count(), sampled_ensemble(deck)),
+          analysed_edges_(simulation.state.box().edges()) {
         std::optional<ResumedOutputs> outputs;
         if (control.resumed) {
             const ResumePoint& point = control.resumed->point;
@@ -100,6 +108,7 @@ class FluidRun : private StepObserver {
 
     void begin_to_watch(const Stage& stage) {
         sampling_ = stage.sample;
+        conserves_energy_ = conserves_energy(stage);
         watch_.emplace(stage.time_step, !stage.section.has("thermostat"), simulation_.force_field.potential());
     }
 
@@ -130,11 +139,18 @@ class FluidRun : private StepObserver {
         return simulation_.order ? std::optional((*simulation_.order)(simulation_.state)) : std::nullopt;
     }
 
+    /// Per atom; nothing when this stage has none.
+    [[nodiscard]] std::optional<double> conserved_energy(const Thermodynamics& row) const {
+        const State& state = simulation_.state;
+        return conserves_energy_ ? std::optional(row.total_energy - state.heat() / static_cast<double>(state.count()))
+                                 : std::nullopt;
+    }
+
     void write_thermo(const Thermodynamics& row) {
         last_ = row;
         const std::optional<double> order_now = order();
         Stopwatch watch;
-        files_->write_thermo(simulation_.state.step, simulation_.state.time, row, order_now);
+        files_->write_thermo(simulation_.state.step, simulation_.state.time, row, {conserved_energy(row), order_now});
         seconds_.write += watch.lap();
     }
 
@@ -154,6 +170,9 @@ class FluidRun : private StepObserver {
             order_at_sampling_ = order();
         }
         begin_to_watch(stage);
+        if (stage.sample && state.box().edges() != analysed_edges_) {
+            adapt_analyses();
+        }
         for (const auto& analysis : simulation_.analyses) {
             analysis->interrupt();
         }
@@ -169,6 +188,20 @@ class FluidRun : private StepObserver {
                            std::nullopt,
                            checksum(state),
                            {}});
+    }
+
+    /// A barostat has changed the box since the analyses were made; nothing was sampled yet, see check_analysis.
+    void adapt_analyses() {
+        const State& state = simulation_.state;
+        Diagnostics diagnostics;
+        check_box(deck_.root, state.count(), state.box(), diagnostics);
+        for (const Diagnostic& diagnostic : diagnostics.entries()) {
+            if (diagnostic.severity == Severity::error) {
+                throw PhysicsError(fmt::format("in the box that the barostat has made: {}", diagnostic.message));
+            }
+        }
+        simulation_.analyses = make_analyses(deck_, simulation_);
+        analysed_edges_ = state.box().edges();
     }
 
     [[nodiscard]] bool wants_energy(Index step) const override {
@@ -193,7 +226,9 @@ class FluidRun : private StepObserver {
             const Thermodynamics row = thermodynamics_of(evaluation);
             write_thermo(row);
             watch_->check_energy(row);
-            drift_.add(state.time, row.total_energy);
+            if (const auto energy = conserved_energy(row)) {
+                drift_.add(state.time, *energy);
+            }
             if (stage.sample) {
                 averages_.add(row);
             }
@@ -212,7 +247,7 @@ class FluidRun : private StepObserver {
     void stage_ends(const Stage&) override {
         StageResult& stage = stages_.back();
         stage.last_step = simulation_.state.step;
-        stage.energy_drift = stage.thermostatted ? std::nullopt : drift_.slope();
+        stage.energy_drift = conserves_energy_ ? drift_.slope() : std::nullopt;
         stage.checksum_at_end = checksum(simulation_.state);
     }
 
@@ -303,6 +338,8 @@ class FluidRun : private StepObserver {
     std::optional<double> order_at_sampling_;
     std::optional<StabilityWatch> watch_;  ///< of the stage that is running
     bool sampling_ = false;                ///< in it
+    bool conserves_energy_ = true;         ///< in it
+    Vec3 analysed_edges_;                  ///< of the box that the analyses were made for
     Thermodynamics first_;
     Thermodynamics last_;
     LinearTrend drift_;  ///< of the total energy in it

@@ -39,6 +39,14 @@ std::vector<std::string> output_names() {
     return names;
 }
 
+ThermoCsv::Extra thermo_columns(const Deck& deck, bool order_parameter) {
+    const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
+    return {.density = any([](const Stage& stage) { return stage.section.has("barostat"); }),
+            .conserved_energy =
+                any([](const Stage& stage) { return stage.section.has("thermostat") && conserves_energy(stage); }),
+            .order_parameter = order_parameter};
+}
+
 std::vector<fs::path> old_outputs(const fs::path& directory) {
     std::vector<fs::path> old;
     std::error_code error;
@@ -114,7 +122,7 @@ RunDirectory::RunDirectory(const Deck& deck, const State& first, bool order_para
                            const std::optional<ResumedOutputs>& resumed)
     : deck_(deck),
       trajectory_(open_trajectory(deck, first, resumed ? std::optional(resumed->kept.trajectory) : std::nullopt)),
-      thermo_(deck.directory / "thermo.csv", order_parameter, deck.units,
+      thermo_(deck.directory / "thermo.csv", thermo_columns(deck, order_parameter), deck.units,
               resumed ? std::optional(resumed->kept.thermo) : std::nullopt),
       record_(deck, resumed ? std::optional(resumed->earlier) : std::nullopt) {}
 
@@ -122,10 +130,9 @@ CommittedOutputs RunDirectory::commit() {
     return {thermo_.commit(), trajectory_ ? trajectory_->commit() : CommittedFrames()};
 }
 
-void RunDirectory::write_thermo(Index step, double time, const Thermodynamics& row,
-                                std::optional<double> order_parameter) {
+void RunDirectory::write_thermo(Index step, double time, const Thermodynamics& row, const ThermoCsv::Values& values) {
     constexpr Index rows_between_flushes = 100;
-    thermo_.write(step, time, row, order_parameter);
+    thermo_.write(step, time, row, values);
     if (++rows_since_flush_ == rows_between_flushes) {
         thermo_.flush();
         rows_since_flush_ = 0;

@@ -4,17 +4,41 @@
 
 #include <algorithm>
 
+#include "ljmd/app/stage_sense.hpp"
+
 namespace ljmd {
 
 namespace {
 
-/// What the thermostat of a stage holds, if it has one.
-std::optional<double> held_temperature(const Section& stage, const Section& system) {
-    if (!stage.has("thermostat")) {
-        return std::nullopt;
+/// What one analysis for all sampled stages needs of them: a box that stays as it is.
+void check_box_stays(const std::vector<Section>& stages, Diagnostics& diagnostics) {
+    bool sampled = false;
+    for (const Section& stage : stages) {
+        sampled = sampled || stage.flag("sample");
+        if (sampled && stage.has("barostat")) {
+            diagnostics.error(
+                stage.location("barostat"),
+                "what [analysis] asks for needs a box that stays as it is from the first sampled stage on",
+                "sample a later stage without barostat, or leave [analysis] out");
+        }
     }
-    const Section& from = stage.has("temperature") ? stage : system;
-    return from.has("temperature") ? std::optional(from.number("temperature")) : std::nullopt;
+}
+
+/// What analyses that compare configurations at different times need of a sampled stage.
+void check_motion(const Section& stage, const SampledRun& run, Diagnostics& diagnostics) {
+    if (stage.sound("time_step") && stage.number("time_step") != run.time_step) {
+        diagnostics.error(stage.location("time_step"),
+                          fmt::format("sampled stages have time steps of {} and {}, but what [analysis] asks for "
+                                      "compares configurations at equal times apart",
+                                      run.time_step, stage.number("time_step")));
+    }
+    if (const auto thermostat = thermostat_method(stage); thermostat && !thermostat->conserves_momentum) {
+        diagnostics.warning(
+            stage.section("thermostat").location("type"),
+            fmt::format("the thermostat {} changes how atoms move: diffusion, correlation functions and "
+                        "viscosity are not those of Newton's equations",
+                        thermostat->name));
+    }
 }
 
 }  // namespace
@@ -30,7 +54,7 @@ SampledRun sampled_run(const Section& root, Index atoms, const Box& box) {
                    stage.number("time_step"),
                    stage.integer("steps"),
                    static_cast<std::uint64_t>(system.integer("seed")),
-                   held_temperature(stage, system),
+                   stage.has("thermostat") ? stage_temperature(stage, root) : std::nullopt,
                    std::nullopt};
     for (const Section& other : stages) {
         if (is_sampled(other)) {
@@ -42,11 +66,13 @@ SampledRun sampled_run(const Section& root, Index atoms, const Box& box) {
 
 void check_analysis(const Section& root, const SampledRun& run, Diagnostics& diagnostics) {
     const Section& analysis = root.section("analysis");
+    bool any = false;
     bool follows_time = false;
     for (const auto& method : all_analyses()) {
         if (!analysis.has(method.name)) {
             continue;
         }
+        any = true;
         follows_time = follows_time || method.follows_time;
         const Section& section = analysis.section(method.name);
         for (const auto& [key, message] : method.check(section, run)) {
@@ -55,15 +81,12 @@ void check_analysis(const Section& root, const SampledRun& run, Diagnostics& dia
             }
         }
     }
-    if (!follows_time) {
-        return;
+    if (any) {
+        check_box_stays(root.sections("stage"), diagnostics);
     }
     for (const Section& stage : root.sections("stage")) {
-        if (stage.flag("sample") && stage.sound("time_step") && stage.number("time_step") != run.time_step) {
-            diagnostics.error(stage.location("time_step"),
-                              fmt::format("sampled stages have time steps of {} and {}, but what [analysis] asks for "
-                                          "compares configurations at equal times apart",
-                                          run.time_step, stage.number("time_step")));
+        if (follows_time && stage.flag("sample")) {
+            check_motion(stage, run, diagnostics);
         }
     }
 }

@@ -99,6 +99,14 @@ bool wants_tail(const Deck& deck) {
     return deck.potential().has("tail") && deck.potential().flag("tail");
 }
 
+FluidPressure fluid_pressure(const Deck& deck) {
+    if (deck.kind == DeckKind::few_body) {
+        return {};
+    }
+    const PairPotential potential = PairPotential::from(deck.potential());
+    return {wants_tail(deck) ? TailCorrection(potential) : TailCorrection(), 2.0 * potential.cutoff().radius};
+}
+
 PairForceField make_force_field(const Deck& deck) {
     const Section& neighbors = deck.neighbors();
     const auto every = neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt;
@@ -133,25 +141,27 @@ void place_configuration(State& state, const Configuration& configuration) {
 }
 
 Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box) {
-    Simulation simulation{State(atoms, box),
-                          make_force_field(deck),
-                          wants_tail(deck) ? TailCorrection(PairPotential::from(deck.potential())) : TailCorrection(),
-                          std::nullopt,
-                          {}};
+    Simulation simulation{State(atoms, box), make_force_field(deck), fluid_pressure(deck).tail, std::nullopt, {}};
     const Section& system = deck.system();
     if (system.has("lattice") && !is_random(system.section("lattice"))) {
         const Section& lattice = system.section("lattice");
         simulation.order.emplace(lattice_type(lattice), lattice_cells(lattice));
     }
+    simulation.analyses = make_analyses(deck, simulation);
+    return simulation;
+}
+
+std::vector<std::unique_ptr<Analysis>> make_analyses(const Deck& deck, const Simulation& simulation) {
     const Section& analysis = deck.root.section("analysis");
-    SampledRun run = sampled_run(deck.root, atoms, box);
+    SampledRun run = sampled_run(deck.root, simulation.state.count(), simulation.state.box());
     run.interaction = {simulation.force_field.potential(), simulation.tail};
+    std::vector<std::unique_ptr<Analysis>> analyses;
     for (const auto& method : all_analyses()) {
         if (analysis.has(method.name)) {
-            simulation.analyses.push_back(method.make(analysis.section(method.name), run));
+            analyses.push_back(method.make(analysis.section(method.name), run));
         }
     }
-    return simulation;
+    return analyses;
 }
 
 Simulation make_simulation(const Deck& deck, Start start, const std::function<void(const std::string&)>& warn) {

@@ -26,7 +26,61 @@ void check_name(const Section& stage, std::set<std::string>& names, Diagnostics&
     }
 }
 
+/// A start from a file with velocities needs no temperature; where [system] does, that is said of it.
+bool system_may_lack_temperature(const Section& root) {
+    if (!root.sound("system")) {
+        return false;
+    }
+    const Section& system = root.section("system");
+    return system.sound("temperature") && !system.has("lattice") &&
+           !(system.has("velocities") && system.text("velocities") == "maxwell");
+}
+
 }  // namespace
+
+std::optional<ThermostatMethod> thermostat_method(const Section& stage) {
+    if (!stage.has("thermostat") || !stage.sound("thermostat") || !stage.section("thermostat").sound("type")) {
+        return std::nullopt;
+    }
+    return find_thermostat(stage.section("thermostat").text("type"));
+}
+
+std::optional<double> stage_temperature(const Section& stage, const Section& root) {
+    if (stage.has("temperature")) {
+        return stage.number("temperature");
+    }
+    const bool has_system = root.has("system") && root.section("system").has("temperature");
+    return has_system ? std::optional(root.section("system").number("temperature")) : std::nullopt;
+}
+
+void check_baths(const Section& stage, const Section& root, Diagnostics& diagnostics) {
+    const auto thermostat = thermostat_method(stage);
+    if (stage.has("barostat") && stage.sound("thermostat") && !(thermostat && thermostat->canonical)) {
+        diagnostics.error(stage.location("barostat"), "a barostat needs a canonical thermostat beside it",
+                          "e.g. thermostat = { type = \"stochastic-rescaling\" }");
+    }
+    if (!thermostat) {
+        return;
+    }
+    const Location& type = stage.section("thermostat").location("type");
+    if (thermostat->every_step && stage.sound("integrator") && stage.text("integrator") != "velocity-verlet") {
+        diagnostics.error(type, fmt::format("the thermostat {} is a part of the steps of velocity-verlet; 'integrator' "
+                                            "in [[stage]] is {}",
+                                            thermostat->name, stage.text("integrator")));
+    }
+    const auto temperature = stage_temperature(stage, root);
+    if (!temperature && stage.sound("temperature") && system_may_lack_temperature(root)) {
+        diagnostics.error(type, "missing key 'temperature' in [[stage]]",
+                          "the thermostat needs it; or give it in [system]");
+    } else if (temperature == 0.0 && thermostat->canonical) {
+        diagnostics.error(type, fmt::format("the thermostat {} needs a temperature above 0", thermostat->name),
+                          "rescale can take it to 0");
+    }
+    if (!thermostat->canonical && stage.flag("sample")) {
+        diagnostics.warning(stage.location("sample"),
+                            "this stage is sampled under a thermostat that samples no ensemble");
+    }
+}
 
 void check_stage_names(const std::vector<Section>& stages, Diagnostics& diagnostics) {
     std::set<std::string> names;

@@ -3,34 +3,70 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 #include "ljmd/app/run_record.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
 
 namespace {
 
-std::unique_ptr<Thermostat> thermostat_of(const Stage& stage) {
+/// What a stage is made of.
+struct StageParts {
+    std::unique_ptr<Thermostat> thermostat;
+    std::unique_ptr<Barostat> barostat;
+    Integrator integrator;
+};
+
+std::unique_ptr<Thermostat> thermostat_of(const Stage& stage, const State& state) {
     if (!stage.section.has("thermostat")) {
         return nullptr;
     }
     const Section& section = stage.section.section("thermostat");
-    return find_thermostat(section.text("type")).make(section, stage.temperature);
+    return find_thermostat(section.text("type"))
+        .make(section, {stage.temperature, stage.time_step, stage.seed, degrees_of_freedom(state.count())});
+}
+
+/// @param shortest_edge  that the box may have
+std::unique_ptr<Barostat> barostat_of(const Stage& stage, double shortest_edge) {
+    if (!stage.section.has("barostat")) {
+        return nullptr;
+    }
+    const Section& section = stage.section.section("barostat");
+    return find_barostat(section.text("type"))
+        .make(section, {stage.temperature, stage.time_step, stage.seed, shortest_edge});
+}
+
+Integrator integrator_of(const Stage& stage, const Thermostat* thermostat) {
+    Integrator integrator(find_integrator(stage.integrator), stage.time_step, stage.section);
+    if (thermostat == nullptr || !thermostat->acts_half_way()) {
+        return integrator;
+    }
+    return integrator.with_half_way([thermostat](State& state) { thermostat->half_way(state); });
+}
+
+bool conserves_momentum(const Stage& stage) {
+    return !stage.section.has("thermostat") ||
+           find_thermostat(stage.section.section("thermostat").text("type")).conserves_momentum;
 }
 
 /// One pass over the stages.
 class TimeLoop {
   public:
     TimeLoop(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-             const LoopPosition& from)
+             const LoopPosition& from, const FluidPressure& pressure)
         : stages_(stages),
           state_(state),
           force_field_(force_field),
           observer_(observer),
+          pressure_(pressure),
           position_(from),
           step_(state.step) {}
 
@@ -60,40 +96,63 @@ class TimeLoop {
 
   private:
     void run_stage(const Stage& stage) {
-        const Integrator integrator(find_integrator(stage.integrator), stage.time_step, stage.section);
+        std::unique_ptr<Thermostat> thermostat = thermostat_of(stage, state_);
+        Integrator integrator = integrator_of(stage, thermostat.get());
+        const StageParts parts{std::move(thermostat), barostat_of(stage, pressure_.shortest_edge),
+                               std::move(integrator)};
+        const std::vector<double> bath = parts.thermostat ? parts.thermostat->beginning() : std::vector<double>();
         if (!position_.begun) {
-            position_.begun = true;
-            position_.steps = 0;
-            position_.first_time = state_.time;
-            integrator.prepare(state_, force_field_);
-            observer_.stage_begins(stage);
-            if (stage.reverse) {
-                integrator.reverse(state_, force_field_);
-            }
+            state_.bath = bath;
+            begin(stage, parts.integrator);
+        } else if (state_.bath.size() != bath.size()) {
+            throw CheckpointError("the checkpoint has another thermostat than the deck");
         }
-        const std::unique_ptr<Thermostat> thermostat = thermostat_of(stage);
         while (position_.steps < stage.steps) {
-            take_step(stage, integrator, thermostat.get());
+            take_step(stage, parts);
             offer_checkpoint(position_.steps == stage.steps);
         }
         observer_.stage_ends(stage);
         position_.begun = false;
     }
 
-    void take_step(const Stage& stage, const Integrator& integrator, Thermostat* thermostat) {
+    void begin(const Stage& stage, const Integrator& integrator) {
+        position_.begun = true;
+        position_.steps = 0;
+        position_.first_time = state_.time;
+        if (position_.stage > 0 && conserves_momentum(stage) && !conserves_momentum(stages_[position_.stage - 1])) {
+            remove_momentum(state_);
+        }
+        integrator.prepare(state_, force_field_);
+        observer_.stage_begins(stage);
+        if (stage.reverse) {
+            integrator.reverse(state_, force_field_);
+        }
+    }
+
+    void take_step(const Stage& stage, const StageParts& parts) {
         ++step_;
         Stopwatch watch;
-        const Evaluation evaluation = integrator.step(
-            state_, force_field_, {.energy = observer_.wants_energy(step_), .order_independent = false});
-        position_.seconds.steps += watch.lap();
         const Index n = ++position_.steps;
+        const bool pressure_wanted = parts.barostat && parts.barostat->due(n);
+        if (parts.thermostat) {
+            parts.thermostat->before_step(state_);
+        }
+        const Evaluation evaluation = parts.integrator.step(
+            state_, force_field_,
+            {.energy = pressure_wanted || observer_.wants_energy(step_), .order_independent = false});
         state_.step = step_;
         state_.time = position_.first_time + static_cast<double>(n) * stage.time_step;
+        position_.seconds.steps += watch.lap();
         observer_.moved(n);
-        if (thermostat != nullptr) {
-            thermostat->apply(state_, n);
+        watch.lap();
+        if (parts.thermostat) {
+            parts.thermostat->after_step(state_, n);
+            position_.seconds.steps += watch.lap();
         }
         observer_.step_done(stage, evaluation);
+        if (pressure_wanted) {
+            parts.barostat->apply(state_, thermodynamics(state_, evaluation, pressure_.tail).pressure);
+        }
     }
 
     void note_seconds() { position_.seconds.all += watch_.lap(); }
@@ -102,6 +161,7 @@ class TimeLoop {
     State& state_;
     ForceField& force_field_;
     StepObserver& observer_;
+    const FluidPressure& pressure_;
     LoopPosition position_;
     Stopwatch watch_;
     Index step_;
@@ -110,13 +170,13 @@ class TimeLoop {
 }  // namespace
 
 LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-                       const std::optional<LoopPosition>& from) {
+                       const std::optional<LoopPosition>& from, const FluidPressure& pressure) {
     std::optional<TimeLoop> loop;
     try {
         if (!from) {
             observer.started(force_field.evaluate(state, Request::forces_and_energy));
         }
-        loop.emplace(stages, state, force_field, observer, from.value_or(LoopPosition{}));
+        loop.emplace(stages, state, force_field, observer, from.value_or(LoopPosition{}), pressure);
         if (!from) {
             loop->offer_checkpoint(true);
         }
@@ -130,7 +190,7 @@ LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceFiel
 LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer,
                        const std::optional<LoopPosition>& from) {
     try {
-        return run_stages(deck.stages, state, force_field, observer, from);
+        return run_stages(deck.stages, state, force_field, observer, from, fluid_pressure(deck));
     } catch (const PhysicsError& error) {
         throw PhysicsError(error.what() + save_failure(deck, state));
     }

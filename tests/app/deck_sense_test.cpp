@@ -70,7 +70,9 @@ TEST_CASE("a start that cannot be meant is refused at its key") {
         {{{"density = 0.8\n", ""}}, "[system]", "missing key 'density'", "lattice"},
         {{{"temperature = 1.0\n", ""}}, "[system]", "missing key 'temperature'", "lattice"},
         {{{"seed = 7", "velocities = \"file\""}}, "velocities = \"file\"", "there is no file", "maxwell"},
-        {{{lattice, "file = \"start.xyz\""}, {"temperature = 1.0", "velocities = \"maxwell\""}},
+        {{{lattice, "file = \"start.xyz\""},
+          {"temperature = 1.0", "velocities = \"maxwell\""},
+          {"thermostat =", "temperature = 1.0\nthermostat ="}},
          "velocities = \"maxwell\"",
          "missing key 'temperature'",
          "Maxwell"},
@@ -85,8 +87,10 @@ TEST_CASE("starts of every kind are accepted") {
         INFO(start);
         CHECK(complaints(changed(small_deck, {{lattice, start}})).empty());
     }
-    CHECK(complaints(changed(small_deck,
-                             {{lattice, "file = \"start.xyz\""}, {"density = 0.8\n", ""}, {"temperature = 1.0\n", ""}}))
+    CHECK(complaints(changed(small_deck, {{lattice, "file = \"start.xyz\""},
+                                          {"density = 0.8\n", ""},
+                                          {"temperature = 1.0\n", ""},
+                                          {"thermostat =", "temperature = 1.0\nthermostat ="}}))
               .empty());
 }
 

@@ -6,6 +6,7 @@
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/forces/few_body_force.hpp"
+#include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
@@ -20,10 +21,11 @@ using Json = nlohmann::json;
 
 TEST_CASE("info names every plug-in, with keys it is the reference page") {
     const std::string text = said([] { info_command("", false, false); }).out;
-    for (const auto& names : {PairPotential::formula_names(), PairPotential::truncation_names(), pair_search_names(),
-                              plugin_names(all_few_body_forces()), plugin_names(all_integrators()),
-                              plugin_names(all_thermostats()), plugin_names(all_analyses()),
-                              plugin_names(all_few_body_analyses()), plugin_names(all_equations_of_state())}) {
+    for (const auto& names :
+         {PairPotential::formula_names(), PairPotential::truncation_names(), pair_search_names(),
+          plugin_names(all_few_body_forces()), plugin_names(all_integrators()), plugin_names(all_thermostats()),
+          plugin_names(all_barostats()), plugin_names(all_analyses()), plugin_names(all_few_body_analyses()),
+          plugin_names(all_equations_of_state())}) {
         for (const std::string& name : names) {
             CHECK_THAT(text, Contains(name));
         }
@@ -40,6 +42,7 @@ TEST_CASE("info as JSON has the lists that scripts go through, integrators with 
     CHECK(json.at("pair_searches") == Json(pair_search_names()));
     CHECK(json.at("forces") == Json(plugin_names(all_few_body_forces())));
     CHECK(json.at("thermostats") == Json(plugin_names(all_thermostats())));
+    CHECK(json.at("barostats") == Json(plugin_names(all_barostats())));
     CHECK(json.at("analyses") == Json(plugin_names(all_analyses())));
     CHECK(json.at("few_body_analyses") == Json(plugin_names(all_few_body_analyses())));
     CHECK(json.at("equations_of_state") == Json(plugin_names(all_equations_of_state())));

@@ -110,18 +110,40 @@ TEST_CASE("so it is with every integrator and thermostat of fluids, in both prec
             continue;
         }
         for (const ThermostatMethod& thermostat : all_thermostats()) {
+            if (thermostat.every_step && method.name != "velocity-verlet") {
+                continue;
+            }
             INFO(method.name << ", " << thermostat.name << ", " << precision);
-            const Index rebuilds =
-                check_every_step(with_files, {"performance.precision=\"" + precision + "\"", "neighbors.skin=0.05",
-                                              "stage.equilibrate.integrator=\"" + method.name + "\"",
-                                              "stage.production.integrator=\"" + method.name + "\"",
-                                              "stage.equilibrate.time_step=0.001",  // Euler heats
-                                              "stage.production.time_step=0.001", "stage.equilibrate.steps=10",
-                                              "stage.production.steps=20",
-                                              "stage.equilibrate.thermostat.type=\"" + thermostat.name + "\""});
+            const std::string text =
+                changed(with_files, {{"type = \"rescale\", every = 5", "type = \"" + thermostat.name + "\""}});
+            const Index rebuilds = check_every_step(
+                text, {"performance.precision=\"" + precision + "\"", "neighbors.skin=0.05",
+                       "stage.equilibrate.integrator=\"" + method.name + "\"",
+                       "stage.production.integrator=\"" + method.name + "\"",
+                       "stage.equilibrate.time_step=0.001",  // Euler heats
+                       "stage.production.time_step=0.001", "stage.equilibrate.steps=10", "stage.production.steps=20"});
             CHECK(rebuilds >= 3);  // two lists have come and gone
         }
     }
+}
+
+TEST_CASE("so it is with a thermostat while samples are taken, and with a barostat before it") {
+    const ThreadGuard threads(GENERATE(1, 2));
+    const std::string text =
+        changed(with_files, {{"thermostat = { type = \"rescale\", every = 5 }",
+                              "thermostat = { type = \"nose-hoover-chain\" }\n"
+                              "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5, every = 3 }"},
+                             {"sample = true\n", "sample = true\nthermostat = { type = \"nose-hoover-chain\" }\n"}});
+    check_every_step(text, {"stage.equilibrate.steps=10", "stage.production.steps=20"});
+}
+
+TEST_CASE("so it is while a barostat changes the box and samples are taken") {
+    const std::string text =
+        changed(small_deck, {{"sample = true\n",
+                              "sample = true\nthermostat = { type = \"stochastic-rescaling\" }\n"
+                              "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5, every = 3 }\n"}}) +
+        "[output]\ntrajectory = { format = \"xyz\", every = 7, velocities = true }\n";
+    check_every_step(text, {"stage.equilibrate.steps=5", "stage.production.steps=25"});
 }
 
 TEST_CASE("so it is with few bodies, every integrator, and a stage that goes backwards") {

@@ -1,5 +1,7 @@
 #include "ljmd/app/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -275,4 +277,73 @@ TEST_CASE("a bit-reversible fluid is back where it began, to the last bit, and a
     const auto [other_start, other_end] = checksums("velocity-verlet");
     CHECK(other_start == start);
     CHECK(other_end != other_start);
+}
+
+TEST_CASE("under a thermostat the conserved energy is written, and its drift is told") {
+    const Finished run(changed(small_deck, {{"thermostat = { type = \"rescale\", every = 5 }\n", ""},
+                                            {"sample = true\n",
+                                             "sample = true\nthermostat = { type = "
+                                             "\"stochastic-rescaling\", time = 0.05 }\n"},
+                                            {"steps = 40", "steps = 400"}}));
+    const std::string csv = run.file("thermo.csv");
+    const auto total = column(csv, "total_energy");
+    const auto conserved = column(csv, "conserved_energy");
+    REQUIRE(total.size() == 43);
+    CHECK(total[1] == conserved[1]);  // at constant energy they are the same
+    const auto spread = [](const std::vector<double>& x) {
+        const auto [least, most] = std::minmax_element(x.begin() + 3, x.end());
+        return *most - *least;
+    };
+    CHECK(spread(conserved) < 0.02 * spread(total));
+    REQUIRE(run.result.stages.back().energy_drift.has_value());
+    CHECK(std::abs(*run.result.stages.back().energy_drift) < 1e-3);
+    CHECK(run.result.stages.back().thermostatted);
+    CHECK(average(run.result, "heat_capacity_cv").estimate.has_value());
+}
+
+TEST_CASE("at constant pressure the density is in thermo.csv and among the results, and no energy is conserved") {
+    const std::string bath =
+        "thermostat = { type = \"stochastic-rescaling\" }\n"
+        "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5, every = 4 }\n";
+    const Finished run(changed(small_deck, {{"sample = true\n", "sample = true\n" + bath}}));
+    const std::string csv = run.file("thermo.csv");
+    const auto density = column(csv, "density");
+    CHECK(density[0] == Approx(0.8).epsilon(1e-12));
+    CHECK(density[2] == density[0]);  // the first stage is at constant volume
+    CHECK(density.back() != density[2]);
+    CHECK(rows(csv).back()[13].size() > 3);
+    CHECK_FALSE(run.result.stages.back().energy_drift.has_value());
+    const double mean = (density[3] + density[4] + density[5] + density[6]) / 4.0;
+    CHECK(average(run.result, "density").estimate->mean == Approx(mean).epsilon(1e-12));
+    CHECK(run.result.density == Approx(108.0 / run.simulation.state.box().volume()).epsilon(1e-14));
+    CHECK(Json::parse(run.file("results.json"))["observables"].contains("density"));
+    const Finished constant(small_deck);
+    CHECK_FALSE(Json::parse(constant.file("results.json"))["observables"].contains("density"));
+}
+
+TEST_CASE("analyses are made for the box that the barostat has left") {
+    const std::string bath =
+        "thermostat = { type = \"stochastic-rescaling\" }\n"
+        "barostat = { type = \"stochastic-cell-rescaling\", pressure = 4.0, every = 1, time = 0.5 }\n";
+    const std::string text = changed(
+        small_deck, {{"thermostat = { type = \"rescale\", every = 5 }\n", bath}, {"cutoff = 2.0", "cutoff = 1.5"}});
+    const Finished run(text + "[analysis]\nrdf = { bins = 50, every = 1 }\n");
+    const double half = 0.5 * run.simulation.state.box().shortest_edge();
+    CHECK(std::abs(half - 0.5 * std::cbrt(108.0 / 0.8)) > 1e-3);
+    const auto r = column(run.file("rdf.csv"), "r");
+    CHECK(r.back() == Approx(half * (1.0 - 0.5 / 50.0)).epsilon(1e-12));
+
+    // A radius that no longer fits is an error of the run.
+    const std::string tight = fmt::format("[analysis]\nrdf = {{ radius = {} }}\n", 0.5 * std::cbrt(108.0 / 0.8));
+    CHECK_THROWS_AS(Finished(text + tight), PhysicsError);
+    CHECK_THROWS_WITH(Finished(text + tight), Contains("in the box that the barostat has made") && Contains("radius"));
+}
+
+TEST_CASE("a barostat does not make the box smaller than two cutoffs") {
+    const std::string bath =
+        "thermostat = { type = \"stochastic-rescaling\" }\n"
+        "barostat = { type = \"stochastic-cell-rescaling\", pressure = 30.0, every = 1, time = 0.1 }\n";
+    const std::string text = changed(
+        small_deck, {{"thermostat = { type = \"rescale\", every = 5 }\n", bath}, {"cutoff = 2.0", "cutoff = 2.56"}});
+    CHECK_THROWS_WITH(Finished(text), Contains("less than two cutoffs") && Contains("stage 'equilibrate'"));
 }

@@ -77,3 +77,35 @@ TEST_CASE("times that are longer than the run are found when the deck is checked
         CHECK_THAT(found[0].message, Contains("'max_time' in " + name) && Contains("lasts 0.16 tau"));
     }
 }
+
+TEST_CASE("analyses need a box that stays as it is from the first sampled stage on") {
+    const std::string bath =
+        "thermostat = { type = \"stochastic-rescaling\" }\n"
+        "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5 }\n";
+    const std::string before = changed(small_deck, {{"thermostat = { type = \"rescale\", every = 5 }\n", bath}});
+    const std::string after = small_deck + "\n[[stage]]\nname = \"later\"\ntime_step = 0.004\nsteps = 5\n" + bath;
+    for (const std::string& text : {before, after}) {
+        CHECK(complaints(text).empty());
+    }
+    CHECK(complaints(before + "\n[analysis]\nrdf = {}\n").empty());
+    const auto found = complaints(after + "\n[analysis]\nrdf = {}\n");
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0].message, Contains("needs a box that stays as it is"));
+    CHECK_THAT(line_shown(found[0]), Contains("barostat ="));
+}
+
+TEST_CASE("a thermostat that changes how atoms move is warned of where motion is measured") {
+    for (const std::string type : {"langevin", "andersen", "stochastic-rescaling", "nose-hoover-chain"}) {
+        CAPTURE(type);
+        const std::string text =
+            changed(small_deck, {{"sample = true\n", "sample = true\nthermostat = { type = \"" + type + "\" }\n"}});
+        CHECK(complaints(text + "[analysis]\nrdf = {}\n").empty());
+        const auto found = complaints(text + "[analysis]\nvacf = {}\n");
+        const bool changes = type == "langevin" || type == "andersen";
+        REQUIRE(found.size() == (changes ? 1 : 0));
+        if (changes) {
+            CHECK(found[0].severity == Severity::warning);
+            CHECK_THAT(found[0].message, Contains("changes how atoms move"));
+        }
+    }
+}

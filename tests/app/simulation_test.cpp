@@ -20,7 +20,9 @@ const std::string lattice = "lattice = { type = \"fcc\", cells = 3 }";
 class FileStart {
   public:
     explicit FileStart(const std::string& system = "")
-        : folder_(changed(small_deck, {{lattice, system}, {"density = 0.8\ntemperature = 1.0\n", ""}})) {}
+        : folder_(changed(small_deck, {{lattice, system},
+                                       {"density = 0.8\ntemperature = 1.0\n", ""},
+                                       {"thermostat =", "temperature = 1.0\nthermostat ="}})) {}
 
     /// Eight atoms in a box of 4 x 4.5 x 5 with velocities whose mean is the drift; some are outside the box.
     void write(const Vec3& drift, bool velocities = true) const {

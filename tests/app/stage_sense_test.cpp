@@ -61,3 +61,62 @@ TEST_CASE("steps that a counter cannot hold are refused") {
         CHECK_THAT(found[0].message, Contains("more than 2^62"));
     }
 }
+
+namespace {
+
+/// The small deck with other lines in place of the thermostat of its first stage.
+std::string bathed(const std::string& lines) {
+    return changed(small_deck, {{"thermostat = { type = \"rescale\", every = 5 }", lines}});
+}
+
+constexpr const char* rescaling = "thermostat = { type = \"stochastic-rescaling\" }\n";
+constexpr const char* barostat = "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5 }\n";
+
+}  // namespace
+
+TEST_CASE("thermostats that act in every step are parts of velocity-verlet, rescaling goes with all integrators") {
+    for (const auto& method : all_thermostats()) {
+        CAPTURE(method.name);
+        const std::string thermostat = "thermostat = { type = \"" + method.name + "\" }\n";
+        CHECK(complaints(bathed(thermostat)).empty());
+        const auto found = complaints(bathed("integrator = \"leapfrog\"\n" + thermostat));
+        REQUIRE(found.size() == (method.every_step ? 1 : 0));
+        if (method.every_step) {
+            CHECK_THAT(found[0].message, Contains("part of the steps of velocity-verlet") && Contains("is leapfrog"));
+        }
+    }
+}
+
+TEST_CASE("a thermostat needs a temperature, a canonical one above 0") {
+    const auto cold = complaints(bathed(std::string("temperature = 0.0\n") + rescaling));
+    REQUIRE(cold.size() == 1);
+    CHECK_THAT(cold[0].message, Contains("needs a temperature above 0"));
+    CHECK(complaints(bathed("temperature = 0.0\nthermostat = { type = \"rescale\" }")).empty());
+
+    const std::string from_file =
+        changed(bathed(rescaling),
+                {{"lattice = { type = \"fcc\", cells = 3 }", "file = \"a.xyz\""}, {"temperature = 1.0\n", ""}});
+    const auto none = complaints(from_file);
+    REQUIRE(none.size() == 1);
+    CHECK_THAT(none[0].message, Contains("missing key 'temperature' in [[stage]]"));
+    CHECK(complaints(changed(from_file, {{"thermostat =", "temperature = 0.7\nthermostat ="}})).empty());
+}
+
+TEST_CASE("a barostat needs a canonical thermostat beside it") {
+    CHECK(complaints(bathed(std::string(rescaling) + barostat)).empty());
+    for (const std::string& lines :
+         {std::string(barostat), std::string("thermostat = { type = \"rescale\" }\n") + barostat}) {
+        const auto found = complaints(bathed(lines));
+        REQUIRE(found.size() == 1);
+        CHECK_THAT(found[0].message, Contains("needs a canonical thermostat"));
+        CHECK_THAT(line_shown(found[0]), Contains("barostat ="));
+    }
+}
+
+TEST_CASE("what is sampled under a thermostat that samples no ensemble is warned of, under a canonical one not") {
+    CHECK(complaints(bathed(std::string("sample = true\n") + rescaling)).empty());
+    const auto found = complaints(bathed("sample = true\nthermostat = { type = \"rescale\" }"));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].severity == Severity::warning);
+    CHECK_THAT(found[0].message, Contains("samples no ensemble"));
+}

@@ -204,3 +204,75 @@ TEST_CASE("a thermostat acts after the particles have moved, and only in its sta
         }
     }
 }
+
+TEST_CASE("after a thermostat that moves the centre of mass, it is brought to rest where momentum is conserved again") {
+    const auto momenta = [](const std::string& first, const std::string& second) {
+        const std::string stage = "\n[[stage]]\nname = \"";
+        const std::string steps = "\"\ntime_step = 0.004\nsteps = 5\n";
+        const auto bath = [](const std::string& type) {
+            return type.empty() ? "" : "thermostat = { type = \"" + type + "\", time = 0.01 }\n";
+        };
+        const std::string text = small_deck.substr(0, small_deck.find("\n[[stage]]")) + stage + "one" + steps +
+                                 bath(first) + stage + "two" + steps + bath(second);
+        const Deck deck = DeckFolder(text).load();
+        Simulation simulation = simulation_of(deck);
+        Log log(simulation.state);
+        std::vector<double> found;
+        run_stages({deck.stages[0]}, simulation.state, simulation.force_field, log);
+        found.push_back(total_momentum(simulation.state).norm());
+        Simulation again = simulation_of(deck);
+        Log other(again.state);
+        run_stages(deck.stages, again.state, again.force_field, other);
+        found.push_back(total_momentum(again.state).norm());
+        return found;
+    };
+    for (const std::string moving : {"langevin", "andersen"}) {
+        CAPTURE(moving);
+        for (const std::string conserving : {"", "stochastic-rescaling"}) {
+            const auto p = momenta(moving, conserving);
+            CHECK(p[0] > 0.1);
+            CHECK(p[1] < 1e-11);
+        }
+        CHECK(momenta(moving, "langevin")[1] > 0.1);
+    }
+    CHECK(momenta("nose-hoover-chain", "")[0] < 1e-11);
+}
+
+TEST_CASE("a barostat changes the box when its steps come, between two steps, and the pressure follows") {
+    const std::string text = changed(small_deck, {{"thermostat = { type = \"rescale\", every = 5 }",
+                                                   "thermostat = { type = \"stochastic-rescaling\" }\n"
+                                                   "barostat = { type = \"stochastic-cell-rescaling\", "
+                                                   "pressure = 1.0, every = 5 }"}});
+    const Deck deck = DeckFolder(text).load();
+    Simulation simulation = simulation_of(deck);
+    struct Edges : Log {
+        using Log::Log;
+        void step_done(const Stage& stage, const Evaluation& evaluation) override {
+            Log::step_done(stage, evaluation);
+            edges.push_back(state.box().edges()[0]);
+            CHECK(state.forces_are_current());
+        }
+        std::vector<double> edges;
+    };
+    Edges log(simulation.state, 1000);
+    run_stages(deck, simulation.state, simulation.force_field, log);
+    REQUIRE(log.edges.size() == 60);
+    for (std::size_t step = 2; step <= 60; ++step) {
+        INFO(step);
+        const bool changed_before = (step - 1) % 5 == 0 && step <= 21;
+        CHECK((log.edges[step - 1] != log.edges[step - 2]) == changed_before);
+    }
+    CHECK(log.energies.at(5) != 0.0);  // needed for the pressure, though nobody else asked
+    CHECK(log.energies.at(6) == 0.0);
+}
+
+TEST_CASE("a run is not gone on with when the state has not what the thermostat keeps") {
+    const Deck deck =
+        DeckFolder(changed(small_deck, {{"type = \"rescale\", every = 5", "type = \"nose-hoover-chain\""}})).load();
+    Simulation simulation = simulation_of(deck);
+    Log log(simulation.state);
+    simulation.state.bath = {0.0, 1.0};
+    LoopPosition position;
+    position.begun = true;
+    CHECK_THROWS_AS(run_stages(deck.stages, simulation.state, simulation.force_field, log, position), CheckpointError);
+}

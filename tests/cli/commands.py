@@ -80,7 +80,8 @@ def info_json(t):
     found = json.loads(result.out)
     text = t.run_well("info").out
     t.contains(text, f"ljmd {found['version']} (commit {found['commit']})\n")
-    for key in ("potentials", "truncations", "pair_searches", "forces", "thermostats", "analyses", "few_body_analyses"):
+    for key in ("potentials", "truncations", "pair_searches", "forces", "thermostats", "barostats", "analyses",
+                "few_body_analyses"):
         t.check(found[key] and all(isinstance(name, str) for name in found[key]), f"{key}: {found[key]}")
         t.contains(text, ", ".join(found[key]) + "\n")
     orders = {method["name"]: method["order"] for method in found["integrators"]}

@@ -22,7 +22,7 @@ struct StageResult {
     bool sampled;
     bool thermostatted;
     bool reversed;                       ///< the motion was turned round at its start
-    std::optional<double> energy_drift;  ///< least-squares slope of the total energy per atom [epsilon/tau]; NVE only
+    std::optional<double> energy_drift;  ///< least-squares slope of the conserved energy per atom [epsilon/tau]
     std::string checksum_at_start;       ///< of the positions, see checksum()
     std::string checksum_at_end;
 

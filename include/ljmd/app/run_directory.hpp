@@ -48,7 +48,7 @@ class RunDirectory {
     RunDirectory(const Deck& deck, const State& first, bool order_parameter,
                  const std::optional<ResumedOutputs>& resumed = std::nullopt);
 
-    void write_thermo(Index step, double time, const Thermodynamics& row, std::optional<double> order_parameter);
+    void write_thermo(Index step, double time, const Thermodynamics& row, const ThermoCsv::Values& values);
     void write_frame(const State& state);
     [[nodiscard]] bool frame_is_due(const State& state) const;
 

@@ -46,11 +46,23 @@ struct Simulation {
 /// Whether a deck of a fluid asks for tail corrections.
 [[nodiscard]] bool wants_tail(const Deck& deck);
 
+/// What barostats have to know of the fluid.
+struct FluidPressure {
+    TailCorrection tail;         ///< belongs to the pressure
+    double shortest_edge = 0.0;  ///< that the box may have: two cutoffs [sigma]
+};
+
+/// Of a fluid; nothing of few bodies.
+[[nodiscard]] FluidPressure fluid_pressure(const Deck& deck);
+
 /// The forces of a deck on a fluid.
 [[nodiscard]] PairForceField make_force_field(const Deck& deck);
 
 /// A fluid with nothing in its place yet: what a checkpoint fills.
 [[nodiscard]] Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box);
+
+/// The analyses of a deck, nothing sampled yet, for the box that the state has now.
+[[nodiscard]] std::vector<std::unique_ptr<Analysis>> make_analyses(const Deck& deck, const Simulation& simulation);
 
 /// Place the atoms, draw or take velocities, and set up forces and analyses.
 /// @param warn  receives one line for each thing a user should know

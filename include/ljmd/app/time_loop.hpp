@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ljmd/app/deck.hpp"
+#include "ljmd/app/simulation.hpp"
 #include "ljmd/core/archive.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
@@ -44,10 +45,10 @@ class StepObserver {
     /// Whether the potential energy is wanted after this step of the run.
     [[nodiscard]] virtual bool wants_energy(Index step) const = 0;
 
-    /// The integrator has moved the particles; the thermostat has not acted yet.
+    /// The integrator has moved the particles; what the thermostat does after a step is still to come.
     virtual void moved(Index step_of_stage) = 0;
 
-    /// A step is complete; state.step and state.time are those at its end.
+    /// A step is complete; state.step and state.time are those at its end. What the barostat does is still to come.
     virtual void step_done(const Stage& stage, const Evaluation& evaluation) = 0;
 
     /// Whether checkpoint() is wanted now: after the start, and after every step.
@@ -67,11 +68,13 @@ class StepObserver {
 
 /// The one time loop: evaluates the start, then takes every step of every stage.
 ///
-/// Time grows in all stages, also in those that run the motion backwards.
+/// Time grows in all stages, also in those that run the motion backwards. Where momentum is conserved again after a
+/// thermostat that does not, the centre of mass is brought to rest.
 /// @param from  go on from there: state, force field and observer are what they were at that checkpoint
 /// @throws PhysicsError naming the step and the stage
+/// @throws CheckpointError when the state has not what the thermostat keeps
 LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-                       const std::optional<LoopPosition>& from = std::nullopt);
+                       const std::optional<LoopPosition>& from = std::nullopt, const FluidPressure& pressure = {});
 
 /// The same for a run with an output directory, where a failure leaves failed.xyz.
 /// @throws PhysicsError naming the step, the stage and that file
