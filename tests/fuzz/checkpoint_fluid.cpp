@@ -5,10 +5,13 @@
 using namespace ljmd;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const fuzz::RunFolder folder(fuzz::fluid);
+    static const fuzz::RunFolder fluid(fuzz::fluid);
+    static const fuzz::RunFolder constant_pressure(fuzz::constant_pressure);
     try {
+        const fuzz::CheckpointContent content(std::as_bytes(std::span(data, size)));
+        const fuzz::RunFolder& folder = content.head.atoms == 8 ? constant_pressure : fluid;
         RunControl control;
-        control.resumed = fuzz::found_again(folder, fuzz::CheckpointContent(std::as_bytes(std::span(data, size))));
+        control.resumed = fuzz::found_again(folder, content);
         const CheckpointHead& head = control.resumed->point.head;
         Simulation simulation = empty_simulation(folder.deck(), head.atoms, Box(head.edges));
         fuzz::Quiet listener;

@@ -31,6 +31,18 @@ chemical_potential = { every = 2, insertions = 2 }
      "output.thermo.every=1", "stage.equilibrate.steps=4", "stage.equilibrate.thermostat.every=2",
      "stage.production.steps=6", "stage.production.integrator=position-verlet"}};
 
+/// A box that changes under a thermostat with numbers of its own.
+inline const FuzzedDeck constant_pressure{
+    test::small_deck + R"(
+thermostat = { type = "nose-hoover-chain" }
+barostat = { type = "stochastic-cell-rescaling", pressure = 0.1, every = 2 }
+
+[output]
+checkpoint = { every = 3 }
+)",
+    {"system.lattice.type=simple-cubic", "system.lattice.cells=2", "system.density=0.1", "potential.cutoff=1.5",
+     "output.thermo.every=1", "stage.equilibrate.steps=4", "stage.production.steps=6"}};
+
 /// There and back.
 inline const FuzzedDeck orbit{test::stars_deck + R"(
 trajectory = { format = "csv", every = 2 }

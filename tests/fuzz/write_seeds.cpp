@@ -100,6 +100,7 @@ int main(int argc, char** argv) {
         fs::create_directories(corpora / target);
     }
     write_checkpoints(fuzz::fluid, corpora, "checkpoint_fluid", "fluid");
+    write_checkpoints(fuzz::constant_pressure, corpora, "checkpoint_fluid", "constant-pressure");
     write_checkpoints(fuzz::orbit, corpora, "checkpoint_few_body", "orbit");
     write_checkpoints(fuzz::radial, corpora, "checkpoint_few_body", "radial");
     write_trajectory(corpora / "h5md" / "two-frames");
