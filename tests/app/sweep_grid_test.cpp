@@ -63,7 +63,7 @@ TEST_CASE("a range of any size has as many numbers as it says, in order and fini
     }
 }
 
-TEST_CASE("a list holds whatever --set takes; separators in quotes and brackets separate nothing") {
+TEST_CASE("a list holds whatever --set takes: separators in quotes and brackets separate nothing") {
     CHECK(values_of("1|1.5 | 2") == Values{"1", "1.5", "2"});
     CHECK(values_of("86.5 K|90 K") == Values{"86.5 K", "90 K"});
     CHECK(values_of("cut") == Values{"cut"});

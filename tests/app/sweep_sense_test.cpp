@@ -63,7 +63,7 @@ TEST_CASE("mistakes that differ in more than numbers are each told") {
     CHECK_THAT(found[0], Contains("(truncation=cut,temperature=1; truncation=cut,temperature=warm)"));
 }
 
-TEST_CASE("what is unlikely is an error, or with force a warning; --set comes before the point") {
+TEST_CASE("what is unlikely is an error, or with force a warning, and --set comes before the point") {
     const Values refused = mistakes_of({"system.temperature=1|60"});
     REQUIRE(refused.size() == 1);
     CHECK_THAT(refused[0], Contains("error: ") && Contains("(temperature=60)"));
