@@ -158,6 +158,7 @@ SweepPoints grid_points(const std::vector<std::string>& grids, const std::vector
     }
     const Location whole{std::make_shared<const Source>(Source{"--grid", ""})};
     std::vector<std::string> keys;
+    keys.reserve(axes.size());
     for (const Axis& axis : axes) {
         keys.push_back(axis.key);
     }

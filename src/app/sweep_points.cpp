@@ -49,6 +49,7 @@ void check_keys(const std::vector<std::string>& keys, const std::vector<std::str
 
 std::vector<std::string> short_keys(const std::vector<std::string>& keys) {
     std::vector<std::string> last;
+    last.reserve(keys.size());
     for (const std::string& key : keys) {
         last.push_back(setting_key(key).back());
     }
