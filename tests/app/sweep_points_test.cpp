@@ -13,6 +13,21 @@ TEST_CASE("keys are told by their last parts where that is enough") {
     CHECK(short_keys({"stage.\"a.b\".steps"}) == Values{"steps"});
 }
 
+TEST_CASE("so many keys can be varied, and no more") {
+    Values keys;
+    for (std::size_t k = 0; k <= most_varied_keys; ++k) {
+        keys.push_back("k" + std::to_string(k));
+    }
+    Diagnostics diagnostics;
+    check_keys(keys, {}, {}, diagnostics);
+    REQUIRE(diagnostics.entries().size() == 1);
+    CHECK(diagnostics.entries()[0].message == "33 keys, at most 32 are allowed");
+    keys.pop_back();
+    Diagnostics none;
+    check_keys(keys, {}, {}, none);
+    CHECK(none.entries().empty());
+}
+
 TEST_CASE("the name of a point tells its values and is safe in a shell and a file system") {
     const SweepPoints points{{"system.temperature", "potential.truncation"},
                              {{"1.2", "cut"}, {"86.5 K", "../x"}, {"-1e+20", "\xC3\x85; $(rm)"}}};

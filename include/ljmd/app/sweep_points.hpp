@@ -16,10 +16,12 @@ struct SweepPoints {
     bool operator==(const SweepPoints&) const = default;
 };
 
-/// More points are taken for a mistake.
+// More are taken for a mistake.
 inline constexpr std::size_t most_points = 10'000;
+inline constexpr std::size_t most_varied_keys = 32;
 
-/// Report keys that are none, stand twice, or are given by --set, too: what is varied has no fixed value.
+/// Report too many keys, and those that are none, stand twice, or are given by --set, too: what is varied has no fixed
+/// value.
 /// @param from  what the keys stand in
 void check_keys(const std::vector<std::string>& keys, const std::vector<std::string>& settings, const Location& from,
                 Diagnostics& diagnostics);
