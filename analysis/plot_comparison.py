@@ -31,7 +31,6 @@ from run_directory import (  # noqa: E402
 from style import plt  # noqa: E402
 
 PROGRAMS = {"openmm": "OpenMM", "lammps": "LAMMPS"}
-FORMATS = (".png", ".pdf", ".svg")
 RDF_COLUMNS = ("r", "g_ljmd", "g_ljmd_standard_error", "g_peer", "g_peer_standard_error")
 BESIDE_PAIRINGS = ("step", "time", "potential_energy_difference", "kinetic_energy_difference")
 FITTED = (1e-12, 1e-2)  # distances that ljmd fits the growth to [sigma]
@@ -315,8 +314,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--with", dest="program", choices=tuple(PROGRAMS), help="draw this one alone (all)")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the picture (DIR/compare-PROGRAM.png)")
     options = parser.parse_args(arguments)
-    if options.out and options.out.suffix not in FORMATS:
-        raise wrong(f"{options.out}: must end in {', '.join(FORMATS)}")
+    style.check_format(options.out)
     programs = find(options.directory, options.program)
     if options.out and len(programs) > 1:
         raise wrong(f"{options.directory}: has comparisons with {' and '.join(programs)}; choose one with --with")

@@ -24,10 +24,9 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import style  # noqa: E402
 from matplotlib.colors import LogNorm  # noqa: E402
-from run_directory import RunDirectoryError, Table, damaged, field, read_json, read_table, reports_errors  # noqa: E402
+from run_directory import Table, damaged, field, read_json, read_table, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
-FORMATS = (".png", ".pdf", ".svg")
 ISOTHERM_COLUMNS = ("T", "rho", "Z_thol2016", "Z_kolafa_nezbeda1994")
 COLOURS = "viridis_r"
 
@@ -90,7 +89,7 @@ def plot(rows: list[Row], isotherms: Table) -> plt.Figure:
     above.axhline(0.0, color=style.GREY, linewidth=0.8)
     found = [row.found for row in rows]
     above.set_ylim(min(found) - 0.5, max(found) + 1.0)
-    above.set_ylabel(r"$Z = p / \rho k_\mathrm{B} T$")
+    above.set_ylabel(style.LABELS["compressibility_factor"])
     handles = [plt.Line2D([], [], marker="o", linestyle="", color=style.GREY, markeredgecolor=style.BLACK, label="ljmd"),
                plt.Line2D([], [], marker="s", linestyle="", markerfacecolor="none", color=style.VERMILION,
                           label="Verlet 1967"),
@@ -132,8 +131,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("directory", metavar="DIR", type=Path, help="directory that `ljmd reproduce verlet1967` wrote")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the picture (DIR/isotherms.png)")
     options = parser.parse_args(arguments)
-    if options.out and options.out.suffix not in FORMATS:
-        raise RunDirectoryError(f"{options.out}: must end in {', '.join(FORMATS)}", exit_code=2)
+    style.check_format(options.out)
     rows, isotherms = load(options.directory)
     style.use()
     style.save(plot(rows, isotherms), options.out or options.directory / "isotherms.png")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Optional
 
 import matplotlib
 
@@ -12,6 +13,7 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first
 from run_directory import RunDirectoryError  # noqa: E402
 
 DPI = 200
+FORMATS = (".png", ".pdf", ".svg")
 
 # Okabe and Ito's palette: distinguishable with every common colour vision.
 BLUE = "#0072B2"
@@ -31,6 +33,8 @@ LABELS = {
     "kinetic_energy": r"$K/N$ / $\epsilon$",
     "total_energy": r"$E/N$ / $\epsilon$",
     "pressure": r"$p$ / ($\epsilon/\sigma^3$)",
+    "density": r"$\rho$ / $\sigma^{-3}$",
+    "compressibility_factor": r"$Z = p / \rho k_\mathrm{B} T$",
     "r": r"$r$ / $\sigma$",
     "g": r"$g(r)$",
     "time_ps": r"$t$ / ps",
@@ -67,6 +71,12 @@ def use() -> None:
 def colour(k: int) -> str:
     """The colour of the k-th of several like things, from 0."""
     return CYCLE[k % len(CYCLE)]
+
+
+def check_format(path: Optional[Path]) -> None:
+    """Refuse the name of a picture in a format that is not drawn."""
+    if path is not None and path.suffix not in FORMATS:
+        raise RunDirectoryError(f"{path}: must end in {', '.join(FORMATS)}", exit_code=2)
 
 
 def save(figure: plt.Figure, path: Path) -> None:

@@ -32,14 +32,6 @@ namespace ljmd {
 
 namespace {
 
-void print_warnings(const Diagnostics& diagnostics) {
-    for (const Diagnostic& entry : diagnostics.entries()) {
-        if (entry.severity == Severity::warning) {
-            talk(format(entry) + '\n');
-        }
-    }
-}
-
 /// @throws InputError with every mistake of the deck
 Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
     if (!options.simd.empty()) {
@@ -64,7 +56,7 @@ Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& d
         diagnostics.throw_if_errors();
     }
     if (!options.quiet) {
-        print_warnings(diagnostics);
+        talk_of_warnings(diagnostics);
     }
     return start;
 }

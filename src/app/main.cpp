@@ -59,6 +59,29 @@ void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
         ->check(CLI::IsMember(ljmd::crosscheck_parts()));
 }
 
+void add_sweep_options(CLI::App& command, ljmd::SweepOptions& options) {
+    command.add_option("deck", options.deck, "deck (TOML)")->required()->type_name("DECK");
+    command
+        .add_option(
+            "--grid", options.grids,
+            "keys to vary, between commas: numbers at equal distances, KEY=FROM:TO:COUNT, or a list, KEY=A|B|C; "
+            "all combinations are run, at most 10000")
+        ->type_name("KEY=VALUES,...")
+        ->allow_extra_args(false);
+    command.add_option("--list", options.list, "points to run instead: CSV with a header of keys, each row a point")
+        ->type_name("FILE");
+    command.add_option("--set", options.settings, "replace a value of the deck at all points")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--jobs", options.jobs, "points at a time; one for each processor by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_threads));
+    command.add_option("--out", options.out, "directory, runs/DECK-sweep by default")->type_name("DIR");
+    command.add_flag("--force", options.force, "accept unlikely values; replace another sweep");
+    command.add_flag("--quiet", options.quiet, "no progress, no warnings about the deck");
+    command.add_flag("--json", options.json, "print the table as JSON");
+}
+
 constexpr int usage_error = 2;
 
 /// What was meant by a first word that is no command.
@@ -165,6 +188,10 @@ int main(int argc, char** argv) {
     reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
     reproduce.add_flag("--quiet", table.quiet, "no progress");
     reproduce.add_flag("--json", table.json, "print the table as JSON");
+    ljmd::SweepOptions swept;
+    CLI::App& sweep = *app.add_subcommand(
+        "sweep", "run a deck at many settings, several at a time; what was stopped is gone on with");
+    add_sweep_options(sweep, swept);
     CLI::App& analyze = *app.add_subcommand(
         "analyze", "where a run has come to equilibrium, and how many of its samples are independent");
     analyze.add_option("directory", resumed.directory, "directory of a run")->required()->type_name("RUNDIR");
@@ -205,6 +232,8 @@ int main(int argc, char** argv) {
             ljmd::eos_command(state);
         } else if (reproduce.parsed()) {
             ljmd::reproduce_command(table);
+        } else if (sweep.parsed()) {
+            ljmd::sweep_command(swept);
         } else if (analyze.parsed()) {
             ljmd::analyze_command(resumed.directory, json);
         } else if (bench.parsed()) {

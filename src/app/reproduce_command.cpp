@@ -1,20 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
-#include <fstream>
 
+#include "ljmd/app/child_run.hpp"
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/interruption.hpp"
-#include "ljmd/app/job_pool.hpp"
-#include "ljmd/app/recorded_run.hpp"
 #include "ljmd/app/reproduction_report.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/threads.hpp"
-#include "ljmd/io/checkpoint_file.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/io/directory_lock.hpp"
 #include "ljmd/io/output_file.hpp"
 
@@ -24,19 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All of a text as a number; nothing when it is none.
-std::optional<double> number(std::string_view text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
 /// The rows that "RHO" or "RHO:T" means. @throws InputError  none
 std::vector<VerletRow> rows_meant(const std::string& word) {
     const std::size_t colon = word.find(':');
-    const auto density = number(std::string_view(word).substr(0, colon));
+    const auto density = to_number(std::string_view(word).substr(0, colon));
     const auto temperature =
-        colon == std::string::npos ? std::nullopt : number(std::string_view(word).substr(colon + 1));
+        colon == std::string::npos ? std::nullopt : to_number(std::string_view(word).substr(colon + 1));
     std::vector<VerletRow> found;
     for (const VerletRow& row : verlet1967_table()) {
         if (density == row.density && (colon == std::string::npos || temperature == row.temperature)) {
@@ -71,82 +60,50 @@ std::vector<VerletRow> chosen_rows(const std::vector<std::string>& words) {
     return rows;
 }
 
-std::string last_line(const fs::path& path) {
-    std::ifstream file(path);
-    std::string last;
-    for (std::string line; std::getline(file, line);) {
-        last = line.empty() ? last : line;
-    }
-    return last;
-}
-
 /// One row of the table on its way: a deck, a directory, runs that follow each other.
 class RowRun {
   public:
     RowRun(const VerletRow& row, const fs::path& folder, const ReproductionLength& length)
         : row_(row),
           length_(length),
-          deck_(folder / (row_name(row) + ".toml")),
-          directory_(folder / row_name(row)),
-          output_(folder / (row_name(row) + ".log")) {}
+          run_{.name = row_name(row),
+               .deck = folder / (row_name(row) + ".toml"),
+               .source = row_deck(row, length),
+               .directory = folder / row_name(row),
+               .log = folder / (row_name(row) + ".log")} {}
 
-    [[nodiscard]] const VerletRow& row() const { return row_; }
     [[nodiscard]] const std::optional<ReproducedRow>& result() const { return result_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
 
     /// Refuse a directory in which another deck was run. @throws InputError
     void check(bool force) const {
-        if (!force && fs::exists(directory_ / "run.json") && recorded_run(directory_).deck.source != deck_text()) {
-            throw InputError(
-                fmt::format("{} holds a run of another length or version; --force makes it anew", directory_.string()));
+        if (!force && holds_another_run(run_)) {
+            throw InputError(fmt::format("{} holds a run of another length or version; --force makes it anew",
+                                         run_.directory.string()));
         }
     }
 
     /// The first thing to do; nothing when the row is done already.
     std::optional<Job> begin() {
-        write_file_atomically(deck_, deck_text());
-        if (!fs::exists(directory_ / "run.json")) {
-            return start();
-        }
-        const RecordedRun run = recorded_run(directory_);
-        if (run.deck.source != deck_text() || (!run.finished && !has_checkpoint())) {
-            return start();
-        }
-        return run.finished ? after(0) : std::optional(Job{{"resume", directory_.string(), "--quiet"}, output_});
+        write_file_atomically(run_.deck, run_.source);
+        const auto job = next_job(run_);
+        return job ? job : after(0);
     }
 
     /// What to do when a job of the row has ended; nothing when the row is done or has failed.
     std::optional<Job> after(int exit_status) {
         if (exit_status != 0) {
-            failure_ = fmt::format("{}: exit code {}: {}", row_name(row_), exit_status, last_line(output_));
+            failure_ = failure_of(run_, exit_status);
             return std::nullopt;
         }
-        result_ = evaluate_row(row_, directory_);
-        if (result_->precise(length_)) {
-            return std::nullopt;
-        }
-        return Job{{"resume", directory_.string(), "--quiet", "--steps", fmt::format("+{}", length_.production)},
-                   output_};
+        result_ = evaluate_row(row_, run_.directory);
+        return result_->precise(length_) ? std::nullopt : std::optional(longer(run_, length_.production));
     }
 
   private:
-    [[nodiscard]] std::string deck_text() const { return row_deck(row_, length_); }
-
-    [[nodiscard]] Job start() const {
-        return {{"run", deck_.string(), "--out", directory_.string(), "--quiet", "--force", "--threads", "1"}, output_};
-    }
-
-    [[nodiscard]] bool has_checkpoint() const {
-        const auto names = checkpoint_names();
-        return std::any_of(names.begin(), names.end(),
-                           [&](const std::string& name) { return fs::exists(directory_ / name); });
-    }
-
     VerletRow row_;
     ReproductionLength length_;
-    fs::path deck_;
-    fs::path directory_;
-    fs::path output_;
+    ChildRun run_;
     std::optional<ReproducedRow> result_;
     std::string failure_;
 };
@@ -174,32 +131,12 @@ void reproduce_command(const ReproduceOptions& options) {
     make_directory(folder);
     const DirectoryLock lock(out);
 
-    std::vector<Job> jobs;
-    std::vector<std::size_t> lines;  // which row a line of jobs is of
-    std::size_t done = 0;
-    const auto row_has_ended = [&](const RowRun& run) {
-        ++done;
+    run_lines(runs, options.jobs, [&](const RowRun& run, std::size_t done) {
         if (!run.failure().empty()) {
             talk(fmt::format("warning: {}\n", run.failure()));
         } else if (!options.quiet) {
             tell(run, done, runs.size());
         }
-    };
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        if (const auto job = runs[k].begin()) {
-            jobs.push_back(*job);
-            lines.push_back(k);
-        } else {
-            row_has_ended(runs[k]);
-        }
-    }
-    const int at_most = options.jobs > 0 ? options.jobs : available_processors();
-    run_jobs(this_program(), jobs, at_most, [&](std::size_t line, int exit_status) {
-        auto job = runs[lines[line]].after(exit_status);
-        if (!job) {
-            row_has_ended(runs[lines[line]]);
-        }
-        return job;
     });
 
     std::vector<ReproducedRow> rows;

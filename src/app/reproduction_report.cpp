@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "ljmd/io/csv_text.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 
 namespace ljmd {
@@ -91,10 +92,6 @@ std::string chi_square_line(const std::vector<ReproducedRow>& rows) {
                        sum.u, sum.u_count);
 }
 
-std::string quoted(const std::string& text) {
-    return text.empty() ? "" : '"' + text + '"';
-}
-
 Json json_of(const std::optional<Printed>& value) {
     return value ? Json{{"value", value->value}, {"soundness", name_of(value->soundness)}} : Json(nullptr);
 }
@@ -172,7 +169,7 @@ std::string reproduction_csv(const std::vector<ReproducedRow>& rows) {
                             row.temperature.mean, row.temperature.standard_error, row.z.mean, row.z.standard_error,
                             row.u.mean, row.u.standard_error, row.beyond_cutoff.z, row.beyond_cutoff.u, value(z),
                             value(u), row.thol.z, row.thol.u, row.kolafa.z, row.kolafa.u, score_z, score_u, row.steps,
-                            soundness(z), soundness(u), quoted(remark_of(row)));
+                            soundness(z), soundness(u), csv_field(remark_of(row)));
     }
     return text;
 }

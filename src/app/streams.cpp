@@ -45,4 +45,12 @@ void talk(const std::string& text) noexcept {
     static_cast<void>(std::fflush(stderr));
 }
 
+void talk_of_warnings(const Diagnostics& diagnostics) {
+    for (const Diagnostic& entry : diagnostics.entries()) {
+        if (entry.severity == Severity::warning) {
+            talk(format(entry) + '\n');
+        }
+    }
+}
+
 }  // namespace ljmd

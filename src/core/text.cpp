@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace ljmd {
@@ -74,6 +75,19 @@ std::string with_error(double mean, double error) {
     constexpr int most_decimals = 12;
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, most_decimals);
     return fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals);
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t";
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+std::optional<double> to_number(std::string_view text) {
+    double value = 0.0;
+    const char* all = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), all, value);
+    return error == std::errc() && end == all && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::string_view line_of(std::string_view text, int line) {

@@ -17,29 +17,6 @@ namespace {
 
 constexpr std::size_t max_keys = 32;
 
-/// The parts of a dotted key; a part in quotes may hold dots. Empty when a part is empty or a quote is left open.
-std::vector<std::string> split_key(const std::string& text) {
-    std::vector<std::string> parts(1);
-    char quote = '\0';
-    for (const char c : text) {
-        if (quote != '\0') {
-            if (c == quote) {
-                quote = '\0';
-            } else {
-                parts.back() += c;
-            }
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-        } else if (c == '.') {
-            parts.emplace_back();
-        } else if (c != ' ' && c != '\t') {
-            parts.back() += c;
-        }
-    }
-    const bool has_gap = std::any_of(parts.begin(), parts.end(), [](const std::string& part) { return part.empty(); });
-    return has_gap || quote != '\0' ? std::vector<std::string>{} : parts;
-}
-
 /// A value and all its parts stand at one place.
 void relocate(Value& value, const Location& where) {
     value.location = where;
@@ -157,6 +134,28 @@ Table* descend(Table& root, const std::vector<std::string>& keys, const Location
 
 }  // namespace
 
+std::vector<std::string> setting_key(const std::string& text) {
+    std::vector<std::string> parts(1);
+    char quote = '\0';
+    for (const char c : text) {
+        if (quote != '\0') {
+            if (c == quote) {
+                quote = '\0';
+            } else {
+                parts.back() += c;
+            }
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '.') {
+            parts.emplace_back();
+        } else if (c != ' ' && c != '\t') {
+            parts.back() += c;
+        }
+    }
+    const bool has_gap = std::any_of(parts.begin(), parts.end(), [](const std::string& part) { return part.empty(); });
+    return has_gap || quote != '\0' ? std::vector<std::string>{} : parts;
+}
+
 void apply_setting(Table& table, const std::string& assignment, Diagnostics& diagnostics) {
     const Location where{std::make_shared<const Source>(Source{"--set " + assignment, assignment})};
     if (find_invalid_utf8(assignment) != std::string::npos) {
@@ -168,7 +167,7 @@ void apply_setting(Table& table, const std::string& assignment, Diagnostics& dia
         diagnostics.error(where, "a setting has the form KEY=VALUE");
         return;
     }
-    const std::vector<std::string> keys = split_key(assignment.substr(0, equals));
+    const std::vector<std::string> keys = setting_key(assignment.substr(0, equals));
     if (keys.empty() || keys.size() > max_keys) {
         diagnostics.error(where, keys.empty() ? "the key, or a part of it, is empty" : "the key has too many parts");
         return;

@@ -95,3 +95,15 @@ TEST_CASE("a reader that goes away does not end a run") {
     talk("nobody hears this\n");  // would end the tests by SIGPIPE
     SUCCEED();
 }
+
+TEST_CASE("warnings are said, errors are not: those are thrown") {
+    const Pipe pipe;
+    Diagnostics diagnostics;
+    diagnostics.warning({}, "unlikely");
+    diagnostics.error({}, "wrong");
+    {
+        const Redirected redirected(stderr, pipe.ends[1]);
+        talk_of_warnings(diagnostics);
+    }
+    CHECK(pipe.read() == "warning: unlikely\n");
+}

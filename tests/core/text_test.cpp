@@ -48,6 +48,22 @@ TEST_CASE("a mean has as many decimals as its error, which has two digits") {
     CHECK(with_error(1.23456789, std::numeric_limits<double>::quiet_NaN()) == "1.23457");
 }
 
+TEST_CASE("blanks around a text are left out, those in it are not") {
+    CHECK(trimmed(" \t86.5 K ") == "86.5 K");
+    CHECK(trimmed("a") == "a");
+    CHECK(trimmed(" \t ").empty());
+    CHECK(trimmed("").empty());
+}
+
+TEST_CASE("a number is one when it is all of a text, and finite") {
+    CHECK(to_number("0.85") == 0.85);
+    CHECK(to_number("-1e-3") == -0.001);
+    for (const char* text : {"", " 1", "1 ", "+1", "1,5", "0x10", "nan", "inf", "1e999", "1e", "86.5 K", "-"}) {
+        INFO(text);
+        CHECK_FALSE(to_number(text).has_value());
+    }
+}
+
 TEST_CASE("line_of finds a line without its end") {
     const std::string text = "one\r\n\ntwo\nlast";
     CHECK(line_of(text, 1) == "one");

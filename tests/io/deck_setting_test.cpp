@@ -195,3 +195,14 @@ TEST_CASE("a mistake in a setting is told as one of the setting") {
                      "found a string\n"
                      "  remove the quotes") == 1);
 }
+
+TEST_CASE("the parts of a key stand between dots, in quotes or not") {
+    using Parts = std::vector<std::string>;
+    CHECK(setting_key("stage.production.steps") == Parts{"stage", "production", "steps"});
+    CHECK(setting_key(" system . \"density\"") == Parts{"system", "density"});
+    CHECK(setting_key("stage.'a.b'.steps") == Parts{"stage", "a.b", "steps"});
+    for (const char* text : {"", ".", "a.", ".a", "a..b", "a.\"b", "''"}) {
+        INFO(text);
+        CHECK(setting_key(text).empty());
+    }
+}

@@ -51,6 +51,19 @@ struct ReproduceOptions {
     bool json = false;
 };
 
+/// What `ljmd sweep` takes. Points come from `grids` or from `list`.
+struct SweepOptions {
+    std::string deck;
+    std::vector<std::string> grids{};     ///< "KEY=FROM:TO:COUNT,KEY=A|B|C", see grid_points()
+    std::string list{};                   ///< CSV file, see list_points()
+    std::vector<std::string> settings{};  ///< of --set
+    std::string out{};                    ///< directory; empty: runs/<deck>-sweep
+    int jobs = 0;                         ///< points at a time; 0: as many as there are processors
+    bool force = false;
+    bool quiet = false;
+    bool json = false;
+};
+
 // Each command prints results to stdout and talk to stderr, and throws the typed errors of core/errors.hpp.
 
 /// ljmd run DECK
@@ -88,6 +101,10 @@ void eos_command(const EosOptions& options);
 /// ljmd reproduce verlet1967: the rows of the paper's table, each by a run of its own, compared with the printed values
 /// and with equations of state. Rows that are done are kept, those that were stopped are gone on with.
 void reproduce_command(const ReproduceOptions& options);
+
+/// ljmd sweep DECK: one deck at many settings, each by a run of its own. Points that are done are kept, those that were
+/// stopped are gone on with, those that have failed are tried again.
+void sweep_command(const SweepOptions& options);
 
 /// ljmd analyze RUNDIR: where the sampled stages of a run have come to equilibrium, and how many independent samples
 /// are left. Nothing is written; the run may still be going on.

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "ljmd/core/diagnostics.hpp"
+
 namespace ljmd {
 
 /// Make stdin, stdout and stderr safe to use. Call it once, before any file is opened.
@@ -18,5 +20,8 @@ void print_result(const std::string& text);
 
 /// Say something to the user on stderr. That nobody listens is no reason to stop.
 void talk(const std::string& text) noexcept;
+
+/// Say what is to be warned of.
+void talk_of_warnings(const Diagnostics& diagnostics);
 
 }  // namespace ljmd

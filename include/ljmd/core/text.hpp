@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,13 @@ namespace ljmd {
 /// "-6.0871 +- 0.0012": the error to two digits, the mean to the same decimals; the mean alone to six digits where the
 /// error is 0 or not known.
 [[nodiscard]] std::string with_error(double mean, double error);
+
+/// A text without the spaces and tabs around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// All of a text as a number, "0.85" or "1e-3", with no blank or plus sign before it; nothing when it is none, not
+/// finite or out of range.
+[[nodiscard]] std::optional<double> to_number(std::string_view text);
 
 /// Line number `line` (from 1) of `text` without its line end ("\n" or "\r\n"); empty when there is no such line.
 [[nodiscard]] std::string_view line_of(std::string_view text, int line);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/value.hpp"
@@ -18,5 +19,9 @@ namespace ljmd {
 /// What was set is located in a source named "--set system.density=0.8". A setting that cannot be applied gives one
 /// error and leaves the table as it was.
 void apply_setting(Table& table, const std::string& assignment, Diagnostics& diagnostics);
+
+/// The parts of the key of a setting, "stage", "production" and "steps"; quotes and blanks around them are left out.
+/// Empty when a part is empty or a quote is left open.
+[[nodiscard]] std::vector<std::string> setting_key(const std::string& text);
 
 }  // namespace ljmd

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ljmd/app/child_run.hpp"
+#include "ljmd/app/sweep_points.hpp"
+
+namespace ljmd {
+
+/// What a sweep was asked for.
+struct SweepPlan {
+    std::string deck_file;              ///< as the user gave it
+    std::string deck;                   ///< the text of it
+    std::vector<std::string> settings;  ///< of --set
+    SweepPoints points;
+};
+
+/// The runs of a sweep in its directory, one a point. All begin from `points/deck.toml`, a copy of the deck, so that
+/// nothing depends on what becomes of the deck while they run.
+[[nodiscard]] std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const std::filesystem::path& directory);
+
+/// Make a directory ready for a sweep: refuse what was not written by this one, or with `force` remove what another
+/// sweep has written, runs that both have in common excepted; then write sweep.json and the copy of the deck.
+/// @pre the directory exists, and is locked
+/// @throws InputError  it holds another sweep, or points of none  @throws DataError  its sweep.json is damaged
+/// @throws FileError
+void prepare_sweep(const SweepPlan& plan, const std::filesystem::path& directory, bool force);
+
+}  // namespace ljmd

@@ -1,0 +1,194 @@
+#include "ljmd/app/sweep_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/app/sweep_points.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/io/csv_text.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A column of the table.
+struct TableColumn {
+    const char* observable;
+    const char* heading;
+};
+
+/// Energies are per atom in a fluid, of the whole where there is no temperature.
+const std::vector<TableColumn>& columns_for(bool fluid) {
+    static const std::vector<TableColumn> of_fluid{
+        {"temperature", "T"}, {"potential_energy", "U/N"}, {"pressure", "p"}, {"compressibility_factor", "Z"}};
+    static const std::vector<TableColumn> of_bodies{
+        {"potential_energy", "potential"}, {"kinetic_energy", "kinetic"}, {"total_energy", "total energy"}};
+    return fluid ? of_fluid : of_bodies;
+}
+
+const ObservedMean* find_mean(const SweptPoint& point, const std::string& name) {
+    const auto found =
+        std::find_if(point.found.begin(), point.found.end(), [&](const ObservedMean& one) { return one.name == name; });
+    return found == point.found.end() ? nullptr : &*found;
+}
+
+bool has_temperature(const SweptPoint& point) {
+    return find_mean(point, "temperature") != nullptr;
+}
+
+std::string in_words(const ObservedMean* found) {
+    return found == nullptr || std::isnan(found->mean) ? "-" : with_error(found->mean, found->standard_error);
+}
+
+double number_of(const Json& value) {
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+Json number_or_null(double value) {
+    return std::isnan(value) ? Json(nullptr) : Json(value);
+}
+
+std::string number_or_nothing(double value) {
+    return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+
+/// A value of --set as JSON: itself where it is a number, a flag or an array, else a text.
+Json value_json(const std::string& value) {
+    Json json = Json::parse(value, nullptr, false);
+    return json.is_discarded() ? Json(value) : json;
+}
+
+/// The observables of all points, each once, in the order in which they come.
+std::vector<std::string> observables_of(const SweptPoints& swept) {
+    std::vector<std::string> names;
+    for (const SweptPoint& point : swept.points) {
+        for (const ObservedMean& one : point.found) {
+            if (std::find(names.begin(), names.end(), one.name) == names.end()) {
+                names.push_back(one.name);
+            }
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+std::vector<ObservedMean> observed_means(const std::filesystem::path& results) {
+    std::ifstream file(results, std::ios::binary);
+    if (!file) {
+        throw DataError(fmt::format("{} is missing", results.string()));
+    }
+    try {
+        const Json json = Json::parse(file);
+        std::vector<ObservedMean> found;
+        for (const auto& [name, entry] : json.at("observables").items()) {
+            found.push_back({name, number_of(entry.at("mean")), number_of(entry.at("standard_error"))});
+        }
+        const Json analyses = json.value("analysis", Json::object());
+        for (const auto& [analysis, findings] : analyses.items()) {
+            for (const auto& [name, entry] : findings.items()) {
+                found.push_back({fmt::format("{}_{}", analysis, name), number_of(entry.at("value")),
+                                 number_of(entry.at("standard_error"))});
+            }
+        }
+        return found;
+    } catch (const nlohmann::json::exception& error) {
+        throw DataError(fmt::format("{} is not the result of a run: {}", results.string(), error.what()));
+    }
+}
+
+std::string sweep_table(const SweptPoints& swept) {
+    constexpr std::size_t gap = 2;
+    constexpr int width = 23;
+    std::vector<std::string> lines(swept.points.size() + 1);
+    const std::vector<std::string> headings = short_keys(swept.keys);
+    for (std::size_t k = 0; k < swept.keys.size(); ++k) {
+        std::size_t longest = headings[k].size();
+        for (const SweptPoint& point : swept.points) {
+            longest = std::max(longest, printable_characters(point.values[k]).size());
+        }
+        lines[0] += fmt::format("{:>{}}", headings[k], longest + gap);
+        for (std::size_t row = 0; row < swept.points.size(); ++row) {
+            lines[row + 1] += fmt::format("{:>{}}", printable(swept.points[row].values[k], longest), longest + gap);
+        }
+    }
+    const bool fluid = std::any_of(swept.points.begin(), swept.points.end(), has_temperature);
+    for (const auto& [observable, heading] : columns_for(fluid)) {
+        lines[0] += fmt::format("{:>{}}", heading, width);
+        for (std::size_t row = 0; row < swept.points.size(); ++row) {
+            const SweptPoint& point = swept.points[row];
+            lines[row + 1] +=
+                fmt::format("{:>{}}", point.failure.empty() ? in_words(find_mean(point, observable)) : "failed", width);
+        }
+    }
+    std::string text;
+    for (const std::string& line : lines) {
+        text += line + '\n';
+    }
+    return text;
+}
+
+std::string sweep_csv(const SweptPoints& swept) {
+    const std::vector<std::string> observables = observables_of(swept);
+    std::string text;
+    for (const std::string& key : swept.keys) {
+        text += (text.empty() ? "" : ",") + csv_field(key);
+    }
+    for (const std::string& name : observables) {
+        text += fmt::format(",{0},{0}_standard_error", name);
+    }
+    for (const SweptPoint& point : swept.points) {
+        std::string line;
+        for (const std::string& value : point.values) {
+            line += (line.empty() ? "" : ",") + csv_field(value);
+        }
+        for (const std::string& name : observables) {
+            const ObservedMean* found = find_mean(point, name);
+            line += found == nullptr ? ",,"
+                                     : fmt::format(",{},{}", number_or_nothing(found->mean),
+                                                   number_or_nothing(found->standard_error));
+        }
+        text += '\n' + line;
+    }
+    return text + '\n';
+}
+
+std::string sweep_json(const SweptPoints& swept) {
+    Json points = Json::array();
+    for (const SweptPoint& point : swept.points) {
+        Json values = Json::object();
+        for (std::size_t k = 0; k < swept.keys.size(); ++k) {
+            values[swept.keys[k]] = value_json(point.values[k]);
+        }
+        Json observables = Json::object();
+        for (const auto& [name, mean, error] : point.found) {
+            observables[name] = {{"mean", number_or_null(mean)}, {"standard_error", number_or_null(error)}};
+        }
+        points.push_back({{"name", point.name},
+                          {"directory", point.directory.string()},
+                          {"values", values},
+                          {"failure", point.failure.empty() ? Json(nullptr) : Json(point.failure)},
+                          {"observables", observables}});
+    }
+    const Json json = {{"keys", swept.keys}, {"points", points}};
+    // Names of directories and what a log ends with need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string point_line(const SweptPoint& point) {
+    std::string text;
+    for (const auto& [observable, heading] : columns_for(has_temperature(point))) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", heading, in_words(find_mean(point, observable)));
+    }
+    return text;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,13 @@
+#include "ljmd/core/errors.hpp"
+#include "sweep_promises.hpp"
+
+using namespace ljmd;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        Diagnostics diagnostics;
+        fuzz::check_promises(list_points(fuzz::file_of(data, size), {"system.seed=3"}, diagnostics), diagnostics);
+    } catch (const DataError&) {
+    }
+    return 0;
+}
