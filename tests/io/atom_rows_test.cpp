@@ -93,8 +93,8 @@ TEST_CASE("with ids atoms stand in their order, whether they count from 1 or fro
     CHECK(from_one.rows == std::vector<Index>{1, 2, 0});
     CHECK(from_one.id(0) == 1);
     CHECK(from_one.line(0) == 11);
-    CHECK(arranged(std::vector<double>{30.0, 10.0, 20.0}, from_one) == std::vector<double>{10.0, 20.0, 30.0});
-    CHECK(arranged(std::vector<double>{}, from_one).empty());
+    CHECK(arranged(std::vector<double>{30.0, 10.0, 20.0}, from_one.rows) == std::vector<double>{10.0, 20.0, 30.0});
+    CHECK(arranged(std::vector<double>{}, from_one.rows).empty());
     const AtomOrder from_zero = order_by_id(file, {2, 0, 1}, 10);
     CHECK(from_zero.rows == std::vector<Index>{1, 2, 0});
     CHECK(from_zero.id(0) == 0);
