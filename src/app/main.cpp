@@ -9,7 +9,9 @@
 #include "ljmd/app/wait_policy.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/diagnostics.hpp"
+#include "ljmd/core/registry.hpp"
 #include "ljmd/core/threads.hpp"
+#include "ljmd/observables/analysis.hpp"
 
 namespace {
 
@@ -57,6 +59,35 @@ void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
         ->type_name("PART,...")
         ->delimiter(',')
         ->check(CLI::IsMember(ljmd::crosscheck_parts()));
+}
+
+void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
+    command.add_option("path", options.path, "directory of a run; or a trajectory: H5MD, extended XYZ, LAMMPS dump")
+        ->required()
+        ->type_name("RUNDIR|TRAJECTORY");
+    command
+        .add_option("analysis", options.names,
+                    fmt::format("{}, thermo; by default thermo of a run, rdf, structure_factor and msd of a trajectory",
+                                fmt::join(ljmd::plugin_names(ljmd::all_analyses()), ", ")))
+        ->type_name("NAME");
+    command
+        .add_option("--deck", options.deck,
+                    "of a trajectory: interaction, [analysis], and [argon] for files in SI units")
+        ->type_name("DECK");
+    command.add_option("--from", options.from, "leave out what is before this time, in tau")->type_name("T");
+    command
+        .add_option("--time-step", options.time_step,
+                    "time between steps in tau, for trajectories that do not tell; that of the deck by default")
+        ->type_name("DT");
+    command.add_option("--set", options.settings, "e.g. --set analysis.rdf.bins=100; `every` counts frames")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--out", options.out,
+                    "directory for the tables; by default RUNDIR/analysis, or NAME-analysis beside the trajectory")
+        ->type_name("DIR");
+    command.add_flag("--force", options.force, "replace the tables of an earlier analysis");
+    command.add_flag("--json", options.json, "print the result as JSON");
 }
 
 constexpr int usage_error = 2;
@@ -165,10 +196,10 @@ int main(int argc, char** argv) {
     reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
     reproduce.add_flag("--quiet", table.quiet, "no progress");
     reproduce.add_flag("--json", table.json, "print the table as JSON");
+    ljmd::AnalyzeOptions analyzed;
     CLI::App& analyze = *app.add_subcommand(
-        "analyze", "where a run has come to equilibrium, and how many of its samples are independent");
-    analyze.add_option("directory", resumed.directory, "directory of a run")->required()->type_name("RUNDIR");
-    analyze.add_flag("--json", json, "print it as JSON");
+        "analyze", "where a run has come to equilibrium; structure and transport from the frames of a trajectory");
+    add_analyze_options(analyze, analyzed);
     CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select; of a run, how far it got");
     CLI::Option* of_run = info.add_option("directory", resumed.directory, "directory of a run")->type_name("RUNDIR");
     CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
@@ -206,7 +237,7 @@ int main(int argc, char** argv) {
         } else if (reproduce.parsed()) {
             ljmd::reproduce_command(table);
         } else if (analyze.parsed()) {
-            ljmd::analyze_command(resumed.directory, json);
+            ljmd::analyze_command(analyzed);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {

@@ -132,12 +132,14 @@ void place_configuration(State& state, const Configuration& configuration) {
     }
 }
 
+SampledRun::Interaction interaction_of(const Deck& deck) {
+    const PairPotential potential = PairPotential::from(deck.potential());
+    return {potential, wants_tail(deck) ? TailCorrection(potential) : TailCorrection()};
+}
+
 Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box) {
-    Simulation simulation{State(atoms, box),
-                          make_force_field(deck),
-                          wants_tail(deck) ? TailCorrection(PairPotential::from(deck.potential())) : TailCorrection(),
-                          std::nullopt,
-                          {}};
+    const SampledRun::Interaction interaction = interaction_of(deck);
+    Simulation simulation{State(atoms, box), make_force_field(deck), interaction.tail, std::nullopt, {}};
     const Section& system = deck.system();
     if (system.has("lattice") && !is_random(system.section("lattice"))) {
         const Section& lattice = system.section("lattice");
@@ -145,7 +147,7 @@ Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box) {
     }
     const Section& analysis = deck.root.section("analysis");
     SampledRun run = sampled_run(deck.root, atoms, box);
-    run.interaction = {simulation.force_field.potential(), simulation.tail};
+    run.interaction = interaction;
     for (const auto& method : all_analyses()) {
         if (analysis.has(method.name)) {
             simulation.analyses.push_back(method.make(analysis.section(method.name), run));
