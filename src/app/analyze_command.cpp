@@ -32,6 +32,7 @@ struct Wanted {
 };
 
 Wanted wanted(const AnalyzeOptions& options) {
+    check_analysis_names(options.names);
     Wanted wanted;
     for (const std::string& name : options.names) {
         if (name == thermo) {
@@ -40,7 +41,6 @@ Wanted wanted(const AnalyzeOptions& options) {
             wanted.analyses.push_back(name);
         }
     }
-    check_analysis_names(wanted.analyses);
     for (const auto& [option, time] : {std::pair{"--from", options.from}, {"--time-step", options.time_step}}) {
         if (time && !std::isfinite(*time)) {
             throw InputError(fmt::format("{}: {} is no time", option, *time));

@@ -54,8 +54,8 @@ std::optional<Index> common_steps(const std::vector<std::size_t>& followers, con
     return apart;
 }
 
-/// The common spacing in time, or why there is none.
-void find_spacing(FrameSelection& selection, const std::vector<double>& times) {
+/// The common spacing in time, or why there is none. Of times that are rounded a time step tells which was meant.
+void find_spacing(FrameSelection& selection, const std::vector<double>& times, std::optional<double> time_step) {
     const std::vector<std::size_t> pairs = followers(selection);
     if (times.empty()) {
         selection.uneven = "the frames have no times: --time-step gives the time between steps, or a deck with --deck";
@@ -65,20 +65,24 @@ void find_spacing(FrameSelection& selection, const std::vector<double>& times) {
         selection.uneven = "no two frames follow each other";
         return;
     }
+    const std::size_t first = pairs.front();
+    const double apart = times[first] - times[first - 1];
+    for (const std::size_t k : pairs) {
+        const double here = times[k] - times[k - 1];
+        if (!(apart > 0.0) || !(std::abs(here - apart) < usual_rounding * apart + time_rounding * std::abs(times[k]))) {
+            selection.uneven = fmt::format("frames {} and {} are {:.6g} tau apart, frames {} and {} are {:.6g} tau",
+                                           first, first + 1, apart, k, k + 1, here);
+            return;
+        }
+    }
     double sum = 0.0;
     for (const std::size_t k : pairs) {
         sum += times[k] - times[k - 1];
     }
     const double mean = sum / static_cast<double>(pairs.size());
-    for (const std::size_t k : pairs) {
-        const double apart = times[k] - times[k - 1];
-        if (!(mean > 0.0) || !(std::abs(apart - mean) < usual_rounding * mean + time_rounding * std::abs(times[k]))) {
-            selection.uneven = fmt::format("frames {} and {} are {:.6g} tau apart, but on average it is {:.6g} tau", k,
-                                           k + 1, apart, mean);
-            return;
-        }
-    }
-    selection.spacing = mean;
+    const double meant =
+        time_step && selection.steps_apart ? *time_step * static_cast<double>(*selection.steps_apart) : mean;
+    selection.spacing = std::abs(meant - mean) < usual_rounding * mean ? meant : mean;
 }
 
 }  // namespace
@@ -108,7 +112,7 @@ FrameSelection select_frames(const TrajectorySummary& trajectory, std::optional<
                                     from ? fmt::format("as late as --from {}", *from) : "of a sampled stage"));
     }
     selection.steps_apart = common_steps(followers(selection), trajectory.steps);
-    find_spacing(selection, times);
+    find_spacing(selection, times, time_step);
     for (Index k = 0; k < trajectory.frames; ++k) {
         const auto frame = static_cast<std::size_t>(k);
         selection.numbers.push_back(selection.steps_apart ? trajectory.steps[frame] / *selection.steps_apart : k);

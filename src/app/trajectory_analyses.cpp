@@ -9,6 +9,7 @@
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/registry.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/io/deck_file.hpp"
 #include "ljmd/io/deck_setting.hpp"
 
@@ -126,8 +127,15 @@ std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory, con
 }
 
 void check_analysis_names(const std::vector<std::string>& names) {
+    std::vector<std::string> allowed = plugin_names(all_analyses());
+    allowed.emplace_back("thermo");
     for (const std::string& name : names) {
-        static_cast<void>(find_plugin(all_analyses(), name, "analysis"));
+        if (std::ranges::find(allowed, name) == allowed.end()) {
+            const std::string nearest = nearest_name(name, allowed);
+            throw InputError(fmt::format("unknown analysis {}\n  {}", in_quotes(name),
+                                         nearest.empty() ? fmt::format("allowed: {}", fmt::join(allowed, ", "))
+                                                         : fmt::format("did you mean '{}'?", nearest)));
+        }
     }
 }
 

@@ -168,7 +168,7 @@ ExtendedXyzHeader parse_extended_xyz_header(const TextFile& file) {
     header.si = parse_units(file, find(pairs, "units").value_or("reduced"));
     if (const auto time = find(pairs, "time")) header.time = file.number(*time, "Time");
     if (const auto step = find(pairs, "step")) header.step = file.integer(*step, "step");
-    if (header.step < Index{0}) file.fail(fmt::format("step must not be negative, found {}", *header.step));
+    if (header.step && *header.step < 0) file.fail(fmt::format("step must not be negative, found {}", *header.step));
     return header;
 }
 

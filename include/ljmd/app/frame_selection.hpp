@@ -22,7 +22,8 @@ struct FrameSelection {
     std::string uneven;                ///< why there is no spacing
 };
 
-/// @param time_step  between steps, for files without times; between frames, where they have no steps either
+/// @param time_step  between steps, for files without times; between frames, where they have no steps either. Where
+///                   the times of a file agree with it but for rounding, it tells the spacing
 /// @param stages     of the run that the trajectory is of: frames of stages that are not sampled are left out
 /// @param from       frames before this time [tau] are left out
 /// @throws InputError  `from` is given and the frames have no times

@@ -21,14 +21,14 @@ struct FrameAnalysis {
 [[nodiscard]] std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory,
                                                       const FrameSelection& selection);
 
-/// Refuse names that are none of an analysis. @throws InputError
+/// Refuse names that are neither those of analyses nor "thermo". @throws InputError
 void check_analysis_names(const std::vector<std::string>& names);
 
 /// Make analyses for a trajectory. Their settings are those of the deck's [analysis] where it has them, else defaults;
 /// the deck's `every`, which counts steps, becomes as many frames, one at least; where the deck does not ask for an
 /// analysis every frame counts. Then `settings`, "analysis.rdf.bins=100", apply; their `every` counts frames.
 ///
-/// @param names     of analyses, as check_analysis_names accepts
+/// @param names     of analyses, each once
 /// @param settings  of --set
 /// @param deck      for the interaction, the seed and what thermostats hold; may be null
 /// @throws InputError  a setting is wrong or does not fit the trajectory; the trajectory or the deck lacks what an
