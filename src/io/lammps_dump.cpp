@@ -141,6 +141,7 @@ LammpsDump::Rows LammpsDump::read_atoms(const std::vector<std::string>& columns)
     const bool has_type = has("type");
     const std::size_t type = has_type ? column("type") : id;
     std::vector<std::size_t> wanted;
+    wanted.reserve(columns.size());
     for (const std::string& name : columns) {
         wanted.push_back(column(name));
     }

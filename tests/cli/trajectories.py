@@ -9,7 +9,7 @@ import math
 import random
 import re
 
-from harness import ARGON, Case, DECK
+from harness import ARGON, Case, DECK, STARS
 
 ANALYSIS = """
 [analysis]
@@ -238,6 +238,13 @@ def without_a_trajectory(t):
     t.golden(t.expect(3, t.run("analyze", "out", "rdf")).err)
 
 
+def a_few_bodies(t):
+    t.deck(("thermo = { every = 10 }", 'trajectory = { format = "xyz", every = 10 }'), text=STARS)
+    t.run_well("run", "deck.toml", "--out", "out", "--quiet")
+    t.golden(t.expect(2, t.run("analyze", "out", "rdf")).err + t.expect(3, t.run("analyze", "out/trajectory.xyz")).err +
+             t.expect(2, t.run("analyze", "out/trajectory.xyz", "--deck", "deck.toml")).err)
+
+
 def a_box_that_changes(t):
     text = frame() + frame().replace("6 0 0 0 6", "6.5 0 0 0 6")
     (t.dir / "a.xyz").write_text(text)
@@ -258,11 +265,12 @@ def without_times(t):
 def cases():
     named = (a_lammps_dump_with_image_flags, a_wrapped_lammps_dump, frames_in_a_foreign_place, without_names,
              settings_count_frames, thermo_and_more, cut_off, in_si_units, tables_that_are_there, without_a_trajectory,
-             a_box_that_changes, without_times)
+             a_few_bodies, a_box_that_changes, without_times)
     uneven = timed(0, 1, 3, 4, **WITH_VELOCITIES)
     return [Case(test.__name__.replace("_", " "), test) for test in named] + [
         Case("the frames of a run in XYZ", frames_of_a_run()),
         Case("the frames of a run in H5MD", frames_of_a_run("output.trajectory.format=h5md")),
+        Case("the frames of two stages", frames_of_a_run("stage.melt.sample=true", "stage.melt.steps=100")),
         Case("an analysis that there is not", refused(2, timed(0, 1), "rdff")),
         Case("thermo of a trajectory", refused(2, timed(0, 1), "thermo")),
         Case("no velocities", refused(2, timed(0, 1, 2), "vacf")),

@@ -140,7 +140,7 @@ TEST_CASE("malformed extended XYZ files are refused with line and frame") {
     }
 }
 
-TEST_CASE("frames of an extended XYZ file come one after the other; ljmd's have unwrapped positions") {
+TEST_CASE("frames of an extended XYZ file come one after the other, unwrapped where ljmd wrote them") {
     const WrittenFile written(frame + "\n" + "2\n" + lattice + "Time=0.5 step=9 units=reduced\nX 5 0 0\nX -1 0 0\n\n");
     ExtendedXyzTrajectory reader(written.path(), std::nullopt);
     Frame found;
