@@ -165,6 +165,7 @@ std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& n
     }
     diagnostics.throw_if_errors();
     std::vector<FrameAnalysis> analyses;
+    analyses.reserve(methods.size());
     for (const AnalysisMethod& method : methods) {
         analyses.push_back({method, method.make(sections.section(method.name), run)});
     }

@@ -10,7 +10,6 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/atom_rows.hpp"
 #include "ljmd/io/configuration_check.hpp"
-#include "ljmd/io/text_file.hpp"
 
 namespace ljmd {
 
@@ -18,30 +17,6 @@ namespace {
 
 constexpr Index most_atoms = Index{1} << 30;
 constexpr double largest_step = 1e15;  // that and what is below are exact in doubles
-
-/// A unit as H5MD files name it, "nm" or "Angstrom", in SI; nothing when it is unknown.
-std::optional<double> si_of(std::string name, Dimension dimension) {
-    if (name == "Angstrom") {
-        name = "angstrom";
-    }
-    return parse_quantity("1 " + name, dimension);
-}
-
-/// "nm ps-1", "Angstrom/fs" in m/s.
-std::optional<double> si_of_velocity(const std::string& name) {
-    const std::size_t gap = name.find_first_of(" /");
-    if (gap == std::string::npos) {
-        return std::nullopt;
-    }
-    std::string per = name.substr(gap + 1);
-    if (name[gap] == ' ' && !per.ends_with("-1")) {
-        return std::nullopt;
-    }
-    per = name[gap] == ' ' ? per.substr(0, per.size() - 2) : per;
-    const auto length = si_of(name.substr(0, gap), Dimension::length);
-    const auto time = si_of(per, Dimension::time);
-    return length && time ? std::optional(*length / *time) : std::nullopt;
-}
 
 }  // namespace
 
@@ -63,7 +38,7 @@ H5mdReader::H5mdReader(const std::filesystem::path& path, const std::optional<Su
     for (const char* name : {"velocity", "image", "box/edges", "id"}) {
         require_same_steps(name);
     }
-    read_units(units);
+    scale_ = h5md_scale(file_, {position_.value, group_ + "/position/time", velocity_.value, edges_.value}, units);
     const std::vector<std::string> creator = file_.text_attribute("h5md/creator", "name");
     is_ljmd_ = !creator.empty() && creator[0] == "ljmd";
 }
@@ -190,50 +165,6 @@ void H5mdReader::check_species() const {
     }
 }
 
-void H5mdReader::read_units(const std::optional<SubstanceUnits>& units) {
-    struct Quantity {
-        std::string dataset;
-        Dimension dimension;
-        double* scale;
-    };
-    const std::vector<Quantity> quantities{
-        {position_.value, Dimension::length, &length_unit_},
-        {group_ + "/position/time", Dimension::time, &time_unit_},
-        {velocity_.value, Dimension::velocity, &velocity_unit_},
-    };
-    const bool has_units = !file_.text_attribute(position_.value, "unit").empty();
-    for (const auto& [dataset, dimension, scale] : quantities) {
-        if (dataset.empty() || !file_.exists(dataset)) {
-            continue;
-        }
-        const std::vector<std::string> unit = file_.text_attribute(dataset, "unit");
-        if (unit.empty() == has_units) {
-            file_.fail(fmt::format("positions have {} unit, but {} has {}", has_units ? "a" : "no", dataset,
-                                   has_units ? "none" : "one"));
-        }
-        if (!has_units) {
-            continue;
-        }
-        const auto si = dimension == Dimension::velocity ? si_of_velocity(unit[0]) : si_of(unit[0], dimension);
-        if (!si) {
-            file_.fail(fmt::format("{} is in {}, which is no known unit of {}", dataset, shown(unit[0]),
-                                   dimension_name(dimension)));
-        }
-        if (!units) {
-            file_.fail(
-                fmt::format("{} is in {}, which takes a substance: a deck with [argon] is needed (analyze: --deck)",
-                            dataset, unit[0]));
-        }
-        *scale = units->si(dimension) / *si;
-    }
-    const std::vector<std::string> unit = file_.text_attribute(edges_.value, "unit");
-    const auto si = unit.empty() ? std::nullopt : si_of(unit[0], Dimension::length);
-    if (unit.empty() ? false : !si || !units) {
-        file_.fail(fmt::format("{} is in {}, the positions are not", edges_.value, shown(unit[0])));
-    }
-    edge_unit_ = si ? units->si(Dimension::length) / *si : length_unit_;
-}
-
 /// What an array with one entry a frame, or an increment from one to the next, says of each frame; nothing when there
 /// is none.
 std::vector<double> H5mdReader::series(const std::string& array) const {
@@ -310,12 +241,12 @@ bool H5mdReader::read(Frame& frame) {
         fail(fmt::format("the step must be an integer of at least 0, found {}", step));
     }
     Configuration found;
-    found.edges = edges_of(k) / edge_unit_;
+    found.edges = edges_of(k) / scale_.edges;
     found.step = static_cast<Index>(step);
-    found.time = times_.empty() ? 0.0 : times_[static_cast<std::size_t>(k)] / time_unit_;
-    found.positions = vectors_of(position_, k, length_unit_);
+    found.time = times_.empty() ? 0.0 : times_[static_cast<std::size_t>(k)] / scale_.time;
+    found.positions = vectors_of(position_, k, scale_.length);
     if (!velocity_.value.empty()) {
-        found.velocities = vectors_of(velocity_, k, velocity_unit_);
+        found.velocities = vectors_of(velocity_, k, scale_.velocity);
     }
     if (!image_.value.empty()) {
         const std::vector<Vec3> images = vectors_of(image_, k, 1.0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "h5md_units.hpp"
 #include "hdf5_input.hpp"
 #include "ljmd/io/trajectory_reader.hpp"
 
@@ -42,7 +43,6 @@ class H5mdReader : public TrajectoryReader {
     void require_same_steps(const std::string& name) const;
     void check_box() const;
     void check_species() const;
-    void read_units(const std::optional<SubstanceUnits>& units);
     [[nodiscard]] std::vector<double> series(const std::string& array) const;
     [[nodiscard]] Vec3 edges_of(Index frame) const;
     [[nodiscard]] std::vector<Index> order_of(Index frame) const;
@@ -59,10 +59,7 @@ class H5mdReader : public TrajectoryReader {
     Index frame_count_ = 0;
     std::vector<double> steps_;  ///< of the frames; empty where the file has none
     std::vector<double> times_;
-    double length_unit_ = 1.0;  ///< one reduced unit in those of the file
-    double time_unit_ = 1.0;
-    double velocity_unit_ = 1.0;
-    double edge_unit_ = 1.0;
+    H5mdScale scale_;
     bool is_ljmd_ = false;
 };
 
