@@ -16,6 +16,9 @@ namespace {
 /// What compression can make of a byte, at most: 1032 with deflate.
 constexpr double largest_compression = 1100.0;
 constexpr int most_axes = 8;
+/// Of what is written at the same time. HDF5 waits twice as long before each: milliseconds in all, and not for ever
+/// where a file is damaged.
+constexpr unsigned read_attempts = 20;
 constexpr Index most_attribute_numbers = 64;
 
 template <class T>
@@ -47,7 +50,9 @@ Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {
         return;
     }
     const std::string cause = hdf5_error_text();
-    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose);
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    checked(H5Pset_metadata_read_attempts(access.get(), read_attempts), "opening it");
+    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()), H5Fclose);
     was_closed_ = false;
     if (!file_) {
         fail(fmt::format("HDF5 cannot open it: {}", cause));

@@ -102,6 +102,16 @@ TEST_CASE("what is no HDF5 file, or a part of one, is refused") {
     CHECK_FALSE(is_hdf5(text.path()));
 }
 
+TEST_CASE("damage in a file that was not closed is not waited for") {
+    const TemporaryFolder folder;
+    write_all(folder / "a.h5", folder / "open.h5");
+    std::string bytes = content_of(folder / "open.h5");
+    constexpr std::size_t in_superblock = 20;
+    bytes[in_superblock] = static_cast<char>(bytes[in_superblock] + 1);
+    const WrittenFile damaged(bytes);
+    CHECK_THAT(data_error([&] { static_cast<void>(Hdf5Input(damaged.path())); }), Contains("HDF5 cannot open it: "));
+}
+
 TEST_CASE("an extent that nothing stands behind is not believed") {
     const TemporaryFolder folder;
     {
