@@ -86,12 +86,17 @@ Hdf5Handle Hdf5Input::open(const std::string& object) const {
     return {checked(H5Oopen(file_.get(), object.c_str(), H5P_DEFAULT), "opening " + object), H5Oclose};
 }
 
-Hdf5Handle Hdf5Input::open_dataset(const std::string& dataset) const {
+hid_t Hdf5Input::open_dataset(const std::string& dataset) const {
+    const auto known = datasets_.find(dataset);
+    if (known != datasets_.end()) {
+        return known->second.get();
+    }
     Hdf5Handle handle = open(dataset);
     if (H5Iget_type(handle.get()) != H5I_DATASET) {
         fail(fmt::format("{} is no dataset", dataset));
     }
-    return handle;
+    require_stored(handle.get(), dataset);
+    return datasets_.emplace(dataset, std::move(handle)).first->second.get();
 }
 
 bool Hdf5Input::is_dataset(const std::string& object) const {
@@ -123,18 +128,18 @@ std::vector<Index> Hdf5Input::extent_of(hid_t space, const std::string& what) co
 
 std::vector<Index> Hdf5Input::extent(const std::string& dataset) const {
     const Hdf5Silence silence;
-    const Hdf5Handle handle = open_dataset(dataset);
-    const Hdf5Handle space(checked(H5Dget_space(handle.get()), "reading " + dataset), H5Sclose);
+    const Hdf5Handle space(checked(H5Dget_space(open_dataset(dataset)), "reading " + dataset), H5Sclose);
     return extent_of(space.get(), dataset);
 }
 
 /// An extent that nothing stands behind must not be believed.
-void Hdf5Input::require_stored(hid_t dataset, const std::vector<Index>& extent, const std::string& name) const {
+void Hdf5Input::require_stored(hid_t dataset, const std::string& name) const {
     const Hdf5Handle type(checked(H5Dget_type(dataset), "reading " + name), H5Tclose);
+    const Hdf5Handle space(checked(H5Dget_space(dataset), "reading " + name), H5Sclose);
     if (!holds_numbers(type.get())) {
         fail(fmt::format("{} holds no numbers", name));
     }
-    const double claimed = product(extent) * static_cast<double>(H5Tget_size(type.get()));
+    const double claimed = product(extent_of(space.get(), name)) * static_cast<double>(H5Tget_size(type.get()));
     if (claimed > largest_compression * static_cast<double>(H5Dget_storage_size(dataset))) {
         fail(fmt::format("{} is larger than what is stored of it", name));
     }
@@ -144,10 +149,9 @@ template <class T>
 std::vector<T> Hdf5Input::read(const std::string& dataset, std::optional<Index> entry) const {
     const Hdf5Silence silence;
     const std::string doing = "reading " + dataset;
-    const Hdf5Handle handle = open_dataset(dataset);
-    const Hdf5Handle space(checked(H5Dget_space(handle.get()), doing), H5Sclose);
+    const hid_t source = open_dataset(dataset);
+    const Hdf5Handle space(checked(H5Dget_space(source), doing), H5Sclose);
     std::vector<Index> wanted = extent_of(space.get(), dataset);
-    require_stored(handle.get(), wanted, dataset);
     if (entry) {
         if (wanted.empty() || *entry >= wanted[0]) {
             fail(fmt::format("{} has no entry {}", dataset, *entry));
@@ -163,7 +167,7 @@ std::vector<T> Hdf5Input::read(const std::string& dataset, std::optional<Index> 
     const Hdf5Handle memory(checked(H5Screate_simple(1, &length, nullptr), doing), H5Sclose);
     const hid_t file_space = entry ? space.get() : H5S_ALL;
     const hid_t memory_space = entry ? memory.get() : H5S_ALL;
-    checked(H5Dread(handle.get(), native_type<T>(), memory_space, file_space, H5P_DEFAULT, values.data()), doing);
+    checked(H5Dread(source, native_type<T>(), memory_space, file_space, H5P_DEFAULT, values.data()), doing);
     return values;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,15 +55,16 @@ class Hdf5Input {
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& dataset, std::optional<Index> entry) const;
     [[nodiscard]] Hdf5Handle open(const std::string& object) const;
-    [[nodiscard]] Hdf5Handle open_dataset(const std::string& dataset) const;
+    [[nodiscard]] hid_t open_dataset(const std::string& dataset) const;
     [[nodiscard]] Hdf5Handle open_attribute(const std::string& object, const std::string& name) const;
     [[nodiscard]] std::vector<Index> extent_of(hid_t space, const std::string& what) const;
-    void require_stored(hid_t dataset, const std::vector<Index>& extent, const std::string& name) const;
+    void require_stored(hid_t dataset, const std::string& name) const;
     hid_t checked(hid_t id, const std::string& doing) const;
 
     std::string name_;
     Hdf5Handle file_;
     bool was_closed_ = true;
+    mutable std::map<std::string, Hdf5Handle> datasets_;  ///< open from the first look on: frames are read one by one
 };
 
 }  // namespace ljmd
