@@ -9,7 +9,9 @@
 #include "ljmd/app/wait_policy.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/diagnostics.hpp"
+#include "ljmd/core/registry.hpp"
 #include "ljmd/core/threads.hpp"
+#include "ljmd/observables/analysis.hpp"
 
 namespace {
 
@@ -80,6 +82,35 @@ void add_sweep_options(CLI::App& command, ljmd::SweepOptions& options) {
     command.add_flag("--force", options.force, "accept unlikely values; replace another sweep");
     command.add_flag("--quiet", options.quiet, "no progress, no warnings about the deck");
     command.add_flag("--json", options.json, "print the table as JSON");
+}
+
+void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
+    command.add_option("path", options.path, "directory of a run; or a trajectory: H5MD, extended XYZ, LAMMPS dump")
+        ->required()
+        ->type_name("RUNDIR|TRAJECTORY");
+    command
+        .add_option("analysis", options.names,
+                    fmt::format("{}, thermo; by default thermo of a run, rdf, structure_factor and msd of a trajectory",
+                                fmt::join(ljmd::plugin_names(ljmd::all_analyses()), ", ")))
+        ->type_name("NAME");
+    command
+        .add_option("--deck", options.deck,
+                    "of a trajectory: interaction, [analysis], and [argon] for files in SI units")
+        ->type_name("DECK");
+    command.add_option("--from", options.from, "leave out what is before this time, in tau")->type_name("T");
+    command
+        .add_option("--time-step", options.time_step,
+                    "time between steps in tau, for trajectories that do not tell; that of the deck by default")
+        ->type_name("DT");
+    command.add_option("--set", options.settings, "e.g. --set analysis.rdf.bins=100; `every` counts frames")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--out", options.out,
+                    "directory for the tables; by default RUNDIR/analysis, or NAME-analysis beside the trajectory")
+        ->type_name("DIR");
+    command.add_flag("--force", options.force, "replace the tables of an earlier analysis");
+    command.add_flag("--json", options.json, "print the result as JSON");
 }
 
 constexpr int usage_error = 2;
@@ -192,10 +223,10 @@ int main(int argc, char** argv) {
     CLI::App& sweep = *app.add_subcommand(
         "sweep", "run a deck at many settings, several at a time; what was stopped is gone on with");
     add_sweep_options(sweep, swept);
+    ljmd::AnalyzeOptions analyzed;
     CLI::App& analyze = *app.add_subcommand(
-        "analyze", "where a run has come to equilibrium, and how many of its samples are independent");
-    analyze.add_option("directory", resumed.directory, "directory of a run")->required()->type_name("RUNDIR");
-    analyze.add_flag("--json", json, "print it as JSON");
+        "analyze", "where a run has come to equilibrium; structure and transport from the frames of a trajectory");
+    add_analyze_options(analyze, analyzed);
     CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select; of a run, how far it got");
     CLI::Option* of_run = info.add_option("directory", resumed.directory, "directory of a run")->type_name("RUNDIR");
     CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
@@ -235,7 +266,7 @@ int main(int argc, char** argv) {
         } else if (sweep.parsed()) {
             ljmd::sweep_command(swept);
         } else if (analyze.parsed()) {
-            ljmd::analyze_command(resumed.directory, json);
+            ljmd::analyze_command(analyzed);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {

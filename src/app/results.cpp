@@ -85,17 +85,58 @@ std::string table_line(const ObservableAverage& average, const std::optional<Sub
     return line + '\n';
 }
 
+/// Fewer independent samples than this do not carry an error bar.
+constexpr double few_samples = 16.0;
+
 }  // namespace
 
 bool is_in_table(const std::string& observable) {
     return !observable.starts_with("pressure_") && observable != "virial";
 }
 
-std::string results_json(const Deck& deck, const RunResult& result) {
+Json observables_json(const std::vector<ObservableAverage>& averages, const std::optional<SubstanceUnits>& units) {
     Json observables = Json::object();
-    for (const ObservableAverage& average : result.averages) {
-        observables[average.name] = observable_json(average, deck.units);
+    for (const ObservableAverage& average : averages) {
+        observables[average.name] = observable_json(average, units);
     }
+    return observables;
+}
+
+std::string observables_table(const std::vector<ObservableAverage>& averages,
+                              const std::optional<SubstanceUnits>& units) {
+    std::string text = fmt::format("  {:<26}{:<6}{:>22}  {:<20}{:>8}{:>26}\n", "observable", "",
+                                   "mean +- standard error", "unit", "samples*", units ? "SI" : "");
+    for (const ObservableAverage& average : averages) {
+        if (is_in_table(average.name)) {
+            text += table_line(average, units);
+        }
+    }
+    return text;
+}
+
+std::string samples_footnote() {
+    return "  * independent samples: variance of the series over the squared standard error\n";
+}
+
+std::string unsure_of(const std::vector<ObservableAverage>& averages) {
+    std::string unsure;
+    bool all_unsure = true;
+    for (const ObservableAverage& average : averages) {
+        if (!is_in_table(average.name)) {
+            continue;
+        }
+        const bool known =
+            average.estimate && average.estimate->converged &&
+            (average.estimate->independent_samples >= few_samples || average.estimate->standard_error == 0.0);
+        if (average.estimate && !known) {
+            unsure += (unsure.empty() ? "" : ", ") + average.name;
+        }
+        all_unsure = all_unsure && !known;
+    }
+    return all_unsure && !unsure.empty() ? "all observables" : unsure;
+}
+
+std::string results_json(const Deck& deck, const RunResult& result) {
     Json stages = Json::array();
     for (const StageResult& stage : result.stages) {
         stages.push_back(stage_json(stage));
@@ -106,7 +147,7 @@ std::string results_json(const Deck& deck, const RunResult& result) {
          {{"atoms", result.atoms},
           {"density", result.density},
           {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
-        {"observables", observables},
+        {"observables", observables_json(result.averages, deck.units)},
         {"translational_order_at_sampling", result.order_at_sampling ? Json(*result.order_at_sampling) : Json(nullptr)},
         {"stages", stages},
         {"neighbor_list_rebuilds", result.search.rebuilds},
@@ -126,15 +167,9 @@ std::string results_table(const Deck& deck, const RunResult& result) {
     }
     text +=
         fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
-    text += fmt::format("  {:<26}{:<6}{:>22}  {:<20}{:>8}{:>26}\n", "observable", "", "mean +- standard error", "unit",
-                        "samples*", deck.units ? "SI" : "");
-    for (const ObservableAverage& average : result.averages) {
-        if (is_in_table(average.name)) {
-            text += table_line(average, deck.units);
-        }
-    }
+    text += observables_table(result.averages, deck.units);
     text += stage_lines(result.stages, "epsilon per atom and tau");
-    text += "  * independent samples: variance of the series over the squared standard error\n";
+    text += samples_footnote();
     text += fmt::format("\nfiles: {}\n", deck.directory.string());
     return text;
 }

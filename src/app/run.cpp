@@ -25,9 +25,6 @@ namespace {
 /// Sampling a liquid while this much of the crystal is left measures neither.
 constexpr double crystal_left = 0.1;
 
-/// Fewer independent samples than this do not carry an error bar.
-constexpr double few_samples = 16.0;
-
 /// Steps between looks at the atoms' speeds; looking costs a hundredth of a step.
 constexpr Index steps_between_looks = 10;
 
@@ -306,23 +303,8 @@ class FluidRun : private StepObserver {
                             "equilibrate longer, or melt above the target temperature first",
                             100.0 * *result.order_at_sampling, *result.order_at_sampling));
         }
-        std::string unsure;
-        bool all_unsure = true;
-        for (const ObservableAverage& average : result.averages) {
-            const bool known =
-                average.estimate && average.estimate->converged &&
-                (average.estimate->independent_samples >= few_samples || average.estimate->standard_error == 0.0);
-            if (!is_in_table(average.name)) {
-                continue;
-            }
-            if (average.estimate && !known) {
-                unsure += (unsure.empty() ? "" : ", ") + average.name;
-            }
-            all_unsure = all_unsure && !known;
-        }
-        if (!unsure.empty()) {
-            doubts.push_back(fmt::format("the run is too short for the error bars of {}: they are guesses",
-                                         all_unsure ? "all observables" : unsure));
+        if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
+            doubts.push_back(fmt::format("the run is too short for the error bars of {}: they are guesses", unsure));
         }
         return doubts;
     }

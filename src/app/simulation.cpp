@@ -103,8 +103,8 @@ FluidPressure fluid_pressure(const Deck& deck) {
     if (deck.kind == DeckKind::few_body) {
         return {};
     }
-    const PairPotential potential = PairPotential::from(deck.potential());
-    return {wants_tail(deck) ? TailCorrection(potential) : TailCorrection(), 2.0 * potential.cutoff().radius};
+    const SampledRun::Interaction interaction = interaction_of(deck);
+    return {interaction.tail, 2.0 * interaction.potential.cutoff().radius};
 }
 
 PairForceField make_force_field(const Deck& deck) {
@@ -140,8 +140,13 @@ void place_configuration(State& state, const Configuration& configuration) {
     }
 }
 
+SampledRun::Interaction interaction_of(const Deck& deck) {
+    const PairPotential potential = PairPotential::from(deck.potential());
+    return {potential, wants_tail(deck) ? TailCorrection(potential) : TailCorrection()};
+}
+
 Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box) {
-    Simulation simulation{State(atoms, box), make_force_field(deck), fluid_pressure(deck).tail, std::nullopt, {}};
+    Simulation simulation{State(atoms, box), make_force_field(deck), interaction_of(deck).tail, std::nullopt, {}};
     const Section& system = deck.system();
     if (system.has("lattice") && !is_random(system.section("lattice"))) {
         const Section& lattice = system.section("lattice");
@@ -154,7 +159,7 @@ Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box) {
 std::vector<std::unique_ptr<Analysis>> make_analyses(const Deck& deck, const Simulation& simulation) {
     const Section& analysis = deck.root.section("analysis");
     SampledRun run = sampled_run(deck.root, simulation.state.count(), simulation.state.box());
-    run.interaction = {simulation.force_field.potential(), simulation.tail};
+    run.interaction = interaction_of(deck);
     std::vector<std::unique_ptr<Analysis>> analyses;
     for (const auto& method : all_analyses()) {
         if (analysis.has(method.name)) {

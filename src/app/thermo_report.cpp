@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/sampled_steps.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/data_table_csv.hpp"
@@ -19,28 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr Index most_starts = 100;  // of a series that are tried
 constexpr std::array<const char*, 4> reported{"temperature", "potential_energy", "total_energy", "pressure"};
-
-/// Whether a step belongs to a stage that is sampled, or to any where none is.
-class SampledSteps {
-  public:
-    explicit SampledSteps(const std::vector<Stage>& stages)
-        : stages_(stages), all_(std::ranges::none_of(stages, &Stage::sample)) {}
-
-    [[nodiscard]] bool contain(Index step) const {
-        Index before = 0;
-        for (const Stage& stage : stages_) {
-            if (step > before && step <= before + stage.steps) {
-                return all_ || stage.sample;
-            }
-            before += stage.steps;
-        }
-        return false;
-    }
-
-  private:
-    const std::vector<Stage>& stages_;
-    bool all_;
-};
 
 Estimate blocking(const std::vector<double>& series) {
     BlockingAccumulator blocks(1, Covariance::diagonal);
@@ -65,15 +44,19 @@ Json number_or_null(double value) {
 
 }  // namespace
 
-ThermoReport thermo_report(const RecordedRun& run) {
+ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
     if (run.deck.kind == DeckKind::few_body) {
         throw InputError("a few-body run has no equilibrium: `ljmd analyze` wants one of a fluid");
     }
     DataTable table = read_growing_csv(run.deck.directory / "thermo.csv");
     const SampledSteps sampled(run.deck.stages);
     const std::vector<double> all_steps = column(table, "step");
+    const std::vector<double> all_times = column(table, "time");
     std::size_t row = 0;
-    std::erase_if(table.rows, [&](const auto&) { return !sampled.contain(static_cast<Index>(all_steps[row++])); });
+    std::erase_if(table.rows, [&](const auto&) {
+        const std::size_t k = row++;
+        return !sampled.contain(static_cast<Index>(all_steps[k])) || (from && is_before(all_times[k], *from));
+    });
     const auto rows = static_cast<Index>(table.rows.size());
     if (rows < 2) {
         throw DataError(fmt::format("{} has {} of the rows that are looked at: the sampled stages have hardly begun",

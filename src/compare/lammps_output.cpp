@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "ljmd/io/atom_rows.hpp"
-
 namespace ljmd {
 
 namespace {
@@ -44,46 +42,6 @@ double LammpsLog::loop_seconds() const {
         file_.fail_at(0, "no line tells the time of the loop");
     }
     return *seconds_;
-}
-
-void LammpsDump::next_line() {
-    if (!file_.next_line()) {
-        file_.fail("the dump ends before all its frames");
-    }
-}
-
-void LammpsDump::expect(std::string_view line) {
-    next_line();
-    // LAMMPS ends some of its lines in a space.
-    if (file_.line() != line && file_.line() != fmt::format("{} ", line)) {
-        file_.fail(fmt::format("'{}' was expected, found {}", line, shown(file_.line())));
-    }
-}
-
-void LammpsDump::next_frame() {
-    expect("ITEM: TIMESTEP");
-    next_line();
-    step_ = file_.integer(file_.line(), "the step");
-    expect("ITEM: NUMBER OF ATOMS");
-    next_line();
-    if (file_.integer(file_.line(), "the number of atoms") != atoms_) {
-        file_.fail(fmt::format("{} atoms were expected, found {}", atoms_, shown(file_.line())));
-    }
-    expect("ITEM: BOX BOUNDS pp pp pp");
-    for (int axis = 0; axis < 3; ++axis) {
-        next_line();
-    }
-    expect("ITEM: ATOMS " + columns_);
-    vectors_.clear();
-    for (Index id = 1; id <= atoms_; ++id) {
-        next_line();
-        split_fields(file_.line(), fields_);
-        if (fields_.size() != 4 || file_.integer(fields_[0], "the id") != id) {
-            file_.fail(
-                fmt::format("atom {} and its {} were expected, found {}", id, columns_.substr(3), shown(file_.line())));
-        }
-        vectors_.push_back(read_vector(file_, fields_, 1));
-    }
 }
 
 std::optional<LammpsVersion> lammps_version(const std::string& help) {

@@ -10,6 +10,7 @@
 #include "ljmd/compare/lammps_output.hpp"
 #include "ljmd/compare/process.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/lammps_dump.hpp"
 #include "ljmd/io/output_file.hpp"
 #include "ljmd/io/scratch_directory.hpp"
 
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* method_name = "fix nve";
 constexpr const char* log_name = "log.lammps";
+const std::vector<std::string> unwrapped{"xu", "yu", "zu"};
 
 /// The file from some byte before its end on.
 std::string end_of(const fs::path& path, std::streamoff bytes) {
@@ -98,9 +100,8 @@ class LammpsPeer : public Peer {
         const ScratchDirectory scratch;
         run(scratch.path(), lammps_point_input(fluid_));
         LammpsLog log(scratch.path() / log_name);
-        LammpsDump forces(scratch.path() / LammpsFiles::forces, atoms(), "id fx fy fz");
-        forces.next_frame();
-        PeerPoint point{totals(required_row(log, 0)), forces.vectors()};
+        LammpsDump forces(scratch.path() / LammpsFiles::forces);
+        PeerPoint point{totals(required_row(log, 0)), next_vectors(forces, 0, {"fx", "fy", "fz"})};
         if (const std::optional<LammpsRow> with_tail = log.next_row()) {
             const Totals all = totals(*with_tail);
             point.tail_energy =
@@ -118,12 +119,11 @@ class LammpsPeer : public Peer {
         const ScratchDirectory scratch;
         run(scratch.path(), lammps_follow_input(fluid_, time_step, steps));
         LammpsLog log(scratch.path() / log_name);
-        LammpsDump dump(scratch.path() / LammpsFiles::frames, atoms(), "id xu yu zu");
+        LammpsDump dump(scratch.path() / LammpsFiles::frames);
         std::vector<PeerFrame> frames;
         for (const Index step : steps) {
             const LammpsRow row = required_row(log, step);
-            next_frame(dump, step);
-            frames.push_back({step, row.potential_energy, row.kinetic_energy, dump.vectors()});
+            frames.push_back({step, row.potential_energy, row.kinetic_energy, next_vectors(dump, step, unwrapped)});
         }
         return frames;
     }
@@ -134,16 +134,17 @@ class LammpsPeer : public Peer {
         LammpsLog log(scratch.path() / log_name);
         std::optional<LammpsDump> dump;
         if (frame_every > 0) {
-            dump.emplace(scratch.path() / LammpsFiles::frames, atoms(), "id xu yu zu");
-            next_frame(*dump, 0);
+            dump.emplace(scratch.path() / LammpsFiles::frames);
+            static_cast<void>(next_vectors(*dump, 0, unwrapped));
         }
         for (Index step = every; step <= steps; step += every) {
             const Totals row = totals(required_row(log, step));
-            const bool with_frame = dump && step % frame_every == 0;
-            if (with_frame) {
-                next_frame(*dump, step);
+            if (dump && step % frame_every == 0) {
+                const std::vector<Vec3> positions = next_vectors(*dump, step, unwrapped);
+                visit(step, row, &positions);
+            } else {
+                visit(step, row, nullptr);
             }
-            visit(step, row, with_frame ? &dump->vectors() : nullptr);
         }
     }
 
@@ -199,11 +200,21 @@ class LammpsPeer : public Peer {
         throw DataError(fmt::format("LAMMPS' log has no row of step {}", step));
     }
 
-    static void next_frame(LammpsDump& dump, Index step) {
-        dump.next_frame();
+    /// The vectors of the next frame, which must be that of the step, by id.
+    [[nodiscard]] std::vector<Vec3> next_vectors(LammpsDump& dump, Index step,
+                                                 const std::vector<std::string>& columns) const {
+        if (!dump.next_frame(atoms())) {
+            throw DataError(fmt::format("LAMMPS' dump ends before step {}", step));
+        }
         if (dump.step() != step) {
             throw DataError(fmt::format("LAMMPS dumped step {} where step {} was expected", dump.step(), step));
         }
+        const LammpsDump::Rows rows = dump.read_atoms(columns);
+        std::vector<Vec3> vectors;
+        for (Index atom = 0; atom < rows.rows(); ++atom) {
+            vectors.emplace_back(rows.row(atom));
+        }
+        return vectors;
     }
 
     [[nodiscard]] Totals totals(const LammpsRow& row) const {

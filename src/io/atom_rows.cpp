@@ -4,51 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 
+#include "ljmd/io/configuration_check.hpp"
 #include "ljmd/model/box.hpp"
 
 namespace ljmd {
 namespace {
-
-constexpr double farthest = 1e6;        // edges between an atom and the box
-constexpr double largest_aspect = 1e6;  // longest edge over shortest
-
-void check_box(const TextFile& file, const Vec3& edges, Index line) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const double edge = edges[axis];
-        if (!std::isfinite(edge) || edge <= 0.0) {
-            file.fail_at(line, fmt::format("the edges of the box must be positive and finite, found {}", edge));
-        }
-    }
-    if (edges.maxCoeff() > largest_aspect * edges.minCoeff()) {
-        file.fail_at(line, fmt::format("the edges of the box, {}, {} and {}, differ by more than a factor of {}",
-                                       edges[0], edges[1], edges[2], largest_aspect));
-    }
-    if (!std::isnormal(edges.prod())) file.fail_at(line, "the volume of the box is outside the range of numbers");
-}
-
-void check_atoms(const TextFile& file, const Configuration& configuration, const AtomOrder& order) {
-    const Vec3 reach = farthest * configuration.edges;
-    for (std::size_t k = 0; k < configuration.positions.size(); ++k) {
-        const auto atom = static_cast<Index>(k);
-        const auto fail = [&](std::string_view complaint) {
-            file.fail_at(order.line(atom), fmt::format("atom {} {}", order.id(atom), complaint));
-        };
-        if (!(configuration.positions[k].array().abs() <= reach.array()).all()) {
-            fail(fmt::format("is more than {} edges away from the box", farthest));
-        }
-        if (!configuration.velocities.empty() && !configuration.velocities[k].allFinite()) {
-            fail("has a velocity that is not finite in reduced units");
-        }
-        if (configuration.masses.empty()) continue;
-        const double mass = configuration.masses[k];
-        if (!std::isfinite(mass) || mass <= 0.0) {
-            fail(fmt::format("has the mass {}; masses must be positive and finite", mass));
-        }
-    }
-}
 
 /// Where an atom lies in the box, on the box's grid.
 Vec3 place_in(const Box& box, const Vec3& position) {
@@ -85,9 +47,10 @@ void check_distinct(const TextFile& file, const Configuration& configuration, co
 
 }  // namespace
 
-Index read_atom_count(TextFile& file, std::string_view field) {
+Index read_atom_count(TextFile& file, std::string_view field, Index wanted) {
     const Index count = file.integer(field, "the number of atoms");
     if (count < 1) file.fail(fmt::format("the number of atoms must be at least 1, found {}", count));
+    if (wanted > 0 && count != wanted) file.fail(fmt::format("{} atoms, but frame 1 has {}", count, wanted));
     file.require_room(count);
     return count;
 }
@@ -133,11 +96,16 @@ AtomOrder order_by_id(const TextFile& file, const std::vector<Index>& ids, Index
     return order;
 }
 
+void check_frame(const TextFile& file, const Configuration& configuration, const AtomOrder& order, Index header_line) {
+    const auto fault = find_fault(configuration);
+    if (!fault) return;
+    if (!fault->atom) file.fail_at(header_line, fault->message);
+    file.fail_at(order.line(*fault->atom), fmt::format("atom {} {}", order.id(*fault->atom), fault->message));
+}
+
 void check_configuration(const TextFile& file, const Configuration& configuration, const AtomOrder& order,
                          Index header_line) {
-    check_box(file, configuration.edges, header_line);
-    if (!std::isfinite(configuration.time)) file.fail_at(header_line, "the time is not finite in reduced units");
-    check_atoms(file, configuration, order);
+    check_frame(file, configuration, order, header_line);
     check_distinct(file, configuration, order);
 }
 

@@ -164,10 +164,11 @@ ExtendedXyzHeader parse_extended_xyz_header(const TextFile& file) {
     header.edges = parse_lattice(file, find(pairs, "lattice"));
     header.columns = parse_columns(file, find(pairs, "properties").value_or("species:S:1:pos:R:3"));
     check_periodic(file, find(pairs, "pbc").value_or("T T T"));
+    header.tells_units = find(pairs, "units").has_value();
     header.si = parse_units(file, find(pairs, "units").value_or("reduced"));
     if (const auto time = find(pairs, "time")) header.time = file.number(*time, "Time");
     if (const auto step = find(pairs, "step")) header.step = file.integer(*step, "step");
-    if (header.step < 0) file.fail(fmt::format("step must not be negative, found {}", header.step));
+    if (header.step && *header.step < 0) file.fail(fmt::format("step must not be negative, found {}", *header.step));
     return header;
 }
 

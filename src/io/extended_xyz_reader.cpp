@@ -17,7 +17,8 @@ struct FileUnits {
     double mass = 1.0;
 };
 
-struct Frame {
+/// A frame line by line.
+struct RawFrame {
     ExtendedXyzHeader header;
     Index header_line = 0;
     FileUnits units;
@@ -30,19 +31,22 @@ struct Frame {
 
 FileUnits units_of(const TextFile& file, const ExtendedXyzHeader& header, const std::optional<SubstanceUnits>& units) {
     if (!header.si) return {};
-    if (!units) file.fail("the file is in SI units (units=si), which takes a substance: the deck needs [argon]");
+    if (!units)
+        file.fail(
+            "the file is in SI units (units=si), which takes a substance: a deck with [argon] is needed (analyze: "
+            "--deck)");
     constexpr double angstrom_per_nanometre = 10.0;
     return {units->nanometre() * angstrom_per_nanometre, units->picosecond(), units->dalton()};
 }
 
-void reserve(Frame& frame, std::size_t size) {
+void reserve(RawFrame& frame, std::size_t size) {
     frame.positions.reserve(size);
     if (frame.header.columns.id) frame.ids.reserve(size);
     if (frame.header.columns.velocity) frame.velocities.reserve(size);
     if (frame.header.columns.mass) frame.masses.reserve(size);
 }
 
-void read_atom(const TextFile& file, const std::vector<std::string_view>& fields, Frame& frame) {
+void read_atom(const TextFile& file, const std::vector<std::string_view>& fields, RawFrame& frame) {
     const ExtendedXyzColumns& columns = frame.header.columns;
     if (fields.size() != columns.count) {
         file.fail(fmt::format("{} columns, but Properties has {}", fields.size(), columns.count));
@@ -65,10 +69,12 @@ void read_atom(const TextFile& file, const std::vector<std::string_view>& fields
 }
 
 /// Read one frame. The file stands at the line with its number of atoms, whose only field is given.
-Frame read_frame(TextFile& file, std::string_view count_field, const std::optional<SubstanceUnits>& units) {
-    const Index count = read_atom_count(file, count_field);
+/// @param wanted  number of atoms; 0: any
+RawFrame read_frame(TextFile& file, std::string_view count_field, Index wanted,
+                    const std::optional<SubstanceUnits>& units) {
+    const Index count = read_atom_count(file, count_field, wanted);
     file.next_line();  // the comment line; there is one, or the count would have been refused
-    Frame frame;
+    RawFrame frame;
     frame.header_line = file.line_number();
     frame.header = parse_extended_xyz_header(file);
     frame.units = units_of(file, frame.header, units);
@@ -82,39 +88,66 @@ Frame read_frame(TextFile& file, std::string_view count_field, const std::option
     return frame;
 }
 
-Configuration to_configuration(const TextFile& file, const Frame& frame) {
-    const auto count = static_cast<Index>(frame.positions.size());
-    const Index first_line = frame.header_line + 1;
-    const AtomOrder order =
-        frame.ids.empty() ? file_order(count, first_line) : order_by_id(file, frame.ids, first_line);
+/// A configuration whose atoms are in order, not checked yet.
+Configuration to_configuration(const RawFrame& frame, const AtomOrder& order) {
     Configuration configuration;
     configuration.edges = frame.header.edges / frame.units.length;
-    configuration.positions = arranged(frame.positions, order);
-    configuration.velocities = arranged(frame.velocities, order);
-    configuration.masses = arranged(frame.masses, order);
-    configuration.time = frame.header.time / frame.units.time;
-    configuration.step = frame.header.step;
-    check_configuration(file, configuration, order, frame.header_line);
+    configuration.positions = arranged(frame.positions, order.rows);
+    configuration.velocities = arranged(frame.velocities, order.rows);
+    configuration.masses = arranged(frame.masses, order.rows);
+    configuration.time = frame.header.time.value_or(0.0) / frame.units.time;
+    configuration.step = frame.header.step.value_or(0);
     return configuration;
 }
 
-}  // namespace
+AtomOrder order_of(const TextFile& file, const RawFrame& frame) {
+    const Index first_line = frame.header_line + 1;
+    return frame.ids.empty() ? file_order(std::ssize(frame.positions), first_line)
+                             : order_by_id(file, frame.ids, first_line);
+}
 
-Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units) {
-    std::optional<Frame> last;
+/// The next frame; nothing behind the last one.
+/// @param number  of the frame, from 1
+std::optional<RawFrame> next_frame(TextFile& file, Index number, Index wanted,
+                                   const std::optional<SubstanceUnits>& units) {
     std::vector<std::string_view> fields;
-    for (Index number = 1; file.next_line();) {
+    while (file.next_line()) {
         split_fields(file.line(), fields);
         if (fields.empty()) continue;
         file.set_context(fmt::format("frame {}: ", number));
         if (fields.size() != 1) {
             file.fail(fmt::format("expected the number of atoms, found {}", shown(file.line())));
         }
-        last = read_frame(file, fields[0], units);
-        ++number;
+        return read_frame(file, fields[0], wanted, units);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units) {
+    std::optional<RawFrame> last;
+    Index number = 1;
+    for (auto frame = next_frame(file, number, 0, units); frame; frame = next_frame(file, ++number, 0, units)) {
+        last = std::move(frame);
     }
     if (!last) file.fail("the file has no frame");
-    return to_configuration(file, *last);
+    const AtomOrder order = order_of(file, *last);
+    Configuration configuration = to_configuration(*last, order);
+    check_configuration(file, configuration, order, last->header_line);
+    return configuration;
+}
+
+bool ExtendedXyzTrajectory::read(Frame& frame) {
+    const std::optional<RawFrame> raw = next_frame(file_, frames() + 1, atoms(), units_);
+    if (!raw) return false;
+    if (frames() > 0 && is_cut()) file_.fail("the last line has no end");
+    const AtomOrder order = order_of(file_, *raw);
+    const ExtendedXyzHeader& header = raw->header;
+    frame = {to_configuration(*raw, order), header.step.has_value(), header.time.has_value(),
+             header.tells_units ? Wrapping::unwrapped : Wrapping::not_told};
+    check_frame(file_, frame.configuration, order, raw->header_line);
+    return true;
 }
 
 }  // namespace ljmd

@@ -151,7 +151,7 @@ class Reader {
             if (columns == 0) columns = fields_.size();
             return read_position(columns);
         });
-        configuration_.positions = arranged(positions, order_);
+        configuration_.positions = arranged(positions, order_.rows);
     }
 
     Vec3 read_position(std::size_t columns) const {
@@ -183,7 +183,7 @@ class Reader {
         if (order.first_id != order_.first_id) {
             file_.fail_at(order.first_line, "the ids of section Velocities are not those of section Atoms");
         }
-        configuration_.velocities = arranged(velocities, order);
+        configuration_.velocities = arranged(velocities, order.rows);
     }
 
     /// Read the vectors of all atoms, each from the fields of its line.

@@ -43,7 +43,7 @@ Configuration read_nist(TextFile& file) {
     }
 
     const AtomOrder order = order_by_id(file, ids, first_line);
-    configuration.positions = arranged(positions, order);
+    configuration.positions = arranged(positions, order.rows);
     check_configuration(file, configuration, order, 1);
     return configuration;
 }

@@ -58,9 +58,9 @@ std::vector<std::pair<std::string, std::string>> lag_mistakes(const Section& sec
                                           "(`every` = {} steps)",
                                           analysis, time, lags.spacing, lags.every));
     } else if (run.steps > 0 && lags.count > run.steps / lags.every) {
-        mistakes.emplace_back("max_time",
-                              fmt::format("'max_time' in {} is {:.6g}, but the longest sampled stage lasts {:.6g} tau",
-                                          analysis, time, static_cast<double>(run.steps) * run.time_step));
+        mistakes.emplace_back(
+            "max_time", fmt::format("'max_time' in {} is {:.6g}, but no more than {:.6g} tau are sampled at a stretch",
+                                    analysis, time, static_cast<double>(run.steps) * run.time_step));
     }
     return mistakes;
 }

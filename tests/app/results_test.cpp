@@ -192,3 +192,22 @@ TEST_CASE("lengths, times and wave numbers in tables stand in nanometres and pic
     CHECK(sk.columns.back() == "k_per_nm");
     CHECK(sk.rows[0][2] == Approx(6.8 / 0.3405).epsilon(1e-14));
 }
+
+TEST_CASE("error bars that are guesses are named, unless all are") {
+    const auto average = [](const std::string& name, bool converged, double samples) {
+        Estimate estimate{};
+        estimate.standard_error = 0.1;
+        estimate.converged = converged;
+        estimate.independent_samples = samples;
+        return ObservableAverage{name, "x", "1", estimate};
+    };
+    const ObservableAverage known = average("temperature", true, 100.0);
+    const ObservableAverage few = average("pressure", true, 3.0);
+    const ObservableAverage short_one = average("diffusion", false, 100.0);
+    CHECK(unsure_of({known}).empty());
+    CHECK(unsure_of({known, few, short_one}) == "pressure, diffusion");
+    CHECK(unsure_of({few, short_one}) == "all observables");
+    CHECK(unsure_of({}).empty());
+    CHECK(unsure_of({known, average("pressure_xx", false, 1.0)}).empty());
+    CHECK(unsure_of({{"temperature", "T", "1", std::nullopt}}).empty());
+}

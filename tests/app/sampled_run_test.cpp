@@ -74,7 +74,7 @@ TEST_CASE("times that are longer than the run are found when the deck is checked
         CAPTURE(name);
         const auto found = complaints(small_deck + "[analysis]\n" + name + " = { max_time = 0.5 }\n");
         REQUIRE(found.size() == 1);
-        CHECK_THAT(found[0].message, Contains("'max_time' in " + name) && Contains("lasts 0.16 tau"));
+        CHECK_THAT(found[0].message, Contains("'max_time' in " + name) && Contains("no more than 0.16 tau"));
     }
 }
 

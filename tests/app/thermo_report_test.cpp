@@ -65,6 +65,13 @@ TEST_CASE("where no stage is sampled all rows but the start's are looked at") {
     CHECK(report.first_step == 1);
 }
 
+TEST_CASE("rows before a time are left out") {
+    const SmallRun run;
+    const ThermoReport late = thermo_report(recorded_run(run.directory()), 0.12);  // step 30
+    CHECK(late.first_step == 30);
+    CHECK(late.rows == 31);
+}
+
 TEST_CASE("the report of a run that was stopped is that of its rows") {
     const ThermoReport report = SmallRun({"output.checkpoint.every=10"}, 35).report();
     CHECK(report.rows <= 16);

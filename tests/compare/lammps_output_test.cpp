@@ -22,10 +22,6 @@ const std::string table =
     "Loop time of 2.775e-06 on 1 procs for 10 steps with 256 atoms\n\n"
     "1 2 3 4\n";
 
-const std::string frame =
-    "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
-    "ITEM: ATOMS id xu yu zu \n1 0.25 -1 2e-3\n2 1 2 3\n";
-
 /// What reading all of a log says.
 void read_log(const std::string& text) {
     const TemporaryFolder folder;
@@ -34,12 +30,6 @@ void read_log(const std::string& text) {
     while (log.next_row()) {
     }
     static_cast<void>(log.loop_seconds());
-}
-
-void read_frame(const std::string& text) {
-    const TemporaryFolder folder;
-    std::ofstream(folder / "dump") << text;
-    LammpsDump(folder / "dump", 2, "id xu yu zu").next_frame();
 }
 
 std::string without(std::string text, const std::string& part, const std::string& instead = "") {
@@ -78,30 +68,6 @@ TEST_CASE("a log that is not as expected is refused, with its line") {
     CHECK_THROWS_WITH(read_log(table.substr(0, table.find("Loop"))), Contains("ends within a table"));
     CHECK_THROWS_WITH(read_log("LAMMPS\n"), Contains("no line tells the time of the loop"));
     CHECK_THROWS_WITH(read_log(without(table, "2.775e-06", "soon")), Contains("the time of the loop must be"));
-}
-
-TEST_CASE("a dump is read frame by frame") {
-    const TemporaryFolder folder;
-    std::ofstream(folder / "dump") << frame << without(frame, "\n7\n", "\n9\n");
-    LammpsDump dump(folder / "dump", 2, "id xu yu zu");
-    dump.next_frame();
-    CHECK(dump.step() == 7);
-    CHECK(dump.vectors() == std::vector<Vec3>{Vec3(0.25, -1.0, 2e-3), Vec3(1.0, 2.0, 3.0)});
-    dump.next_frame();
-    CHECK(dump.step() == 9);
-    CHECK(dump.vectors().size() == 2);
-    CHECK_THROWS_WITH(dump.next_frame(), Contains("the dump ends before all its frames"));
-}
-
-TEST_CASE("a dump that is not as expected is refused, with its line") {
-    CHECK_NOTHROW(read_frame(frame));
-    CHECK_THROWS_WITH(read_frame(without(frame, "\n2\nITEM", "\n3\nITEM")), Contains("dump:4: 2 atoms were expected"));
-    CHECK_THROWS_WITH(read_frame(without(frame, "id xu", "xu")), Contains("dump:9: 'ITEM: ATOMS id xu yu zu' was"));
-    CHECK_THROWS_WITH(read_frame(without(frame, "pp pp pp", "ff pp pp")), Contains("dump:5: "));
-    CHECK_THROWS_WITH(read_frame(without(frame, "1 0.25", "2 0.25")), Contains("dump:10: atom 1 and its xu yu zu"));
-    CHECK_THROWS_WITH(read_frame(without(frame, "0.25", "inf")), Contains("dump:10: ") && Contains("finite"));
-    CHECK_THROWS_WITH(read_frame(without(frame, "2 1 2 3\n")), Contains("the dump ends"));
-    CHECK_THROWS_WITH(read_frame(without(frame, "-1 ")), Contains("dump:10: atom 1"));
 }
 
 TEST_CASE("LAMMPS is known by its help") {

@@ -1,16 +1,20 @@
-#include "configuration_promises.hpp"
 #include "ljmd/io/configuration_reader.hpp"
+#include "trajectory_promises.hpp"
 
 using namespace ljmd;
 
-// By the reader of all formats, so that the other two are recognised here, too. With units, files in SI units are read.
+// By the readers of all formats, so that the others are recognised here, too: as a start, and as a trajectory. With
+// units, files in SI units are read.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     constexpr double sigma = 3.405e-10;
     constexpr double epsilon = 1.654e-21;
     constexpr double mass = 6.6335e-26;
+    const SubstanceUnits units(sigma, epsilon, mass);
+    const auto& path = fuzz::file_of(data, size);
     try {
-        fuzz::check_promises(read_configuration(fuzz::file_of(data, size), SubstanceUnits(sigma, epsilon, mass)));
+        fuzz::check_promises(read_configuration(path, units));
     } catch (const DataError&) {
     }
+    fuzz::check_trajectory(path, units);
     return 0;
 }

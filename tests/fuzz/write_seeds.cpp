@@ -69,8 +69,8 @@ void write_checkpoints(const fuzz::FuzzedDeck& fuzzed, const fs::path& corpora, 
     }
 }
 
-/// Two frames of two atoms: where they lie, and the file.
-void write_trajectory(const fs::path& path) {
+/// Two frames of two atoms: the file, and where they lie in front of it.
+void write_trajectory(const fs::path& corpus) {
     const test::WrittenFile file("");
     State state = fuzz::two_atoms();
     const auto writer = make_trajectory_writer("h5md", state, {.path = file.path(), .velocities = true});
@@ -85,7 +85,8 @@ void write_trajectory(const fs::path& path) {
     const auto first = std::as_bytes(std::span(bytes));
     std::vector<std::byte> all(places.bytes().begin(), places.bytes().end());
     all.insert(all.end(), first.begin(), first.end());
-    write(path, all);
+    write(corpus / "trajectory", first);
+    write(corpus / "two-frames", all);
 }
 
 }  // namespace
@@ -103,5 +104,5 @@ int main(int argc, char** argv) {
     write_checkpoints(fuzz::constant_pressure, corpora, "checkpoint_fluid", "constant-pressure");
     write_checkpoints(fuzz::orbit, corpora, "checkpoint_few_body", "orbit");
     write_checkpoints(fuzz::radial, corpora, "checkpoint_few_body", "radial");
-    write_trajectory(corpora / "h5md" / "two-frames");
+    write_trajectory(corpora / "h5md");
 }

@@ -54,6 +54,14 @@ TEST_CASE("a number of atoms is a positive integer that the file has room for") 
     CHECK_THAT(read("9000000000000000000\na\n"), Contains("announces 9000000000000000000 atoms"));
 }
 
+TEST_CASE("a frame has as many atoms as it must have, which is seen before its lines are counted") {
+    const WrittenFile written("3\na\nb\n");
+    TextFile file(written.path());
+    REQUIRE(file.next_line());
+    CHECK_THAT(data_error([&] { static_cast<void>(read_atom_count(file, file.line(), 2)); }),
+               Contains(":1: 3 atoms, but frame 1 has 2"));
+}
+
 TEST_CASE("memory is reserved for no more atoms than the file can hold") {
     const WrittenFile written(std::string(800, 'x'));
     const TextFile file(written.path());
@@ -93,8 +101,8 @@ TEST_CASE("with ids atoms stand in their order, whether they count from 1 or fro
     CHECK(from_one.rows == std::vector<Index>{1, 2, 0});
     CHECK(from_one.id(0) == 1);
     CHECK(from_one.line(0) == 11);
-    CHECK(arranged(std::vector<double>{30.0, 10.0, 20.0}, from_one) == std::vector<double>{10.0, 20.0, 30.0});
-    CHECK(arranged(std::vector<double>{}, from_one).empty());
+    CHECK(arranged(std::vector<double>{30.0, 10.0, 20.0}, from_one.rows) == std::vector<double>{10.0, 20.0, 30.0});
+    CHECK(arranged(std::vector<double>{}, from_one.rows).empty());
     const AtomOrder from_zero = order_by_id(file, {2, 0, 1}, 10);
     CHECK(from_zero.rows == std::vector<Index>{1, 2, 0});
     CHECK(from_zero.id(0) == 0);
@@ -120,7 +128,7 @@ TEST_CASE("a configuration is checked as a whole, and atoms are named by their i
     CHECK_THAT(complaint([](Configuration& c) { c.time = infinity; }), Contains(":3: the time is not finite"));
 
     CHECK_THAT(complaint([](Configuration& c) { c.positions[1][0] = std::nan(""); }),
-               Contains(":8: atom 2 is more than"));
+               Contains(":8: atom 2 has a position that is not finite"));
     CHECK_THAT(complaint([](Configuration& c) { c.positions[0][0] = -4.1e6; }), Contains(":9: atom 1 is more than"));
     CHECK_THAT(complaint([](Configuration& c) { c.velocities[1][2] = infinity; }),
                Contains(":8: atom 2 has a velocity"));

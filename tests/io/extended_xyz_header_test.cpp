@@ -28,8 +28,13 @@ TEST_CASE("keys of an extended XYZ comment line: quoted and bare, in any case, u
         "Step=40 units=si");
     CHECK(header.edges == Vec3(4, 5, 6));
     CHECK(header.time == 2.5);
-    CHECK(header.step == 40);
+    CHECK(header.step == Index{40});
     CHECK(header.si);
+    CHECK(header.tells_units);
+    CHECK(parse(lattice + "units=reduced").tells_units);
+    CHECK_FALSE(parse(lattice).tells_units);
+    CHECK_FALSE(parse(lattice).time.has_value());
+    CHECK_FALSE(parse(lattice).step.has_value());
     CHECK_FALSE(parse(lattice + "units=reduced").si);
     CHECK_FALSE(parse(lattice).si);
     CHECK(parse(lattice + "pbc=\"True true T\"").edges == Vec3(4, 5, 6));

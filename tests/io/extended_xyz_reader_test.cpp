@@ -77,7 +77,7 @@ TEST_CASE("an extended XYZ file in SI units is converted through the substance")
     CHECK(configuration.time == Approx(2e-12 / tau).epsilon(1e-13));
     CHECK(configuration.step == 3);
     CHECK_THAT(data_error([&] { (void)read_text(text); }),
-               Catch::Contains("start.txt:2: frame 1: ") && Catch::Contains("the deck needs [argon]"));
+               Catch::Contains("start.txt:2: frame 1: ") && Catch::Contains("a deck with [argon] is needed"));
 }
 
 TEST_CASE("a configuration that ljmd wrote is read back to the last bit") {
@@ -138,4 +138,32 @@ TEST_CASE("malformed extended XYZ files are refused with line and frame") {
         CHECK_THAT(message, Catch::Contains("start.txt:" + std::to_string(wrong.line) + ": "));
         CHECK_THAT(message, Catch::Contains(wrong.fragment));
     }
+}
+
+TEST_CASE("frames of an extended XYZ file come one after the other, unwrapped where ljmd wrote them") {
+    const WrittenFile written(frame + "\n" + "2\n" + lattice + "Time=0.5 step=9 units=reduced\nX 5 0 0\nX -1 0 0\n\n");
+    ExtendedXyzTrajectory reader(written.path(), std::nullopt);
+    Frame found;
+    REQUIRE(reader.next(found));
+    CHECK(found.configuration.positions == std::vector<Vec3>{{1, 0, 0}, {2, 0, 0}});
+    CHECK_FALSE(found.has_step);
+    CHECK_FALSE(found.has_time);
+    CHECK(found.wrapping == Wrapping::not_told);
+    REQUIRE(reader.next(found));
+    CHECK(found.configuration.positions == std::vector<Vec3>{{5, 0, 0}, {-1, 0, 0}});
+    CHECK((found.has_step && found.has_time));
+    CHECK(found.configuration.step == 9);
+    CHECK(found.configuration.time == 0.5);
+    CHECK(found.wrapping == Wrapping::unwrapped);
+    CHECK_FALSE(reader.next(found));
+    CHECK(reader.frames() == 2);
+}
+
+TEST_CASE("two atoms at one place are no start, but a frame like any other") {
+    const std::string text = "2\n" + lattice + "\nX 1 0 0\nX 1 0 0\n";
+    CHECK(data_error([&] { static_cast<void>(read_text(text)); }) != "no DataError");
+    const WrittenFile written(text);
+    ExtendedXyzTrajectory reader(written.path(), std::nullopt);
+    Frame found;
+    CHECK(reader.next(found));
 }

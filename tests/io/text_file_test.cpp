@@ -111,3 +111,20 @@ TEST_CASE("messages carry the context and show what does not print") {
     CHECK(shown("a\x01\xff") == "'a\\x01\\xff'");
     CHECK(shown(std::string(41, 'a')) == "'" + std::string(40, 'a') + "...'");
 }
+
+TEST_CASE("a file that ends, or ends within a line, is cut there") {
+    const WrittenFile written("one\ntwo");
+    TextFile file(written.path());
+    REQUIRE(file.next_line());
+    CHECK_FALSE(file.is_cut());
+    REQUIRE(file.next_line());
+    CHECK(file.is_cut());
+    file.rewind();
+    CHECK_FALSE(file.is_cut());
+    written.rewrite("one\n");
+    TextFile whole(written.path());
+    REQUIRE(whole.next_line());
+    CHECK_FALSE(whole.is_cut());
+    CHECK_FALSE(whole.next_line());
+    CHECK(whole.is_cut());
+}

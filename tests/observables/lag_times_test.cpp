@@ -56,7 +56,7 @@ TEST_CASE("times that no two configurations of the run are apart are mistakes") 
     CHECK_THAT(mistake({{"max_time", 0.04}}), Catch::Contains("max_time: 'max_time' in vacf is 0.04") &&
                                                   Catch::Contains("0.05 tau apart") && Catch::Contains("10 steps"));
     CHECK_THAT(mistake({{"max_time", 10.1}}),
-               Catch::Contains("'max_time' in vacf is 10.1") && Catch::Contains("lasts 10 tau"));
+               Catch::Contains("'max_time' in vacf is 10.1") && Catch::Contains("no more than 10 tau"));
 }
 
 TEST_CASE("a window is twice the largest time long, or a stage, and has every time apart in it") {

@@ -64,6 +64,19 @@ struct SweepOptions {
     bool json = false;
 };
 
+/// What `ljmd analyze` takes.
+struct AnalyzeOptions {
+    std::string path;                     ///< directory of a run, or a trajectory
+    std::vector<std::string> names{};     ///< of analyses, and "thermo"; empty: the usual ones
+    std::string deck{};                   ///< of a trajectory; empty: none
+    std::vector<std::string> settings{};  ///< of --set
+    std::optional<double> from{};         ///< time [tau]
+    std::optional<double> time_step{};    ///< for frames without times [tau]
+    std::string out{};                    ///< directory for the tables
+    bool force = false;
+    bool json = false;
+};
+
 // Each command prints results to stdout and talk to stderr, and throws the typed errors of core/errors.hpp.
 
 /// ljmd run DECK
@@ -107,9 +120,10 @@ void reproduce_command(const ReproduceOptions& options);
 void sweep_command(const SweepOptions& options);
 
 /// ljmd analyze RUNDIR: where the sampled stages of a run have come to equilibrium, and how many independent samples
-/// are left. Nothing is written; the run may still be going on.
-/// @param json  print it as JSON
-void analyze_command(const std::string& directory, bool json);
+/// are left (thermo). Nothing is written; the run may still be going on.
+/// ljmd analyze RUNDIR|TRAJECTORY rdf msd ...: what [analysis] of a deck asks for during a run, measured on the frames
+/// of a trajectory. Writes the tables that a run writes.
+void analyze_command(const AnalyzeOptions& options);
 
 /// ljmd info, ljmd info RUNDIR
 /// @param directory  of a run to tell of; empty: tell of the program

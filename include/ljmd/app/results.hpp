@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,22 @@ namespace ljmd {
 /// Whether the table that a run ends with has a line for an observable; components of the pressure tensor and the
 /// virial are in results.json only.
 [[nodiscard]] bool is_in_table(const std::string& observable);
+
+/// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, and si
+/// for a substance.
+[[nodiscard]] nlohmann::ordered_json observables_json(const std::vector<ObservableAverage>& averages,
+                                                      const std::optional<SubstanceUnits>& units);
+
+/// A header and one line an observable.
+[[nodiscard]] std::string observables_table(const std::vector<ObservableAverage>& averages,
+                                            const std::optional<SubstanceUnits>& units);
+
+/// The line below such a table that tells what its samples are.
+[[nodiscard]] std::string samples_footnote();
+
+/// The names of observables in the table whose error bars are guesses, "pressure, diffusion"; "all observables" where
+/// no error bar can be relied upon.
+[[nodiscard]] std::string unsure_of(const std::vector<ObservableAverage>& averages);
 
 /// The table that a run ends with: one line an observable, reduced and, for a substance, in K, bar, kJ/mol, g/cm3.
 [[nodiscard]] std::string results_table(const Deck& deck, const RunResult& result);

@@ -58,6 +58,9 @@ struct FluidPressure {
 /// The forces of a deck on a fluid.
 [[nodiscard]] PairForceField make_force_field(const Deck& deck);
 
+/// What the atoms of a deck's fluid feel of each other.
+[[nodiscard]] SampledRun::Interaction interaction_of(const Deck& deck);
+
 /// A fluid with nothing in its place yet: what a checkpoint fills.
 [[nodiscard]] Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box);
 

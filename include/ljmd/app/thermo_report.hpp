@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,11 @@ struct ThermoReport {
     std::vector<Column> columns;
 };
 
-/// @param run  of a fluid; may still be going on
+/// @param run   of a fluid; may still be going on
+/// @param from  rows before this time [tau] are left out
 /// @throws InputError  it is one of few bodies
 /// @throws DataError   its thermo.csv cannot be used, or has fewer than two rows to look at
-[[nodiscard]] ThermoReport thermo_report(const RecordedRun& run);
+[[nodiscard]] ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from = std::nullopt);
 
 /// For people: one line a column, steps and times since the first row.
 [[nodiscard]] std::string thermo_table(const ThermoReport& report);

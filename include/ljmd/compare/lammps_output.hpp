@@ -39,31 +39,6 @@ class LammpsLog {
     std::optional<double> seconds_;
 };
 
-/// The frames of a dump with the id and one vector for each atom, sorted by id.
-class LammpsDump {
-  public:
-    /// @param columns  "id xu yu zu"
-    LammpsDump(const std::filesystem::path& path, Index atoms, std::string columns)
-        : file_(path), atoms_(atoms), columns_(std::move(columns)) {}
-
-    /// Go to the next frame. @throws DataError also when there is none
-    void next_frame();
-
-    [[nodiscard]] Index step() const { return step_; }
-    [[nodiscard]] const std::vector<Vec3>& vectors() const { return vectors_; }
-
-  private:
-    void next_line();
-    void expect(std::string_view line);
-
-    TextFile file_;
-    Index atoms_;
-    std::string columns_;
-    Index step_ = -1;
-    std::vector<Vec3> vectors_;
-    std::vector<std::string_view> fields_;
-};
-
 /// What `lmp -h` says of itself.
 struct LammpsVersion {
     std::string version;  ///< "29 Sep 2021 - Update 2"

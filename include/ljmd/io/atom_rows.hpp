@@ -11,8 +11,9 @@ namespace ljmd {
 /// What the readers of all formats do alike with a block of lines that holds one atom each.
 
 /// The number of atoms that the current line announces.
-/// @throws DataError unless it is an integer of at least 1 for which the file has room
-[[nodiscard]] Index read_atom_count(TextFile& file, std::string_view field);
+/// @param wanted  how many there must be; 0: any number
+/// @throws DataError unless it is an integer of at least 1, that number, for which the file has room
+[[nodiscard]] Index read_atom_count(TextFile& file, std::string_view field, Index wanted = 0);
 
 /// For how many of `count` atoms to reserve memory: no more than the rest of the file can hold.
 [[nodiscard]] std::size_t expected_atoms(const TextFile& file, Index count);
@@ -42,21 +43,23 @@ struct AtomOrder {
 /// @throws DataError with its line for a negative, repeated or too large id; a gap shows as one of these
 [[nodiscard]] AtomOrder order_by_id(const TextFile& file, const std::vector<Index>& ids, Index first_line);
 
-/// Values as read, line by line, in the order of the atoms.
+/// Values as read, row by row, in the order of the atoms: atom k is that of rows[k].
 template <class T>
-[[nodiscard]] std::vector<T> arranged(const std::vector<T>& values, const AtomOrder& order) {
+[[nodiscard]] std::vector<T> arranged(const std::vector<T>& values, const std::vector<Index>& rows) {
     std::vector<T> sorted;
     if (values.empty()) return sorted;
-    sorted.reserve(order.rows.size());
-    for (const Index row : order.rows) sorted.push_back(values[static_cast<std::size_t>(row)]);
+    sorted.reserve(rows.size());
+    for (const Index row : rows) sorted.push_back(values[static_cast<std::size_t>(row)]);
     return sorted;
 }
 
-/// Checks on a whole configuration in reduced units, O(N log N): a box that can be computed with, all numbers finite,
-/// masses positive, no atom more than 10^6 edges away (its place in the box would be lost to rounding), no two atoms
-/// at the same place modulo the box.
+/// Refuse what find_fault() finds in a configuration in reduced units, O(N).
 /// @param header_line  where the box stands
-/// @throws DataError that names the atoms by their ids
+/// @throws DataError that names the atom by its id
+void check_frame(const TextFile& file, const Configuration& configuration, const AtomOrder& order, Index header_line);
+
+/// The same for a configuration that a run can start from, O(N log N): no two atoms are at the same place modulo the
+/// box, either.
 void check_configuration(const TextFile& file, const Configuration& configuration, const AtomOrder& order,
                          Index header_line);
 

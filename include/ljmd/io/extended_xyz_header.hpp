@@ -23,9 +23,10 @@ struct ExtendedXyzColumns {
 struct ExtendedXyzHeader {
     Vec3 edges = Vec3::Zero();
     ExtendedXyzColumns columns;
-    double time = 0.0;
-    Index step = 0;
-    bool si = false;  ///< units=si: angstrom, angstrom/ps, ps, u; else reduced units
+    std::optional<double> time;
+    std::optional<Index> step;
+    bool si = false;           ///< units=si: angstrom, angstrom/ps, ps, u; else reduced units
+    bool tells_units = false;  ///< as the files of ljmd do, and no others
 };
 
 /// Parse a comment line: key=value pairs, values bare or in double quotes, keys in any case, unknown keys skipped.

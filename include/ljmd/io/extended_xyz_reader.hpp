@@ -4,6 +4,7 @@
 
 #include "ljmd/core/units.hpp"
 #include "ljmd/io/text_file.hpp"
+#include "ljmd/io/trajectory_reader.hpp"
 #include "ljmd/model/configuration.hpp"
 
 namespace ljmd {
@@ -22,5 +23,22 @@ namespace ljmd {
 /// @param units  of the substance; needed for SI files
 /// @throws DataError with file, line and frame
 [[nodiscard]] Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units);
+
+/// All frames of such a file, one after the other. Those that say units=, as ljmd's do, have unwrapped positions; of
+/// others that is not told. A last line without its end belongs to a frame that was cut off.
+class ExtendedXyzTrajectory : public TrajectoryReader {
+  public:
+    /// @param units  of the substance; needed for SI files
+    ExtendedXyzTrajectory(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units)
+        : file_(path), units_(units) {}
+
+  private:
+    bool read(Frame& frame) override;
+    [[nodiscard]] bool is_cut() const override { return file_.is_cut(); }
+    [[noreturn]] void fail(const std::string& message) const override { file_.fail(message); }
+
+    TextFile file_;
+    std::optional<SubstanceUnits> units_;
+};
 
 }  // namespace ljmd

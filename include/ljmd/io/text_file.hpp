@@ -26,6 +26,10 @@ class TextFile {
     /// @throws DataError when the line is too long or the file cannot be read
     bool next_line();
 
+    /// Whether the file has ended: behind its last line, or in it where that has no end, as when a program was killed
+    /// while it wrote.
+    [[nodiscard]] bool is_cut() const { return stream_.eof(); }
+
     /// Back to the start: the next line is line 1.
     void rewind();
 

@@ -70,12 +70,21 @@ class Analysis {
     virtual void archive(Archive& a) = 0;
 };
 
+/// What an analysis cannot do without, beside positions in a box: what a trajectory or a run of another kind may lack.
+struct AnalysisNeeds {
+    bool velocities = false;
+    bool unwrapped_positions = false;
+    bool interaction = false;  ///< SampledRun::interaction, and what follows from it
+    bool fixed_box = true;     ///< it is made for SampledRun::box; else that of each configuration counts
+};
+
 /// A kind of analysis that [analysis] can ask for. One file in src/observables/analyses each.
 struct AnalysisMethod {
     std::string name;  ///< the key in [analysis]
     std::string meaning;
     std::vector<std::string> files;  ///< names of its tables
     bool follows_time;               ///< it compares configurations at different times
+    AnalysisNeeds needs = {};
     std::vector<Key> keys;
     /// Reasons why the values in the section do not fit the run: (key, message). Empty when all is well.
     std::function<std::vector<std::pair<std::string, std::string>>(const Section&, const SampledRun&)> check;

@@ -51,6 +51,7 @@ AnalysisMethod msd() {
             .meaning = "mean-square displacement and diffusion by Einstein's relation, written to msd.csv",
             .files = {"msd"},
             .follows_time = true,
+            .needs = {.unwrapped_positions = true},
             .keys = keys,
             .check = mistakes,
             .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {

@@ -24,6 +24,7 @@ AnalysisMethod rdf() {
                 "it, to sk_from_rdf.csv",
             .files = {"rdf", "sk_from_rdf"},
             .follows_time = false,
+            .needs = {.fixed_box = false},
             .keys = {Key::integer("bins")
                          .at_least(1)
                          .at_most(100000)

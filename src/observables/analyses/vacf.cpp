@@ -16,6 +16,7 @@ AnalysisMethod vacf() {
                 "vacf.csv and vibrational_spectrum.csv",
             .files = {"vacf", "vibrational_spectrum"},
             .follows_time = true,
+            .needs = {.velocities = true},
             .keys = lag_keys(usual),
             .check = [](const Section& section,
                         const SampledRun& run) { return lag_mistakes(section, run, usual, "vacf"); },

@@ -16,6 +16,7 @@ AnalysisMethod viscosity() {
                 "stress_autocorrelation.csv",
             .files = {"stress_autocorrelation"},
             .follows_time = true,
+            .needs = {.velocities = true, .interaction = true},
             .keys = lag_keys(usual),
             .check = [](const Section& section,
                         const SampledRun& run) { return lag_mistakes(section, run, usual, "viscosity"); },

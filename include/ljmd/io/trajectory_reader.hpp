@@ -1,0 +1,84 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ljmd/core/units.hpp"
+#include "ljmd/model/configuration.hpp"
+
+namespace ljmd {
+
+/// What the file tells of an atom that leaves the box.
+enum class Wrapping {
+    unwrapped,  ///< its position goes on, or image flags that were applied say where it is
+    wrapped,    ///< it comes in again on the other side
+    not_told,
+};
+
+/// One frame of a trajectory. Its positions may lie anywhere, but for Wrapping::wrapped near the box.
+struct Frame {
+    Configuration configuration;  ///< step and time are 0 where the file has none
+    bool has_step = false;
+    bool has_time = false;
+    Wrapping wrapping = Wrapping::not_told;
+};
+
+/// Reads the frames of a trajectory one after the other. A frame is in memory at a time.
+class TrajectoryReader {
+  public:
+    virtual ~TrajectoryReader() = default;
+
+    /// Read the next frame.
+    /// @return false behind the last whole one; `frame` is then of no use
+    /// @throws DataError with file, frame (and line of a text file) for whatever is damaged: a number that is none or
+    /// not finite, a box that is tilted or not periodic, another number of atoms or other contents than in the first
+    /// frame, more than one kind of atom; also for a file that ends within its first frame
+    bool next(Frame& frame);
+
+    /// Whole frames that were read.
+    [[nodiscard]] Index frames() const { return frames_; }
+
+    /// What is to be told of the file: that it ends within a frame, or was not closed. Known at its end; empty if all
+    /// is well.
+    [[nodiscard]] const std::string& warning() const { return warning_; }
+
+  protected:
+    TrajectoryReader() = default;
+    TrajectoryReader(const TrajectoryReader&) = default;
+    TrajectoryReader& operator=(const TrajectoryReader&) = default;
+
+    /// @return false when there is no other frame  @throws DataError
+    virtual bool read(Frame& frame) = 0;
+
+    /// Whether what was read last is where the file was cut off.
+    [[nodiscard]] virtual bool is_cut() const { return false; }
+
+    /// That a frame has other contents than the first one. @throws DataError always
+    [[noreturn]] virtual void fail(const std::string& message) const = 0;
+
+    /// Atoms in the first frame; 0 while it is read.
+    [[nodiscard]] Index atoms() const { return atoms_; }
+
+    void warn(std::string text) { warning_ = std::move(text); }
+
+  private:
+    Index frames_ = 0;
+    Index atoms_ = 0;
+    bool has_velocities_ = false;
+    std::string warning_;
+};
+
+/// Open a trajectory of any supported format; the format is recognised by content, not by name:
+///
+/// - H5MD: an HDF5 file, see h5md_reader.hpp;
+/// - LAMMPS dump: the first line begins with "ITEM:", see lammps_dump.hpp;
+/// - extended XYZ: the first line is one number, see extended_xyz_reader.hpp.
+///
+/// @param units  of the substance, for files in SI units; empty: they are refused
+/// @throws DataError when the file is missing, not a regular file, or of unknown format
+[[nodiscard]] std::unique_ptr<TrajectoryReader> open_trajectory(const std::filesystem::path& path,
+                                                                const std::optional<SubstanceUnits>& units);
+
+}  // namespace ljmd

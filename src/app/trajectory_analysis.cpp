@@ -1,0 +1,176 @@
+#include "ljmd/app/trajectory_analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/app/results.hpp"
+#include "ljmd/app/simulation.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/frame_unwrapper.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// One pass over a trajectory.
+class Pass {
+  public:
+    Pass(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses)
+        : trajectory_(trajectory), analyses_(analyses) {}
+
+    void run() {
+        const auto reader = open_trajectory(trajectory_.path, trajectory_.units());
+        const auto frames = static_cast<std::size_t>(trajectory_.summary.frames);
+        Frame frame;
+        for (std::size_t k = 0; k < frames; ++k) {
+            if (!reader->next(frame) || std::ssize(frame.configuration.positions) != trajectory_.summary.atoms) {
+                throw DataError(fmt::format("{} has changed while it was read", trajectory_.path.string()));
+            }
+            take(k, std::move(frame.configuration));
+        }
+    }
+
+    /// Whether positions are followed through the walls from frame to frame.
+    [[nodiscard]] bool unwraps() const {
+        return trajectory_.summary.wrapped && std::ranges::any_of(analyses_, [](const FrameAnalysis& each) {
+                   return each.method.needs.unwrapped_positions;
+               });
+    }
+
+  private:
+    void take(std::size_t k, Configuration configuration) {
+        if (!trajectory_.summary.box_changes) {
+            configuration.edges = trajectory_.summary.edges;
+        }
+        if (unwraps()) {
+            unwrapper_.unwrap(configuration);
+        }
+        const std::optional<std::size_t> part = trajectory_.selection.parts[k];
+        if (!part) {
+            return;
+        }
+        if (part != part_) {
+            for (const FrameAnalysis& each : analyses_) {
+                each.analysis->interrupt();
+            }
+            part_ = part;
+        }
+        const Index number = trajectory_.selection.numbers[k];
+        const auto is_due = [&](const FrameAnalysis& each) { return each.analysis->due(number); };
+        if (std::ranges::any_of(analyses_, is_due)) {
+            sample(number, k, configuration);
+        }
+    }
+
+    void sample(Index number, std::size_t k, const Configuration& configuration) {
+        State state(trajectory_.summary.atoms, Box(configuration.edges));
+        place_configuration(state, configuration);
+        state.time = configuration.time;
+        state.step = configuration.step;  // random numbers go by it
+        Evaluation evaluation;
+        if (std::ranges::any_of(analyses_, [&](const FrameAnalysis& each) {
+                return each.analysis->due(number) && each.analysis->needs_energy();
+            })) {
+            evaluation = evaluate(state, k);
+        }
+        for (const FrameAnalysis& each : analyses_) {
+            if (each.analysis->due(number)) {
+                each.analysis->sample(state, evaluation);
+            }
+        }
+    }
+
+    /// By a force field of its own for each frame: a list of neighbours does not last from one to the next.
+    [[nodiscard]] Evaluation evaluate(State& state, std::size_t k) const {
+        const Evaluation evaluation = make_force_field(*trajectory_.deck).evaluate(state, Request::forces_and_energy);
+        if (!std::isfinite(evaluation.potential_energy)) {
+            throw DataError(fmt::format("{}: frame {}: atoms overlap, the forces between them are not finite",
+                                        trajectory_.path.string(), k + 1));
+        }
+        return evaluation;
+    }
+
+    const AnalyzedTrajectory& trajectory_;
+    const std::vector<FrameAnalysis>& analyses_;
+    FrameUnwrapper unwrapper_;
+    std::optional<std::size_t> part_;  ///< of the last frame
+};
+
+std::string si_box(const Vec3& edges, const std::optional<SubstanceUnits>& units) {
+    if (!units) {
+        return "";
+    }
+    const Vec3 nm = units->nanometre() * edges;
+    return fmt::format(" ({:.6g} x {:.6g} x {:.6g} nm^3)", nm[0], nm[1], nm[2]);
+}
+
+}  // namespace
+
+TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses) {
+    Pass pass(trajectory, analyses);
+    pass.run();
+    TrajectoryResult result;
+    if (!trajectory.summary.warning.empty()) {
+        result.warnings.push_back(trajectory.summary.warning);
+    }
+    if (pass.unwraps()) {
+        result.warnings.emplace_back(
+            "the file does not hold unwrapped positions: atoms were followed from frame to frame by their nearest "
+            "images, which is wrong where one moves by half an edge of the box");
+    }
+    for (const auto& [method, analysis] : analyses) {
+        std::vector<DataTable> tables = analysis->tables();
+        std::vector<ObservableAverage> averages = analysis->observables();
+        if (tables.empty() && averages.empty()) {
+            result.warnings.push_back(
+                fmt::format("{} has found nothing: {} frames are too few for it", method.name, analysis->samples()));
+        }
+        std::ranges::move(tables, std::back_inserter(result.tables));
+        std::ranges::move(averages, std::back_inserter(result.averages));
+    }
+    if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
+        result.warnings.push_back(
+            fmt::format("the trajectory is too short for the error bars of {}: they are guesses", unsure));
+    }
+    return result;
+}
+
+std::string trajectory_table(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
+    const TrajectorySummary& summary = trajectory.summary;
+    const Vec3& edges = summary.edges;
+    std::string text = fmt::format("{}\n{} frames of {} atoms, box {:.6g} x {:.6g} x {:.6g} sigma^3{}{}\n{} measured",
+                                   trajectory.path.string(), summary.frames, summary.atoms, edges[0], edges[1],
+                                   edges[2], si_box(edges, trajectory.units()), summary.box_changes ? " at first" : "",
+                                   trajectory.selection.used);
+    if (trajectory.selection.spacing) {
+        text += fmt::format(", {:.6g} tau apart", *trajectory.selection.spacing);
+    }
+    text += "\n\n";
+    if (!result.averages.empty()) {
+        text += observables_table(result.averages, trajectory.units());
+        text += samples_footnote();
+    }
+    return text;
+}
+
+std::string trajectory_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
+    const TrajectorySummary& summary = trajectory.summary;
+    const auto& spacing = trajectory.selection.spacing;
+    const nlohmann::ordered_json json = {
+        {"trajectory", trajectory.path.string()},
+        {"atoms", summary.atoms},
+        {"box_edges", {summary.edges[0], summary.edges[1], summary.edges[2]}},
+        {"frames", summary.frames},
+        {"frames_used", trajectory.selection.used},
+        {"spacing", spacing ? nlohmann::ordered_json(*spacing) : nlohmann::ordered_json(nullptr)},
+        {"observables", observables_json(result.averages, trajectory.units())},
+        {"warnings", result.warnings}};
+    // A path need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ljmd

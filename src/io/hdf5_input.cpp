@@ -1,0 +1,255 @@
+#include "hdf5_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <type_traits>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// What compression can make of a byte, at most: 1032 with deflate.
+constexpr double largest_compression = 1100.0;
+constexpr int most_axes = 8;
+/// Of what is written at the same time. HDF5 waits twice as long before each: milliseconds in all, and not for ever
+/// where a file is damaged.
+constexpr unsigned read_attempts = 20;
+constexpr Index most_attribute_numbers = 64;
+
+template <class T>
+hid_t native_type() {
+    return std::is_same_v<T, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
+}
+
+double product(const std::vector<Index>& extent) {
+    return std::accumulate(extent.begin(), extent.end(), 1.0,
+                           [](double sum, Index n) { return sum * static_cast<double>(n); });
+}
+
+bool holds_numbers(hid_t type) {
+    const H5T_class_t kind = H5Tget_class(type);
+    return kind == H5T_FLOAT || kind == H5T_INTEGER;
+}
+
+}  // namespace
+
+bool is_hdf5(const std::filesystem::path& path) {
+    const Hdf5Silence silence;
+    return H5Fis_hdf5(path.c_str()) > 0;
+}
+
+Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {
+    const Hdf5Silence silence;
+    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    if (file_) {
+        return;
+    }
+    const std::string cause = hdf5_error_text();
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    checked(H5Pset_metadata_read_attempts(access.get(), read_attempts), "opening it");
+    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()), H5Fclose);
+    was_closed_ = false;
+    if (!file_) {
+        fail(fmt::format("HDF5 cannot open it: {}", cause));
+    }
+}
+
+void Hdf5Input::fail(const std::string& message) const {
+    throw DataError(fmt::format("{}: {}", name_, message));
+}
+
+hid_t Hdf5Input::checked(hid_t id, const std::string& doing) const {
+    if (id < 0) {
+        fail(fmt::format("{}: {}", doing, hdf5_error_text()));
+    }
+    return id;
+}
+
+bool Hdf5Input::exists(const std::string& object) const {
+    const Hdf5Silence silence;
+    for (std::size_t end = object.find('/'); true; end = object.find('/', end + 1)) {
+        if (H5Lexists(file_.get(), object.substr(0, end).c_str(), H5P_DEFAULT) <= 0) {
+            return false;
+        }
+        if (end == std::string::npos) {
+            return true;
+        }
+    }
+}
+
+Hdf5Handle Hdf5Input::open(const std::string& object) const {
+    return {checked(H5Oopen(file_.get(), object.c_str(), H5P_DEFAULT), "opening " + object), H5Oclose};
+}
+
+hid_t Hdf5Input::open_dataset(const std::string& dataset) const {
+    const auto known = datasets_.find(dataset);
+    if (known != datasets_.end()) {
+        return known->second.get();
+    }
+    Hdf5Handle handle = open(dataset);
+    if (H5Iget_type(handle.get()) != H5I_DATASET) {
+        fail(fmt::format("{} is no dataset", dataset));
+    }
+    require_stored(handle.get(), dataset);
+    return datasets_.emplace(dataset, std::move(handle)).first->second.get();
+}
+
+bool Hdf5Input::is_dataset(const std::string& object) const {
+    const Hdf5Silence silence;
+    return exists(object) && H5Iget_type(open(object).get()) == H5I_DATASET;
+}
+
+std::vector<std::string> Hdf5Input::members(const std::string& group) const {
+    const Hdf5Silence silence;
+    const Hdf5Handle handle = open(group);
+    std::vector<std::string> names;
+    const auto note = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
+        static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+        return 0;
+    };
+    checked(H5Literate(handle.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, note, &names), "looking into " + group);
+    return names;
+}
+
+std::vector<Index> Hdf5Input::extent_of(hid_t space, const std::string& what) const {
+    const auto axes = static_cast<int>(checked(H5Sget_simple_extent_ndims(space), "asking for the extent of " + what));
+    if (axes > most_axes || H5Sget_simple_extent_type(space) == H5S_NULL) {
+        fail(fmt::format("{} is no array of numbers", what));
+    }
+    std::vector<hsize_t> lengths(static_cast<std::size_t>(axes));
+    checked(H5Sget_simple_extent_dims(space, lengths.data(), nullptr), "asking for the extent of " + what);
+    return {lengths.begin(), lengths.end()};
+}
+
+std::vector<Index> Hdf5Input::extent(const std::string& dataset) const {
+    const Hdf5Silence silence;
+    const Hdf5Handle space(checked(H5Dget_space(open_dataset(dataset)), "reading " + dataset), H5Sclose);
+    return extent_of(space.get(), dataset);
+}
+
+/// An extent that nothing stands behind must not be believed.
+void Hdf5Input::require_stored(hid_t dataset, const std::string& name) const {
+    const Hdf5Handle type(checked(H5Dget_type(dataset), "reading " + name), H5Tclose);
+    const Hdf5Handle space(checked(H5Dget_space(dataset), "reading " + name), H5Sclose);
+    if (!holds_numbers(type.get())) {
+        fail(fmt::format("{} holds no numbers", name));
+    }
+    const double claimed = product(extent_of(space.get(), name)) * static_cast<double>(H5Tget_size(type.get()));
+    if (claimed > largest_compression * static_cast<double>(H5Dget_storage_size(dataset))) {
+        fail(fmt::format("{} is larger than what is stored of it", name));
+    }
+}
+
+template <class T>
+std::vector<T> Hdf5Input::read(const std::string& dataset, std::optional<Index> entry) const {
+    const Hdf5Silence silence;
+    const std::string doing = "reading " + dataset;
+    const hid_t source = open_dataset(dataset);
+    const Hdf5Handle space(checked(H5Dget_space(source), doing), H5Sclose);
+    std::vector<Index> wanted = extent_of(space.get(), dataset);
+    if (entry) {
+        if (wanted.empty() || *entry >= wanted[0]) {
+            fail(fmt::format("{} has no entry {}", dataset, *entry));
+        }
+        wanted[0] = 1;
+        std::vector<hsize_t> start(wanted.size());
+        start[0] = static_cast<hsize_t>(*entry);
+        const std::vector<hsize_t> count(wanted.begin(), wanted.end());
+        checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), doing);
+    }
+    std::vector<T> values(static_cast<std::size_t>(product(wanted)));
+    const hsize_t length = values.size();
+    const Hdf5Handle memory(checked(H5Screate_simple(1, &length, nullptr), doing), H5Sclose);
+    const hid_t file_space = entry ? space.get() : H5S_ALL;
+    const hid_t memory_space = entry ? memory.get() : H5S_ALL;
+    checked(H5Dread(source, native_type<T>(), memory_space, file_space, H5P_DEFAULT, values.data()), doing);
+    return values;
+}
+
+std::vector<double> Hdf5Input::numbers(const std::string& dataset) const {
+    return read<double>(dataset, std::nullopt);
+}
+
+std::vector<double> Hdf5Input::numbers_at(const std::string& dataset, Index entry) const {
+    return read<double>(dataset, entry);
+}
+
+std::vector<std::int64_t> Hdf5Input::integers(const std::string& dataset) const {
+    return read<std::int64_t>(dataset, std::nullopt);
+}
+
+std::vector<std::int64_t> Hdf5Input::integers_at(const std::string& dataset, Index entry) const {
+    return read<std::int64_t>(dataset, entry);
+}
+
+/// Empty when there is none of that name.
+Hdf5Handle Hdf5Input::open_attribute(const std::string& object, const std::string& name) const {
+    if (!exists(object)) {
+        return {};
+    }
+    const Hdf5Handle handle = open(object);
+    if (H5Aexists(handle.get(), name.c_str()) <= 0) {
+        return {};
+    }
+    return {checked(H5Aopen(handle.get(), name.c_str(), H5P_DEFAULT), fmt::format("reading {} of {}", name, object)),
+            H5Aclose};
+}
+
+std::vector<double> Hdf5Input::number_attribute(const std::string& object, const std::string& name) const {
+    const Hdf5Silence silence;
+    const std::string what = fmt::format("{} of {}", name, object);
+    const Hdf5Handle attribute = open_attribute(object, name);
+    if (!attribute) {
+        return {};
+    }
+    const Hdf5Handle type(checked(H5Aget_type(attribute.get()), "reading " + what), H5Tclose);
+    const Hdf5Handle space(checked(H5Aget_space(attribute.get()), "reading " + what), H5Sclose);
+    const double count = product(extent_of(space.get(), what));
+    if (!holds_numbers(type.get()) || count > most_attribute_numbers) {
+        fail(fmt::format("{} is not a few numbers", what));
+    }
+    std::vector<double> values(static_cast<std::size_t>(count));
+    checked(H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, values.data()), "reading " + what);
+    return values;
+}
+
+std::vector<std::string> Hdf5Input::text_attribute(const std::string& object, const std::string& name) const {
+    const Hdf5Silence silence;
+    const std::string what = fmt::format("{} of {}", name, object);
+    const Hdf5Handle attribute = open_attribute(object, name);
+    if (!attribute) {
+        return {};
+    }
+    const Hdf5Handle type(checked(H5Aget_type(attribute.get()), "reading " + what), H5Tclose);
+    const Hdf5Handle space(checked(H5Aget_space(attribute.get()), "reading " + what), H5Sclose);
+    const double count = product(extent_of(space.get(), what));
+    if (H5Tget_class(type.get()) != H5T_STRING || count > most_attribute_numbers) {
+        fail(fmt::format("{} is not a few texts", what));
+    }
+    const auto texts = static_cast<std::size_t>(count);
+    std::vector<std::string> values;
+    if (H5Tis_variable_str(type.get()) > 0) {
+        std::vector<char*> pointers(texts, nullptr);
+        checked(H5Aread(attribute.get(), type.get(), pointers.data()), "reading " + what);
+        for (const char* text : pointers) {
+            values.emplace_back(text == nullptr ? "" : text);
+        }
+        H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, pointers.data());
+        return values;
+    }
+    const std::size_t length = H5Tget_size(type.get());
+    std::string characters(texts * length, '\0');
+    checked(H5Aread(attribute.get(), type.get(), characters.data()), "reading " + what);
+    for (std::size_t k = 0; k < texts; ++k) {
+        const std::string text = characters.substr(k * length, length);
+        values.push_back(text.substr(0, text.find('\0')));
+    }
+    return values;
+}
+
+}  // namespace ljmd

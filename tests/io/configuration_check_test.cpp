@@ -1,0 +1,52 @@
+#include "ljmd/io/configuration_check.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+using namespace ljmd;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+Configuration two_atoms() {
+    Configuration configuration;
+    configuration.edges = Vec3(4.0, 5.0, 6.0);
+    configuration.positions = {{0.5, 1.0, 1.5}, {3.5, -9.0, 1e6}};
+    configuration.velocities = {{0.0, 0.0, 0.0}, {1.0, 2.0, 3.0}};
+    configuration.masses = {1.0, 2.0};
+    return configuration;
+}
+
+}  // namespace
+
+TEST_CASE("nothing is wrong with a good configuration") {
+    CHECK_FALSE(find_fault(two_atoms()).has_value());
+    Configuration bare = two_atoms();
+    bare.velocities.clear();
+    bare.masses.clear();
+    CHECK_FALSE(find_fault(bare).has_value());
+}
+
+TEST_CASE("what cannot be computed with is found, and in which atom") {
+    const auto fault = [](auto change) {
+        Configuration configuration = two_atoms();
+        change(configuration);
+        return find_fault(configuration).value();
+    };
+    CHECK_THAT(fault([](Configuration& c) { c.edges[1] = 0.0; }).message, Contains("must be positive"));
+    CHECK_THAT(fault([](Configuration& c) { c.edges[1] = nothing; }).message, Contains("must be positive"));
+    CHECK_THAT(fault([](Configuration& c) { c.edges[1] = 1e8; }).message, Contains("differ by more than"));
+    CHECK_THAT(fault([](Configuration& c) { c.edges *= 1e-150; }).message, Contains("the volume"));
+    CHECK_THAT(fault([](Configuration& c) { c.time = nothing; }).message, Contains("the time is not finite"));
+    const auto of_second = [&](auto change) {
+        const ConfigurationFault found = fault(change);
+        CHECK(found.atom == Index{1});
+        return found.message;
+    };
+    CHECK_THAT(of_second([](Configuration& c) { c.positions[1][2] = nothing; }), Contains("position that is not"));
+    CHECK_THAT(of_second([](Configuration& c) { c.positions[1][2] = -1e7; }), Contains("edges away"));
+    CHECK_THAT(of_second([](Configuration& c) { c.velocities[1][0] = nothing; }), Contains("velocity that is not"));
+    CHECK_THAT(of_second([](Configuration& c) { c.masses[1] = 0.0; }), Contains("has the mass 0"));
+}
