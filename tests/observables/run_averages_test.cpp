@@ -203,11 +203,13 @@ TEST_CASE("fluctuations that no heat capacity allows, and one atom, have none") 
     }
 }
 
-TEST_CASE("the error of the heat capacity is the scatter of many runs") {
-    const Index atoms = 101;  // 300 degrees of freedom
-    const double heat_capacity = 2.5;
-    // Relative variance of T at constant energy: 2/f (1 - f/(2 C)).
-    const double width = std::sqrt(2.0 / 300.0 * (1.0 - 150.0 / (101.0 * heat_capacity)));
+namespace {
+
+/// Many correlated runs with a heat capacity of 2.5: the mean that they find, and the error that they report, must be
+/// those of their scatter.
+/// @param sample_of  a normal number as a sample of the ensemble
+template <class Sample>
+void check_heat_capacity_of_many_runs(Index atoms, Ensemble ensemble, const Sample& sample_of) {
     const int runs = 200;
     double sum = 0.0;
     double squares = 0.0;
@@ -215,13 +217,11 @@ TEST_CASE("the error of the heat capacity is the scatter of many runs") {
     for (int k = 0; k < runs; ++k) {
         std::mt19937_64 generator(static_cast<std::uint64_t>(k));
         std::normal_distribution<double> normal;
-        RunAverages run(atoms, Ensemble::constant_energy);
+        RunAverages run(atoms, ensemble);
         double memory = normal(generator);
         for (int n = 0; n < 2048; ++n) {
             memory = 0.8 * memory + 0.6 * normal(generator);
-            Thermodynamics sample;
-            sample.temperature = 0.7 * (1.0 + width * memory);
-            run.add(sample);
+            run.add(sample_of(memory));
         }
         const Estimate c = *find(run.averages(), "heat_capacity_cv").estimate;
         sum += c.mean;
@@ -230,8 +230,28 @@ TEST_CASE("the error of the heat capacity is the scatter of many runs") {
     }
     const double mean = sum / runs;
     const double scatter = std::sqrt(squares / runs - mean * mean);
-    CHECK(std::abs(mean - heat_capacity) < 0.05);
+    CHECK(std::abs(mean - 2.5) < 0.05);
     CHECK(std::sqrt(reported / runs) / scatter == Approx(1.0).margin(0.2));
+}
+
+}  // namespace
+
+TEST_CASE("the error of the heat capacity is the scatter of many runs") {
+    // 300 degrees of freedom; relative variance of T at constant energy: 2/f (1 - f/(2 C)).
+    const double width = std::sqrt(2.0 / 300.0 * (1.0 - 150.0 / (101.0 * 2.5)));
+    check_heat_capacity_of_many_runs(101, Ensemble::constant_energy, [&](double normal) {
+        Thermodynamics sample;
+        sample.temperature = 0.7 * (1.0 + width * normal);
+        return sample;
+    });
+    // Variance of e in the canonical ensemble: c T^2/N.
+    const double energy_width = std::sqrt(2.5 * 0.49 / 100.0);
+    check_heat_capacity_of_many_runs(100, Ensemble::canonical, [&](double normal) {
+        Thermodynamics sample;
+        sample.temperature = 0.7;
+        sample.total_energy = -3.0 + energy_width * normal;
+        return sample;
+    });
 }
 
 TEST_CASE("the heat capacity in the canonical ensemble is that of the fluctuations of the energy") {
@@ -243,37 +263,6 @@ TEST_CASE("the heat capacity in the canonical ensemble is that of the fluctuatio
         run.add(sample);
     }
     CHECK(find(run.averages(), "heat_capacity_cv").estimate->mean == Approx(50.0 * 0.005 / 0.25).epsilon(1e-12));
-}
-
-TEST_CASE("the error of that heat capacity is the scatter of many runs, too") {
-    const Index atoms = 100;
-    const double heat_capacity = 2.5;
-    const double width = std::sqrt(heat_capacity * 0.49 / 100.0);
-    const int runs = 200;
-    double sum = 0.0;
-    double squares = 0.0;
-    double reported = 0.0;
-    for (int k = 0; k < runs; ++k) {
-        std::mt19937_64 generator(static_cast<std::uint64_t>(k));
-        std::normal_distribution<double> normal;
-        RunAverages run(atoms, Ensemble::canonical);
-        double memory = normal(generator);
-        for (int n = 0; n < 2048; ++n) {
-            memory = 0.8 * memory + 0.6 * normal(generator);
-            Thermodynamics sample;
-            sample.temperature = 0.7;
-            sample.total_energy = -3.0 + width * memory;
-            run.add(sample);
-        }
-        const Estimate c = *find(run.averages(), "heat_capacity_cv").estimate;
-        sum += c.mean;
-        squares += c.mean * c.mean;
-        reported += c.standard_error * c.standard_error;
-    }
-    const double mean = sum / runs;
-    const double scatter = std::sqrt(squares / runs - mean * mean);
-    CHECK(std::abs(mean - heat_capacity) < 0.05);
-    CHECK(std::sqrt(reported / runs) / scatter == Approx(1.0).margin(0.2));
 }
 
 TEST_CASE("a density that fluctuates is an observable, and the compressibility factor is that of its mean") {

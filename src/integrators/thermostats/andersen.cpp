@@ -2,6 +2,7 @@
 
 #include "ljmd/core/random.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "relaxation_time.hpp"
 #include "velocity_changes.hpp"
 
 namespace ljmd {
@@ -43,12 +44,7 @@ ThermostatMethod andersen() {
             .canonical = true,
             .conserves_momentum = false,
             .every_step = true,
-            .keys = {Key::number("time")
-                         .dimension(Dimension::time)
-                         .unit("tau")
-                         .above(0.0)
-                         .defaults_to(1.0)
-                         .meaning("tau_T: mean time between two collisions of an atom")},
+            .keys = {relaxation_time(1.0, "mean time between two collisions of an atom")},
             .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
                 return std::make_unique<Andersen>(section.number("time"), bath);
             }};

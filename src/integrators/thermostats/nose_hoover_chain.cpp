@@ -2,6 +2,7 @@
 
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "relaxation_time.hpp"
 #include "velocity_changes.hpp"
 
 namespace ljmd {
@@ -112,12 +113,7 @@ ThermostatMethod nose_hoover_chain() {
             .canonical = true,
             .conserves_momentum = true,
             .every_step = true,
-            .keys = {Key::number("time")
-                         .dimension(Dimension::time)
-                         .unit("tau")
-                         .above(0.0)
-                         .defaults_to(0.5)
-                         .meaning("tau_T: the temperature oscillates about its mean in some of it"),
+            .keys = {relaxation_time(0.5, "the temperature oscillates about its mean in some of it"),
                      Key::integer("length")
                          .at_least(1)
                          .at_most(100)

@@ -4,6 +4,7 @@
 #include "ljmd/core/random.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "relaxation_time.hpp"
 #include "velocity_changes.hpp"
 
 namespace ljmd {
@@ -57,12 +58,7 @@ ThermostatMethod stochastic_rescaling() {
             .canonical = true,
             .conserves_momentum = true,
             .every_step = true,
-            .keys = {Key::number("time")
-                         .dimension(Dimension::time)
-                         .unit("tau")
-                         .above(0.0)
-                         .defaults_to(0.5)
-                         .meaning("tau_T: the kinetic energy is forgotten after it")},
+            .keys = {relaxation_time(0.5, "the kinetic energy is forgotten after it")},
             .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
                 return std::make_unique<StochasticRescaling>(section.number("time"), bath);
             }};
