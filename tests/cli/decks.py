@@ -81,7 +81,8 @@ def run(deck):
         for name, values in found["observables"].items():
             t.check(isinstance(values["mean"], float) and math.isfinite(values["mean"]), f"{name}: {values}")
         for name, column in t.columns("out/thermo.csv").items():
-            t.check(all(map(math.isfinite, column)), f"{name} in thermo.csv")
+            known = [x for x in column if x is not None or name != "conserved_energy"]  # none under a barostat
+            t.check(known and all(map(math.isfinite, known)), f"{name} in thermo.csv")
         if "rdf = " in text:
             t.check(all(map(math.isfinite, t.columns("out/rdf.csv")["g"])), "g in rdf.csv")
         for table in re.findall(r"^(orbit|oscillation) = ", text, flags=re.M):

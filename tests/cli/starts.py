@@ -195,7 +195,7 @@ def cases():
         bad_start("start without a box", XYZ.format(count=2, atoms=good).replace('Lattice="6 0 0 0 6 0 0 0 6" ', "")),
         bad_start("start with 10^12 atoms", XYZ.format(count=10**12, atoms=good)),
         bad_start("start without velocities or temperature", XYZ.format(count=2, atoms=good),
-                  PAIR.replace("temperature = 1.0\n", "")),
+                  PAIR.replace("temperature = 1.0\n", "").replace("thermostat =", "temperature = 1.0\nthermostat =")),
         bad_start("velocities of a file that has none", XYZ.format(count=2, atoms=good),
                   PAIR.replace("temperature = 1.0\n", 'temperature = 1.0\nvelocities = "file"\n')),
     ]

@@ -86,7 +86,7 @@ def main() -> int:
             # In a vapour atoms become pairs, and pairs atoms, when a third one is there: seldom, unless a bath is everywhere.
             found = observables(folder, cells=5, cutoff=3.0, seed=3, temperature=temperature, density=density,
                                 thermostat="stochastic-rescaling" if liquid else "langevin",
-                                equilibration=10000 if liquid else 100000, steps=100000 if liquid else 600000)
+                                equilibration=10000 if liquid else 40000, steps=100000 if liquid else 250000)
             state = f"(T {temperature}, rho {density})"
             energy, energy_error = found["potential_energy"]
             both = math.hypot(energy_error, float(known["U_standard_deviation"]))
