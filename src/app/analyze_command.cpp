@@ -87,17 +87,20 @@ std::vector<std::string> output_files(const std::vector<FrameAnalysis>& analyses
 /// Analyze a trajectory and write the tables.
 /// @param is_run  the deck is that of the run that the trajectory is of
 /// @return what is to be printed
-std::string analyze(const fs::path& path, const Deck* deck, bool is_run, std::vector<std::string> names,
+std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
                     const AnalyzeOptions& options, const fs::path& directory) {
     set_thread_count(default_thread_count());
-    AnalyzedTrajectory trajectory{path, deck, {}, {}};
+    AnalyzedTrajectory trajectory{path, deck, {}, {}, wanted.thermo && !is_run};  // a run has its thermo.csv
     trajectory.summary = summarize(path, trajectory.units());
     std::optional<double> time_step = options.time_step;
     if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
         time_step = sampled_run(deck->root, trajectory.summary.atoms, Box(trajectory.summary.edges)).time_step;
     }
     trajectory.selection = select_frames(trajectory.summary, time_step, is_run ? &deck->stages : nullptr, options.from);
-    if (names.empty()) {
+    std::vector<std::string> names = wanted.analyses;
+    if (trajectory.thermo) {
+        check_thermo(deck, trajectory.summary, trajectory.selection);
+    } else if (names.empty()) {
         names = usual_analyses(trajectory.summary, trajectory.selection);
     }
     const std::vector<FrameAnalysis> analyses =
@@ -122,9 +125,6 @@ std::string analyze(const fs::path& path, const Deck* deck, bool is_run, std::ve
 }
 
 void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
-    if (wanted.thermo) {
-        throw InputError(fmt::format("{} is no directory of a run, which 'thermo' is of", options.path));
-    }
     std::optional<Deck> deck;
     if (!options.deck.empty()) {
         Diagnostics diagnostics;
@@ -138,7 +138,7 @@ void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
     const fs::path path(options.path);
     const fs::path directory =
         options.out.empty() ? path.parent_path() / (path.stem().string() + "-analysis") : fs::path(options.out);
-    print_result(analyze(path, deck ? &*deck : nullptr, false, wanted.analyses, options, directory));
+    print_result(analyze(path, deck ? &*deck : nullptr, false, wanted, options, directory));
 }
 
 /// The trajectory that a run has written.
@@ -167,7 +167,7 @@ void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
         return;
     }
     const fs::path directory = options.out.empty() ? fs::path(options.path) / "analysis" : fs::path(options.out);
-    std::string text = analyze(trajectory_of(run.deck), &run.deck, true, wanted.analyses, options, directory);
+    std::string text = analyze(trajectory_of(run.deck), &run.deck, true, wanted, options, directory);
     if (report && options.json) {
         auto json = nlohmann::ordered_json::parse(text);
         json[thermo] = nlohmann::ordered_json::parse(thermo_json(*report));

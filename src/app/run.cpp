@@ -10,6 +10,7 @@
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/stability.hpp"
 #include "ljmd/app/time_loop.hpp"
 #include "ljmd/core/errors.hpp"
@@ -27,19 +28,6 @@ constexpr double crystal_left = 0.1;
 
 /// Steps between looks at the atoms' speeds; looking costs a hundredth of a step.
 constexpr Index steps_between_looks = 10;
-
-/// Samples of several stages do not fluctuate as those of one.
-Ensemble sampled_ensemble(const Deck& deck) {
-    const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
-    const auto first = std::ranges::find_if(deck.stages, sampled);
-    if (std::any_of(first, deck.stages.end(), [](const Stage& stage) { return stage.section.has("barostat"); })) {
-        return Ensemble::constant_pressure;
-    }
-    if (std::ranges::count_if(deck.stages, sampled) != 1 || !conserves_energy(*first)) {
-        return Ensemble::none;
-    }
-    return first->section.has("thermostat") ? Ensemble::canonical : Ensemble::constant_energy;
-}
 
 /// One run of a fluid: samples and writes what the time loop goes through.
 class FluidRun : private StepObserver {

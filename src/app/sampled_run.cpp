@@ -64,6 +64,18 @@ SampledRun sampled_run(const Section& root, Index atoms, const Box& box) {
     return run;
 }
 
+Ensemble sampled_ensemble(const Deck& deck) {
+    const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
+    const auto first = std::ranges::find_if(deck.stages, sampled);
+    if (std::any_of(first, deck.stages.end(), [](const Stage& stage) { return stage.section.has("barostat"); })) {
+        return Ensemble::constant_pressure;
+    }
+    if (std::ranges::count_if(deck.stages, sampled) != 1 || !conserves_energy(*first)) {
+        return Ensemble::none;
+    }
+    return first->section.has("thermostat") ? Ensemble::canonical : Ensemble::constant_energy;
+}
+
 void check_analysis(const Section& root, const SampledRun& run, Diagnostics& diagnostics) {
     const Section& analysis = root.section("analysis");
     bool any = false;

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/sampled_steps.hpp"
+#include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/data_table_csv.hpp"
@@ -27,6 +29,38 @@ Estimate blocking(const std::vector<double>& series) {
         blocks.add(Eigen::VectorXd::Constant(1, value));
     }
     return blocks.estimate(0);
+}
+
+/// The number of atoms, which thermo.csv does not have; nothing when the file that the run began from is gone.
+std::optional<Index> atoms_of(const Deck& deck) {
+    try {
+        return find_start(deck).atoms;
+    } catch (const DataError&) {
+        return std::nullopt;
+    }
+}
+
+/// From the fluctuations of temperature and energy.
+std::optional<Estimate> heat_capacity(const DataTable& table, const Deck& deck) {
+    const auto atoms = atoms_of(deck);
+    if (!atoms) {
+        return std::nullopt;
+    }
+    RunAverages averages(*atoms, sampled_ensemble(deck));
+    const std::vector<double> temperatures = column(table, "temperature");
+    const std::vector<double> energies = column(table, "total_energy");
+    for (std::size_t k = 0; k < energies.size(); ++k) {
+        Thermodynamics row;
+        row.temperature = temperatures[k];
+        row.total_energy = energies[k];
+        averages.add(row);
+    }
+    for (const ObservableAverage& average : averages.averages()) {
+        if (average.name == "heat_capacity_cv") {
+            return average.estimate;
+        }
+    }
+    return std::nullopt;
 }
 
 /// (g - 1)/2 rows as a time.
@@ -69,7 +103,8 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
                         static_cast<Index>(steps.back()),
                         (times.back() - times.front()) / static_cast<double>(rows - 1),
                         std::max(rows / most_starts, Index{1}),
-                        {}};
+                        {},
+                        heat_capacity(table, run.deck)};
     for (const char* name : reported) {
         const std::vector<double> series = column(table, name);
         report.columns.push_back(
@@ -93,6 +128,10 @@ std::string thermo_table(const ThermoReport& report) {
                             step_of_row(report, found.start), correlation_time(report, found),
                             found.independent_samples, with_error(found.mean, found.standard_error));
     }
+    if (report.heat_capacity) {
+        text += fmt::format("  heat capacity c_v of all rows, from their fluctuations: {} k_B\n",
+                            with_error(report.heat_capacity->mean, report.heat_capacity->standard_error));
+    }
     return text;
 }
 
@@ -112,9 +151,12 @@ std::string thermo_json(const ThermoReport& report) {
             {"mean_of_all", number_or_null(column.by_blocking.mean)},
             {"blocking_standard_error_of_all", number_or_null(column.by_blocking.standard_error)}};
     }
-    const Json json = {{"rows", report.rows},           {"first_step", report.first_step},
-                       {"last_step", report.last_step}, {"interval", report.interval},
-                       {"stride", report.stride},       {"observables", observables}};
+    Json json = {{"rows", report.rows},         {"first_step", report.first_step}, {"last_step", report.last_step},
+                 {"interval", report.interval}, {"stride", report.stride},         {"observables", observables}};
+    if (report.heat_capacity) {
+        json["heat_capacity_cv"] = {{"mean", number_or_null(report.heat_capacity->mean)},
+                                    {"standard_error", number_or_null(report.heat_capacity->standard_error)}};
+    }
     return json.dump(2) + "\n";
 }
 

@@ -126,6 +126,15 @@ std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory, con
     return names;
 }
 
+void check_thermo(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection) {
+    AnalysisMethod method;
+    method.needs = {.velocities = true, .interaction = true, .fixed_box = false};
+    if (const std::string reason = obstacle(method, run_of(deck, trajectory, selection), trajectory, selection);
+        !reason.empty()) {
+        throw InputError(fmt::format("thermo {}", reason));
+    }
+}
+
 void check_analysis_names(const std::vector<std::string>& names) {
     std::vector<std::string> allowed = plugin_names(all_analyses());
     allowed.emplace_back("thermo");

@@ -8,9 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/results.hpp"
+#include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/frame_unwrapper.hpp"
+#include "ljmd/observables/finite_size.hpp"
+#include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
 
@@ -20,7 +23,10 @@ namespace {
 class Pass {
   public:
     Pass(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses)
-        : trajectory_(trajectory), analyses_(analyses) {}
+        : trajectory_(trajectory),
+          analyses_(analyses),
+          averages_(trajectory.summary.atoms,
+                    trajectory.deck != nullptr ? sampled_ensemble(*trajectory.deck) : Ensemble::none) {}
 
     void run() {
         const auto reader = open_trajectory(trajectory_.path, trajectory_.units());
@@ -39,6 +45,15 @@ class Pass {
         return trajectory_.summary.wrapped && std::ranges::any_of(analyses_, [](const FrameAnalysis& each) {
                    return each.method.needs.unwrapped_positions;
                });
+    }
+
+    /// Of energies and pressures where they are wanted; of the temperature alone where there are velocities.
+    [[nodiscard]] std::vector<ObservableAverage> averages() const {
+        std::vector<ObservableAverage> found = averages_.averages();
+        std::erase_if(found, [&](const ObservableAverage& average) {
+            return !trajectory_.thermo && (average.name != "temperature" || !trajectory_.summary.has_velocities);
+        });
+        return found;
     }
 
   private:
@@ -61,7 +76,7 @@ class Pass {
         }
         const Index number = trajectory_.selection.numbers[k];
         const auto is_due = [&](const FrameAnalysis& each) { return each.analysis->due(number); };
-        if (std::ranges::any_of(analyses_, is_due)) {
+        if (trajectory_.thermo || std::ranges::any_of(analyses_, is_due)) {
             sample(number, k, configuration);
         }
     }
@@ -72,11 +87,13 @@ class Pass {
         state.time = configuration.time;
         state.step = configuration.step;  // random numbers go by it
         Evaluation evaluation;
-        if (std::ranges::any_of(analyses_, [&](const FrameAnalysis& each) {
+        if (trajectory_.thermo || std::ranges::any_of(analyses_, [&](const FrameAnalysis& each) {
                 return each.analysis->due(number) && each.analysis->needs_energy();
             })) {
             evaluation = evaluate(state, k);
         }
+        averages_.add(thermodynamics(state, evaluation,
+                                     trajectory_.thermo ? fluid_pressure(*trajectory_.deck).tail : TailCorrection()));
         for (const FrameAnalysis& each : analyses_) {
             if (each.analysis->due(number)) {
                 each.analysis->sample(state, evaluation);
@@ -96,6 +113,7 @@ class Pass {
 
     const AnalyzedTrajectory& trajectory_;
     const std::vector<FrameAnalysis>& analyses_;
+    RunAverages averages_;
     FrameUnwrapper unwrapper_;
     std::optional<std::size_t> part_;  ///< of the last frame
 };
@@ -122,6 +140,7 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
             "the file does not hold unwrapped positions: atoms were followed from frame to frame by their nearest "
             "images, which is wrong where one moves by half an edge of the box");
     }
+    result.averages = pass.averages();
     for (const auto& [method, analysis] : analyses) {
         std::vector<DataTable> tables = analysis->tables();
         std::vector<ObservableAverage> averages = analysis->observables();
@@ -131,6 +150,9 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
         }
         std::ranges::move(tables, std::back_inserter(result.tables));
         std::ranges::move(averages, std::back_inserter(result.averages));
+    }
+    if (const auto infinite = diffusion_in_infinite_system(result.averages, Box(trajectory.summary.edges))) {
+        result.averages.push_back(*infinite);
     }
     if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
         result.warnings.push_back(

@@ -115,3 +115,19 @@ TEST_CASE("what has hardly begun, or has no equilibrium, is refused") {
     const Deck deck = folder.load();
     CHECK_THROWS_AS(thermo_report(RecordedRun{deck, {}, "", 1, true}), InputError);
 }
+
+TEST_CASE("the heat capacity is that of the run, from all rows, and there is none where no fluctuation tells it") {
+    const SmallRun run;
+    const Json observables = Json::parse(content_of(run.directory() / "results.json")).at("observables");
+    const ThermoReport report = run.report();
+    const bool found = observables.contains("heat_capacity_cv");
+    REQUIRE(report.heat_capacity.has_value() == found);
+    REQUIRE(found);
+    CHECK(report.heat_capacity->mean == Approx(observables["heat_capacity_cv"]["mean"].get<double>()).epsilon(1e-9));
+    CHECK_THAT(thermo_table(report), Contains("heat capacity c_v of all rows"));
+    CHECK(Json::parse(thermo_json(report))["heat_capacity_cv"]["mean"].get<double>() == report.heat_capacity->mean);
+
+    const SmallRun several({"stage.equilibrate.sample=true"});
+    CHECK_FALSE(several.report().heat_capacity.has_value());
+    CHECK_THAT(thermo_table(several.report()), !Contains("heat capacity"));
+}

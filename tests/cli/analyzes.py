@@ -24,6 +24,9 @@ def a_run_that_has_ended(t):
     results = t.json("out/results.json")["observables"]
     for name, observable in found["observables"].items():
         t.check(abs(observable["mean_of_all"] - results[name]["mean"]) < 1e-12, f"{name}: mean of all rows")
+    for key in ("mean", "standard_error"):
+        ours, theirs = found["heat_capacity_cv"][key], results["heat_capacity_cv"][key]
+        t.check(abs(ours - theirs) < 1e-9 * theirs, f"heat capacity, {key}: {ours}, the run has {theirs}")
     t.equal({path: path.read_bytes() for path in (t.dir / "out").iterdir()}, before, "the run directory")
 
 

@@ -25,7 +25,8 @@ TRAJECTORY = ("thermo = { every = 5 }",
 LONG = ("steps = 40", "steps = 400")
 ALL = ("rdf", "structure_factor", "msd", "vacf", "viscosity", "chemical_potential")
 TABLES = ("rdf", "sk_from_rdf", "sk", "msd", "vacf", "vibrational_spectrum", "stress_autocorrelation")
-OBSERVABLES = ("coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "excess_chemical_potential")
+OBSERVABLES = ("coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "excess_chemical_potential",
+               "temperature", "diffusion_infinite_system")
 SAMPLED = ("--from", "0.081")  # the first stage lasts 0.08 tau
 
 
@@ -126,6 +127,17 @@ def frames_in_a_foreign_place(t):
     run(t, "output.trajectory.format=h5md")
     (t.dir / "a.bin").write_bytes((t.dir / "out/trajectory.h5md").read_bytes())
     as_the_run(t, "a-analysis", t.run_well("analyze", "a.bin", *ALL, "--deck", "deck.toml", *SAMPLED, "--json"))
+
+
+def thermodynamics_of_frames(t):
+    """Energies, pressures and the heat capacity, as the run has them of its rows, which are at the same steps."""
+    run(t)
+    result = t.run_well("analyze", "out/trajectory.xyz", "thermo", "--deck", "deck.toml", *SAMPLED, "--json")
+    expected = t.json("out/results.json")["observables"]
+    names = [name for name in expected if name not in OBSERVABLES or name == "temperature"]
+    t.check({"total_energy", "pressure", "compressibility_factor", "heat_capacity_cv"} <= set(names), f"names: {names}")
+    as_the_run(t, "", result, tables=[], observables=names)
+    t.contains(t.run_well("analyze", "out/trajectory.xyz", "thermo", "rdf", "--deck", "deck.toml").out, "total_energy")
 
 
 def without_names(t):
@@ -263,7 +275,7 @@ def without_times(t):
 
 
 def cases():
-    named = (a_lammps_dump_with_image_flags, a_wrapped_lammps_dump, frames_in_a_foreign_place, without_names,
+    named = (a_lammps_dump_with_image_flags, thermodynamics_of_frames, a_wrapped_lammps_dump, frames_in_a_foreign_place, without_names,
              settings_count_frames, thermo_and_more, cut_off, in_si_units, tables_that_are_there, without_a_trajectory,
              a_few_bodies, a_box_that_changes, without_times)
     uneven = timed(0, 1, 3, 4, **WITH_VELOCITIES)
@@ -272,7 +284,8 @@ def cases():
         Case("the frames of a run in H5MD", frames_of_a_run("output.trajectory.format=h5md")),
         Case("the frames of two stages", frames_of_a_run("stage.melt.sample=true", "stage.melt.steps=100")),
         Case("an analysis that there is not", refused(2, timed(0, 1), "rdff")),
-        Case("thermo of a trajectory", refused(2, timed(0, 1), "thermo")),
+        Case("thermo without velocities", refused(2, timed(0, 1), "thermo")),
+        Case("thermo without a deck", refused(2, timed(0, 1, **WITH_VELOCITIES), "thermo")),
         Case("no velocities", refused(2, timed(0, 1, 2), "vacf")),
         Case("frames that are not equally spaced", refused(2, uneven, "msd")),
         Case("frames without times", refused(2, frame() + frame(), "rdf", "msd")),

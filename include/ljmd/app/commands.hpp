@@ -122,7 +122,7 @@ void sweep_command(const SweepOptions& options);
 /// ljmd analyze RUNDIR: where the sampled stages of a run have come to equilibrium, and how many independent samples
 /// are left (thermo). Nothing is written; the run may still be going on.
 /// ljmd analyze RUNDIR|TRAJECTORY rdf msd ...: what [analysis] of a deck asks for during a run, measured on the frames
-/// of a trajectory. Writes the tables that a run writes.
+/// of a trajectory; thermo of a trajectory: energies and pressures of its frames. Writes the tables that a run writes.
 void analyze_command(const AnalyzeOptions& options);
 
 /// ljmd info, ljmd info RUNDIR

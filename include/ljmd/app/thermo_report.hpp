@@ -26,6 +26,7 @@ struct ThermoReport {
     double interval;  ///< between rows [tau]
     Index stride;     ///< rows between the starts that were tried
     std::vector<Column> columns;
+    std::optional<Estimate> heat_capacity = {};  ///< c_v from the fluctuations of all rows, see RunAverages [k_B]
 };
 
 /// @param run   of a fluid; may still be going on
@@ -39,7 +40,8 @@ struct ThermoReport {
 
 /// rows, first_step, last_step, interval, stride; observables, by name: equilibrated_at_row, equilibrated_at_step,
 /// statistical_inefficiency, correlation_time, independent_samples, mean, standard_error; of all rows:
-/// statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all.
+/// statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all. Where the
+/// ensemble has one, heat_capacity_cv: mean, standard_error.
 [[nodiscard]] std::string thermo_json(const ThermoReport& report);
 
 }  // namespace ljmd

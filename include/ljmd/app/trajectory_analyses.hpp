@@ -24,6 +24,10 @@ struct FrameAnalysis {
 /// Refuse names that are neither those of analyses nor "thermo". @throws InputError
 void check_analysis_names(const std::vector<std::string>& names);
 
+/// Refuse a trajectory whose energies and pressures cannot be had: without velocities, or without a deck for the
+/// interaction. @throws InputError
+void check_thermo(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection);
+
 /// Make analyses for a trajectory. Their settings are those of the deck's [analysis] where it has them, else defaults;
 /// the deck's `every`, which counts steps, becomes as many frames, one at least; where the deck does not ask for an
 /// analysis every frame counts. Then `settings`, "analysis.rdf.bins=100", apply; their `every` counts frames.

@@ -15,6 +15,7 @@ struct AnalyzedTrajectory {
     const Deck* deck = nullptr;  ///< null: none is known
     TrajectorySummary summary;
     FrameSelection selection;
+    bool thermo = false;  ///< energies and pressures of the frames are wanted, see check_thermo()
 
     [[nodiscard]] std::optional<SubstanceUnits> units() const { return deck != nullptr ? deck->units : std::nullopt; }
 };
@@ -27,7 +28,8 @@ struct TrajectoryResult {
 };
 
 /// Feed the analyses with the frames that are selected. Wrapped positions are unwrapped by the nearest image from frame
-/// to frame where an analysis needs that. Forces are evaluated where one needs them.
+/// to frame where an analysis needs that. Forces are evaluated where one needs them, and for `thermo`, which gives the
+/// averages that a run has of its rows. Of a trajectory with velocities there is the temperature in any case.
 /// @throws DataError  the file is not what it was when it was summarized, a mass is not 1, or atoms overlap so that
 /// their forces are not finite
 [[nodiscard]] TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory,

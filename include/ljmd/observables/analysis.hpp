@@ -83,7 +83,7 @@ struct AnalysisMethod {
     std::string name;  ///< the key in [analysis]
     std::string meaning;
     std::vector<std::string> files;  ///< names of its tables
-    bool follows_time;               ///< it compares configurations at different times
+    bool follows_time = false;       ///< it compares configurations at different times
     AnalysisNeeds needs = {};
     std::vector<Key> keys;
     /// Reasons why the values in the section do not fit the run: (key, message). Empty when all is well.
