@@ -92,6 +92,12 @@ def split_unit(text: str) -> tuple[float, str]:
         return math.nan, text
 
 
+def shortened(text: str) -> str:
+    """A value as the legend has it: a number with six digits, which tell the lines of a grid apart."""
+    value, unit = split_unit(text)
+    return text if math.isnan(value) else f"{value:.6g} {unit}".rstrip()
+
+
 def plot(sweep: Sweep, observable: str, against: str) -> plt.Figure:
     texts = sweep.keys[against]
     values, units = zip(*map(split_unit, texts))
@@ -101,14 +107,14 @@ def plot(sweep: Sweep, observable: str, against: str) -> plt.Figure:
     y = sweep.observables[observable]
     error = sweep.observables.get(observable + ERROR, np.full(len(y), math.nan))
 
-    lines: dict[str, list[int]] = {}
+    lines: dict[tuple[str, ...], list[int]] = {}
     others = [key for key in sweep.keys if key != against]
     for k in np.flatnonzero(np.isfinite(y)):
-        label = ", ".join(f"{key.rpartition('.')[2]} = {sweep.keys[key][k]}" for key in others)
-        lines.setdefault(label, []).append(k)
+        lines.setdefault(tuple(sweep.keys[key][k] for key in others), []).append(k)
     figure, axes = plt.subplots(figsize=(7.0, 4.8), constrained_layout=True)
     shades = plt.get_cmap("viridis")(np.linspace(0.0, 0.9, len(lines)))
-    for number, (label, rows) in enumerate(lines.items()):
+    for number, (others_values, rows) in enumerate(lines.items()):
+        label = ", ".join(f"{key.rpartition('.')[2]} = {shortened(value)}" for key, value in zip(others, others_values))
         rows = sorted(rows, key=lambda k: x[k])
         colour = style.colour(number) if len(lines) <= len(style.CYCLE) else shades[number]
         axes.errorbar(x[rows], y[rows], yerr=np.nan_to_num(error[rows]), fmt="o-", markersize=3.5, elinewidth=0.9, capsize=2,

@@ -77,6 +77,11 @@ def test_quantities_and_texts_on_the_axis(tmp: Path) -> None:
         assert np.allclose(axes.containers[0].lines[0].get_xydata(), [(0.0, 1.0), (1.0, 2.0)])
 
 
+def test_values_in_the_legend_are_short(_: Path) -> None:
+    values = {"0.33333333333333": "0.333333", "1e-7": "1e-07", "86.5 K": "86.5 K", "leapfrog": "leapfrog"}
+    assert {value: plot_sweep.shortened(value) for value in values} == values
+
+
 def test_numbers_and_units(tmp: Path) -> None:
     for text, expected in (("1.2", (1.2, "")), ("-1e-3", (-1e-3, "")), ("86.5 K", (86.5, "K")), ("86.5K", (86.5, "K")),
                            ('"86.5 K"', (86.5, "K")), ("1.2 g/cm3", (1.2, "g/cm3"))):
