@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/json_number.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/run_report.hpp"
 #include "ljmd/core/threads.hpp"
@@ -71,7 +72,7 @@ Json trajectory_json(const TrajectoryComparison& trajectory) {
     return {{"time_step", trajectory.time_step},
             {"pairings", pairings},
             {"rows", rows},
-            {"divergence_rate", rate ? Json(*rate) : Json(nullptr)}};
+            {"divergence_rate", number_or_null(rate)}};
 }
 
 Json estimate_json(const Estimate& estimate) {

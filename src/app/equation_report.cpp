@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "ljmd/app/json_number.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {
@@ -40,7 +40,7 @@ std::vector<Line> lines_of(const EquationOfState& equation, const FluidPropertie
 Json json_of(const EquationOfState& equation, const FluidProperties& state) {
     Json json = {{"temperature", state.temperature}, {"density", state.density}};
     for (const auto& [key, unit, value] : lines_of(equation, state)) {
-        json[key] = value ? Json(*value) : Json(nullptr);
+        json[key] = number_or_null(value);
     }
     return json;
 }
@@ -73,10 +73,6 @@ std::string range_of(const ValidRange& valid) {
         text += fmt::format(", p <= {}", *valid.highest_pressure);
     }
     return text;
-}
-
-Json optional_number(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
 }
 
 }  // namespace
@@ -117,8 +113,8 @@ std::string equations_json() {
                         {"source", equation.source},
                         {"lowest_temperature", equation.valid.lowest_temperature},
                         {"highest_temperature", equation.valid.highest_temperature},
-                        {"highest_density", optional_number(equation.valid.highest_density)},
-                        {"highest_pressure", optional_number(equation.valid.highest_pressure)},
+                        {"highest_density", number_or_null(equation.valid.highest_density)},
+                        {"highest_pressure", number_or_null(equation.valid.highest_pressure)},
                         {"critical_temperature", point.temperature},
                         {"critical_density", point.density},
                         {"critical_pressure", point.pressure}});

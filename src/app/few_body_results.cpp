@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/few_body_run.hpp"
+#include "ljmd/app/json_number.hpp"
 #include "ljmd/app/run_report.hpp"
 
 namespace ljmd {
@@ -11,10 +12,6 @@ namespace ljmd {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number_or_null(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 /// The numbers follow from the deck without chance: a mean over the rows has no standard error, only a mean over
 /// orbits.
@@ -28,8 +25,7 @@ Json history_json(const FewBodyHistory& history) {
 }
 
 Json finding_json(const Finding& finding) {
-    return {{"value", number_or_null(finding.value)},
-            {"standard_error", finding.standard_error ? number_or_null(*finding.standard_error) : Json(nullptr)}};
+    return {{"value", number_or_null(finding.value)}, {"standard_error", number_or_null(finding.standard_error)}};
 }
 
 }  // namespace

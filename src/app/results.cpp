@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/json_number.hpp"
 #include "ljmd/app/run_report.hpp"
 #include "ljmd/core/text.hpp"
 
@@ -45,10 +46,6 @@ std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<Su
         return SiUnit{1e-4 * units->bar() * units->picosecond(), "mPa s"};
     }
     return std::nullopt;
-}
-
-Json number_or_null(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json observable_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
@@ -141,17 +138,16 @@ std::string results_json(const Deck& deck, const RunResult& result) {
     for (const StageResult& stage : result.stages) {
         stages.push_back(stage_json(stage));
     }
-    Json json = {
-        {"title", deck.title},
-        {"system",
-         {{"atoms", result.atoms},
-          {"density", result.density},
-          {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
-        {"observables", observables_json(result.averages, deck.units)},
-        {"translational_order_at_sampling", result.order_at_sampling ? Json(*result.order_at_sampling) : Json(nullptr)},
-        {"stages", stages},
-        {"neighbor_list_rebuilds", result.search.rebuilds},
-        {"warnings", result.warnings}};
+    Json json = {{"title", deck.title},
+                 {"system",
+                  {{"atoms", result.atoms},
+                   {"density", result.density},
+                   {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
+                 {"observables", observables_json(result.averages, deck.units)},
+                 {"translational_order_at_sampling", number_or_null(result.order_at_sampling)},
+                 {"stages", stages},
+                 {"neighbor_list_rebuilds", result.search.rebuilds},
+                 {"warnings", result.warnings}};
     if (deck.units) {
         json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/json_number.hpp"
 #include "ljmd/core/text.hpp"
 
 namespace ljmd {
@@ -27,7 +28,7 @@ nlohmann::ordered_json stage_json(const StageResult& stage) {
             {"sampled", stage.sampled},
             {"thermostat", stage.thermostatted},
             {"reversed", stage.reversed},
-            {"energy_drift", stage.energy_drift ? Json(*stage.energy_drift) : Json(nullptr)},
+            {"energy_drift", number_or_null(stage.energy_drift)},
             {"checksum_at_start", stage.checksum_at_start},
             {"checksum_at_end", stage.checksum_at_end}};
 }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/json_number.hpp"
 #include "ljmd/app/sweep_points.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
@@ -50,10 +51,6 @@ std::string in_words(const ObservedMean* found) {
 
 double number_of(const Json& value) {
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-}
-
-Json number_or_null(double value) {
-    return std::isnan(value) ? Json(nullptr) : Json(value);
 }
 
 std::string number_or_nothing(double value) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/json_number.hpp"
 #include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/sampled_steps.hpp"
 #include "ljmd/app/simulation.hpp"
@@ -70,10 +71,6 @@ double correlation_time(const ThermoReport& report, const Equilibration& found) 
 
 Index step_of_row(const ThermoReport& report, Index row) {
     return report.first_step + row * ((report.last_step - report.first_step) / std::max(report.rows - 1, Index{1}));
-}
-
-Json number_or_null(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 }  // namespace
