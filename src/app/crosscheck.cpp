@@ -187,7 +187,7 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
 
     const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
     Quiet quiet(simulation.state, listener);
-    run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, fluid_pressure(deck));
+    run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, interaction_of(deck));
 
     const Fluid fluid = fluid_now();
     const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, options);

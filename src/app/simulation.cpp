@@ -99,14 +99,6 @@ bool wants_tail(const Deck& deck) {
     return deck.potential().has("tail") && deck.potential().flag("tail");
 }
 
-FluidPressure fluid_pressure(const Deck& deck) {
-    if (deck.kind == DeckKind::few_body) {
-        return {};
-    }
-    const SampledRun::Interaction interaction = interaction_of(deck);
-    return {interaction.tail, 2.0 * interaction.potential.cutoff().radius};
-}
-
 PairForceField make_force_field(const Deck& deck) {
     const Section& neighbors = deck.neighbors();
     const auto every = neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt;
@@ -140,7 +132,7 @@ void place_configuration(State& state, const Configuration& configuration) {
     }
 }
 
-SampledRun::Interaction interaction_of(const Deck& deck) {
+Interaction interaction_of(const Deck& deck) {
     const PairPotential potential = PairPotential::from(deck.potential());
     return {potential, wants_tail(deck) ? TailCorrection(potential) : TailCorrection()};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ljmd/app/run_record.hpp"
+#include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/integrators/barostat.hpp"
@@ -34,11 +35,14 @@ std::unique_ptr<Thermostat> thermostat_of(const Stage& stage, const State& state
         .make(section, {stage.temperature, stage.time_step, stage.seed, degrees_of_freedom(state.count())});
 }
 
-/// @param shortest_edge  that the box may have
-std::unique_ptr<Barostat> barostat_of(const Stage& stage, double shortest_edge) {
+std::unique_ptr<Barostat> barostat_of(const Stage& stage, const std::optional<Interaction>& interaction) {
     if (!stage.section.has("barostat")) {
         return nullptr;
     }
+    if (!interaction) {
+        throw ContractViolation("a barostat needs to know the interaction");
+    }
+    const double shortest_edge = 2.0 * interaction->potential.cutoff().radius;
     const Section& section = stage.section.section("barostat");
     return find_barostat(section.text("type"))
         .make(section, {stage.temperature, stage.time_step, stage.seed, shortest_edge});
@@ -61,12 +65,12 @@ bool conserves_momentum(const Stage& stage) {
 class TimeLoop {
   public:
     TimeLoop(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-             const LoopPosition& from, const FluidPressure& pressure)
+             const LoopPosition& from, const std::optional<Interaction>& interaction)
         : stages_(stages),
           state_(state),
           force_field_(force_field),
           observer_(observer),
-          pressure_(pressure),
+          interaction_(interaction),
           position_(from),
           step_(state.step) {}
 
@@ -98,8 +102,7 @@ class TimeLoop {
     void run_stage(const Stage& stage) {
         std::unique_ptr<Thermostat> thermostat = thermostat_of(stage, state_);
         Integrator integrator = integrator_of(stage, thermostat.get());
-        const StageParts parts{std::move(thermostat), barostat_of(stage, pressure_.shortest_edge),
-                               std::move(integrator)};
+        const StageParts parts{std::move(thermostat), barostat_of(stage, interaction_), std::move(integrator)};
         const std::vector<double> bath = parts.thermostat ? parts.thermostat->beginning() : std::vector<double>();
         if (!position_.begun) {
             state_.bath = bath;
@@ -151,7 +154,7 @@ class TimeLoop {
         }
         observer_.step_done(stage, evaluation);
         if (pressure_wanted) {
-            parts.barostat->apply(state_, thermodynamics(state_, evaluation, pressure_.tail).pressure);
+            parts.barostat->apply(state_, thermodynamics(state_, evaluation, interaction_->tail).pressure);
         }
     }
 
@@ -161,7 +164,7 @@ class TimeLoop {
     State& state_;
     ForceField& force_field_;
     StepObserver& observer_;
-    const FluidPressure& pressure_;
+    const std::optional<Interaction>& interaction_;
     LoopPosition position_;
     Stopwatch watch_;
     Index step_;
@@ -170,13 +173,13 @@ class TimeLoop {
 }  // namespace
 
 LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-                       const std::optional<LoopPosition>& from, const FluidPressure& pressure) {
+                       const std::optional<LoopPosition>& from, const std::optional<Interaction>& interaction) {
     std::optional<TimeLoop> loop;
     try {
         if (!from) {
             observer.started(force_field.evaluate(state, Request::forces_and_energy));
         }
-        loop.emplace(stages, state, force_field, observer, from.value_or(LoopPosition{}), pressure);
+        loop.emplace(stages, state, force_field, observer, from.value_or(LoopPosition{}), interaction);
         if (!from) {
             loop->offer_checkpoint(true);
         }
@@ -190,7 +193,9 @@ LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceFiel
 LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer,
                        const std::optional<LoopPosition>& from) {
     try {
-        return run_stages(deck.stages, state, force_field, observer, from, fluid_pressure(deck));
+        const auto interaction =
+            deck.kind == DeckKind::fluid ? std::optional(interaction_of(deck)) : std::optional<Interaction>();
+        return run_stages(deck.stages, state, force_field, observer, from, interaction);
     } catch (const PhysicsError& error) {
         throw PhysicsError(error.what() + save_failure(deck, state));
     }

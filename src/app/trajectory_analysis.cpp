@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/json_number.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/simulation.hpp"
@@ -26,7 +27,8 @@ class Pass {
         : trajectory_(trajectory),
           analyses_(analyses),
           averages_(trajectory.summary.atoms,
-                    trajectory.deck != nullptr ? sampled_ensemble(*trajectory.deck) : Ensemble::none) {}
+                    trajectory.deck != nullptr ? sampled_ensemble(*trajectory.deck) : Ensemble::none),
+          tail_(trajectory.thermo ? interaction_of(*trajectory.deck).tail : TailCorrection()) {}
 
     void run() {
         const auto reader = open_trajectory(trajectory_.path, trajectory_.units());
@@ -92,8 +94,7 @@ class Pass {
             })) {
             evaluation = evaluate(state, k);
         }
-        averages_.add(thermodynamics(state, evaluation,
-                                     trajectory_.thermo ? fluid_pressure(*trajectory_.deck).tail : TailCorrection()));
+        averages_.add(thermodynamics(state, evaluation, tail_));
         for (const FrameAnalysis& each : analyses_) {
             if (each.analysis->due(number)) {
                 each.analysis->sample(state, evaluation);
@@ -114,6 +115,7 @@ class Pass {
     const AnalyzedTrajectory& trajectory_;
     const std::vector<FrameAnalysis>& analyses_;
     RunAverages averages_;
+    TailCorrection tail_;  ///< of energies and pressures, where they are wanted
     FrameUnwrapper unwrapper_;
     std::optional<std::size_t> part_;  ///< of the last frame
 };
@@ -182,15 +184,14 @@ std::string trajectory_table(const AnalyzedTrajectory& trajectory, const Traject
 std::string trajectory_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
     const TrajectorySummary& summary = trajectory.summary;
     const auto& spacing = trajectory.selection.spacing;
-    const nlohmann::ordered_json json = {
-        {"trajectory", trajectory.path.string()},
-        {"atoms", summary.atoms},
-        {"box_edges", {summary.edges[0], summary.edges[1], summary.edges[2]}},
-        {"frames", summary.frames},
-        {"frames_used", trajectory.selection.used},
-        {"spacing", spacing ? nlohmann::ordered_json(*spacing) : nlohmann::ordered_json(nullptr)},
-        {"observables", observables_json(result.averages, trajectory.units())},
-        {"warnings", result.warnings}};
+    const nlohmann::ordered_json json = {{"trajectory", trajectory.path.string()},
+                                         {"atoms", summary.atoms},
+                                         {"box_edges", {summary.edges[0], summary.edges[1], summary.edges[2]}},
+                                         {"frames", summary.frames},
+                                         {"frames_used", trajectory.selection.used},
+                                         {"spacing", number_or_null(spacing)},
+                                         {"observables", observables_json(result.averages, trajectory.units())},
+                                         {"warnings", result.warnings}};
     // A path need not be UTF-8, as JSON must.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -23,7 +23,7 @@ SampledRun run_with(Index atoms, bool tail, std::optional<double> held_temperatu
             1000,
             5,
             held_temperature,
-            SampledRun::Interaction{potential, tail ? TailCorrection(potential) : TailCorrection()}};
+            Interaction{potential, tail ? TailCorrection(potential) : TailCorrection()}};
 }
 
 State state_at(Index atoms, Index step, double temperature) {

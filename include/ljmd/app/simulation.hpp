@@ -46,20 +46,11 @@ struct Simulation {
 /// Whether a deck of a fluid asks for tail corrections.
 [[nodiscard]] bool wants_tail(const Deck& deck);
 
-/// What barostats have to know of the fluid.
-struct FluidPressure {
-    TailCorrection tail;         ///< belongs to the pressure
-    double shortest_edge = 0.0;  ///< that the box may have: two cutoffs [sigma]
-};
-
-/// Of a fluid; nothing of few bodies.
-[[nodiscard]] FluidPressure fluid_pressure(const Deck& deck);
-
 /// The forces of a deck on a fluid.
 [[nodiscard]] PairForceField make_force_field(const Deck& deck);
 
-/// What the atoms of a deck's fluid feel of each other.
-[[nodiscard]] SampledRun::Interaction interaction_of(const Deck& deck);
+/// Of a deck of a fluid.
+[[nodiscard]] Interaction interaction_of(const Deck& deck);
 
 /// A fluid with nothing in its place yet: what a checkpoint fills.
 [[nodiscard]] Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box);

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "ljmd/app/deck.hpp"
-#include "ljmd/app/simulation.hpp"
 #include "ljmd/core/archive.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {
 
@@ -71,10 +71,12 @@ class StepObserver {
 /// Time grows in all stages, also in those that run the motion backwards. Where momentum is conserved again after a
 /// thermostat that does not, the centre of mass is brought to rest.
 /// @param from  go on from there: state, force field and observer are what they were at that checkpoint
+/// @param interaction  of a fluid; barostats need it
 /// @throws PhysicsError naming the step and the stage
 /// @throws CheckpointError when the state has not what the thermostat keeps
 LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-                       const std::optional<LoopPosition>& from = std::nullopt, const FluidPressure& pressure = {});
+                       const std::optional<LoopPosition>& from = std::nullopt,
+                       const std::optional<Interaction>& interaction = std::nullopt);
 
 /// The same for a run with an output directory, where a failure leaves failed.xyz.
 /// @throws PhysicsError naming the step, the stage and that file

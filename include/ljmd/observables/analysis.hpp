@@ -11,8 +11,7 @@
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/observable_average.hpp"
-#include "ljmd/potentials/pair_potential.hpp"
-#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {
 
@@ -32,11 +31,6 @@ struct SampledRun {
     std::uint64_t seed;
     std::optional<double> held_temperature;  ///< by the thermostat of the sampled stages; none: constant energy
 
-    /// What the atoms feel of each other.
-    struct Interaction {
-        PairPotential potential;
-        TailCorrection tail;
-    };
     std::optional<Interaction> interaction;  ///< not known while a deck is checked
 };
 

@@ -34,7 +34,7 @@ class WidomInsertion : public Analysis {
     /// Mean of exp(-psi/T) over the places of a configuration.
     [[nodiscard]] double mean_weight(const State& state, double temperature);
 
-    SampledRun::Interaction interaction_;
+    Interaction interaction_;
     std::optional<double> held_temperature_;
     Random random_;
     Index insertions_;
