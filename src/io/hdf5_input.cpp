@@ -19,7 +19,7 @@ constexpr int most_axes = 8;
 /// Of what is written at the same time. HDF5 waits twice as long before each: milliseconds in all, and not for ever
 /// where a file is damaged.
 constexpr unsigned read_attempts = 20;
-constexpr Index most_attribute_numbers = 64;
+constexpr Index most_attribute_elements = 64;
 
 template <class T>
 hid_t native_type() {
@@ -187,55 +187,64 @@ std::vector<std::int64_t> Hdf5Input::integers_at(const std::string& dataset, Ind
     return read<std::int64_t>(dataset, entry);
 }
 
-/// Empty when there is none of that name.
-Hdf5Handle Hdf5Input::open_attribute(const std::string& object, const std::string& name) const {
+struct Hdf5Input::Attribute {
+    std::string what;  ///< for messages
+    Hdf5Handle handle;
+    Hdf5Handle type;
+    Hdf5Handle space;
+    std::size_t count;  ///< of its elements
+};
+
+/// Nothing when there is none of that name. @throws DataError  it has too many elements
+std::optional<Hdf5Input::Attribute> Hdf5Input::open_attribute(const std::string& object,
+                                                              const std::string& name) const {
     if (!exists(object)) {
-        return {};
+        return std::nullopt;
     }
-    const Hdf5Handle handle = open(object);
-    if (H5Aexists(handle.get(), name.c_str()) <= 0) {
-        return {};
+    const Hdf5Handle owner = open(object);
+    if (H5Aexists(owner.get(), name.c_str()) <= 0) {
+        return std::nullopt;
     }
-    return {checked(H5Aopen(handle.get(), name.c_str(), H5P_DEFAULT), fmt::format("reading {} of {}", name, object)),
-            H5Aclose};
+    const std::string what = fmt::format("{} of {}", name, object);
+    const std::string reading = "reading " + what;
+    Hdf5Handle handle(checked(H5Aopen(owner.get(), name.c_str(), H5P_DEFAULT), reading), H5Aclose);
+    Hdf5Handle type(checked(H5Aget_type(handle.get()), reading), H5Tclose);
+    Hdf5Handle space(checked(H5Aget_space(handle.get()), reading), H5Sclose);
+    const double count = product(extent_of(space.get(), what));
+    if (count > most_attribute_elements) {
+        fail(fmt::format("{} has more than {} elements", what, most_attribute_elements));
+    }
+    return Attribute{what, std::move(handle), std::move(type), std::move(space), static_cast<std::size_t>(count)};
 }
 
 std::vector<double> Hdf5Input::number_attribute(const std::string& object, const std::string& name) const {
     const Hdf5Silence silence;
-    const std::string what = fmt::format("{} of {}", name, object);
-    const Hdf5Handle attribute = open_attribute(object, name);
+    const auto attribute = open_attribute(object, name);
     if (!attribute) {
         return {};
     }
-    const Hdf5Handle type(checked(H5Aget_type(attribute.get()), "reading " + what), H5Tclose);
-    const Hdf5Handle space(checked(H5Aget_space(attribute.get()), "reading " + what), H5Sclose);
-    const double count = product(extent_of(space.get(), what));
-    if (!holds_numbers(type.get()) || count > most_attribute_numbers) {
-        fail(fmt::format("{} is not a few numbers", what));
+    if (!holds_numbers(attribute->type.get())) {
+        fail(fmt::format("{} holds no numbers", attribute->what));
     }
-    std::vector<double> values(static_cast<std::size_t>(count));
-    checked(H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, values.data()), "reading " + what);
+    std::vector<double> values(attribute->count);
+    checked(H5Aread(attribute->handle.get(), H5T_NATIVE_DOUBLE, values.data()), "reading " + attribute->what);
     return values;
 }
 
 std::vector<std::string> Hdf5Input::text_attribute(const std::string& object, const std::string& name) const {
     const Hdf5Silence silence;
-    const std::string what = fmt::format("{} of {}", name, object);
-    const Hdf5Handle attribute = open_attribute(object, name);
+    const auto attribute = open_attribute(object, name);
     if (!attribute) {
         return {};
     }
-    const Hdf5Handle type(checked(H5Aget_type(attribute.get()), "reading " + what), H5Tclose);
-    const Hdf5Handle space(checked(H5Aget_space(attribute.get()), "reading " + what), H5Sclose);
-    const double count = product(extent_of(space.get(), what));
-    if (H5Tget_class(type.get()) != H5T_STRING || count > most_attribute_numbers) {
-        fail(fmt::format("{} is not a few texts", what));
+    const auto& [what, handle, type, space, count] = *attribute;
+    if (H5Tget_class(type.get()) != H5T_STRING) {
+        fail(fmt::format("{} holds no texts", what));
     }
-    const auto texts = static_cast<std::size_t>(count);
     std::vector<std::string> values;
     if (H5Tis_variable_str(type.get()) > 0) {
-        std::vector<char*> pointers(texts, nullptr);
-        checked(H5Aread(attribute.get(), type.get(), pointers.data()), "reading " + what);
+        std::vector<char*> pointers(count, nullptr);
+        checked(H5Aread(handle.get(), type.get(), pointers.data()), "reading " + what);
         for (const char* text : pointers) {
             values.emplace_back(text == nullptr ? "" : text);
         }
@@ -243,9 +252,9 @@ std::vector<std::string> Hdf5Input::text_attribute(const std::string& object, co
         return values;
     }
     const std::size_t length = H5Tget_size(type.get());
-    std::string characters(texts * length, '\0');
-    checked(H5Aread(attribute.get(), type.get(), characters.data()), "reading " + what);
-    for (std::size_t k = 0; k < texts; ++k) {
+    std::string characters(count * length, '\0');
+    checked(H5Aread(handle.get(), type.get(), characters.data()), "reading " + what);
+    for (std::size_t k = 0; k < count; ++k) {
         const std::string text = characters.substr(k * length, length);
         values.push_back(text.substr(0, text.find('\0')));
     }

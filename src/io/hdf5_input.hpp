@@ -56,7 +56,8 @@ class Hdf5Input {
     [[nodiscard]] std::vector<T> read(const std::string& dataset, std::optional<Index> entry) const;
     [[nodiscard]] Hdf5Handle open(const std::string& object) const;
     [[nodiscard]] hid_t open_dataset(const std::string& dataset) const;
-    [[nodiscard]] Hdf5Handle open_attribute(const std::string& object, const std::string& name) const;
+    struct Attribute;
+    [[nodiscard]] std::optional<Attribute> open_attribute(const std::string& object, const std::string& name) const;
     [[nodiscard]] std::vector<Index> extent_of(hid_t space, const std::string& what) const;
     void require_stored(hid_t dataset, const std::string& name) const;
     hid_t checked(hid_t id, const std::string& doing) const;

@@ -85,8 +85,8 @@ TEST_CASE("what cannot be read from an HDF5 file is an error with file, object a
     CHECK_THAT(complaint([&] { return input.numbers("g/texts"); }), Contains("g/texts holds no numbers"));
     CHECK_THAT(complaint([&] { return input.numbers_at("g/numbers", 3); }), Contains("g/numbers has no entry 3"));
     CHECK_THAT(complaint([&] { return input.members("none"); }), Contains("opening none"));
-    CHECK_THAT(complaint([&] { return input.text_attribute("g", "version"); }), Contains("is not a few texts"));
-    CHECK_THAT(complaint([&] { return input.number_attribute("g", "unit"); }), Contains("is not a few numbers"));
+    CHECK_THAT(complaint([&] { return input.text_attribute("g", "version"); }), Contains("holds no texts"));
+    CHECK_THAT(complaint([&] { return input.number_attribute("g", "unit"); }), Contains("holds no numbers"));
 }
 
 TEST_CASE("what is no HDF5 file, or a part of one, is refused") {
