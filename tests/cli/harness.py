@@ -10,6 +10,7 @@ import os
 import re
 import subprocess
 import tempfile
+import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
@@ -262,6 +263,21 @@ def check_same_run(found, expected):
 def snapshot(directory):
     """Every file's bytes, so that two looks at a directory can be compared."""
     return {str(p.relative_to(directory)): p.read_bytes() for p in sorted(Path(directory).rglob("*")) if p.is_file()}
+
+
+@contextlib.contextmanager
+def held(directory):
+    """The directory is locked by another process, as one that runs in it does."""
+    holder = subprocess.Popen(["flock", directory, "sleep", "60"])
+    try:
+        for _ in range(100):
+            if subprocess.run(["flock", "-n", directory, "true"]).returncode != 0:
+                break
+            time.sleep(0.02)
+        yield
+    finally:
+        holder.kill()
+        holder.wait()
 
 
 def run_cases(name, cases, ljmd, golden_path, update):

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import time
 
-from harness import Case, clean_environment, snapshot
+from harness import Case, clean_environment, held, snapshot
 
 TWO_ROWS = ("reproduce", "verlet1967", "--quick", "--rows", "0.85:0.786,0.45:2.935", "--out", "out")
 DENSE, THIN = "rho0.8500-T0.786", "rho0.4500-T2.935"
@@ -99,16 +99,8 @@ def another_length(t):
 
 def in_use(t):
     t.run_well(*TWO_ROWS, "--quiet")
-    holder = subprocess.Popen(["flock", "out", "sleep", "60"], cwd=t.dir)
-    try:
-        for _ in range(100):
-            if subprocess.run(["flock", "-n", "out", "true"], cwd=t.dir).returncode != 0:
-                break
-            time.sleep(0.02)
+    with held(t.dir / "out"):
         t.expect(9, t.run(*TWO_ROWS))
-    finally:
-        holder.kill()
-        holder.wait()
 
 
 def a_row_that_fails(t):

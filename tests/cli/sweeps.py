@@ -9,7 +9,7 @@ import subprocess
 import time
 from pathlib import Path
 
-from harness import DECK, STARS, Case, clean_environment, run_outputs, snapshot
+from harness import DECK, STARS, Case, clean_environment, held, run_outputs, snapshot
 
 GRID = ("sweep", "deck.toml", "--grid", "system.temperature=1.2:2.0:2,system.density=0.7|0.8442", "--jobs", "2", "--out", "out")
 POINTS = [("1.2", "0.7"), ("1.2", "0.8442"), ("2", "0.7"), ("2", "0.8442")]
@@ -234,16 +234,8 @@ def not_a_sweep(t):
 def in_use(t):
     t.deck()
     (t.dir / "out").mkdir()
-    holder = subprocess.Popen(["flock", "out", "sleep", "60"], cwd=t.dir)
-    try:
-        for _ in range(100):
-            if subprocess.run(["flock", "-n", "out", "true"], cwd=t.dir).returncode != 0:
-                break
-            time.sleep(0.02)
+    with held(t.dir / "out"):
         t.expect(9, t.run(*GRID))
-    finally:
-        holder.kill()
-        holder.wait()
 
 
 def warnings_are_said_once(t):

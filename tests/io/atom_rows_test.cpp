@@ -4,26 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "io/two_atoms.hpp"
 #include "io/written_file.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;
 using ljmd::test::data_error;
+using ljmd::test::two_atoms;
 using ljmd::test::WrittenFile;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Two atoms that nothing is wrong with.
-Configuration two_atoms() {
-    Configuration configuration;
-    configuration.edges = Vec3(4.0, 5.0, 6.0);
-    configuration.positions = {{0.5, 1.0, 1.5}, {3.5, -9.0, 1e6}};
-    configuration.velocities = {{0.0, 0.0, 0.0}, {1.0, 2.0, 3.0}};
-    configuration.masses = {1.0, 2.0};
-    return configuration;
-}
 
 /// What is said about it after a change; its atoms stand in the lines 8 (id 2) and 9 (id 1), its box in line 3.
 template <class Change>

@@ -3,21 +3,15 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "io/two_atoms.hpp"
+
 using namespace ljmd;
 using Catch::Matchers::Contains;
+using ljmd::test::two_atoms;
 
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-Configuration two_atoms() {
-    Configuration configuration;
-    configuration.edges = Vec3(4.0, 5.0, 6.0);
-    configuration.positions = {{0.5, 1.0, 1.5}, {3.5, -9.0, 1e6}};
-    configuration.velocities = {{0.0, 0.0, 0.0}, {1.0, 2.0, 3.0}};
-    configuration.masses = {1.0, 2.0};
-    return configuration;
-}
 
 }  // namespace
 
