@@ -1,12 +1,14 @@
-"""Structure and motion of the liquid against the literature, from a shortened run of inputs/verlet1967/structure-and-transport.toml.
+"""Structure and motion of the liquid against the literature, from the decks of inputs/verlet1967: a shortened run of
+structure-and-transport.toml, and rahman-1964.toml.
 
-Usage: structure_and_transport.py --ljmd PROGRAM --deck DECK
+Usage: structure_and_transport.py --ljmd PROGRAM --decks FOLDER
 
 Reference figures at (rho 0.8442, T 0.722): S(k) has its highest peak, 2.81, at k = 6.78 (independent simulation of the
 same state); D = 0.0320 for 864 atoms (0.0325 for 1372 and the correction for size; Meier et al. 2004,
 doi:10.1063/1.1786579, and Yeh and Hummer 2004, doi:10.1021/jp0477147); viscosity 3.26 (Meier et al. 2004,
 doi:10.1063/1.1770695); c_v = 2.63 and 12.65 neighbours up to the first minimum of g(r). Rahman (1964), doi:10.1103/PhysRev.136.A405, saw velocities turned
-round after 0.3 ps = 0.14 tau in liquid argon a little warmer and thinner. Excess chemical potential:
+round after 0.3 ps = 0.14 tau in liquid argon a little warmer and thinner, where D = 2.43e-5 cm^2/s = 0.0452 and g(r) has its first
+peak at 3.7 angstrom = 1.087 sigma. Excess chemical potential:
 the equation of state of Thol et al. (2016), doi:10.1063/1.4945000, at the temperature found.
 """
 
@@ -34,18 +36,20 @@ def interpolated(curve: list[dict[str, float]], k: float) -> float:
     return a["S"] + (b["S"] - a["S"]) * (k - a["k"]) / (b["k"] - a["k"])
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--ljmd", required=True)
-    parser.add_argument("--deck", required=True)
-    arguments = parser.parse_args()
+def run(ljmd: str, deck: pathlib.Path, tables: list[str], *settings: str) -> tuple[dict, list[list[dict[str, float]]]]:
+    """The observables of a deck, and the tables that it leaves."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "run"
-        shorter = ["--set", "stage.production.steps=80000", "--set", "analysis.structure_factor.every=200"]
-        subprocess.run([arguments.ljmd, "run", arguments.deck, "--out", str(out), "--quiet", *shorter], check=True)
+        changes = [word for setting in settings for word in ("--set", setting)]
+        subprocess.run([ljmd, "run", str(deck), "--out", str(out), "--quiet", *changes], check=True)
         found = json.loads((out / "results.json").read_text())["observables"]
-        sk, from_rdf, vacf, spectrum = (table(out / f"{name}.csv")
-                                        for name in ("sk", "sk_from_rdf", "vacf", "vibrational_spectrum"))
+        return found, [table(out / f"{name}.csv") for name in tables]
+
+
+def check_triple_point(ljmd: str, deck: pathlib.Path) -> None:
+    found, (sk, from_rdf, vacf, spectrum) = run(
+        ljmd, deck, ["sk", "sk_from_rdf", "vacf", "vibrational_spectrum"],
+        "stage.production.steps=80000", "analysis.structure_factor.every=200")
 
     def mean(name: str) -> float:
         return found[name]["mean"]
@@ -79,10 +83,27 @@ def main() -> int:
     whole = step * (sum(row["spectrum"] for row in spectrum) - 0.5 * (spectrum[0]["spectrum"] + spectrum[-1]["spectrum"]))
     check("integral of the spectrum", whole, 1.0, 1e-6)
 
-    answer = subprocess.run([arguments.ljmd, "eos", "--temperature", str(mean("temperature")), "--density", "0.8442", "--json"],
+    answer = subprocess.run([ljmd, "eos", "--temperature", str(mean("temperature")), "--density", "0.8442", "--json"],
                             check=True, capture_output=True, text=True)
     check("excess chemical potential", mean("excess_chemical_potential"),
           json.loads(answer.stdout)["excess_chemical_potential"], 3.0 * error("excess_chemical_potential"))
+
+
+def check_rahman(ljmd: str, deck: pathlib.Path) -> None:
+    found, (rdf, vacf) = run(ljmd, deck, ["rdf", "vacf"])
+    check("Rahman: diffusion", found["diffusion"]["mean"], 0.045, 0.003)
+    check("Rahman: diffusion by Green and Kubo's relation", found["diffusion_green_kubo"]["mean"], 0.045, 0.003)
+    check("Rahman: first peak of g(r)", max(rdf, key=lambda row: row["g"])["r"], 1.087, 0.03)
+    check("Rahman: velocities are turned round after", min(vacf, key=lambda row: row["vacf"])["time"], 0.14, 0.08)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--ljmd", required=True)
+    parser.add_argument("--decks", required=True, type=pathlib.Path)
+    arguments = parser.parse_args()
+    check_triple_point(arguments.ljmd, arguments.decks / "structure-and-transport.toml")
+    check_rahman(arguments.ljmd, arguments.decks / "rahman-1964.toml")
     return exit_code()
 
 
