@@ -26,13 +26,16 @@ double kinetic_energy(const State& state) {
     return 0.5 * sum_over(state.count(), 0.0, [&](Index i) { return mass_of(state, i) * v.col(i).squaredNorm(); });
 }
 
-std::optional<double> temperature(const State& state) {
-    const Index freedom = degrees_of_freedom(state.count());
+std::optional<double> temperature(Index atoms, double kinetic_energy, const Vec3& momentum, double mass) {
+    const Index freedom = degrees_of_freedom(atoms);
     if (freedom == 0) {
         return std::nullopt;
     }
-    const double together = total_momentum(state).squaredNorm() / total_mass(state);
-    return (2.0 * kinetic_energy(state) - together) / static_cast<double>(freedom);
+    return (2.0 * kinetic_energy - momentum.squaredNorm() / mass) / static_cast<double>(freedom);
+}
+
+std::optional<double> temperature(const State& state) {
+    return temperature(state.count(), kinetic_energy(state), total_momentum(state), total_mass(state));
 }
 
 Vec3 total_momentum(const State& state) {

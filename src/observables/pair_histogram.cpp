@@ -32,7 +32,8 @@ class Cells {
         return {x_.data() + first, y_.data() + first, z_.data() + first, static_cast<int>(last - first)};
     }
 
-    /// visit(first, last) for places that together hold all atoms behind `place` within the radius, each once.
+    /// visit(first, last) for places that together hold all atoms behind `place` within the radius, each once; runs
+    /// that follow each other are joined, as long ones are quicker.
     template <class Visit>
     void for_each_run_behind(Index place, Visit visit) const;
 
@@ -104,12 +105,21 @@ Cells::Cell Cells::cell_of(const Vec3& r) const {
 template <class Visit>
 void Cells::for_each_run_behind(Index place, Visit visit) const {
     const Cell cell = cell_of(position(place));
+    Index run_first = 0;
+    Index run_last = 0;
     const auto visit_cells = [&](Index first_cell, Index last_cell) {
         const Index first = std::max(starts_[static_cast<std::size_t>(first_cell)], place + 1);
         const Index last = starts_[static_cast<std::size_t>(last_cell)];
-        if (first < last) {
-            visit(first, last);
+        if (first >= last) {
+            return;
         }
+        if (first != run_last) {
+            if (run_first < run_last) {
+                visit(run_first, run_last);
+            }
+            run_first = first;
+        }
+        run_last = last;
     };
     const Window x = window(cell[0], 0);
     const Window y = window(cell[1], 1);
@@ -122,6 +132,9 @@ void Cells::for_each_run_behind(Index place, Visit visit) const {
             visit_cells(row, row + x.count - straight);
         }
     }
+    if (run_first < run_last) {
+        visit(run_first, run_last);
+    }
 }
 
 }  // namespace
@@ -133,7 +146,7 @@ std::vector<Index> pair_histogram(const State& state, double radius, Index bins)
     const double per_length = static_cast<double>(bins) / radius;
     using Counts = std::vector<Index>;
     const auto count_block = [&](Index first, Index last) {
-        Counts counts(static_cast<std::size_t>(bins + 1));  // the last one for what is further away
+        Counts counts(static_cast<std::size_t>(bins + HistogramKernel::overflow_bins));
         std::vector<std::int32_t> found(static_cast<std::size_t>(cells.atoms()));
         for (Index place = first; place < last; ++place) {
             const Vec3 r = cells.position(place);
@@ -145,7 +158,7 @@ std::vector<Index> pair_histogram(const State& state, double radius, Index bins)
                 }
             });
         }
-        counts.pop_back();
+        counts.resize(static_cast<std::size_t>(bins));
         return counts;
     };
     const Index atoms = cells.atoms();

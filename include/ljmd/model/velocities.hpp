@@ -17,6 +17,9 @@ namespace ljmd {
 /// thermostats that do not conserve it. Empty for fewer than two atoms, which have no degree of freedom.
 [[nodiscard]] std::optional<double> temperature(const State& state);
 
+/// The same of so many atoms with these K, P and M.
+[[nodiscard]] std::optional<double> temperature(Index atoms, double kinetic_energy, const Vec3& momentum, double mass);
+
 /// Total momentum sum m v [m sigma/tau].
 [[nodiscard]] Vec3 total_momentum(const State& state);
 

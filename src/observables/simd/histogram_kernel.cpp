@@ -26,7 +26,8 @@ void bins_of(const HistogramKernel::Points& points, const double* r, const doubl
         const double dy = shortest(r_y, p.y[k], edge_y);
         const double dz = shortest(r_z, p.z[k], edge_z);
         const double bin = std::sqrt(dx * dx + dy * dy + dz * dz) * per_length;
-        out[k] = static_cast<std::int32_t>(bin < last ? bin : last);
+        const auto beyond = overflow + k % HistogramKernel::overflow_bins;
+        out[k] = bin < last ? static_cast<std::int32_t>(bin) : beyond;
     }
 }
 

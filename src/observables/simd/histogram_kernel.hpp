@@ -16,7 +16,12 @@ struct HistogramKernel {
         int count;
     };
 
-    /// out[k] = min(floor(d_k * per_length), overflow), d_k = |r - r_k| of the nearest image.
+    /// Pairs that are too far apart go to so many bins in turn: a number that is counted up again and again would have
+    /// to be waited for.
+    static constexpr int overflow_bins = 8;
+
+    /// out[k] = floor(d_k * per_length), d_k = |r - r_k| of the nearest image, where that is below `overflow`, and
+    /// overflow + k modulo overflow_bins elsewhere.
     /// @param r, edges  three numbers each
     /// @pre all coordinates in [0, L]; overflow >= 0; room for points.count numbers at `out`
     void (*bins_of)(const Points& points, const double* r, const double* edges, double per_length,

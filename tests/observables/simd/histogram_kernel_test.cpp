@@ -10,7 +10,8 @@
 
 using namespace ljmd;
 
-TEST_CASE("every level finds the bins that distances fall into, and one for all that lie beyond") {
+TEST_CASE(
+    "every level finds the bins that distances fall into, and those behind the last one in turn when they lie beyond") {
     const SimdLevel level = GENERATE(from_range(usable_simd_levels()));
     CAPTURE(name(level));
     const HistogramKernel kernel = histogram_kernel(level);
@@ -39,7 +40,8 @@ TEST_CASE("every level finds the bins that distances fall into, and one for all 
                        bins.data());
         for (std::size_t k = 0; k < points; ++k) {
             const double distance = Box(edges).minimum_image(r - Vec3(x[k], y[k], z[k])).norm();
-            const std::int32_t expected = distance < 2.0 ? static_cast<std::int32_t>(4.0 * distance) : 8;
+            const auto beyond = 8 + static_cast<std::int32_t>(k) % HistogramKernel::overflow_bins;
+            const std::int32_t expected = distance < 2.0 ? static_cast<std::int32_t>(4.0 * distance) : beyond;
             CHECK(bins[k] == (k < count ? expected : -1));
         }
     }
