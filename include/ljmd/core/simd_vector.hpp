@@ -108,7 +108,7 @@ LJMD_INLINE Vec<T, lanes, Level> exp(Vec<T, lanes, Level> x) {
     return sum * V(reinterpret<typename V::Raw>(exponent));
 }
 
-/// Sum of all lanes, halves first, in double.
+/// Sum of all lanes, halves first.
 template <int lanes>
 LJMD_INLINE double sum_of(RawVector<double, lanes> v) {
     if constexpr (lanes == 2) {
@@ -117,14 +117,23 @@ LJMD_INLINE double sum_of(RawVector<double, lanes> v) {
         return sum_of<lanes / 2>(low_half<double, lanes>(v) + high_half<double, lanes>(v));
     }
 }
+
+/// The lanes in double; of single precision, each one of the first half with its like of the second added to it.
 template <class Level, int lanes>
-LJMD_INLINE double sum(Vec<double, lanes, Level> v) {
-    return sum_of<lanes>(v.raw);
+LJMD_INLINE Vec<double, lanes, Level> in_double(Vec<double, lanes, Level> v) {
+    return v;
 }
 template <class Level, int lanes>
-LJMD_INLINE double sum(Vec<float, lanes, Level> v) {
-    return sum_of<lanes / 2>(widened<lanes / 2>(low_half<float, lanes>(v.raw)) +
-                             widened<lanes / 2>(high_half<float, lanes>(v.raw)));
+LJMD_INLINE Vec<double, lanes / 2, Level> in_double(Vec<float, lanes, Level> v) {
+    return Vec<double, lanes / 2, Level>(widened<lanes / 2>(low_half<float, lanes>(v.raw)) +
+                                         widened<lanes / 2>(high_half<float, lanes>(v.raw)));
+}
+
+/// Sum of all lanes, in double.
+template <class V>
+LJMD_INLINE double sum(V v) {
+    const auto doubles = in_double(v);
+    return sum_of<decltype(doubles)::lanes>(doubles.raw);
 }
 
 /// Lanes 4 n ... 4 n + 3.

@@ -161,6 +161,33 @@ class Sums {
     }
 };
 
+/// Sums over the rows of a tile, by lanes: few rows are long enough for the sum over lanes not to count.
+template <class V>
+class EnergyAndVirial {
+  public:
+    LJMD_INLINE void add(const Sums<V, true>& row) {
+        u_ += in_double(row.u);
+        xx_ += in_double(row.xx);
+        yy_ += in_double(row.yy);
+        zz_ += in_double(row.zz);
+        xy_ += in_double(row.xy);
+        xz_ += in_double(row.xz);
+        yz_ += in_double(row.yz);
+    }
+    /// @param unit  of the rows' separations [sigma]
+    [[nodiscard]] PairKernelSums sums(double unit) const {
+        PairKernelSums result{sum(u_), {sum(xx_), sum(yy_), sum(zz_), sum(xy_), sum(xz_), sum(yz_)}};
+        for (double& w : result.virial) {
+            w *= unit * unit;
+        }
+        return result;
+    }
+
+  private:
+    using Doubles = decltype(in_double(V()));
+    Doubles u_{0}, xx_{0}, yy_{0}, zz_{0}, xy_{0}, xz_{0}, yz_{0};
+};
+
 /// What to add to the squared distances of each row of a cluster from the cluster itself, so that of two of its atoms
 /// only the one before meets the other, and none itself.
 template <class V>
@@ -255,7 +282,7 @@ template <class Arithmetic, bool with_energy, class Pair>
     const Pair pair = *static_cast<const Pair*>(potential);
     const V cutoff2(task.cutoff2);
     Arithmetic arithmetic(task);
-    PairKernelSums total{};
+    EnergyAndVirial<V> total;
     const auto own_clusters = static_cast<std::size_t>(task.own_clusters);
     const auto clusters = static_cast<std::size_t>(task.clusters);
     // Minus the forces on the atoms of a cluster, of each row's atom in lanes of its own.
@@ -309,13 +336,7 @@ template <class Arithmetic, bool with_energy, class Pair>
             }
             forces.keep(k, sum_of_row);
             if constexpr (with_energy) {
-                total.energy += sum(sum_of_row.u);
-                total.virial[0] += sum(sum_of_row.xx);
-                total.virial[1] += sum(sum_of_row.yy);
-                total.virial[2] += sum(sum_of_row.zz);
-                total.virial[3] += sum(sum_of_row.xy);
-                total.virial[4] += sum(sum_of_row.xz);
-                total.virial[5] += sum(sum_of_row.yz);
+                total.add(sum_of_row);
             }
         }
         double force[3][slots];
@@ -336,10 +357,7 @@ template <class Arithmetic, bool with_energy, class Pair>
         __builtin_memcpy(task.guest_forces + n * slots, &f, sizeof f);
     }
     if constexpr (with_energy) {
-        sums->energy = total.energy;
-        for (std::size_t a = 0; a < 6; ++a) {
-            sums->virial[a] = total.virial[a] * arithmetic.unit() * arithmetic.unit();
-        }
+        *sums = total.sums(arithmetic.unit());
     }
 }
 
