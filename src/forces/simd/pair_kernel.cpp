@@ -8,6 +8,7 @@ namespace ljmd {
 namespace {
 
 constexpr int slots = ClusterGrid::slots;
+using Four = simd::RawVector<double, slots>;
 
 /// From the x of a cluster's slots to their y and z.
 constexpr std::ptrdiff_t to_y = slots;
@@ -75,6 +76,12 @@ class DoubleArithmetic {
         return {dx, dy, dz, dx * dx + dy * dy + dz * dz};  // rounded as the scalar sum does, see docs/performance.md
     }
 
+    /// Along an axis, the places of a cluster's slots, from a point in the tile [sigma].
+    LJMD_INLINE Four places(std::size_t entry, std::ptrdiff_t axis) const {
+        const double* along = positions_ + axis * slots;
+        return simd::load_aligned<double, slots>(along + entry) - *along;
+    }
+
     /// What dx = 1 means [sigma].
     [[nodiscard]] double unit() const { return 1.0; }
 
@@ -111,6 +118,12 @@ class MixedArithmetic {
         return {dx, dy, dz, multiply_add(dz, dz, multiply_add(dy, dy, dx * dx)) * unit2_};
     }
 
+    LJMD_INLINE Four places(std::size_t entry, std::ptrdiff_t axis) const {
+        const std::int32_t* along = positions_ + axis * slots;
+        const auto integers = simd::load_aligned<std::int32_t, slots>(along + entry);
+        return (__builtin_convertvector(integers, Four) - static_cast<double>(*along)) * unit_;
+    }
+
     [[nodiscard]] double unit() const { return unit_; }
 
   private:
@@ -127,7 +140,7 @@ template <class V, bool with_energy>
 class Sums {
   public:
     V fx{0}, fy{0}, fz{0};
-    V u{0}, xx{0}, yy{0}, zz{0}, xy{0}, xz{0}, yz{0};
+    V u{0};
 
     /// @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
     template <class Pair>
@@ -151,41 +164,8 @@ class Sums {
         z.store(others + 2 * axis);
         if constexpr (with_energy) {
             u += where_less(d.r2, cutoff2, term.u);
-            xx = multiply_add(wx, d.dx, xx);
-            yy = multiply_add(wy, d.dy, yy);
-            zz = multiply_add(wz, d.dz, zz);
-            xy = multiply_add(wx, d.dy, xy);
-            xz = multiply_add(wx, d.dz, xz);
-            yz = multiply_add(wy, d.dz, yz);
         }
     }
-};
-
-/// Sums over the rows of a tile, by lanes: few rows are long enough for the sum over lanes not to count.
-template <class V>
-class EnergyAndVirial {
-  public:
-    LJMD_INLINE void add(const Sums<V, true>& row) {
-        u_ += in_double(row.u);
-        xx_ += in_double(row.xx);
-        yy_ += in_double(row.yy);
-        zz_ += in_double(row.zz);
-        xy_ += in_double(row.xy);
-        xz_ += in_double(row.xz);
-        yz_ += in_double(row.yz);
-    }
-    /// @param unit  of the rows' separations [sigma]
-    [[nodiscard]] PairKernelSums sums(double unit) const {
-        PairKernelSums result{sum(u_), {sum(xx_), sum(yy_), sum(zz_), sum(xy_), sum(xz_), sum(yz_)}};
-        for (double& w : result.virial) {
-            w *= unit * unit;
-        }
-        return result;
-    }
-
-  private:
-    using Doubles = decltype(in_double(V()));
-    Doubles u_{0}, xx_{0}, yy_{0}, zz_{0}, xy_{0}, xz_{0}, yz_{0};
 };
 
 /// What to add to the squared distances of each row of a cluster from the cluster itself, so that of two of its atoms
@@ -204,8 +184,6 @@ struct Aside {
         }
     }
 };
-
-using Four = simd::RawVector<double, slots>;
 
 /// The sums of four vectors over their lanes.
 LJMD_INLINE Four sums_of_four(Four a, Four b, Four c, Four d) {
@@ -253,6 +231,36 @@ class ForcesOfCluster {
 
   private:
     Four sums_[slots][3];
+};
+
+/// Energy and virial of a tile. The pairs of a tile are those among its clusters and guests, all of which have one
+/// place in it, so what pairs add to the virial, (r_i - r_j)_a f_b, is r_a f_b summed over atoms instead.
+template <class V>
+class EnergyAndVirial {
+  public:
+    /// @param u  of a row, by lanes
+    LJMD_INLINE void add_row(V u) { u_ += in_double(u); }
+
+    /// @param x, y, z  places of a cluster's slots
+    /// @param f        on its atoms from all of the tile; none where there is no atom
+    LJMD_INLINE void add_cluster(Four x, Four y, Four z, const Four (&f)[3]) {
+        xx_ += x * f[0];
+        yy_ += y * f[1];
+        zz_ += z * f[2];
+        xy_ += x * f[1];
+        xz_ += x * f[2];
+        yz_ += y * f[2];
+    }
+
+    [[nodiscard]] PairKernelSums sums() const {
+        return {sum(u_),
+                {simd::sum_of<slots>(xx_), simd::sum_of<slots>(yy_), simd::sum_of<slots>(zz_), simd::sum_of<slots>(xy_),
+                 simd::sum_of<slots>(xz_), simd::sum_of<slots>(yz_)}};
+    }
+
+  private:
+    decltype(in_double(V())) u_{0};
+    Four xx_{}, yy_{}, zz_{}, xy_{}, xz_{}, yz_{};
 };
 
 /// Along one axis, minus the forces of rows before on a cluster. @param others  of each row's atom in lanes of its own
@@ -336,14 +344,16 @@ template <class Arithmetic, bool with_energy, class Pair>
             }
             forces.keep(k, sum_of_row);
             if constexpr (with_energy) {
-                total.add(sum_of_row);
+                total.add_row(sum_of_row.u);
             }
         }
-        double force[3][slots];
+        Four force[3];
         for (std::size_t a = 0; a < 3; ++a) {
-            const Four f = (forces.along(static_cast<int>(a)) - from_others<V>(partial + own * width + a * axis)) *
-                           arithmetic.unit();
-            __builtin_memcpy(force[a], &f, sizeof f);
+            force[a] = (forces.along(static_cast<int>(a)) - from_others<V>(partial + own * width + a * axis)) *
+                       arithmetic.unit();
+        }
+        if constexpr (with_energy) {
+            total.add_cluster(arithmetic.places(own, 0), arithmetic.places(own, 1), arithmetic.places(own, 2), force);
         }
         for (int k = 0; k < atoms; ++k) {
             double* to = task.forces + 4 * (first_atom + static_cast<std::size_t>(k));
@@ -352,12 +362,20 @@ template <class Arithmetic, bool with_energy, class Pair>
             to[2] = force[2][k];
         }
     }
-    for (std::size_t n = 0; n < (clusters - own_clusters) * 3; ++n) {
-        const Four f = from_others<V>(partial + own_clusters * stride * width + n * axis) * -arithmetic.unit();
-        __builtin_memcpy(task.guest_forces + n * slots, &f, sizeof f);
+    for (std::size_t cluster = own_clusters; cluster < clusters; ++cluster) {
+        const std::size_t guest = cluster * stride;
+        Four force[3];
+        for (std::size_t a = 0; a < 3; ++a) {
+            force[a] = from_others<V>(partial + guest * width + a * axis) * -arithmetic.unit();
+        }
+        __builtin_memcpy(task.guest_forces + (guest - own_clusters * stride), force, sizeof force);
+        if constexpr (with_energy) {
+            total.add_cluster(arithmetic.places(guest, 0), arithmetic.places(guest, 1), arithmetic.places(guest, 2),
+                              force);
+        }
     }
     if constexpr (with_energy) {
-        *sums = total.sums(arithmetic.unit());
+        *sums = total.sums();
     }
 }
 

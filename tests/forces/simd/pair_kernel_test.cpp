@@ -85,6 +85,9 @@ TEST_CASE("kernels give the forces on guests to their owners, whatever tiles the
             const Evaluated found = evaluated(potential, "verlet-list", {level}, fluid);
             CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < 1e-13 * rms(expected.forces));
             CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(1e-13));
+            CHECK((found.sums.virial - expected.sums.virial).norm() < 1e-13 * expected.sums.virial.norm());
+            const Evaluated mixed = evaluated(potential, "verlet-list", {level, Precision::mixed}, fluid);
+            CHECK((mixed.sums.virial - expected.sums.virial).norm() < 1e-6 * expected.sums.virial.norm());
         }
     }
 }
@@ -102,6 +105,7 @@ TEST_CASE("kernels handle atoms without neighbours, and blocks that are not full
                 CHECK((found.forces - expected.forces).norm() <= tolerance * expected.forces.norm());
                 CHECK(found.sums.potential_energy ==
                       Approx(expected.sums.potential_energy).epsilon(tolerance).margin(0));
+                CHECK((found.sums.virial - expected.sums.virial).norm() <= tolerance * expected.sums.virial.norm());
             }
         }
     }
