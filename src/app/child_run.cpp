@@ -6,8 +6,10 @@
 #include <fstream>
 
 #include "ljmd/app/recorded_run.hpp"
+#include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/checkpoint_file.hpp"
+#include "ljmd/io/input_file.hpp"
 
 namespace ljmd {
 
@@ -37,6 +39,9 @@ Job start(const ChildRun& run) {
 /// What a log says of how its process ended: the last line that tells of an error, else the last line.
 std::string last_words(const fs::path& log) {
     constexpr std::size_t longest = 400;
+    if (!why_unreadable(log).empty()) {
+        return "";
+    }
     std::ifstream file(log);
     std::string last;
     std::string error;
@@ -48,6 +53,15 @@ std::string last_words(const fs::path& log) {
 }
 
 }  // namespace
+
+void check_log(const ChildRun& run) {
+    std::error_code error;
+    const fs::file_type type = fs::symlink_status(run.log, error).type();
+    if (type != fs::file_type::not_found && type != fs::file_type::regular) {
+        throw InputError(fmt::format("{} is in the way: a log is written there, and it is no file. Nothing was run.",
+                                     run.log.string()));
+    }
+}
 
 bool holds_another_run(const ChildRun& run) {
     return fs::exists(run.directory / "run.json") && !is_run_of(recorded_run(run.directory), run);

@@ -15,7 +15,6 @@
 
 namespace {
 
-constexpr int most_threads = 4096;
 constexpr int most_steps_compared = 1'000'000;
 
 void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_is_required = true) {
@@ -32,7 +31,7 @@ void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_i
         .add_option("--threads", options.threads,
                     "threads to share the work, 1 or OMP_NUM_THREADS by default; no result depends on it")
         ->type_name("N")
-        ->check(CLI::Range(1, most_threads));
+        ->check(CLI::Range(1, ljmd::most_threads));
     command.add_option("--precision", options.precision, "double or mixed, instead of the deck's")->type_name("P");
     command.add_option("--simd", options.simd, "instruction set of the kernels, one that `ljmd info` lists")
         ->type_name("LEVEL");
@@ -77,7 +76,7 @@ void add_sweep_options(CLI::App& command, ljmd::SweepOptions& options) {
         ->allow_extra_args(false);
     command.add_option("--jobs", options.jobs, "points at a time; one for each processor by default")
         ->type_name("N")
-        ->check(CLI::Range(1, most_threads));
+        ->check(CLI::Range(1, ljmd::most_threads));
     command.add_option("--out", options.out, "directory, runs/DECK-sweep by default")->type_name("DIR");
     command.add_flag("--force", options.force, "accept unlikely values; replace another sweep");
     command.add_flag("--quiet", options.quiet, "no progress, no warnings about the deck");
@@ -174,7 +173,7 @@ int main(int argc, char** argv) {
         ->type_name("TIME");
     resume.add_option("--threads", resumed.threads, "threads to share the work; as many as before by default")
         ->type_name("N")
-        ->check(CLI::Range(1, most_threads));
+        ->check(CLI::Range(1, ljmd::most_threads));
     resume.add_flag("--quiet", resumed.quiet, "no progress");
     resume.add_flag("--json", resumed.json, "print the result as JSON");
     CLI::App& check = *app.add_subcommand("check", "find every mistake in a deck and tell what it would cost");
@@ -213,7 +212,7 @@ int main(int argc, char** argv) {
         ->delimiter(',');
     reproduce.add_option("--jobs", table.jobs, "rows at a time; one for each processor by default")
         ->type_name("N")
-        ->check(CLI::Range(1, most_threads));
+        ->check(CLI::Range(1, ljmd::most_threads));
     reproduce.add_option("--out", table.out, "directory, runs/verlet1967 by default")->type_name("DIR");
     reproduce.add_flag("--quick", table.quick, "runs as short as Verlet's own, 1200 steps");
     reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
@@ -244,11 +243,11 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report_usage(app, error);
     }
-    const int threads = resume.parsed()       ? ljmd::resume_threads(resumed)
-                        : options.threads > 0 ? options.threads
-                                              : ljmd::default_thread_count();
-    ljmd::wait_actively(threads, argv);
     try {
+        const int threads = resume.parsed()       ? ljmd::resume_threads(resumed)
+                            : options.threads > 0 ? options.threads
+                                                  : ljmd::default_thread_count();
+        ljmd::wait_actively(threads, argv);
         if (run.parsed()) {
             ljmd::run_command(options, out, walltime);
         } else if (resume.parsed()) {

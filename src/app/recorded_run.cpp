@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
+#include "ljmd/app/json_file.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/threads.hpp"
 #include "ljmd/io/configuration_reader.hpp"
 
 namespace ljmd {
@@ -26,27 +27,28 @@ struct Record {
 };
 
 Record read_record(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
+    if (std::error_code error; !fs::exists(fs::symlink_status(path, error))) {
         throw DataError(
             fmt::format("{} is not the directory of a run: it has no run.json", path.parent_path().string()));
     }
-    try {
-        const nlohmann::json record = nlohmann::json::parse(file);
+    return read_json(path, "the record of a run", [](const nlohmann::ordered_json& record) -> Record {
         if (record.at("program") != "ljmd") {
-            throw DataError(fmt::format("{} is the record of another program", path.string()));
+            throw WrongJson("it is that of another program");
+        }
+        EarlierParts earlier{record.at("began").get<std::string>(),
+                             {},
+                             integer_of(record.at("steps_added"), "steps_added", 0, most_steps)};
+        for (const auto& step : record.at("resumed_at_steps")) {
+            earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, most_steps));
         }
         return {record.at("deck_file").get<std::string>(),
                 record.at("deck").get<std::string>(),
                 record.at("settings").get<std::vector<std::string>>(),
-                {record.at("began").get<std::string>(), record.at("resumed_at_steps").get<std::vector<Index>>(),
-                 record.at("steps_added").get<Index>()},
+                std::move(earlier),
                 record.at("simd").is_null() ? "" : record.at("simd").get<std::string>(),
-                record.at("threads").get<int>(),
+                static_cast<int>(integer_of(record.at("threads"), "threads", 1, most_threads)),
                 record.at("finished").get<bool>()};
-    } catch (const nlohmann::json::exception& error) {
-        throw DataError(fmt::format("{} is not the record of a run: {}", path.string(), error.what()));
-    }
+    });
 }
 
 }  // namespace
@@ -67,16 +69,18 @@ Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& se
 
 RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
     Record record = read_record(directory / "run.json");
-    record.earlier.steps_added += more_steps;
     Diagnostics diagnostics;
     auto deck =
         load_deck_text(fmt::format("deck of {}", directory.string()), record.deck, record.settings, true, diagnostics);
     diagnostics.throw_if_errors();
     deck->path = record.deck_file;
     deck->directory = directory;
-    if (deck->total_steps() > most_steps - record.earlier.steps_added) {
-        throw InputError(fmt::format("{} steps more are too many", more_steps));
+    const Index room = most_steps - deck->total_steps() - record.earlier.steps_added;
+    if (more_steps > room) {
+        throw InputError(
+            fmt::format("{} steps more are too many, at most {} can be added", more_steps, std::max<Index>(0, room)));
     }
+    record.earlier.steps_added += more_steps;
     deck->stages.back().steps += record.earlier.steps_added;
     return {std::move(*deck), record.earlier, record.simd, record.threads, record.finished};
 }

@@ -77,6 +77,7 @@ class RowRun {
 
     /// Refuse a directory in which another deck was run. @throws InputError
     void check(bool force) const {
+        check_log(run_);
         if (!force && holds_another_run(run_)) {
             throw InputError(fmt::format("{} holds a run of another length or version; --force makes it anew",
                                          run_.directory.string()));

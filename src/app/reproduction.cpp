@@ -5,11 +5,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "ljmd/core/errors.hpp"
+#include "ljmd/app/deck.hpp"
+#include "ljmd/app/json_file.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/potentials/formulas/lennard_jones.hpp"
 
@@ -50,21 +49,15 @@ struct SampledStage {
 };
 
 SampledStage sampled_stage(const fs::path& results) {
-    std::ifstream file(results, std::ios::binary);
-    if (!file) {
-        throw DataError(fmt::format("{} is missing: the run has not come to its end", results.string()));
-    }
-    try {
-        const nlohmann::json json = nlohmann::json::parse(file);
+    return read_json(results, "the result of a run", [](const nlohmann::ordered_json& json) -> SampledStage {
         for (const auto& stage : json.at("stages")) {
             if (stage.at("sampled").get<bool>()) {
-                return {stage.at("first_step").get<Index>(), stage.at("steps").get<Index>()};
+                return {integer_of(stage.at("first_step"), "first_step", 0, most_steps),
+                        integer_of(stage.at("steps"), "steps", 0, most_steps)};
             }
         }
-    } catch (const nlohmann::json::exception& error) {
-        throw DataError(fmt::format("{} is not the result of a run: {}", results.string(), error.what()));
-    }
-    throw DataError(fmt::format("{} tells of no stage that was sampled", results.string()));
+        throw WrongJson("it tells of no stage that was sampled");
+    });
 }
 
 /// Z and U at the nominal temperature, from those at the one that was measured.

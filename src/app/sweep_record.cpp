@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "ljmd/app/json_file.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/output_file.hpp"
@@ -33,12 +32,10 @@ std::string record_json(const SweepPlan& plan) {
 /// The sweep that a directory holds; nothing when it holds none.
 std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
     const fs::path path = directory / "sweep.json";
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
+    if (std::error_code error; !fs::exists(fs::symlink_status(path, error))) {
         return std::nullopt;
     }
-    try {
-        const nlohmann::json record = nlohmann::json::parse(file);
+    return read_json(path, "the record of a sweep", [](const nlohmann::ordered_json& record) {
         SweepPlan plan{record.at("deck_file").get<std::string>(),
                        record.at("deck").get<std::string>(),
                        record.at("settings").get<std::vector<std::string>>(),
@@ -46,13 +43,11 @@ std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
         for (const auto& point : record.at("points")) {
             plan.points.values.push_back(point.at("values").get<std::vector<std::string>>());
             if (plan.points.values.back().size() != plan.points.keys.size()) {
-                throw DataError(fmt::format("{}: a point has not a value for each key", path.string()));
+                throw WrongJson("a point has not a value for each key");
             }
         }
         return plan;
-    } catch (const nlohmann::json::exception& error) {
-        throw DataError(fmt::format("{} is not the record of a sweep: {}", path.string(), error.what()));
-    }
+    });
 }
 
 /// What the sweep in a directory has and this one has not; empty when they are the same.
@@ -109,6 +104,9 @@ std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const fs::path& director
 }
 
 void prepare_sweep(const SweepPlan& plan, const fs::path& directory, bool force) {
+    for (const ChildRun& run : sweep_runs(plan, directory)) {
+        check_log(run);
+    }
     const auto recorded = recorded_sweep(directory);
     if (!recorded) {
         for (const char* name : {"sweep.csv", "points"}) {

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "ljmd/app/json_file.hpp"
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/sweep_points.hpp"
-#include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/csv_text.hpp"
 
@@ -79,12 +77,7 @@ std::vector<std::string> observables_of(const SweptPoints& swept) {
 }  // namespace
 
 std::vector<ObservedMean> observed_means(const std::filesystem::path& results) {
-    std::ifstream file(results, std::ios::binary);
-    if (!file) {
-        throw DataError(fmt::format("{} is missing", results.string()));
-    }
-    try {
-        const Json json = Json::parse(file);
+    return read_json(results, "the result of a run", [](const Json& json) {
         std::vector<ObservedMean> found;
         for (const auto& [name, entry] : json.at("observables").items()) {
             found.push_back({name, number_of(entry.at("mean")), number_of(entry.at("standard_error"))});
@@ -97,9 +90,7 @@ std::vector<ObservedMean> observed_means(const std::filesystem::path& results) {
             }
         }
         return found;
-    } catch (const nlohmann::json::exception& error) {
-        throw DataError(fmt::format("{} is not the result of a run: {}", results.string(), error.what()));
-    }
+    });
 }
 
 std::string sweep_table(const SweptPoints& swept) {

@@ -24,7 +24,7 @@ int available_processors() {
 
 int default_thread_count() {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody writes the environment
-    return std::getenv("OMP_NUM_THREADS") != nullptr ? std::max(1, omp_get_max_threads()) : 1;
+    return std::getenv("OMP_NUM_THREADS") != nullptr ? std::clamp(omp_get_max_threads(), 1, most_threads) : 1;
 }
 
 int thread_count() {

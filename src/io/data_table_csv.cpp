@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/input_file.hpp"
 #include "ljmd/io/text_file.hpp"
 
 namespace ljmd {
@@ -27,6 +28,9 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 /// Whether the last line of a file has its end. True for a file that cannot be read, which others will say.
 bool ends_with_a_line(const std::filesystem::path& path) {
+    if (!why_unreadable(path).empty()) {
+        return true;
+    }
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     char last = '\n';
     if (file && file.tellg() > 0) {

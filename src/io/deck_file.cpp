@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "ljmd/io/input_file.hpp"
 #include "ljmd/io/toml_text.hpp"
 
 namespace ljmd {
@@ -36,12 +37,7 @@ DeckFile read_deck(const std::filesystem::path& path, Diagnostics& diagnostics) 
         diagnostics.error({none.source}, message);
         return none;
     };
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (status.type() == std::filesystem::file_type::not_found) return fail("no such file");
-    if (error) return fail("cannot be read: " + error.message());
-    if (std::filesystem::is_directory(status)) return fail("a directory, not a deck");
-    if (!std::filesystem::is_regular_file(status)) return fail("not a regular file");
+    if (const std::string why = why_unreadable(path); !why.empty()) return fail(why);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file) return fail("cannot be read: " + std::generic_category().message(errno));

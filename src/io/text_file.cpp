@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/input_file.hpp"
 
 namespace ljmd {
 namespace {
@@ -16,25 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-/// Why a path cannot be a data file; empty when it can.
-std::string complaint_about(const fs::path& path) {
-    std::error_code code;
-    switch (fs::status(path, code).type()) {
-        case fs::file_type::regular:
-            return {};
-        case fs::file_type::not_found:
-            return "no such file";
-        case fs::file_type::directory:
-            return "is a directory; a configuration is read from a regular file";
-        case fs::file_type::fifo:
-            return "is a pipe; a configuration is read from a regular file";
-        case fs::file_type::none:
-            return "cannot be opened: " + code.message();
-        default:
-            return "is a device or a socket; a configuration is read from a regular file";
-    }
-}
 
 bool separates(char c) {
     return c == ' ' || c == '\t';
@@ -56,14 +37,10 @@ std::errc parse(std::string_view field, T& value) {
 }  // namespace
 
 TextFile::TextFile(const fs::path& path) : name_(path.string()), buffer_(longest_line + 1) {
-    const std::string complaint = complaint_about(path);
-    if (!complaint.empty()) fail_at(0, complaint);
+    stream_ = open_input(path);
     std::error_code code;
     size_ = static_cast<Index>(fs::file_size(path, code));
     if (code) fail_at(0, "cannot be opened: " + code.message());
-    errno = 0;
-    stream_.open(path, std::ios::binary);
-    if (!stream_) fail_at(0, "cannot be opened: " + std::generic_category().message(errno));
     bytes_left_ = size_;
 }
 

@@ -1,5 +1,9 @@
 #include "ljmd/app/child_run.hpp"
 
+#include <sys/stat.h>
+
+#include <fstream>
+
 #include "app/run_fixtures.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
@@ -113,4 +117,19 @@ TEST_CASE("each line is told of when it is at its end, and lines with nothing to
     CHECK(lines[0].statuses == std::vector<int>{0, 0});
     CHECK(lines[1].statuses.empty());
     CHECK(lines[2].statuses == std::vector<int>{0});
+}
+
+TEST_CASE("a log that leads elsewhere is refused") {
+    const DeckFolder folder;
+    const ChildRun run = run_in(folder);
+    CHECK_NOTHROW(check_log(run));
+    std::ofstream(run.log) << "error: of an earlier time\n";
+    CHECK_NOTHROW(check_log(run));
+    fs::remove(run.log);
+    fs::create_symlink(folder / "precious", run.log);
+    CHECK_THROWS_AS(check_log(run), InputError);
+    fs::remove(run.log);
+    REQUIRE(mkfifo(run.log.c_str(), 0600) == 0);
+    CHECK_THROWS_WITH(check_log(run), Catch::Matchers::Contains("hot.log is in the way"));
+    CHECK(failure_of(run, 5) == "hot: exit code 5: ");
 }

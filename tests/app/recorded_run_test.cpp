@@ -1,6 +1,9 @@
 #include "ljmd/app/recorded_run.hpp"
 
+#include <sys/stat.h>
+
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/app_fixtures.hpp"
@@ -91,10 +94,27 @@ TEST_CASE("what is no run, or none that ended, is refused") {
     change_record(directory, "program", "another");
     CHECK_THROWS_WITH(deck_of(directory), Contains("another program"));
     change_record(directory, "program", "ljmd");
+    for (const nlohmann::json& threads : {nlohmann::json(0), nlohmann::json(-5), nlohmann::json(1e300)}) {
+        change_record(directory, "threads", threads);
+        CHECK_THROWS_AS(recorded_run(directory), DataError);
+        CHECK_THROWS_WITH(recorded_run(directory), Contains("'threads' is ") && Contains("allowed: an integer from 1"));
+    }
+    change_record(directory, "threads", 1);
+    change_record(directory, "steps_added", std::numeric_limits<Index>::max());
+    CHECK_THROWS_WITH(recorded_run(directory), Contains("'steps_added' is 9223372036854775807"));
+    change_record(directory, "steps_added", 0);
+    CHECK_THROWS_AS(recorded_run(directory, most_steps), InputError);
+    CHECK_THROWS_WITH(recorded_run(directory, most_steps), Contains("at most 999999999"));
     change_record(directory, "deck", 7);
     CHECK_THROWS_WITH(deck_of(directory), Contains("run.json is not the record of a run"));
     std::ofstream(directory / "run.json") << "{";
     CHECK_THROWS_AS(deck_of(directory), DataError);
+    fs::remove(directory / "run.json");
+    fs::create_directory(directory / "run.json");
+    CHECK_THROWS_WITH(deck_of(directory), Contains("run.json: is a directory, not a regular file"));
+    fs::remove(directory / "run.json");
+    REQUIRE(mkfifo((directory / "run.json").c_str(), 0600) == 0);
+    CHECK_THROWS_WITH(deck_of(directory), Contains("run.json: is a pipe, not a regular file"));
     fs::remove(directory / "run.json");
     CHECK_THROWS_AS(deck_of(directory), DataError);
     CHECK_THROWS_WITH(deck_of(directory), Contains("is not the directory of a run: it has no run.json"));

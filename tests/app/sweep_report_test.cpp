@@ -110,7 +110,7 @@ TEST_CASE("means are read from the results of a run, in their order") {
 TEST_CASE("results that are not there or damaged are told of") {
     const TemporaryFolder folder;
     const auto path = folder / "results.json";
-    CHECK_THROWS_WITH(observed_means(path), Contains("results.json is missing"));
+    CHECK_THROWS_WITH(observed_means(path), Contains("results.json: no such file"));
     for (const char* text : {"", "[]", "{}", R"({"observables": {"temperature": 1}})",
                              R"({"observables": {"temperature": {"mean": "x", "standard_error": 1}}})"}) {
         INFO(text);

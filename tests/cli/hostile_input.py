@@ -56,7 +56,7 @@ def devices(t):
     """A device gives no end of zeros, or nothing; neither is a deck."""
     for device in ("/dev/zero", "/dev/null"):
         result = t.expect(2, t.run("run", device))
-        t.contains(result.err, f"error: {device}: not a regular file\n")
+        t.contains(result.err, f"error: {device}: is a device or a socket, not a regular file\n")
 
 
 def unreadable(t):

@@ -140,11 +140,11 @@ TEST_CASE("what is no deck file is refused by name") {
     const TemporaryFolder folder;
     CHECK(read_mistake(folder / "none.toml") == "no such file");
     CHECK(read_mistake(folder / std::string(1000, 'x')) == "cannot be read: File name too long");
-    CHECK(read_mistake(folder / "") == "a directory, not a deck");
-    CHECK(read_mistake("/dev/zero") == "not a regular file");
+    CHECK(read_mistake(folder / "") == "is a directory, not a regular file");
+    CHECK(read_mistake("/dev/zero") == "is a device or a socket, not a regular file");
     const fs::path fifo = folder / "fifo";
     REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
-    CHECK(read_mistake(fifo) == "not a regular file");
+    CHECK(read_mistake(fifo) == "is a pipe, not a regular file");
     CHECK(read_mistake(written(folder, "empty.toml", "")) == "the deck is empty");
     CHECK(read_mistake(written(folder, "comment.toml", "# nothing\n\n")) == "the deck is empty");
     CHECK(read_mistake(written(folder, "binary.toml", std::string("a = 1\n\0\0", 8))) == "binary data (a NUL byte)");

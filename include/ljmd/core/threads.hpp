@@ -12,6 +12,9 @@ namespace ljmd {
 /// How many threads loops over atoms are shared among. No result depends on it: work is cut into blocks of fixed
 /// length, and what blocks yield is put together in their order.
 
+/// Nobody has use for more.
+constexpr int most_threads = 4096;
+
 /// Processors that this process may run on, at least 1.
 [[nodiscard]] int available_processors();
 
