@@ -45,6 +45,9 @@ bool is_hdf5(const std::filesystem::path& path) {
 
 Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {
     const Hdf5Silence silence;
+    // Links out of the file, to a pipe or a device for example, are not followed.
+    static const herr_t other_files_are_left_alone = H5Lunregister(H5L_TYPE_EXTERNAL);
+    checked(other_files_are_left_alone, "preparing to open it");
     file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (file_) {
         return;
@@ -138,6 +141,10 @@ void Hdf5Input::require_stored(hid_t dataset, const std::string& name) const {
     const Hdf5Handle space(checked(H5Dget_space(dataset), "reading " + name), H5Sclose);
     if (!holds_numbers(type.get())) {
         fail(fmt::format("{} holds no numbers", name));
+    }
+    const Hdf5Handle creation(checked(H5Dget_create_plist(dataset), "reading " + name), H5Pclose);
+    if (H5Pget_external_count(creation.get()) != 0 || H5Pget_layout(creation.get()) == H5D_VIRTUAL) {
+        fail(fmt::format("the numbers of {} lie in another file", name));
     }
     const double claimed = product(extent_of(space.get(), name)) * static_cast<double>(H5Tget_size(type.get()));
     if (claimed > largest_compression * static_cast<double>(H5Dget_storage_size(dataset))) {

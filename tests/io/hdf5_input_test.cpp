@@ -112,6 +112,39 @@ TEST_CASE("damage in a file that was not closed is not waited for") {
     CHECK_THAT(data_error([&] { static_cast<void>(Hdf5Input(damaged.path())); }), Contains("HDF5 cannot open it: "));
 }
 
+TEST_CASE("a file that leads to others is not followed") {
+    const TemporaryFolder folder;
+    write_all(folder / "other.h5");
+    {
+        const Hdf5Handle file(H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+        REQUIRE(H5Lcreate_external("other.h5", "g/numbers", file.get(), "elsewhere", H5P_DEFAULT, H5P_DEFAULT) >= 0);
+        REQUIRE(H5Lcreate_soft("elsewhere", file.get(), "by two steps", H5P_DEFAULT, H5P_DEFAULT) >= 0);
+        const hsize_t three = 3;
+        const Hdf5Handle space(H5Screate_simple(1, &three, nullptr), H5Sclose);
+        const auto create = [&](const char* name, const Hdf5Handle& creation) {
+            const Hdf5Handle dataset(
+                H5Dcreate2(file.get(), name, H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+                H5Dclose);
+            REQUIRE(dataset);
+        };
+        const Hdf5Handle raw(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        REQUIRE(H5Pset_external(raw.get(), "/dev/zero", 0, H5F_UNLIMITED) >= 0);
+        create("raw", raw);
+        const Hdf5Handle virtual_one(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        REQUIRE(H5Pset_virtual(virtual_one.get(), space.get(), "other.h5", "g/numbers", space.get()) >= 0);
+        create("virtual", virtual_one);
+    }
+    const Hdf5Input input(folder / "a.h5");
+    for (const char* name : {"elsewhere", "by two steps"}) {
+        CHECK_THAT(data_error([&] { static_cast<void>(input.numbers(name)); }),
+                   Contains(std::string("a.h5: opening ") + name + ": "));
+    }
+    for (const char* name : {"raw", "virtual"}) {
+        CHECK_THAT(data_error([&] { static_cast<void>(input.numbers(name)); }),
+                   Contains(std::string("a.h5: the numbers of ") + name + " lie in another file"));
+    }
+}
+
 TEST_CASE("an extent that nothing stands behind is not believed") {
     const TemporaryFolder folder;
     {
