@@ -87,6 +87,7 @@ bool reads_back(const fs::path& path, const Parts& parts) {
     return file && file.peek() == std::ifstream::traits_type::eof();
 }
 
+/// A file whose head says another length than it has is not read: what it claims may not fit into memory.
 std::string read_whole(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {  // opening a pipe would wait for ever
@@ -97,7 +98,16 @@ std::string read_whole(const fs::path& path) {
     if (error || !file) {
         throw CheckpointError("it cannot be opened");
     }
+    Head head{};
+    file.read(reinterpret_cast<char*>(&head), sizeof(Head));
+    if (std::string_view(head.word.data(), head.word.size()) != magic) {
+        throw CheckpointError("it is not a checkpoint");
+    }
+    if (!file || size < sizeof(Head) + tail_length || head.length != size - sizeof(Head) - tail_length) {
+        throw CheckpointError("it is damaged: its length is not what it says");
+    }
     std::string text(size, '\0');
+    file.seekg(0);
     file.read(text.data(), static_cast<std::streamsize>(size));
     if (!file) {
         throw CheckpointError("it cannot be read");
@@ -109,9 +119,6 @@ std::string read_whole(const fs::path& path) {
 CheckpointFile parse(const fs::path& path) {
     const std::string text = read_whole(path);
     Head head{};
-    if (text.size() < sizeof(Head) + tail_length || !text.starts_with(magic)) {
-        throw CheckpointError(text.starts_with(magic) ? "it ends too early" : "it is not a checkpoint");
-    }
     std::memcpy(&head, text.data(), sizeof(Head));
     const std::size_t hashed = text.size() - tail_length;
     const XXH128_canonical_t hash = hash_of({std::string_view(text).substr(0, hashed)});
@@ -123,8 +130,8 @@ CheckpointFile parse(const fs::path& path) {
         throw CheckpointError(fmt::format("it has version {} of the format, and this ljmd reads version {}",
                                           head.version, format_version));
     }
-    if (head.zero != 0 || head.length != hashed - sizeof(Head)) {
-        throw CheckpointError("its length is not what it says");
+    if (head.zero != 0) {
+        throw CheckpointError("its head holds something unknown");
     }
     const auto content = std::as_bytes(std::span(text)).subspan(sizeof(Head), static_cast<std::size_t>(head.length));
     return {path, head.generation, {content.begin(), content.end()}};
