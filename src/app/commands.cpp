@@ -38,6 +38,9 @@ Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
         set_default_simd_level(usable_simd_level(options.simd));
     }
     static_cast<void>(default_simd_level());  // a wrong LJMD_SIMD is an error before anything is done
+    if (options.deck.empty()) {
+        throw InputError("the name of the deck is empty");
+    }
     std::vector<std::string> settings = options.settings;
     if (!options.precision.empty()) {
         settings.push_back("performance.precision=" + options.precision);
@@ -111,7 +114,8 @@ Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
 
 /// `argon.toml` or `runs/argon` with target `lammps`: argon-lammps, here.
 std::filesystem::path export_directory(const std::filesystem::path& source, bool is_run, const std::string& to) {
-    const std::filesystem::path whole = std::filesystem::absolute(source).lexically_normal();
+    std::error_code none;  // an empty path has no absolute one
+    const std::filesystem::path whole = std::filesystem::absolute(source, none).lexically_normal();
     const std::filesystem::path name = !is_run                ? whole.stem()
                                        : whole.has_filename() ? whole.filename()
                                                               : whole.parent_path().filename();
@@ -156,15 +160,22 @@ std::optional<double> wall_time(const std::string& text) {
     return seconds;
 }
 
+/// Remove an earlier run. @pre the directory is locked
+void clear_directory(const Deck& deck, bool force) {
+    check_directory(deck, force);  // again: another run may have come to its end in it since
+    prepare_directory(deck.directory);
+}
+
 void run_fluid(const Deck& deck, Start start, const DeckOptions& options, const RunControl& control) {
     // The start is made before anything is touched: what refuses it must not cost an earlier run.
     check_directory(deck, options.force);
     Progress progress(start.atoms, deck.total_steps(), options.quiet);
     Simulation simulation =
         make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
+    heed_signals();  // until here nothing would be lost
     make_directory(deck.directory);
     const DirectoryLock lock(deck.directory);
-    prepare_directory(deck.directory);
+    clear_directory(deck, options.force);
     const RunResult result = run_deck(deck, simulation, progress, control);
     print_result(options.json ? results_json(deck, result) + "\n" : results_table(deck, result));
 }
@@ -173,9 +184,10 @@ void run_bodies(const Deck& deck, const DeckOptions& options, const RunControl& 
     check_directory(deck, options.force);
     FewBodySystem system = make_few_body_system(deck);
     Progress progress(system.state.count(), deck.total_steps(), options.quiet);
+    heed_signals();
     make_directory(deck.directory);
     const DirectoryLock lock(deck.directory);
-    prepare_directory(deck.directory);
+    clear_directory(deck, options.force);
     const FewBodyResult result = run_few_body(deck, system, progress, control);
     print_result(options.json ? few_body_results_json(deck, result) + "\n" : few_body_results_table(deck, result));
 }
@@ -219,8 +231,7 @@ void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, co
 }  // namespace
 
 void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
-    const RunControl control{.walltime = wall_time(walltime)};
-    heed_signals();
+    const RunControl control{.interruption = Interruption(wall_time(walltime))};
     Diagnostics diagnostics;
     Deck deck = load(options, diagnostics);
     if (!out.empty()) {
@@ -245,7 +256,7 @@ int resume_threads(const ResumeOptions& options) {
 }
 
 void resume_command(const ResumeOptions& options) {
-    RunControl control{.walltime = wall_time(options.walltime)};
+    RunControl control{.interruption = Interruption(wall_time(options.walltime))};
     heed_signals();
     const RecordedRun run = recorded_run(options.directory, options.more_steps);
     const DirectoryLock lock(options.directory);
@@ -300,6 +311,9 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
         throw InputError(
             fmt::format("unknown program '{}' to compare with, allowed: {}", compared.with, fmt::join(programs, ", ")));
     }
+    if (!out.empty()) {
+        check_comparison(out, compared.with, options.force);
+    }
     Diagnostics diagnostics;
     const Deck deck = load(options, diagnostics);
     if (compared.with == "gsl") {
@@ -320,6 +334,7 @@ void export_command(const DeckOptions& options, const std::string& to, const std
     check_export(to, directory, options.force);
     Diagnostics diagnostics;
     const Exportable what = is_run ? end_of_run(options, diagnostics) : start_of_deck(options, diagnostics);
+    require_no_input(what.deck, export_files(to, directory), "Nothing was written");
     const Exported written = export_configuration(what.deck, what.state, to, directory);
     if (!options.quiet) {
         for (const std::string& warning : written.warnings) {

@@ -151,30 +151,34 @@ const Stage& exported_stage(const Deck& deck) {
 }
 
 void check_export(const std::string& target, const fs::path& directory, bool force) {
-    const Target& chosen = find_target(target);
+    static_cast<void>(find_target(target));
     std::error_code error;
     if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
         throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
     }
-    for (const std::string& name : chosen.files) {
-        if (!force && fs::exists(fs::symlink_status(directory / name, error))) {
+    for (const fs::path& file : export_files(target, directory)) {
+        if (!force && fs::exists(fs::symlink_status(file, error))) {
             throw InputError(
                 fmt::format("{} is there already. Nothing was written.\n  choose another directory with --out, "
                             "or replace it with --force",
-                            (directory / name).string()));
+                            file.string()));
         }
     }
+}
+
+std::vector<fs::path> export_files(const std::string& target, const fs::path& directory) {
+    std::vector<fs::path> files;
+    for (const std::string& name : find_target(target).files) {
+        files.push_back(directory / name);
+    }
+    return files;
 }
 
 Exported export_configuration(const Deck& deck, const State& state, const std::string& target,
                               const fs::path& directory) {
     const Target& chosen = find_target(target);
     const Notes notes = chosen.write({deck, state, directory});
-    Exported exported{{}, notes.usage, notes.warnings};
-    for (const std::string& name : chosen.files) {
-        exported.files.push_back(directory / name);
-    }
-    return exported;
+    return {export_files(target, directory), notes.usage, notes.warnings};
 }
 
 }  // namespace ljmd

@@ -44,7 +44,7 @@ class FewBodyRun : private StepObserver {
           system_(system),
           listener_(listener),
           thermo_every_(deck.thermo_every),
-          checkpoints_(deck, control.walltime, control.resumed ? control.resumed->point.file.generation : 0) {
+          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0) {
         std::optional<ResumedOutputs> outputs;
         if (control.resumed) {
             const ResumePoint& point = control.resumed->point;
@@ -97,6 +97,7 @@ class FewBodyRun : private StepObserver {
     }
 
     void checkpoint(const LoopPosition& position) override {
+        require_finite();  // a checkpoint of a run that has blown up is of no use
         const CommittedOutputs outputs = files_->commit();
         checkpoints_.write(system_.state, position, outputs, [this](Archive& a) { archive(a); });
     }
@@ -161,6 +162,19 @@ class FewBodyRun : private StepObserver {
         stage.checksum_at_end = checksum(system_.state);
     }
 
+    /// @throws PhysicsError when a body has left the range of numbers
+    void require_finite() const {
+        const State& state = system_.state;
+        for (Index i = 0; i < state.count(); ++i) {
+            if (!state.positions().col(i).allFinite() || !std::isfinite(state.velocities().col(i).squaredNorm())) {
+                throw PhysicsError(
+                    fmt::format("body {} was pushed out of the range of numbers: the run has blown up. Is the time "
+                                "step too large, or do bodies come too close?",
+                                i + 1));
+            }
+        }
+    }
+
     void add_angle() {
         if (const auto& rate = system_.force.angular_velocity) {
             angle_ = quadrature_.add(system_.state.time,
@@ -176,7 +190,14 @@ class FewBodyRun : private StepObserver {
 
     void record(const Evaluation& evaluation) {
         const State& state = system_.state;
+        require_finite();
         const FewBodyTotals totals = totals_of(state, evaluation.potential_energy);
+        if (!std::isfinite(totals.total_energy)) {
+            throw PhysicsError(
+                fmt::format("the total energy is {} now: the run has blown up. Is the time step too large, or do "
+                            "bodies come too close?",
+                            totals.total_energy));
+        }
         files_->write_thermo(state, totals);
         drift_.add(state.time, totals.total_energy);
         ++rows_;

@@ -147,6 +147,7 @@ std::string results_json(const Deck& deck, const RunResult& result) {
                  {"translational_order_at_sampling", number_or_null(result.order_at_sampling)},
                  {"stages", stages},
                  {"neighbor_list_rebuilds", result.search.rebuilds},
+                 {"neighbor_list_late_rebuilds", result.search.late_rebuilds},
                  {"warnings", result.warnings}};
     if (deck.units) {
         json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();

@@ -37,7 +37,7 @@ class FluidRun : private StepObserver {
           simulation_(simulation),
           listener_(listener),
           thermo_every_(deck.thermo_every),
-          checkpoints_(deck, control.walltime, control.resumed ? control.resumed->point.file.generation : 0),
+          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0),
           averages_(simulation.state.count(), sampled_ensemble(deck)),
           analysed_edges_(simulation.state.box().edges()) {
         std::optional<ResumedOutputs> outputs;
@@ -290,6 +290,13 @@ class FluidRun : private StepObserver {
                 fmt::format("sampling began with {:.0f} % of the crystal left (translational order {:.3f}): "
                             "equilibrate longer, or melt above the target temperature first",
                             100.0 * *result.order_at_sampling, *result.order_at_sampling));
+        }
+        if (const Index late = result.search.late_rebuilds; late > 0) {
+            doubts.push_back(fmt::format(
+                "{} of {} neighbor lists were kept too long: an atom had moved by more than half the skin, "
+                "and pairs within the cutoff may have been missed. Take a larger skin or a smaller `every`, "
+                "or leave `every` out",
+                late, result.search.rebuilds));
         }
         if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
             doubts.push_back(fmt::format("the run is too short for the error bars of {}: they are guesses", unsure));

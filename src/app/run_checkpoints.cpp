@@ -123,8 +123,8 @@ void ResumePoint::restore(const Deck& deck, const State& state, const std::funct
     }
 }
 
-RunCheckpoints::RunCheckpoints(const Deck& deck, std::optional<double> walltime, std::uint64_t generation)
-    : deck_(deck), store_(deck.directory, deck.checkpoint.keep), interruption_(walltime), goes_on_(generation > 0) {
+RunCheckpoints::RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation)
+    : deck_(deck), store_(deck.directory, deck.checkpoint.keep), interruption_(interruption), goes_on_(generation > 0) {
     store_.go_on_after(generation);
 }
 

@@ -78,14 +78,22 @@ void check_directory(const Deck& deck, bool force) {
                         directory.string(), old.front().filename().string(),
                         can_go_on ? fmt::format(", or go on with it: ljmd resume {}", directory.string()) : ""));
     }
+    require_no_input(deck, old, "Nothing was run");
+}
+
+void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, const std::string& consequence) {
+    std::vector<fs::path> inputs{deck.path};
     if (deck.kind == DeckKind::fluid && deck.system().has("file")) {
-        const fs::path start = configuration_file(deck.system().text("file"));
-        for (const fs::path& file : old) {
-            if (fs::equivalent(file, start, error)) {
+        inputs.push_back(configuration_file(deck.system().text("file")));
+    }
+    std::error_code error;
+    for (const fs::path& input : inputs) {
+        for (const fs::path& output : outputs) {
+            if (fs::equivalent(output, input, error)) {
                 throw InputError(
-                    fmt::format("{}, where this run starts from, is in its output directory and would be "
-                                "replaced. Nothing was run.\n  choose another directory with --out",
-                                start.string()));
+                    fmt::format("{} is read, and would be replaced by what is written. {}.\n  choose another "
+                                "directory with --out",
+                                input.string(), consequence));
             }
         }
     }

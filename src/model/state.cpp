@@ -135,10 +135,14 @@ void State::wrap() {
         }
         const Vec3 n = box().crossings(r.col(i));
         if (!(n.array().abs() < most_crossings).all()) {  // true for NaN as well; maxCoeff may pass over it
+            const Vec3 outside = (r.col(i).array() - 0.5 * box().edges().array()).abs() - 0.5 * box().edges().array();
+            const std::string how = r.col(i).allFinite()
+                                        ? fmt::format("has left its box by {:.3g} sigma", outside.maxCoeff())
+                                        : "was pushed out of the range of numbers";
             throw PhysicsError(
-                fmt::format("atom {} is at ({}, {}, {}), far outside its box: the run has blown up. Is the "
-                            "time step too large, or do atoms overlap at the start?",
-                            ids_[static_cast<std::size_t>(i)] + 1, r(0, i), r(1, i), r(2, i)));
+                fmt::format("atom {} {}: the run has blown up. Is the time step too large, or do atoms overlap at "
+                            "the start?",
+                            ids_[static_cast<std::size_t>(i)] + 1, how));
         }
         r.col(i) -= n.cwiseProduct(box().edges());
         images_[static_cast<std::size_t>(i)] += n.cast<int>();

@@ -120,6 +120,9 @@ void VerletList::prepare(State& state, double cutoff) {
     if (still_valid(state, cutoff)) {
         ++age_;
     } else {
+        if (is_of(state, cutoff) && every_ && !nothing_moved_too_far(state)) {
+            ++statistics_.late_rebuilds;
+        }
         grid_.configure(state.box(), cutoff + skin_, state.count());
         grid_.sort(state);
         statistics_.seconds_sorting += watch.lap();
@@ -129,12 +132,13 @@ void VerletList::prepare(State& state, double cutoff) {
     statistics_.seconds_listing += watch.lap();
 }
 
+bool VerletList::is_of(const State& state, double cutoff) const {
+    return cutoff == built_for_cutoff_ && state.box().edges() == built_for_edges_ &&
+           state.order_version() == built_for_order_ && atoms_per_row_ == built_for_atoms_per_row_;
+}
+
 bool VerletList::still_valid(const State& state, double cutoff) const {
-    if (cutoff != built_for_cutoff_ || state.box().edges() != built_for_edges_ ||
-        state.order_version() != built_for_order_ || atoms_per_row_ != built_for_atoms_per_row_) {
-        return false;
-    }
-    return every_ ? age_ < *every_ : nothing_moved_too_far(state);
+    return is_of(state, cutoff) && (every_ ? age_ < *every_ : nothing_moved_too_far(state));
 }
 
 bool VerletList::nothing_moved_too_far(const State& state) const {

@@ -263,6 +263,23 @@ TEST_CASE("bodies that collide end the run with step, stage and the configuratio
     CHECK(rows(content_of(deck.directory / "thermo.csv")).size() == 8);  // what was measured until then is there
 }
 
+TEST_CASE("bodies that leave the range of numbers end the run, and the last checkpoint is from before") {
+    const DeckFolder folder(changed(stars_deck, {{"time_step = 0.01", "time_step = 10.0"},
+                                                 {"type = \"newtonian-gravity\"", "type = \"harmonic\""},
+                                                 {"gravitational_constant = 1.0", "stiffness = 1.0"},
+                                                 {"steps = 95\n", "steps = 5000\nintegrator = \"euler\"\n"}}));
+    const Deck deck =
+        folder.load({GENERATE("output.thermo.every=7", "output.thermo.every=4000"), "output.checkpoint.every=100"});
+    FewBodySystem system = make_few_body_system(deck);
+    prepare_directory(deck.directory);
+    Recorder listener;
+    CHECK_THROWS_WITH(run_few_body(deck, system, listener),
+                      Contains("the run has blown up. Is the time step too large"));
+    CHECK_THAT(content_of(deck.directory / "thermo.csv"), !Contains("inf") && !Contains("nan"));
+    REQUIRE(find_resume_point(deck).has_value());
+    CHECK(find_resume_point(deck)->head.step >= 100);
+}
+
 TEST_CASE("run.json of few bodies tells that the run has ended") {
     const Finished run(stars_deck);
     const Json record = Json::parse(run.file("run.json"));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -9,9 +10,11 @@
 #include "app/run_fixtures.hpp"
 #include "core/thread_guard.hpp"
 #include "ljmd/app/recorded_run.hpp"
+#include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/trajectory_reader.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -24,7 +27,8 @@ namespace {
 std::string outputs_of(const std::filesystem::path& directory) {
     std::set<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-        if (entry.path().extension() == ".csv" || entry.path().extension() == ".xyz") {
+        const auto extension = entry.path().extension();
+        if (extension == ".csv" || extension == ".xyz" || extension == ".h5md") {
             files.insert(entry.path());
         }
     }
@@ -102,8 +106,14 @@ TEST_CASE("so it is with every way to the neighbours and in mixed precision") {
     }
 }
 
+TEST_CASE("so it is with frames in H5MD, which are copied") {
+    check_every_step(changed(with_files, {{"format = \"xyz\"", "format = \"h5md\""}}), {});
+}
+
 TEST_CASE("so it is with every integrator and thermostat of fluids, in both precisions, with one thread and two") {
-    const ThreadGuard threads(GENERATE(1, 2));
+    const int thread_count = GENERATE(1, 2);
+    const ThreadGuard threads(thread_count);
+    const int cells = thread_count == 1 ? 3 : 6;  // the least that gives two threads something to share
     const std::string precision = GENERATE("double", "mixed");
     for (const IntegratorMethod& method : all_integrators()) {
         if (method.unbounded_only) {
@@ -115,10 +125,12 @@ TEST_CASE("so it is with every integrator and thermostat of fluids, in both prec
             }
             INFO(method.name << ", " << thermostat.name << ", " << precision);
             const std::string text =
-                changed(with_files, {{"type = \"rescale\", every = 5", "type = \"" + thermostat.name + "\""}});
+                thermostat.name == "rescale"
+                    ? with_files
+                    : changed(with_files, {{"type = \"rescale\", every = 5", "type = \"" + thermostat.name + "\""}});
             const Index rebuilds = check_every_step(
-                text, {"performance.precision=\"" + precision + "\"", "neighbors.skin=0.05",
-                       "stage.equilibrate.integrator=\"" + method.name + "\"",
+                text, {fmt::format("system.lattice.cells={}", cells), "performance.precision=\"" + precision + "\"",
+                       "neighbors.skin=0.05", "stage.equilibrate.integrator=\"" + method.name + "\"",
                        "stage.production.integrator=\"" + method.name + "\"",
                        "stage.equilibrate.time_step=0.001",  // Euler heats
                        "stage.production.time_step=0.001", "stage.equilibrate.steps=10", "stage.production.steps=20"});
@@ -248,6 +260,10 @@ TEST_CASE("a checkpoint that no run of its deck can have written is refused, tho
         head.position.stage = 2;
         why = "in a stage that the deck does not have";
     }
+    SECTION("version of the program") {
+        head.version += "x";
+        why = fmt::format("was written by ljmd {}; this is {}", head.version, build_info().version);
+    }
     SECTION("step of the run") {
         head.step += 1;
         why = "at a step that the deck does not have";
@@ -327,6 +343,40 @@ TEST_CASE("all outputs are looked at before the first one is changed") {
     }
 }
 
+TEST_CASE("a frame that is not what was written is refused, and nothing is touched") {
+    const DeckFolder folder(changed(with_files, {{"format = \"xyz\"", "format = \"h5md\""}}));
+    const Deck deck = folder.load({"output.checkpoint.every=10"});
+    run_until(deck, 35);
+    const auto trajectory = deck.directory / "trajectory.h5md";
+    std::string bytes = content_of(trajectory);
+    const auto reader = open_trajectory(trajectory, std::nullopt);
+    Frame frame;
+    do {
+        REQUIRE(reader->next(frame));
+    } while (frame.configuration.step != 28);  // the last one that the checkpoint knows
+    const double x = frame.configuration.positions[17][0];
+    const std::size_t place = bytes.find(std::string(reinterpret_cast<const char*>(&x), sizeof x));
+    REQUIRE(place != std::string::npos);
+    bytes[place] = static_cast<char>(bytes[place] ^ 1);
+    std::ofstream(trajectory, std::ios::binary) << bytes;
+    const std::string record = content_of(deck.directory / "run.json");
+    CHECK_THROWS_AS(resume(deck.directory), CheckpointError);
+    CHECK_THROWS_WITH(resume(deck.directory),
+                      Contains("the frame of step 28 in ") && Contains("is not what was written"));
+    CHECK(content_of(trajectory) == bytes);
+    CHECK(content_of(deck.directory / "run.json") == record);
+}
+
+TEST_CASE("checkpoints are written by wall time, and as many are kept as is wished") {
+    const DeckFolder folder;
+    const Deck deck = folder.load({"output.checkpoint={every=\"0.000001 s\",keep=3}", "stage.production.steps=3000"});
+    run_until(deck, 2500);
+    CHECK(find_resume_point(deck)->head.step > 2000);  // at the end of the first stage, were it for steps alone
+    const auto names = checkpoint_names();
+    CHECK(std::count_if(names.begin(), names.end(),
+                        [&](const std::string& name) { return std::filesystem::exists(deck.directory / name); }) == 3);
+}
+
 TEST_CASE("no checkpoint is written of a run that has blown up") {
     const DeckFolder folder(with_files);
     const Deck deck = folder.load({"output.checkpoint.every=1"});
@@ -349,7 +399,7 @@ TEST_CASE("a run whose time is over stops with a checkpoint, and can be gone on 
     prepare_directory(deck.directory);
     Recorder listener;
     try {
-        run_in(deck, listener, {.walltime = 1e-9});
+        run_in(deck, listener, {.interruption = Interruption(1e-9)});
         FAIL("the run went on");
     } catch (const Interrupted& stopped) {
         CHECK(stopped.exit_code() == 75);

@@ -113,7 +113,8 @@ TEST_CASE("a run does not replace the file that it starts from, by whatever name
         INFO(start);
         const Deck deck = folder.load({"system.file=" + start.string()});
         CHECK_THROWS_AS(check_directory(deck, true), InputError);
-        CHECK_THROWS_WITH(check_directory(deck, true), Contains("where this run starts from"));
+        CHECK_THROWS_WITH(check_directory(deck, true),
+                          Contains("is read, and would be replaced by what is written. Nothing was run."));
     }
     write_text(folder / "other.xyz", "the start");
     CHECK_NOTHROW(check_directory(folder.load({"system.file=" + (folder / "other.xyz").string()}), true));

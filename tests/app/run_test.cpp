@@ -166,6 +166,16 @@ TEST_CASE("doubts about the results are warnings, to the listener and in results
     CHECK(warned(without.result, "no sample was taken"));
 }
 
+TEST_CASE("lists that were kept too long are told of") {
+    const std::vector<std::string> long_kept{"neighbors.every=20", "neighbors.skin=0.05"};
+    const Finished late(small_deck, long_kept);
+    CHECK(warned(late.result, "neighbor lists were kept too long"));
+    CHECK(Json::parse(late.file("results.json")).at("neighbor_list_late_rebuilds") == late.result.search.late_rebuilds);
+    const Finished in_time(small_deck, {"neighbors.skin=0.05"});
+    CHECK_FALSE(warned(in_time.result, "kept too long"));
+    CHECK(Json::parse(in_time.file("results.json")).at("neighbor_list_late_rebuilds") == 0);
+}
+
 TEST_CASE("a long run of a liquid leaves no doubt") {
     const Finished run(small_deck, {"stage.equilibrate.steps=600", "stage.equilibrate.temperature=3",
                                     "stage.production.steps=20000", "output.thermo.every=5"});

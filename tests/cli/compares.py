@@ -4,7 +4,7 @@ import json
 import os
 import shutil
 
-from harness import DECK, STARS, Case, Skip, clean_environment, compare_refused
+from harness import DECK, STARS, Case, Skip, clean_environment, compare_refused, snapshot
 
 POINT = ("--parts", "point", "--quiet")
 TRAJECTORY = ("--parts", "point,trajectory", "--steps", "20", "--quiet")
@@ -67,6 +67,18 @@ def json_alone(t):
             ["potential energy", "largest force difference", "rms force difference", "pressure",
              "tail correction of the energy"], "checks")
     t.check("trajectory" not in found and "averages" not in found, "parts that nobody wanted")
+
+
+def existing_files_are_refused(t):
+    t.deck(text=STARS)
+    command = ("compare", "deck.toml", "--with", "gsl", "--quiet", "--out", "out")
+    t.run_well(*command)
+    (t.dir / "out/compare-gsl.json").write_text("mine")
+    before = snapshot(t.dir)
+    t.golden(t.expect(2, t.run(*command)).err)
+    t.equal(snapshot(t.dir), before, "files after the refusal")
+    t.run_well(*command, "--force")
+    t.check("checks" in t.read("out/compare-gsl.json") or "passed" in t.read("out/compare-gsl.json"), "--force replaces nothing")
 
 
 def frames_are_judged(t):
@@ -139,7 +151,7 @@ def position_that_is_not_finite(t):
 
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (everything, json_alone, frames_are_judged, every_path, missed_pairs_fail, lammps,
+            for test in (everything, json_alone, existing_files_are_refused, frames_are_judged, every_path, missed_pairs_fail, lammps,
                          unknown_platform, plugin_folder_missing, no_lammps, position_that_is_not_finite)] + \
            [Case("few bodies with openmm", compare_refused(STARS, "--with", "openmm")),
             Case("few bodies with lammps", compare_refused(STARS, "--with", "lammps")),

@@ -81,6 +81,18 @@ def existing_files_are_refused(t):
     t.equal(t.read("out/notes"), "mine", "another file")
 
 
+def the_start_is_not_replaced(t):
+    t.deck()
+    t.run_well("export", "deck.toml", "--to", "extxyz", "--out", ".")
+    t.deck((FROM_FILE[0][0], FROM_FILE[0][1].format("start.xyz")), ('{ type = "rescale", every = 5 }\n',
+                                                                   '{ type = "rescale", every = 5 }\ntemperature = 1.0\n'),
+           name="next.toml")
+    before = snapshot(t.dir)
+    result = t.expect(2, t.run("export", "next.toml", "--to", "extxyz", "--out", ".", "--force"))
+    t.golden(result.err)
+    t.equal(snapshot(t.dir), before, "files after the refusal")
+
+
 def output_is_a_file(t):
     t.deck()
     (t.dir / "taken").write_text("mine")
@@ -136,7 +148,8 @@ def cases():
     switched = morse.replace('truncation = "cut"', 'truncation = "switched"\nswitch_start = 2.0')
     return [Case(test.__name__.replace("_", " "), test)
             for test in (lammps, json_says_the_same, every_configuration_can_be_started_from,
-                         a_run_needs_its_directory_alone, existing_files_are_refused, output_is_a_file,
+                         a_run_needs_its_directory_alone, existing_files_are_refused, the_start_is_not_replaced,
+                         output_is_a_file,
                          a_tail_is_warned_of, few_body_run, run_that_has_not_ended, start_of_a_run_is_past,
                          larger_cutoff_than_the_box_of_a_run)] + \
            [Case("unknown target", refused(2, DECK, "deck.toml", "--to", "gromacs")),
@@ -144,5 +157,6 @@ def cases():
             Case("few-body deck", refused(2, STARS, "deck.toml", "--to", "lammps")),
             Case("directory that is no run", refused(3, DECK, "empty", "--to", "extxyz")),
             Case("deck that is not there", refused(2, DECK, "deck.tml", "--to", "extxyz")),
+            Case("deck without a name", refused(2, DECK, "", "--to", "extxyz")),
             Case("deck with a mistake", refused(2, DECK, "deck.toml", "--to", "extxyz", "--set", "system.density=-1")),
             Case("potential that LAMMPS does not have", refused(2, switched, "deck.toml", "--to", "lammps"))]

@@ -4,7 +4,7 @@ import os
 import re
 import resource
 
-from harness import Case, Skip, snapshot
+from harness import STARS, Case, Skip, snapshot
 
 HOT = [("density = 0.8442", "density = 0.5"), ("temperature = 1.0", "temperature = 20.0"),
        ("time_step = 0.004\nsteps = 20", "time_step = 0.05\nsteps = 2000"),
@@ -17,7 +17,9 @@ def explosion(t):
     t.equal(result.out, "", "stdout")
     error = result.err[result.err.index("error: "):]
     t.equal(error.count("error:"), 1, "times that it says 'error:'")
-    t.check(re.match(r"error: step \d+ \(stage 'melt'\): (atom \d+ |the total energy )", error), f"message: {error}")
+    t.check(re.match(r"error: step \d+ \(stage 'melt'\): (atom \d+ (moves [\d.e+]+ sigma in one step|has left its box by "
+                     r"[\d.e+]+ sigma|was pushed out of the range of numbers)|the total energy has risen by [\d.e+]+ )", error),
+            f"message: {error}")
     t.contains(error, "time step")
     t.contains(error, "the configuration is in out/failed.xyz\n")
     t.equal(t.read("out/failed.xyz").splitlines()[0], "108", "first line of failed.xyz")
@@ -25,6 +27,7 @@ def explosion(t):
     t.check(t.columns("out/thermo.csv")["step"], "thermo.csv has no rows")
     t.check(not (t.dir / "out/results.json").exists(), "a failed run has results")
     t.equal([name for name in t.files("out") if name.endswith(".tmp")], [], "left-over files")
+    t.contains(t.run_well("info", "out").out, "ljmd resume out")  # the last checkpoint is from before
 
 
 def explosion_under_a_thermostat(t):
@@ -34,6 +37,32 @@ def explosion_under_a_thermostat(t):
     result = t.expect(5, t.run("run", "deck.toml", "--force"))
     t.check(re.search(r"error: step \d+ \(stage 'melt'\): atom \d+ moves [\d.e+]+ sigma in one step", result.err),
             f"message: {result.err}")
+
+
+def explosion_of_fixed_point_sums(t):
+    t.deck(("temperature = 1.0\n", "temperature = 300.0\n"), ("steps = 20\n", 'steps = 500\nintegrator = "bit-reversible"\n'),
+           ("time_step = 0.004\nsteps = 500", "time_step = 0.0199\nsteps = 500"))
+    result = t.expect(5, t.run("run", "deck.toml", "--force"))
+    t.check(re.search(r"error: step \d+ \(stage 'melt'\): (forces reach 2\^18 epsilon/sigma.*Is the time step too large|atom \d+ )",
+                      result.err), f"message: {result.err}")
+
+
+def explosion_of_few_bodies(t):
+    """Euler's rule with a step of many periods: energies leave the range of numbers, which no result may tell of."""
+    t.deck(('type = "newtonian-gravity"\ngravitational_constant = 1.0\nsoftening = 0.0', 'type = "harmonic"\nstiffness = 1.0'),
+           ("time_step = 0.01\nsteps = 100", 'time_step = 10.0\nsteps = 2000\nintegrator = "euler"'), text=STARS)
+    result = t.expect(5, t.run("run", "deck.toml", "--out", "out", "--quiet"))
+    t.check(re.match(r"error: step \d+ \(stage 'orbits'\): .*the run has blown up. Is the time step too large", result.err),
+            f"message: {result.err}")
+    for word in ("inf", "nan"):
+        t.check(word not in t.read("out/thermo.csv"), f"thermo.csv tells of {word}")
+    t.contains(t.run_well("info", "out").out, "ljmd resume out")
+
+
+def late_lists_are_told_of(t):
+    t.deck(("skin = 0.3", "skin = 0.05\nevery = 20"))
+    result = t.run_well("run", "deck.toml", "--out", "out")
+    t.check(re.search(r"warning: [1-9]\d* of \d+ neighbor lists were kept too long", result.err), f"message: {result.err}")
 
 
 def slow_heating(t):
@@ -133,6 +162,8 @@ def another_run_survives(t):
 
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (explosion, explosion_under_a_thermostat, slow_heating, a_sound_run_is_left_alone, failed_run_is_replaced,
+            for test in (explosion, explosion_under_a_thermostat, explosion_of_fixed_point_sums,
+                         explosion_of_few_bodies, late_lists_are_told_of, slow_heating, a_sound_run_is_left_alone,
+                         failed_run_is_replaced,
                          overlap_in_a_start, too_dense_to_relax, output_below_a_file, read_only_directory,
                          an_output_that_cannot_be_removed, file_size_limit, another_run_survives)]

@@ -3,8 +3,9 @@
 import json
 import math
 import re
+import subprocess
 
-from harness import ARGON, DECK, STARS, Case, snapshot
+from harness import ARGON, DECK, STARS, TIME_LIMIT, Case, clean_environment, snapshot
 
 SUBSTANCE = DECK.replace("[system]", ARGON + "\n[system]")
 ALL_OUTPUTS = ('thermo = { every = 5 }',
@@ -188,9 +189,34 @@ def the_start_is_not_replaced(t):
     for file in ("out", "out/final.xyz", "./out/../out/final.xyz", "out/trajectory.xyz"):
         t.deck(('lattice = { type = "fcc", cells = 3 }\n', f'file = "{file}"\n'), name="next.toml")
         result = t.expect(2, t.run("run", "next.toml", "--out", "out", "--force"))
-        t.contains(result.err, "is in its output directory and would be replaced. Nothing was run.\n")
+        t.contains(result.err, "is read, and would be replaced by what is written. Nothing was run.\n")
         t.equal(snapshot(t.dir / "out"), before, "files after the refusal")
     t.golden(result.err)
+
+
+def the_deck_is_not_replaced(t):
+    (t.dir / "out").mkdir()
+    t.deck(name="out/thermo.csv")
+    before = snapshot(t.dir)
+    for path in ("out/thermo.csv", "./out/../out/thermo.csv"):
+        result = t.expect(2, t.run("run", path, "--out", "out", "--force"))
+        t.equal(result.err.splitlines()[0], f"error: {path} is read, and would be replaced by what is written. Nothing was run.",
+                "stderr")
+        t.equal(snapshot(t.dir), before, "files after the refusal")
+
+
+def a_run_that_ends_meanwhile_is_not_replaced(t):
+    """A start that takes long is made before the directory is taken; what comes to lie there until then is kept."""
+    t.deck()
+    slow = subprocess.Popen([t.ljmd, "run", "deck.toml", "--out", "out", "--quiet", "--set",
+                             'system.lattice={type="random",atoms=60000}', "--set", "stage.melt.steps=1", "--set",
+                             "stage.production.steps=1"], cwd=t.dir, env=clean_environment(), stdin=subprocess.DEVNULL,
+                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    t.run_well("run", "deck.toml", "--out", "out", "--quiet")
+    _, error = slow.communicate(timeout=TIME_LIMIT)
+    t.equal(slow.returncode, 2, "exit code")
+    t.contains(error.decode(), "error: out already holds a run (run.json). Nothing was run.\n")
+    t.equal(t.json("out/results.json")["system"]["atoms"], 108, "atoms of the run that is there")
 
 
 def output_is_a_file(t):
@@ -271,6 +297,7 @@ def cases():
             for test in (files_written, h5md_is_the_default, default_directory, directory_of_the_deck, thermo_csv, si_columns,
                          rdf_csv, results_json, run_json, hash_tells_decks_apart, final_xyz, trajectory_xyz,
                          existing_run_is_refused, force_replaces_its_own_files_only, a_refused_deck_costs_nothing,
-                         the_start_is_not_replaced, output_is_a_file, json_on_stdout, table_on_stdout,
+                         the_start_is_not_replaced, the_deck_is_not_replaced,
+                         a_run_that_ends_meanwhile_is_not_replaced, output_is_a_file, json_on_stdout, table_on_stdout,
                          a_title_cannot_play_tricks, same_deck_same_bytes, output_does_not_disturb,
                          another_seed_is_another_run, few_bodies)]

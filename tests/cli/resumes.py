@@ -69,6 +69,19 @@ def stopped_by(number):
     return test
 
 
+def stopped_while_the_start_is_made(t):
+    """Nothing would be lost, so nothing is waited for; and making the start takes its part of the wall time."""
+    t.deck()
+    slow = ("--set", 'system.lattice={type="random",atoms=100000}', "--set", "stage.melt.steps=100000")
+    process = start(t, "run", "deck.toml", "--out", "out", "--quiet", *slow)
+    time.sleep(0.5)
+    process.send_signal(signal.SIGTERM)
+    t.equal(end(process).code, -signal.SIGTERM, "exit code")
+    t.check(not (t.dir / "out").exists(), "there is a directory")
+    result = t.expect(75, t.run("run", "deck.toml", "--out", "out", "--quiet", "--walltime", "0.1s", *slow))
+    t.contains(result.err, "stopped after step 0 by the end of its wall time; to go on: ljmd resume out\n")
+
+
 def second_signal(t):
     """A program that was stopped in a debugger takes no step: the second signal does not wait for one."""
     t.deck()
@@ -347,6 +360,7 @@ def cases():
         Case("SIGTERM", stopped_by(signal.SIGTERM)),
         Case("SIGINT", stopped_by(signal.SIGINT)),
         Case("SIGHUP", stopped_by(signal.SIGHUP)),
+        Case("stopped while the start is made", stopped_while_the_start_is_made),
         Case("a second SIGINT", second_signal),
         Case("SIGSTOP and SIGCONT", held_and_let_go),
         Case("SIGHUP under nohup", ignored_hangup),

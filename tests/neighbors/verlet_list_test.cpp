@@ -343,6 +343,34 @@ TEST_CASE("a list reports a position that is not finite, also between rebuilds")
     CHECK_THROWS_AS(list.prepare(state, 2.5), PhysicsError);
 }
 
+TEST_CASE("a list with a fixed schedule is said to be late when an atom had moved too far at its end") {
+    State state = test::random_state(300, Box(Vec3::Constant(7.3)), 71);
+    VerletList fixed(0.4, Index{3});
+    const auto late_after = [&](const Vec3& d) {
+        fixed.prepare(state, 2.5);  // its last use, if it is the third
+        move(state, 7, d);
+        fixed.prepare(state, 2.5);
+        return fixed.statistics().late_rebuilds;
+    };
+    fixed.prepare(state, 2.5);
+    CHECK(late_after(Vec3(0.15, 0.0, 0.0)) == 0);
+    CHECK(late_after(Vec3(0.0, 0.3, 0.0)) == 0);  // built before it was moved
+    CHECK(fixed.statistics().rebuilds == 2);
+    CHECK(late_after(Vec3::Zero()) == 1);
+    CHECK(fixed.statistics().rebuilds == 3);
+    state.rescale_to(Box(Vec3::Constant(7.4)));  // a list of another box was not late
+    fixed.prepare(state, 2.5);
+    CHECK(fixed.statistics().rebuilds == 4);
+    CHECK(fixed.statistics().late_rebuilds == 1);
+
+    VerletList checked(0.4);
+    checked.prepare(state, 2.5);
+    move(state, 7, Vec3(3.0, 0.0, 0.0));
+    checked.prepare(state, 2.5);
+    CHECK(checked.statistics().rebuilds == 2);
+    CHECK(checked.statistics().late_rebuilds == 0);
+}
+
 TEST_CASE("a list that was archived between rebuilds is the same list, and is rebuilt at the same time") {
     const auto every = GENERATE(std::optional<Index>(), std::optional<Index>(5));
     const Box box(Vec3::Constant(7.3));

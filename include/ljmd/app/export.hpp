@@ -20,6 +20,10 @@ namespace ljmd {
 /// @throws InputError  an unknown target, one of its files is there and force is not given, or it is not a directory
 void check_export(const std::string& target, const std::filesystem::path& directory, bool force);
 
+/// What an export to a directory writes. @throws InputError  an unknown target
+[[nodiscard]] std::vector<std::filesystem::path> export_files(const std::string& target,
+                                                              const std::filesystem::path& directory);
+
 /// What was written.
 struct Exported {
     std::vector<std::filesystem::path> files;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/app/interruption.hpp"
 #include "ljmd/app/phase_seconds.hpp"
 #include "ljmd/app/run_checkpoints.hpp"
 #include "ljmd/app/run_record.hpp"
@@ -67,7 +68,7 @@ class RunListener {
 
 /// How a run is to go, beside what its deck says.
 struct RunControl {
-    std::optional<double> walltime = {};  ///< stop after that many seconds, with a checkpoint
+    Interruption interruption{};  ///< stop then, with a checkpoint
 
     /// Go on from a checkpoint.
     struct Resumed {

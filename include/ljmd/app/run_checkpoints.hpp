@@ -55,9 +55,9 @@ struct ResumePoint {
 /// When a run writes checkpoints, and how.
 class RunCheckpoints {
   public:
-    /// @param walltime    stop after that many seconds
-    /// @param generation  of the checkpoint that the run goes on from; 0: none
-    RunCheckpoints(const Deck& deck, std::optional<double> walltime, std::uint64_t generation);
+    /// @param interruption  when to stop
+    /// @param generation    of the checkpoint that the run goes on from; 0: none
+    RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation);
 
     /// @param last_of_stage  the stage has come to its end
     [[nodiscard]] bool due(Index step, bool last_of_stage);

@@ -16,10 +16,15 @@ struct RunResult;
 
 /// Refuse an output directory that cannot be used. Changes nothing.
 /// @param force  files of an earlier run in it are no reason to refuse
-/// @throws InputError  it holds a run and force is not given, it is not a directory, or the file that the deck starts
-/// from
-///                     is one of those that the run would replace
+/// @throws InputError  it holds a run and force is not given, it is not a directory, or a file that the run reads is
+///                     one of those that it would replace
 void check_directory(const Deck& deck, bool force);
+
+/// Refuse outputs that are what is read: the deck, and the file that it starts from.
+/// @param consequence  what was not done therefore: "Nothing was run"
+/// @throws InputError
+void require_no_input(const Deck& deck, const std::vector<std::filesystem::path>& outputs,
+                      const std::string& consequence);
 
 /// Create a directory and those above it, if they are not there. @throws FileError
 void make_directory(const std::filesystem::path& directory);

@@ -35,7 +35,9 @@ class FixedPointSum {
 
     [[nodiscard]] double value() const {
         if (!(bound_ < largest)) {  // true for NaN as well
-            throw PhysicsError("forces reach 2^18 epsilon/sigma, the range of fixed-point sums: the run has blown up");
+            throw PhysicsError(
+                "forces reach 2^18 epsilon/sigma, the range of fixed-point sums: the run has "
+                "blown up. Is the time step too large, or do atoms overlap at the start?");
         }
         return static_cast<double>(static_cast<std::int64_t>(sum_)) / scale;
     }

@@ -23,8 +23,8 @@ namespace ljmd {
 /// since. Two atoms that were farther apart than cutoff + skin are then still farther apart than the cutoff, so no pair
 /// is ever missed. Checked at every evaluation, before the list is used.
 ///
-/// For comparison with programs that do so, a list can instead be kept for a fixed number of evaluations. Nothing is
-/// checked then, and pairs may be missed.
+/// For comparison with programs that do so, a list can instead be kept for a fixed number of evaluations. Pairs may be
+/// missed then; at its end it is counted whether an atom has moved too far (SearchStatistics::late_rebuilds).
 ///
 /// What stands on the list are clusters (see ClusterGrid): of each atom, all that have a member within cutoff + skin,
 /// each pair of atoms once. A tile's pairs are summed up by one thread, in an order that the configuration decides;
@@ -87,7 +87,9 @@ class VerletList {
     void archive(Archive& a, const State& state, double cutoff);
 
   private:
-    /// True when no atom has moved by more than skin/2 since the list was built for this cutoff and box.
+    /// True when the list was built for this cutoff and box, and atoms in this order.
+    [[nodiscard]] bool is_of(const State& state, double cutoff) const;
+    /// True when it is, and no atom has moved by more than skin/2 since, or it is young enough.
     [[nodiscard]] bool still_valid(const State& state, double cutoff) const;
     [[nodiscard]] bool nothing_moved_too_far(const State& state) const;
     void build(const State& state, double cutoff);
