@@ -125,11 +125,42 @@ def make_case(runner: Runner, folder: Path, form: str, equilibrate: int, product
     return case
 
 
-def count_calls(runner: Runner, case: Case, folder: Path) -> int:
-    folder.mkdir(exist_ok=True)
-    runner.finish(runner.start(["run", str(case.deck), "--out", str(folder / "out"), "--force"],
-                               f"count:{folder / 'number'}"), (0,))
-    return int((folder / "number").read_text())
+@dataclass
+class Command:
+    """`ljmd run`, or `ljmd resume` of a run that was killed: what the calls that are disturbed belong to."""
+
+    name: str
+    case: Case
+    killed: Optional[Path] = None
+
+    def prepare(self, folder: Path) -> tuple[list[str], Path]:
+        """@return the arguments, and the directory of the run, made ready in the folder"""
+        directory = folder / "out"
+        shutil.rmtree(directory, ignore_errors=True)
+        if self.killed is None:
+            return ["run", str(self.case.deck), "--out", str(directory)], directory
+        shutil.copytree(self.killed, directory)
+        return ["resume", str(directory)], directory
+
+    def count_calls(self, runner: Runner, folder: Path) -> int:
+        """That change a file."""
+        folder.mkdir(exist_ok=True)
+        arguments, _ = self.prepare(folder)
+        runner.finish(runner.start(arguments, f"count:{folder / 'number'}"), (0,))
+        return int((folder / "number").read_text())
+
+
+def commands(runner: Runner, case: Case, folder: Path) -> list[Command]:
+    run = Command("run", case)
+    half = run.count_calls(runner, folder) // 2
+    arguments, directory = run.prepare(folder)
+    runner.finish(runner.start(arguments, f"kill:{half}"), (-signal.SIGKILL,))
+    if not list(directory.glob("checkpoint.?")):
+        raise Failure("killed halfway, a run has no checkpoint")
+    killed = folder / "killed"
+    shutil.rmtree(killed, ignore_errors=True)
+    directory.rename(killed)
+    return [run, Command("resume", case, killed)]
 
 
 def measure(runner: Runner, case: Case, directory: Path) -> float:
@@ -159,12 +190,6 @@ class Tally:
         """@return the exit code"""
         print(f"{self.passed} passed, {self.failed} failed")
         return 1 if self.failed or not self.passed else 0
-
-
-def new_directory(folder: Path) -> Path:
-    directory = folder / "out"
-    shutil.rmtree(directory, ignore_errors=True)
-    return directory
 
 
 def run_tests(arguments: list[str], description: str, tests: Callable[[Runner, Path, Tally, int], None],

@@ -4,9 +4,10 @@
 Usage: full_disk_test.py --ljmd PROGRAM --faults LIBRARY [--seed N]
 
 For each format of a trajectory a short run is made in one piece. Then the same run finds no space left, from each of its
-calls on that change a file (LIBRARY is preloaded): at a checkpoint, the trajectory, the thermo file, at the end. The same
-with a file system of a few hundred kilobytes, where such a one may be mounted. The run must end with exit code 4 and one
-message, what was reported must be there, and the run must go on when there is space again.
+calls on that change a file (LIBRARY is preloaded): at a checkpoint, the trajectory, the thermo file, at the end. So does
+`ljmd resume` when it makes the second half of the run; and the run on file systems of a few hundred kilobytes, where
+such may be mounted. It must end with exit code 4 and one message and leave no temporary file, what was reported must be
+there, and the run must go on when there is space again.
 
 Prints one line for each kind, and "N passed, M failed". Exit code 1 when something failed.
 """
@@ -19,7 +20,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from faulty_runs import (FORMATS, Case, Failure, Runner, Tally, check_same_run, count_calls, make_case, new_directory,
+from faulty_runs import (FORMATS, Case, Command, Failure, Runner, Tally, check_same_run, commands, make_case,
                          run_tests)
 
 OUTPUT_ERROR = 4
@@ -30,18 +31,21 @@ def check_message(talk: str) -> None:
         raise Failure(f"says: {talk.strip()}")
 
 
-def full_from_call(runner: Runner, case: Case, folder: Path, call: int) -> None:
-    directory = new_directory(folder)
-    process = runner.start(["run", str(case.deck), "--out", str(directory)], f"full:{call}")
+def full_from_call(runner: Runner, command: Command, folder: Path, call: int) -> None:
+    arguments, directory = command.prepare(folder)
+    process = runner.start(arguments, f"full:{call}")
     _, talk = process.communicate(timeout=120)
     if process.returncode != 0:  # 0: nothing was written from that call on
         if process.returncode != OUTPUT_ERROR:
             raise Failure(f"ended with {process.returncode}: {talk.strip()}")
         check_message(talk)
-        runner.go_on(directory, case.deck, kill_again=False)
+        before = [path.name for path in command.killed.glob("*.tmp")] if command.killed else []
+        if left := [path.name for path in directory.glob("*.tmp") if path.name not in before]:
+            raise Failure(f"has left {left}")
+        runner.go_on(directory, command.case.deck, kill_again=False)
     elif not json.loads((directory / "run.json").read_text())["finished"]:
         raise Failure("ended well, but has not finished")
-    check_same_run(directory, case.whole)
+    check_same_run(directory, command.case.whole)
 
 
 def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
@@ -98,11 +102,13 @@ def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
         print("small disks: skipped, file systems may not be mounted here")
     for form in FORMATS:
         case = make_case(runner, folder / f"short-{form}", form, 6, 12, 5)
-        calls = count_calls(runner, case, folder / "calls")
-        before = tally.failed
-        for call in range(1, calls + 1):
-            tally.attempt(f"{form}, full from call {call}", lambda: full_from_call(runner, case, folder, call))
-        print(f"{form}: full from each of {calls} calls: {tally.failed - before} failed", flush=True)
+        for command in commands(runner, case, folder / "calls"):
+            calls = command.count_calls(runner, folder / "calls")
+            before = tally.failed
+            for call in range(1, calls + 1):
+                tally.attempt(f"{form}, full from call {call} of {command.name}",
+                              lambda: full_from_call(runner, command, folder, call))
+            print(f"{form}: full from each of {calls} calls of {command.name}: {tally.failed - before} failed", flush=True)
         if mountable:
             fill_a_disk(runner, case, folder / "mount", form, tally)
 

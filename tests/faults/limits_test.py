@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 from typing import Callable
 
-from faulty_runs import Case, Failure, Runner, Tally, check_same_run, make_case, new_directory, run_tests
+from faulty_runs import Case, Command, Failure, Runner, Tally, check_same_run, make_case, run_tests
 
 MEBIBYTE = 1 << 20
 
@@ -36,9 +36,9 @@ def limited(limit: int, value: int) -> Callable[[], None]:
 
 def run_limited(runner: Runner, case: Case, folder: Path, limit: int, value: int, codes: tuple[int, ...]) -> bool:
     """@return whether the limit was felt"""
-    directory = new_directory(folder)
-    done = subprocess.run([str(runner.program), "run", str(case.deck), "--out", str(directory), "--quiet"],
-                          capture_output=True, text=True, timeout=120, preexec_fn=limited(limit, value))
+    arguments, directory = Command("run", case).prepare(folder)
+    done = subprocess.run([str(runner.program), *arguments, "--quiet"], capture_output=True, text=True,
+                          timeout=120, preexec_fn=limited(limit, value))
     if done.returncode not in (0, *codes):
         raise Failure(f"ended with {done.returncode}: {done.stderr.strip()}")
     if done.returncode != 0 and done.stderr.count("error: ") != 1:
@@ -66,8 +66,8 @@ def try_limits(runner: Runner, case: Case, folder: Path, tally: Tally, what: str
 
 
 def clock_jumps(runner: Runner, case: Case, folder: Path) -> None:
-    directory = new_directory(folder)
-    runner.finish(runner.start(["run", str(case.deck), "--out", str(directory)], "clock:31536000"), (0,))
+    arguments, directory = Command("run", case).prepare(folder)
+    runner.finish(runner.start(arguments, "clock:31536000"), (0,))
     check_same_run(directory, case.whole)
 
 
