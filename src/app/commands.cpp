@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <new>
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/bench.hpp"
@@ -360,44 +359,6 @@ void bench_command(const DeckOptions& options) {
     Start start = checked_start(deck, chosen, diagnostics);
     const BenchResult result = bench(std::move(deck), std::move(start));
     print_result(options.json ? bench_json(result) : bench_report(result));
-}
-
-int report_current_exception() {
-    const auto say = [](const char* text) {
-        const std::string message(text);
-        // Diagnostics arrive with their own "error:" in front of each line that needs it.
-        talk(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
-    };
-    try {
-        throw;
-    } catch (const InputError& e) {
-        say(e.what());
-        return 2;
-    } catch (const DataError& e) {
-        say(e.what());
-        return 3;
-    } catch (const FileError& e) {
-        say(e.what());
-        return 4;
-    } catch (const PhysicsError& e) {
-        say(e.what());
-        return 5;
-    } catch (const Interrupted& e) {
-        talk(fmt::format("{}\n", e.what()));
-        return e.exit_code();
-    } catch (const InUseError& e) {
-        say(e.what());
-        return 9;
-    } catch (const CheckpointError& e) {
-        say(e.what());
-        return 6;
-    } catch (const std::bad_alloc&) {
-        say("out of memory; `ljmd check` tells how much a deck needs");
-        return 7;
-    } catch (const std::exception& e) {
-        talk(fmt::format("internal error: {}\nThis is a bug in ljmd; please report it with the deck.\n", e.what()));
-        return 1;
-    }
 }
 
 }  // namespace ljmd

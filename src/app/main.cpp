@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "ljmd/app/commands.hpp"
+#include "ljmd/app/exit_code.hpp"
 #include "ljmd/app/export.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/app/wait_policy.hpp"
