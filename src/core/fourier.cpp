@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <mutex>
 
 #include "ljmd/core/errors.hpp"
 
@@ -15,7 +16,19 @@ struct FourierPlan {
     fftw_plan plan;
 };
 
+namespace {
+
+/// FFTW makes and destroys plans by tables that all of them share; only the execution of a plan is safe in several
+/// threads (FFTW manual, "Thread safety").
+std::lock_guard<std::mutex> one_planner_at_a_time() {
+    static std::mutex planner;
+    return std::lock_guard(planner);
+}
+
+}  // namespace
+
 void DestroyFourierPlan::operator()(FourierPlan* plan) const {
+    const auto alone = one_planner_at_a_time();
     fftw_destroy_plan(plan->plan);
     delete plan;
 }
@@ -30,8 +43,12 @@ fftw_complex* fftw(AlignedVector<Complex>& values) {
     return reinterpret_cast<fftw_complex*>(values.data());
 }
 
-/// Plans are made for arrays that are thrown away again: FFTW wants to see how arrays are aligned, not what is in them.
-detail::OwnedFourierPlan owned(fftw_plan plan) {
+/// What an FFTW planner called with these arguments makes. Plans are made for arrays that are thrown away again: FFTW
+/// wants to see how arrays are aligned, not what is in them.
+template <typename Planner, typename... Arguments>
+detail::OwnedFourierPlan planned(Planner planner, Arguments... arguments) {
+    const auto alone = detail::one_planner_at_a_time();
+    const fftw_plan plan = planner(arguments..., FFTW_ESTIMATE);
     if (plan == nullptr) {
         throw ContractViolation("FFTW has no transform of that kind");
     }
@@ -55,7 +72,7 @@ int at_least(Index least, Index n) {
 detail::OwnedFourierPlan real_to_real(int n, fftw_r2r_kind kind) {
     AlignedVector<double> in(static_cast<std::size_t>(n));
     AlignedVector<double> out(static_cast<std::size_t>(n));
-    return owned(fftw_plan_r2r_1d(n, in.data(), out.data(), kind, FFTW_ESTIMATE));
+    return planned(fftw_plan_r2r_1d, n, in.data(), out.data(), kind);
 }
 
 }  // namespace
@@ -84,8 +101,8 @@ RealTransform::RealTransform(Index n, Index batch) : length_(n) {
     const int count = at_least(1, batch);
     AlignedVector<double> in(static_cast<std::size_t>(n * batch));
     AlignedVector<Complex> out(static_cast<std::size_t>((n / 2 + 1) * batch));
-    plan_ = owned(fftw_plan_many_dft_r2c(1, &length, count, in.data(), nullptr, 1, length, fftw(out), nullptr, 1,
-                                         length / 2 + 1, FFTW_ESTIMATE));
+    plan_ = planned(fftw_plan_many_dft_r2c, 1, &length, count, in.data(), nullptr, 1, length, fftw(out), nullptr, 1,
+                    length / 2 + 1);
 }
 
 void RealTransform::operator()(AlignedVector<double>& x, AlignedVector<Complex>& transformed) const {
@@ -96,7 +113,7 @@ InverseRealTransform::InverseRealTransform(Index n) {
     const int length = even_length(n);
     AlignedVector<Complex> in(static_cast<std::size_t>(n / 2 + 1));
     AlignedVector<double> out(static_cast<std::size_t>(n));
-    plan_ = owned(fftw_plan_dft_c2r_1d(length, fftw(in), out.data(), FFTW_ESTIMATE));
+    plan_ = planned(fftw_plan_dft_c2r_1d, length, fftw(in), out.data());
 }
 
 void InverseRealTransform::operator()(AlignedVector<Complex>& transformed, AlignedVector<double>& x) const {
@@ -108,7 +125,7 @@ GridTransform::GridTransform(const std::array<Index, 3>& lengths) {
     const Index lines = lengths[0] * lengths[1];
     AlignedVector<double> in(static_cast<std::size_t>(lines * lengths[2]));
     AlignedVector<Complex> out(static_cast<std::size_t>(lines * (lengths[2] / 2 + 1)));
-    plan_ = owned(fftw_plan_dft_r2c(3, n.data(), in.data(), fftw(out), FFTW_ESTIMATE));
+    plan_ = planned(fftw_plan_dft_r2c, 3, n.data(), in.data(), fftw(out));
 }
 
 void GridTransform::operator()(AlignedVector<double>& x, AlignedVector<Complex>& transformed) const {

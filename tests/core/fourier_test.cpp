@@ -2,8 +2,10 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <future>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "ljmd/core/errors.hpp"
 
@@ -134,4 +136,20 @@ TEST_CASE("transforms of no length are refused") {
     CHECK_THROWS_AS(GridTransform({4, 5, 6}), ContractViolation);
     CHECK_THROWS_AS(SineTransform(0), ContractViolation);
     CHECK_THROWS_AS(CosineTransform(1), ContractViolation);
+}
+
+TEST_CASE("transforms are made in two threads at a time") {
+    const auto make = [] {
+        std::size_t made = 0;
+        for (Index n = 2; n < 400; n += 2) {
+            const SineTransform sine(n);
+            const CosineTransform cosine(n);
+            const InverseRealTransform inverse(n);
+            made += 3;
+        }
+        return made;
+    };
+    auto other = std::async(std::launch::async, make);
+    CHECK(make() == 597);
+    CHECK(other.get() == 597);
 }
