@@ -2,10 +2,14 @@
 
 import json
 import math
+import os
+import pathlib
 import re
+import signal
 import subprocess
+import time
 
-from harness import ARGON, DECK, STARS, TIME_LIMIT, Case, clean_environment, snapshot
+from harness import ARGON, DECK, STARS, TIME_LIMIT, Case, Failure, clean_environment, snapshot
 
 SUBSTANCE = DECK.replace("[system]", ARGON + "\n[system]")
 ALL_OUTPUTS = ('thermo = { every = 5 }',
@@ -205,15 +209,41 @@ def the_deck_is_not_replaced(t):
         t.equal(snapshot(t.dir), before, "files after the refusal")
 
 
+def processor_time(times):
+    """Of the processes that have ended, in seconds."""
+    return times.children_user + times.children_system
+
+
+def stop_after(process, seconds):
+    """Let a process wait once it has used that much processor time."""
+    while True:
+        fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+        if (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK") >= seconds:
+            process.send_signal(signal.SIGSTOP)
+            return
+        if fields[0] == "Z":
+            raise Failure("the process ended before it could be stopped")
+        time.sleep(0.002)
+
+
 def a_run_that_ends_meanwhile_is_not_replaced(t):
     """A start that takes long is made before the directory is taken; what comes to lie there until then is kept."""
     t.deck()
+    before = os.times()
+    t.run_well("run", "deck.toml", "--out", "like-it", "--quiet")
+    small_run = processor_time(os.times()) - processor_time(before)
     slow = subprocess.Popen([t.ljmd, "run", "deck.toml", "--out", "out", "--quiet", "--set",
                              'system.lattice={type="random",atoms=60000}', "--set", "stage.melt.steps=1", "--set",
                              "stage.production.steps=1"], cwd=t.dir, env=clean_environment(), stdin=subprocess.DEVNULL,
                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    t.run_well("run", "deck.toml", "--out", "out", "--quiet")
-    _, error = slow.communicate(timeout=TIME_LIMIT)
+    try:
+        # By then it has read its deck and looked at the directory, and is far from having placed its atoms.
+        stop_after(slow, small_run + 0.05)
+        t.run_well("run", "deck.toml", "--out", "out", "--quiet")
+        slow.send_signal(signal.SIGCONT)
+        _, error = slow.communicate(timeout=TIME_LIMIT)
+    finally:
+        slow.kill()
     t.equal(slow.returncode, 2, "exit code")
     t.contains(error.decode(), "error: out already holds a run (run.json). Nothing was run.\n")
     t.equal(t.json("out/results.json")["system"]["atoms"], 108, "atoms of the run that is there")
