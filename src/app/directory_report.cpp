@@ -12,6 +12,7 @@
 #include "ljmd/app/recorded_run.hpp"
 #include "ljmd/app/run_checkpoints.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/directory_lock.hpp"
 
 namespace ljmd {
 
@@ -20,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Contents {
+    bool running;
     RecordedRun run;
     std::optional<ResumePoint> point;
     std::vector<std::string> damaged;
@@ -30,7 +32,7 @@ struct Contents {
 };
 
 Contents contents_of(const fs::path& directory) {
-    Contents contents{recorded_run(directory), std::nullopt, {}, {}};
+    Contents contents{DirectoryLock::is_held(directory), recorded_run(directory), std::nullopt, {}, {}};
     try {
         contents.point = find_resume_point(contents.run.deck);
         contents.damaged = contents.point ? contents.point->warnings : std::vector<std::string>{};
@@ -68,7 +70,9 @@ std::string directory_report(const fs::path& directory) {
     if (!contents.run.earlier.resumed_at_steps.empty()) {
         text += fmt::format("gone on       after steps {}\n", fmt::join(contents.run.earlier.resumed_at_steps, ", "));
     }
-    text += fmt::format("finished      {}\n", contents.run.finished ? "yes" : "no");
+    text += fmt::format("finished      {}\n", contents.run.finished ? "yes"
+                                              : contents.running    ? "no, it is running"
+                                                                    : "no");
     if (contents.point) {
         const CheckpointHead& head = contents.point->head;
         text +=
@@ -83,7 +87,7 @@ std::string directory_report(const fs::path& directory) {
     for (const auto& [name, bytes] : contents.files) {
         text += fmt::format("  {:<18}{:>12}\n", name, size_in_words(bytes));
     }
-    if (contents.point) {
+    if (contents.point && !contents.running) {
         text += contents.run.finished ? fmt::format("longer: ljmd resume {} --steps +N\n", directory.string())
                                       : fmt::format("to go on: ljmd resume {}\n", directory.string());
     }
@@ -107,6 +111,7 @@ std::string directory_json(const fs::path& directory) {
                        {"title", deck.title},
                        {"kind", deck.kind == DeckKind::few_body ? "few-body" : "fluid"},
                        {"finished", contents.run.finished},
+                       {"running", contents.running},
                        {"began", contents.run.earlier.began},
                        {"resumed_at_steps", contents.run.earlier.resumed_at_steps},
                        {"total_steps", deck.total_steps()},

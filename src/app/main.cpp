@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <sstream>
 
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/exit_code.hpp"
@@ -144,6 +145,16 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
     return usage_error;
 }
 
+/// What --help or --version asks for.
+int print_help(const CLI::App& app, const CLI::Success& asked) try {
+    std::ostringstream text;
+    const int code = app.exit(asked, text);
+    ljmd::print_result(text.str());
+    return code;
+} catch (...) {
+    return ljmd::report_current_exception();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -240,7 +251,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return app.exit(help);
+        return print_help(app, help);
     } catch (const CLI::ParseError& error) {
         return report_usage(app, error);
     }

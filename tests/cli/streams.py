@@ -114,8 +114,10 @@ def closed(stream, code):
 def full_stdout(t):
     if not os.path.exists("/dev/full"):
         raise Skip("no /dev/full")
-    result = t.expect(4, t.shell('"$LJMD" info --keys >/dev/full'))
-    t.equal(result.err, "error: standard output: the results could not be written: No space left on device\n", "stderr")
+    for arguments in ("info --keys", "--help", "run --help", "--version"):
+        result = t.expect(4, t.shell(f'"$LJMD" {arguments} >/dev/full'))
+        t.equal(result.err, "error: standard output: the results could not be written: No space left on device\n",
+                f"stderr of {arguments}")
 
 
 def full_stderr(t):

@@ -3,11 +3,14 @@
 //   LJMD_FAULT=kill:N   the program is killed instead of its call number N (counted from 1)
 //   LJMD_FAULT=tear:N   of call N, if it writes, half of the bytes are written, and then it is killed
 //   LJMD_FAULT=full:N   from call N on there is no space left for what writes
+//   LJMD_FAULT=late:N   from the N-th time on that a file is synced, or closed that was open for writing, it turns out
+//                       that there was no space left: so do file systems over a network, and quotas
 //   LJMD_FAULT=clock:S  the clock on the wall jumps at each look, S seconds on and as many back
 //   LJMD_FAULT=count:F  nothing happens, and at the end the file F tells the number of calls
 //
 // Standard input, output and error are left alone.
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -21,7 +24,7 @@
 
 namespace {
 
-enum class Mode { none, kill, tear, full, clock, count };
+enum class Mode { none, kill, tear, full, late, clock, count };
 
 struct Fault {
     Mode mode = Mode::none;
@@ -44,6 +47,7 @@ struct Fault {
         mode = is("kill:")    ? Mode::kill
                : is("tear:")  ? Mode::tear
                : is("full:")  ? Mode::full
+               : is("late:")  ? Mode::late
                : is("clock:") ? Mode::clock
                               : Mode::count;
     }
@@ -81,6 +85,16 @@ Call next(bool writes) {
         return Call::fails;
     }
     return Call::goes_on;
+}
+
+/// Whether it turns out now that what was written has found no space.
+bool too_late() {
+    static std::atomic<long> times = 0;
+    if (fault().mode != Mode::late || ++times < fault().at) {
+        return false;
+    }
+    errno = ENOSPC;
+    return true;
 }
 
 template <class Function>
@@ -127,7 +141,15 @@ ssize_t pwrite64(int descriptor, const void* data, size_t count, off64_t offset)
 int fsync(int descriptor) {
     static const auto call = original<int (*)(int)>("fsync");
     static_cast<void>(next(false));
-    return call(descriptor);
+    return too_late() ? -1 : call(descriptor);
+}
+
+int close(int descriptor) {
+    static const auto call = original<int (*)(int)>("close");
+    const int flags = ::fcntl(descriptor, F_GETFL);
+    const bool written = flags >= 0 && (flags & O_ACCMODE) != O_RDONLY && descriptor > STDERR_FILENO;
+    const int result = call(descriptor);
+    return written && too_late() ? -1 : result;
 }
 
 int ftruncate(int descriptor, off_t length) noexcept {

@@ -4,7 +4,8 @@
 Usage: full_disk_test.py --ljmd PROGRAM --faults LIBRARY [--seed N]
 
 For each format of a trajectory a short run is made in one piece. Then the same run finds no space left, from each of its
-calls on that change a file (LIBRARY is preloaded): at a checkpoint, the trajectory, the thermo file, at the end. So does
+calls on that change a file (LIBRARY is preloaded): at a checkpoint, the trajectory, the thermo file, at the end. Or it
+is told so when it syncs or closes a file, from each such time on, as on a file system that writes late. So does
 `ljmd resume` when it makes the second half of the run; and the run on file systems of a few hundred kilobytes, where
 such may be mounted. It must end with exit code 4 and one message and leave no temporary file, what was reported must be
 there, and the run must go on when there is space again.
@@ -31,9 +32,10 @@ def check_message(talk: str) -> None:
         raise Failure(f"says: {talk.strip()}")
 
 
-def full_from_call(runner: Runner, command: Command, folder: Path, call: int) -> None:
+def full_from_call(runner: Runner, command: Command, folder: Path, fault: str) -> bool:
+    """@return whether the run was stopped by it"""
     arguments, directory = command.prepare(folder)
-    process = runner.start(arguments, f"full:{call}")
+    process = runner.start(arguments, fault)
     _, talk = process.communicate(timeout=120)
     if process.returncode != 0:  # 0: nothing was written from that call on
         if process.returncode != OUTPUT_ERROR:
@@ -46,6 +48,26 @@ def full_from_call(runner: Runner, command: Command, folder: Path, call: int) ->
     elif not json.loads((directory / "run.json").read_text())["finished"]:
         raise Failure("ended well, but has not finished")
     check_same_run(directory, command.case.whole)
+    return process.returncode != 0
+
+
+def full_from_sync(runner: Runner, command: Command, folder: Path, form: str, tally: Tally) -> None:
+    """Files are closed and synced until a run does not need the one that fails."""
+    before = tally.failed
+    stopped = True
+    number = 0
+
+    def attempt() -> None:
+        nonlocal stopped
+        stopped = full_from_call(runner, command, folder, f"late:{number}")
+
+    while stopped:
+        number += 1
+        tally.attempt(f"{form}, full when {command.name} syncs or closes for the {number}th time", attempt)
+    if number < 10:
+        tally.fail(form, f"{command.name} has synced and closed files {number - 1} times")
+    print(f"{form}: full at each of {number - 1} times that {command.name} syncs or closes a file: "
+          f"{tally.failed - before} failed", flush=True)
 
 
 def full_disk(runner: Runner, case: Case, mount: Path, kilobytes: int) -> bool:
@@ -107,8 +129,9 @@ def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
             before = tally.failed
             for call in range(1, calls + 1):
                 tally.attempt(f"{form}, full from call {call} of {command.name}",
-                              lambda: full_from_call(runner, command, folder, call))
+                              lambda: full_from_call(runner, command, folder, f"full:{call}"))
             print(f"{form}: full from each of {calls} calls of {command.name}: {tally.failed - before} failed", flush=True)
+            full_from_sync(runner, command, folder / "calls", form, tally)
         if mountable:
             fill_a_disk(runner, case, folder / "mount", form, tally)
 

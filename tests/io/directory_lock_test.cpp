@@ -13,9 +13,12 @@ TEST_CASE("a directory is one run's at a time, and free again when that ends") {
     const ScratchDirectory folder;
     std::optional<DirectoryLock> first;
     first.emplace(folder.path());
+    CHECK(DirectoryLock::is_held(folder.path()));
     CHECK_THROWS_AS(DirectoryLock(folder.path()), InUseError);
     CHECK_THROWS_WITH(DirectoryLock(folder.path()), Contains("another run is writing to " + folder.path().string()));
     first.reset();
+    CHECK_FALSE(DirectoryLock::is_held(folder.path()));
+    CHECK_FALSE(DirectoryLock::is_held(folder.path() / "none"));
     CHECK_NOTHROW(DirectoryLock(folder.path()));
     CHECK(std::filesystem::is_empty(folder.path()));
 }

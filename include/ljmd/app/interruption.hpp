@@ -20,7 +20,7 @@ class Interrupted : public Error {
 };
 
 /// From now on SIGINT, SIGTERM and SIGHUP ask the program to stop, where they did not mean to be ignored; the second
-/// one ends it at once.
+/// one of a kind ends it at once.
 void heed_signals();
 
 /// The signal that has asked to stop; 0: none.

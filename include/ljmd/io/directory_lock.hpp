@@ -15,6 +15,9 @@ class DirectoryLock {
     DirectoryLock(const DirectoryLock&) = delete;
     DirectoryLock& operator=(const DirectoryLock&) = delete;
 
+    /// Whether another has it now.
+    [[nodiscard]] static bool is_held(const std::filesystem::path& directory);
+
   private:
     int descriptor_;
 };
