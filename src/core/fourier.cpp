@@ -48,7 +48,7 @@ fftw_complex* fftw(AlignedVector<Complex>& values) {
 template <typename Planner, typename... Arguments>
 detail::OwnedFourierPlan planned(Planner planner, Arguments... arguments) {
     const auto alone = detail::one_planner_at_a_time();
-    const fftw_plan plan = planner(arguments..., FFTW_ESTIMATE);
+    fftw_plan plan = planner(arguments..., FFTW_ESTIMATE);
     if (plan == nullptr) {
         throw ContractViolation("FFTW has no transform of that kind");
     }
