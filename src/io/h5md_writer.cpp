@@ -65,29 +65,20 @@ std::uint64_t checksum(const std::vector<double>& velocities, const std::vector<
     return XXH3_64bits_withSeed(positions.data(), positions.size() * sizeof(double), first);
 }
 
-/// @return the name that a new file has until it takes the place of the old one
-std::filesystem::path remove_new_beside(const std::filesystem::path& path) {
-    std::filesystem::path name = path;
-    name += ".tmp";
-    std::error_code ignored;
-    std::filesystem::remove(name, ignored);
-    return name;
-}
-
 }  // namespace
 
-H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options) try
+H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
     : count_(first.count()),
       has_box_(first.has_box()),
       has_velocities_(options.velocities),
       scale_(unit_scale(options.si, 1.0)),
-      file_(options.kept ? remove_new_beside(options.path) : options.path),  // a link of that name is not followed
-      step_{particles + "/position/step", {}, H5T_NATIVE_INT64
-}  // namespace ljmd
-, time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
-    edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
-    velocity_{particles + "/velocity/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE},
-    position_{particles + "/position/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE} {
+      temporary_(options.kept ? std::optional<TemporaryName>(options.path) : std::optional<TemporaryName>()),
+      file_(temporary_ ? temporary_->path() : options.path),
+      step_{particles + "/position/step", {}, H5T_NATIVE_INT64},
+      time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
+      edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
+      velocity_{particles + "/velocity/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE},
+      position_{particles + "/position/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE} {
     create_metadata(options);
     create_parameters(options);
     create_particles(first, options.si.has_value());
@@ -96,11 +87,7 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options) try
     if (options.kept) {
         copy_frames(options.path, options.kept->frames);
         file_.rename(options.path);
-    }
-}
-catch (const Error&) {  // which goes on from here by itself
-    if (options.kept) {
-        remove_new_beside(options.path);
+        temporary_->keep();
     }
 }
 

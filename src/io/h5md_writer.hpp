@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "hdf5_output.hpp"
+#include "ljmd/io/output_file.hpp"
 #include "ljmd/io/trajectory_writer.hpp"
 #include "unit_scale.hpp"
 
@@ -52,6 +55,7 @@ class H5mdWriter : public TrajectoryWriter {
     bool failed_ = false;
     std::vector<FramePlace> frames_;
     UnitScale scale_;
+    std::optional<TemporaryName> temporary_;  ///< of the file, until it takes the place of one that is gone on with
     Hdf5Output file_;
     Hdf5Output::Series step_;
     Hdf5Output::Series time_;

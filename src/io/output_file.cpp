@@ -155,25 +155,34 @@ void OutputFile::close() {
     }
 }
 
-void write_file_atomically(const std::filesystem::path& path, const std::function<void(OutputFile&)>& fill) {
+TemporaryName::TemporaryName(const std::filesystem::path& path) : path_(path) {
     // A fixed name: what a killed program left behind is replaced by the next write. It is removed first, so that a
     // link of that name is never followed.
-    std::filesystem::path temporary = path;
-    temporary += ".tmp";
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    try {
-        OutputFile file(temporary);
-        fill(file);
-        file.sync();
-        file.close();
-        if (::rename(temporary.c_str(), path.c_str()) != 0) {
-            throw file_error("replace", path, errno);
-        }
-    } catch (...) {
-        std::filesystem::remove(temporary, ignored);
-        throw;
+    path_ += ".tmp";
+    remove();
+}
+
+TemporaryName::~TemporaryName() {
+    if (!kept_) {
+        remove();
     }
+}
+
+void TemporaryName::remove() const {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+}
+
+void write_file_atomically(const std::filesystem::path& path, const std::function<void(OutputFile&)>& fill) {
+    TemporaryName temporary(path);
+    OutputFile file(temporary.path());
+    fill(file);
+    file.sync();
+    file.close();
+    if (::rename(temporary.path().c_str(), path.c_str()) != 0) {
+        throw file_error("replace", path, errno);
+    }
+    temporary.keep();
     sync_folder_of(path);
 }
 

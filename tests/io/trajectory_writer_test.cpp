@@ -122,7 +122,7 @@ TEST_CASE("a trajectory is gone on with from the frames that are kept, whether i
                 }
                 // A writer that is never destroyed closes nothing, as in a program that is killed.
                 auto* left = writer.release();
-                static std::vector<TrajectoryWriter*> all_left;
+                static std::vector<TrajectoryWriter*>& all_left = *new std::vector<TrajectoryWriter*>;
                 all_left.push_back(left);
                 return committed;
             };

@@ -64,6 +64,27 @@ class OutputFile {
 /// @throws CheckpointError
 void require_bytes(const std::filesystem::path& path, std::int64_t bytes);
 
+/// `PATH.tmp`, the name of a file that is to take the place of PATH. The file is removed unless it did.
+class TemporaryName {
+  public:
+    /// Removes what has that name.
+    explicit TemporaryName(const std::filesystem::path& path);
+    ~TemporaryName();
+    TemporaryName(const TemporaryName&) = delete;
+    TemporaryName& operator=(const TemporaryName&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    /// The file has another name now.
+    void keep() { kept_ = true; }
+
+  private:
+    void remove() const;
+
+    std::filesystem::path path_;
+    bool kept_ = false;
+};
+
 /// Write a whole file so that a reader finds either the old one or the new one: temporary name `PATH.tmp` in the same
 /// folder, fsync, rename, fsync of the folder. On failure `path` is untouched and the temporary file is removed.
 /// @throws FileError, and whatever `fill` throws
