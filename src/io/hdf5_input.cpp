@@ -31,6 +31,11 @@ double product(const std::vector<Index>& extent) {
                            [](double sum, Index n) { return sum * static_cast<double>(n); });
 }
 
+/// Links to other files may lead to pipes or devices.
+herr_t refuse_to_follow(const char*, const char*, const char*, const char*, unsigned*, hid_t, void*) {
+    return -1;
+}
+
 bool holds_numbers(hid_t type) {
     const H5T_class_t kind = H5Tget_class(type);
     return kind == H5T_FLOAT || kind == H5T_INTEGER;
@@ -45,9 +50,8 @@ bool is_hdf5(const std::filesystem::path& path) {
 
 Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {
     const Hdf5Silence silence;
-    // Links out of the file, to a pipe or a device for example, are not followed.
-    static const herr_t other_files_are_left_alone = H5Lunregister(H5L_TYPE_EXTERNAL);
-    checked(other_files_are_left_alone, "preparing to open it");
+    links_ = Hdf5Handle(checked(H5Pcreate(H5P_LINK_ACCESS), "preparing to open it"), H5Pclose);
+    checked(H5Pset_elink_cb(links_.get(), refuse_to_follow, nullptr), "preparing to open it");
     file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (file_) {
         return;
@@ -76,7 +80,7 @@ hid_t Hdf5Input::checked(hid_t id, const std::string& doing) const {
 bool Hdf5Input::exists(const std::string& object) const {
     const Hdf5Silence silence;
     for (std::size_t end = object.find('/'); true; end = object.find('/', end + 1)) {
-        if (H5Lexists(file_.get(), object.substr(0, end).c_str(), H5P_DEFAULT) <= 0) {
+        if (H5Lexists(file_.get(), object.substr(0, end).c_str(), links_.get()) <= 0) {
             return false;
         }
         if (end == std::string::npos) {
@@ -86,7 +90,7 @@ bool Hdf5Input::exists(const std::string& object) const {
 }
 
 Hdf5Handle Hdf5Input::open(const std::string& object) const {
-    return {checked(H5Oopen(file_.get(), object.c_str(), H5P_DEFAULT), "opening " + object), H5Oclose};
+    return {checked(H5Oopen(file_.get(), object.c_str(), links_.get()), "opening " + object), H5Oclose};
 }
 
 hid_t Hdf5Input::open_dataset(const std::string& dataset) const {

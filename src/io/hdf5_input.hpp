@@ -63,6 +63,7 @@ class Hdf5Input {
     hid_t checked(hid_t id, const std::string& doing) const;
 
     std::string name_;
+    Hdf5Handle links_;  ///< how they are followed: not to other files
     Hdf5Handle file_;
     bool was_closed_ = true;
     mutable std::map<std::string, Hdf5Handle> datasets_;  ///< open from the first look on: frames are read one by one
