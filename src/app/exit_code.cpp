@@ -12,38 +12,37 @@
 
 namespace ljmd {
 
+namespace {
+
+/// @return the code
+int say(const std::string& message, int code) {
+    // Diagnostics arrive with their own "error:" in front of each line that needs it.
+    talk(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
+    return code;
+}
+
+}  // namespace
+
 int report_current_exception() {
-    const auto say = [](const char* text) {
-        const std::string message(text);
-        // Diagnostics arrive with their own "error:" in front of each line that needs it.
-        talk(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
-    };
     try {
         throw;
     } catch (const InputError& e) {
-        say(e.what());
-        return 2;
+        return say(e.what(), 2);
     } catch (const DataError& e) {
-        say(e.what());
-        return 3;
+        return say(e.what(), 3);
     } catch (const FileError& e) {
-        say(e.what());
-        return 4;
+        return say(e.what(), 4);
     } catch (const PhysicsError& e) {
-        say(e.what());
-        return 5;
+        return say(e.what(), 5);
+    } catch (const CheckpointError& e) {
+        return say(e.what(), 6);
+    } catch (const std::bad_alloc&) {
+        return say("out of memory; `ljmd check` tells how much a deck needs", 7);
+    } catch (const InUseError& e) {
+        return say(e.what(), 9);
     } catch (const Interrupted& e) {
         talk(fmt::format("{}\n", e.what()));
         return e.exit_code();
-    } catch (const InUseError& e) {
-        say(e.what());
-        return 9;
-    } catch (const CheckpointError& e) {
-        say(e.what());
-        return 6;
-    } catch (const std::bad_alloc&) {
-        say("out of memory; `ljmd check` tells how much a deck needs");
-        return 7;
     } catch (const std::exception& e) {
         talk(fmt::format("internal error: {}\nThis is a bug in ljmd; please report it with the deck.\n", e.what()));
         return 1;

@@ -73,7 +73,7 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
       has_velocities_(options.velocities),
       scale_(unit_scale(options.si, 1.0)),
       temporary_(options.kept ? std::optional<TemporaryName>(options.path) : std::optional<TemporaryName>()),
-      file_(temporary_ ? temporary_->path() : options.path),
+      file_(temporary_ ? temporary_->name() : options.path),
       step_{particles + "/position/step", {}, H5T_NATIVE_INT64},
       time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
       edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
@@ -86,8 +86,9 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
     file_.start_appending();
     if (options.kept) {
         copy_frames(options.path, options.kept->frames);
-        file_.rename(options.path);
-        temporary_->keep();
+        file_.commit();
+        temporary_->take_place();
+        file_.renamed(options.path);
     }
 }
 

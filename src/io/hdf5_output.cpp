@@ -254,17 +254,6 @@ void Hdf5Output::commit() {
     }
 }
 
-void Hdf5Output::rename(const std::filesystem::path& path) {
-    commit();
-    std::error_code error;
-    std::filesystem::rename(path_, path, error);
-    if (error) {
-        fail("renaming it", error.message());
-    }
-    path_ = path;
-    sync_folder_of(path_);
-}
-
 void Hdf5Output::close() {
     if (!file_) {
         return;

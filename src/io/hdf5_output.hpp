@@ -68,8 +68,8 @@ class Hdf5Output {
     /// Wait until everything appended is on the disk.
     void commit();
 
-    /// Take another name, replacing a file that has it: commit(), rename, fsync of the folder.
-    void rename(const std::filesystem::path& path);
+    /// The file has another name now.
+    void renamed(const std::filesystem::path& path) { path_ = path; }
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

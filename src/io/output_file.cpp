@@ -155,35 +155,39 @@ void OutputFile::close() {
     }
 }
 
-TemporaryName::TemporaryName(const std::filesystem::path& path) : path_(path) {
+TemporaryName::TemporaryName(std::filesystem::path path) : path_(std::move(path)), name_(path_) {
     // A fixed name: what a killed program left behind is replaced by the next write. It is removed first, so that a
     // link of that name is never followed.
-    path_ += ".tmp";
+    name_ += ".tmp";
     remove();
 }
 
 TemporaryName::~TemporaryName() {
-    if (!kept_) {
+    if (!taken_) {
         remove();
     }
 }
 
 void TemporaryName::remove() const {
     std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
+    std::filesystem::remove(name_, ignored);
+}
+
+void TemporaryName::take_place() {
+    if (::rename(name_.c_str(), path_.c_str()) != 0) {
+        throw file_error("replace", path_, errno);
+    }
+    taken_ = true;
+    sync_folder_of(path_);
 }
 
 void write_file_atomically(const std::filesystem::path& path, const std::function<void(OutputFile&)>& fill) {
     TemporaryName temporary(path);
-    OutputFile file(temporary.path());
+    OutputFile file(temporary.name());
     fill(file);
     file.sync();
     file.close();
-    if (::rename(temporary.path().c_str(), path.c_str()) != 0) {
-        throw file_error("replace", path, errno);
-    }
-    temporary.keep();
-    sync_folder_of(path);
+    temporary.take_place();
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view text) {

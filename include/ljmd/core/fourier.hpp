@@ -9,10 +9,10 @@
 
 namespace ljmd {
 
-/// Discrete transforms by FFTW, with its signs and without factors. Several threads may make and call
-/// them at a time: a call changes nothing but the output. Input and output must be AlignedVectors, or begin at a
-/// multiple of 64 bytes. The way a transform is computed is chosen without timing, so that a repeated run has the same
-/// bits. Source: Frigo and Johnson (2005), doi:10.1109/JPROC.2004.840301
+/// Discrete transforms by FFTW, with its signs and without factors. Several threads may make and call them at a time: a
+/// call changes nothing but the output. Input and output must be AlignedVectors, or begin at a multiple of 64 bytes.
+/// The way a transform is computed is chosen without timing, so that a repeated run has the same bits.
+/// Source: Frigo and Johnson (2005), doi:10.1109/JPROC.2004.840301
 
 /// The smallest even number with no prime factor above 7 that is at least n: lengths that transforms are fast for.
 /// @throws ContractViolation if n < 1

@@ -64,25 +64,26 @@ class OutputFile {
 /// @throws CheckpointError
 void require_bytes(const std::filesystem::path& path, std::int64_t bytes);
 
-/// `PATH.tmp`, the name of a file that is to take the place of PATH. The file is removed unless it did.
+/// The name `PATH.tmp` of a file that is to take the place of PATH. A file of that name is removed at the beginning,
+/// and at the end unless it has taken its place.
 class TemporaryName {
   public:
-    /// Removes what has that name.
-    explicit TemporaryName(const std::filesystem::path& path);
+    explicit TemporaryName(std::filesystem::path path);
     ~TemporaryName();
     TemporaryName(const TemporaryName&) = delete;
     TemporaryName& operator=(const TemporaryName&) = delete;
 
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] const std::filesystem::path& name() const { return name_; }
 
-    /// The file has another name now.
-    void keep() { kept_ = true; }
+    /// From now on the file is PATH: rename, fsync of the folder. @pre the file is on the disk  @throws FileError
+    void take_place();
 
   private:
     void remove() const;
 
     std::filesystem::path path_;
-    bool kept_ = false;
+    std::filesystem::path name_;
+    bool taken_ = false;
 };
 
 /// Write a whole file so that a reader finds either the old one or the new one: temporary name `PATH.tmp` in the same
