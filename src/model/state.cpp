@@ -229,13 +229,7 @@ void State::archive(Archive& a) {
     }
     refuse_unless(bounded == box_.has_value(),
                   "it is a fluid and the deck one of a few bodies, or the other way round");
-    if (bounded) {
-        try {
-            box_ = Box(edges);
-        } catch (const ContractViolation&) {
-            throw CheckpointError("its box is none");
-        }
-    }
+    refuse_unless(!bounded || edges == box_->edges(), "its box is another");
     require_count(step);
     require_count(phase_.steps);
     constexpr int most_edges = 1 << 30;  // no run takes an atom so far, and counting on does not overflow

@@ -114,7 +114,7 @@ class State {
     void mark_forces_current() { forces_current_ = true; }
 
     /// All of it but the ghosts, in the order in which the atoms lie.
-    /// @throws CheckpointError  a state of another number of atoms, or what cannot be a state
+    /// @throws CheckpointError  a state of another number of atoms or another box, or what cannot be a state
     void archive(Archive& a);
 
     double time = 0.0;  ///< [tau]
