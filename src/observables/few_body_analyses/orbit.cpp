@@ -66,7 +66,8 @@ class Orbit : public FewBodyAnalysis {
         }
         points_.add(state.time, r, v);
         const auto mu = strength_(state.masses()[static_cast<std::size_t>(i)], other_mass);
-        if (mu && *mu > 0.0) {
+        // Bodies at one place, or out of the range of numbers, have no ellipse. Their next force ends the run.
+        if (mu && *mu > 0.0 && r.norm() > 0.0) {
             last_ = orbital_elements(r, v, *mu);
             first_ = first_ ? first_ : last_;
         }

@@ -136,6 +136,26 @@ TEST_CASE("a radial orbit has the angle that it is given") {
     CHECK_FALSE(test::has_finding(*orbit, "eccentricity_at_end"));
 }
 
+TEST_CASE("bodies at one place, or nowhere, have no elements then") {
+    const test::MadeTarget field(1, 2, "newtonian-gravity", {{"gravitational_constant", 1.0}, {"central_mass", 2.0}});
+    const auto orbit = test::made_few_body_analysis("orbit", {{"body", 1}}, field.target);
+    State state = test::bodies_at({Vec3::Zero()}, {1.0});
+    state.write_velocities().col(0) = Vec3(0.0, 1.0, 0.0);
+    const auto sample_at = [&](double x) {
+        state.write_positions().col(0) = Vec3(x, 0.0, 0.0);
+        orbit->sample({state, std::nullopt});
+        state.time += 1.0;
+    };
+    sample_at(0.0);
+    CHECK_FALSE(test::has_finding(*orbit, "specific_energy_at_start"));
+    sample_at(1.0);
+    sample_at(2.0);
+    sample_at(0.0);
+    sample_at(std::nan(""));
+    CHECK(test::finding(*orbit, "specific_energy_at_start") == 0.5 - 2.0);
+    CHECK(test::finding(*orbit, "specific_energy_at_end") == 0.5 - 1.0);
+}
+
 TEST_CASE("what an orbit has not shown yet is left out") {
     const test::MadeTarget gravity(2, 3, "newtonian-gravity", {{"gravitational_constant", 1.0}});
     const auto orbit = test::made_few_body_analysis("orbit", {{"body", 2}, {"about", 1}}, gravity.target);
