@@ -116,6 +116,20 @@ TEST_CASE("a potential whose parts do not go together is refused at its key") {
     }
 }
 
+TEST_CASE("what only a list has is refused at its key with another way to the neighbours") {
+    check_refused({
+        {{{"sample = true", "sample = true\n[neighbors]\nmethod = \"cells\"\nevery = 20"}},
+         "every = 20",
+         "no meaning for method = \"cells\"",
+         "only a list"},
+        {{{"sample = true",
+           "sample = true\n[neighbors]\nmethod = \"all-pairs\"\n[performance]\nprecision = \"mixed\""}},
+         "precision = \"mixed\"",
+         "which method = \"all-pairs\" does not have",
+         "verlet-list has it"},
+    });
+}
+
 TEST_CASE("outputs that cannot be meant are refused at their key") {
     check_refused({
         {{{"sample = true", "sample = true\n[output]\ndirectory = \"\""}}, "directory = \"\"", "empty", ""},
