@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "ljmd/model/box.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -10,6 +9,8 @@
 namespace ljmd {
 
 namespace {
+
+using Limits = std::vector<Agreement::Limit>;
 
 // The situation that limits are written down for.
 constexpr double usual_time_step = 0.004;  // [tau]
@@ -23,26 +24,31 @@ constexpr double hot_growth = 7.5;
 /// From this step on the furthest atom is one of few whose neighbourhood is less stable than the others'.
 constexpr Index late = 500;
 
+/// How much coarser their coordinates are than those in a box of the usual edge.
+double coarser_coordinates(const Situation& situation) {
+    return std::max(1.0, situation.longest_edge / usual_edge);
+}
+
+/// How much coarser our grid is than in a box below 10.6 sigma. There two numbers that agree but for their rounding,
+/// ours to the grid, theirs to the last place, are half a unit of both apart in each direction: 4.6e-15.
+double coarser_grid(const Situation& situation) {
+    constexpr double usual_resolution = 0x1p-48;
+    return std::max(1.0, Box(Vec3::Constant(situation.longest_edge)).resolution() / usual_resolution);
+}
+
 /// Limits as they are in another situation: never below those written down.
-std::vector<Agreement::Limit> limits_in(const Situation& situation, std::vector<Agreement::Limit> limits) {
+/// @param coarser  by how much roundings are larger
+Limits limits_in(const Situation& situation, double coarser, Limits limits) {
     const double growth = situation.temperature > hot ? hot_growth : cold_growth;
     for (Agreement::Limit& limit : limits) {
         const double later = static_cast<double>(limit.step) * (situation.time_step - usual_time_step);
         limit.distance *= std::exp(growth * std::max(0.0, later));
-        limit.distance *= std::max(1.0, situation.longest_edge / usual_edge);
+        limit.distance *= coarser;
         if (limit.step >= late) {
             limit.distance *= std::max(1.0, static_cast<double>(situation.atoms) / usual_atoms);
         }
     }
     return limits;
-}
-
-/// Two numbers that agree but for their rounding, ours to the grid of the box, theirs to the last place: half a unit of
-/// both in each direction, which is 4.6e-15 in a box below 10.6 sigma.
-double after_one_rounding(const Situation& situation) {
-    constexpr double usual_resolution = 0x1p-48;
-    const double resolution = Box(Vec3::Constant(situation.longest_edge)).resolution();
-    return 5e-15 * std::max(1.0, resolution / usual_resolution);
 }
 
 }  // namespace
@@ -66,24 +72,19 @@ Situation situation_of(const Fluid& fluid, double time_step) {
 
 Agreement double_agreement(const Situation& situation) {
     const bool is_hot = situation.temperature > hot;
-    std::vector<Agreement::Limit> in_the_same_order =
-        limits_in(situation, is_hot ? std::vector<Agreement::Limit>{{100, 1e-12}}
-                                    : std::vector<Agreement::Limit>{{100, 2e-13}, {500, 1e-10}});
-    in_the_same_order.insert(in_the_same_order.begin(), {1, after_one_rounding(situation)});
+    const double coarser = coarser_coordinates(situation);
     return {.energy = 1e-13,
             .largest_force = 1e-12,
             .rms_force = 1e-13,
             .pressure = 1e-12,
             .kinetic_energy = 1e-12,
             .positions = limits_in(
-                situation, is_hot ? std::vector<Agreement::Limit>{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 1e-9}}
-                                  : std::vector<Agreement::Limit>{{1, 1e-14},
-                                                                  {10, 5e-13},
-                                                                  {100, 1e-11},
-                                                                  {200, 5e-11},
-                                                                  {500, 5e-9},
-                                                                  {1000, 1e-5}}),
-            .positions_in_the_same_order = std::move(in_the_same_order)};
+                situation, coarser,
+                is_hot ? Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 1e-9}}
+                       : Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 5e-11}, {500, 5e-9}, {1000, 1e-5}}),
+            .positions_in_the_same_order =
+                limits_in(situation, coarser_grid(situation),
+                          is_hot ? Limits{{1, 5e-15}, {100, 1e-12}} : Limits{{1, 5e-15}, {100, 2e-13}, {500, 1e-10}})};
 }
 
 Agreement lammps_agreement(const Situation& situation) {
@@ -96,7 +97,8 @@ Agreement lammps_agreement(const Situation& situation) {
 }
 
 Agreement single_agreement(const Situation& situation) {
-    const auto limits = limits_in(situation, {{1, 1e-6}, {10, 2e-5}, {100, 2e-4}, {200, 5e-4}});
+    const Limits limits =
+        limits_in(situation, coarser_coordinates(situation), {{1, 1e-6}, {10, 2e-5}, {100, 2e-4}, {200, 5e-4}});
     return {.energy = 1e-6,
             .largest_force = 5e-4,
             .rms_force = 5e-5,

@@ -71,6 +71,17 @@ TEST_CASE("after one step in the same order nothing but two roundings may be bet
     }
 }
 
+TEST_CASE("in the same order later steps, too, may be as much further apart as the grid is coarser") {
+    const auto later = [](double edge, Index step) {
+        return limit_at(double_agreement({.longest_edge = edge}).positions_in_the_same_order, step).value();
+    };
+    CHECK(later(10.08, 100) == 2e-13);
+    CHECK(later(10.08, 500) == 1e-10);
+    CHECK(later(16.8, 100) == 4e-13);
+    CHECK(later(16.8, 500) == 2e-10);
+    CHECK(later(33.6, 100) == 8e-13);
+}
+
 TEST_CASE("hot fluids are judged up to step 200, single precision is not judged by the limits of double") {
     const Situation hot{.temperature = 2.889};
     CHECK(limit_at(double_agreement({}).positions, 1000));
