@@ -64,7 +64,7 @@ void ExtendedXyzWriter::write(const State& state) {
         throw ContractViolation("a trajectory keeps its number of atoms and its kind of box");
     }
     write_extended_xyz_frame(file_, state, velocities_, si_);
-    file_.sync();
+    file_.flush();
 }
 
 CommittedFrames ExtendedXyzWriter::commit() {
@@ -73,6 +73,7 @@ CommittedFrames ExtendedXyzWriter::commit() {
 
 void ExtendedXyzWriter::close() {
     file_.close();
+    sync_path(file_.path());
 }
 
 void write_configuration(const std::filesystem::path& path, const State& state, bool velocities) {

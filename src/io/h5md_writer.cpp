@@ -212,7 +212,6 @@ void H5mdWriter::write(const State& state) {
     }
     vectors.positions = gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); });
     append(frame, vectors);
-    file_.commit();
     failed_ = false;
 }
 
@@ -235,7 +234,8 @@ void H5mdWriter::append(const FramePlace& frame, const Vectors& vectors) {
 }
 
 CommittedFrames H5mdWriter::commit() {
-    return {0, frames_};  // every frame is on the disk when write() returns
+    file_.commit();
+    return {0, frames_};
 }
 
 void H5mdWriter::close() {

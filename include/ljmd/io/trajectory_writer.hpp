@@ -52,8 +52,8 @@ class TrajectoryWriter {
   public:
     virtual ~TrajectoryWriter() = default;
 
-    /// Append one frame. On return it is on the disk; a kill or a power cut after that does not lose it. When writing
-    /// fails, earlier frames stay and every later call throws.
+    /// Append one frame. On return the system has it: readers of the file see it, and a kill does not lose it. A power
+    /// cut may, until the next commit(). When writing fails, earlier frames stay and every later call throws.
     /// @pre   the number of atoms, and whether there is a box, as when the file was created, else ContractViolation
     /// @throws FileError
     virtual void write(const State& state) = 0;
