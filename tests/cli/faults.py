@@ -35,8 +35,9 @@ def explosion_under_a_thermostat(t):
     t.deck(("density = 0.8442", "density = 0.5"), ("time_step = 0.004\nsteps = 20", "time_step = 0.04\nsteps = 1000"),
            ('type = "rescale", every = 5', 'type = "rescale", every = 1'))
     result = t.expect(5, t.run("run", "deck.toml", "--force"))
-    t.check(re.search(r"error: step \d+ \(stage 'melt'\): atom \d+ moves [\d.e+]+ sigma in one step", result.err),
-            f"message: {result.err}")
+    # Which of the two is seen first depends on roundings: nine steps lie between two looks at the speeds.
+    t.check(re.search(r"error: step \d+ \(stage 'melt'\): atom \d+ (moves [\d.e+]+ sigma in one step|has left its box)",
+                      result.err), f"message: {result.err}")
 
 
 def explosion_of_fixed_point_sums(t):
