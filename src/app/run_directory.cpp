@@ -101,9 +101,16 @@ void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, co
 
 void make_directory(const fs::path& directory) {
     std::error_code error;
+    std::vector<fs::path> made;
+    for (fs::path folder = directory; !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path()) {
+        made.push_back(folder);
+    }
     fs::create_directories(directory, error);
     if (error) {
         throw FileError(fmt::format("cannot create the directory '{}': {}", directory.string(), error.message()));
+    }
+    for (const fs::path& folder : made) {
+        sync_folder_of(folder);
     }
 }
 

@@ -5,6 +5,9 @@
 //   LJMD_FAULT=full:N   from call N on there is no space left for what writes
 //   LJMD_FAULT=late:N   from the N-th time on that a file is synced, or closed that was open for writing, it turns out
 //                       that there was no space left: so do file systems over a network, and quotas
+//   LJMD_FAULT=names:N, none:N, blocks:N   the power is cut instead of the N-th call that syncs, names, removes or
+//   shortens
+//                       a file; what becomes of the folder LJMD_FAULT_FOLDER is told in disk.hpp
 //   LJMD_FAULT=clock:S  the clock on the wall jumps at each look, S seconds on and as many back
 //   LJMD_FAULT=count:F  nothing happens, and at the end the file F tells the number of calls
 //
@@ -21,16 +24,23 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <optional>
+
+#include "disk.hpp"
 
 namespace {
 
-enum class Mode { none, kill, tear, full, late, clock, count };
+using ljmd::faults::Disk;
+
+enum class Mode { nothing, kill, tear, full, late, cut, clock, count };
 
 struct Fault {
-    Mode mode = Mode::none;
+    Mode mode = Mode::nothing;
     long at = 0;
     const char* file = nullptr;
     std::atomic<long> calls = 0;
+    Disk::Rest left = Disk::Rest::names;
+    std::optional<Disk> disk;  // where the power is cut
 
     Fault() {
         const char* text = std::getenv("LJMD_FAULT");
@@ -49,7 +59,12 @@ struct Fault {
                : is("full:")  ? Mode::full
                : is("late:")  ? Mode::late
                : is("clock:") ? Mode::clock
-                              : Mode::count;
+               : is("count:") ? Mode::count
+                              : Mode::cut;
+        if (mode == Mode::cut) {
+            left = is("none:") ? Disk::Rest::none : is("blocks:") ? Disk::Rest::blocks : Disk::Rest::names;
+            disk.emplace(std::getenv("LJMD_FAULT_FOLDER"));
+        }
     }
 
     ~Fault() {
@@ -73,7 +88,14 @@ enum class Call { goes_on, torn, fails };
 /// What becomes of the next call.
 Call next(bool writes) {
     Fault& f = fault();
+    if (f.mode == Mode::cut && writes) {  // does not change what is on the disk
+        return Call::goes_on;
+    }
     const long number = ++f.calls;
+    if (f.mode == Mode::cut && number == f.at) {
+        f.disk->cut(f.left, static_cast<std::uint64_t>(number));
+        std::raise(SIGKILL);
+    }
     if ((f.mode == Mode::kill || (f.mode == Mode::tear && !writes)) && number == f.at) {
         std::raise(SIGKILL);
     }
@@ -141,7 +163,14 @@ ssize_t pwrite64(int descriptor, const void* data, size_t count, off64_t offset)
 int fsync(int descriptor) {
     static const auto call = original<int (*)(int)>("fsync");
     static_cast<void>(next(false));
-    return too_late() ? -1 : call(descriptor);
+    if (too_late()) {
+        return -1;
+    }
+    const int result = call(descriptor);
+    if (result == 0 && fault().disk) {
+        fault().disk->synced(descriptor);
+    }
+    return result;
 }
 
 int close(int descriptor) {

@@ -73,11 +73,13 @@ class Runner:
         self.library = library
         self.random = random_source
 
-    def start(self, arguments: list[str], fault: Optional[str] = None) -> subprocess.Popen:
+    def start(self, arguments: list[str], fault: Optional[str] = None, folder: Optional[Path] = None) -> subprocess.Popen:
+        """@param folder  the one that a power cut is felt in"""
         environment = dict(os.environ)
         if fault is not None:
             environment["LD_PRELOAD"] = str(self.library)
             environment["LJMD_FAULT"] = fault
+            environment["LJMD_FAULT_FOLDER"] = str(folder)
             # The address sanitizer, where the program is built with it, need not be the first of its libraries; and
             # HDF5 loses some memory when a file cannot be closed.
             environment["ASAN_OPTIONS"] = ":".join(filter(None, [environment.get("ASAN_OPTIONS"),
@@ -99,8 +101,8 @@ class Runner:
             process.send_signal(signal.SIGKILL)
         return self.finish(process, (0, -signal.SIGKILL)) != 0
 
-    def go_on(self, directory: Path, deck: Path, kill_again: bool) -> None:
-        """Bring a run that was killed to its end."""
+    def go_on(self, directory: Path, deck: Path, kill_again: bool) -> int:
+        """Bring a run that was killed to its end. @return the last step at which it went on; -1: it began again"""
         while True:
             checkpoints = list(directory.glob("checkpoint.?"))
             if not checkpoints:
@@ -108,7 +110,7 @@ class Runner:
                 if frames_on_disk(directory) > 1:
                     raise Failure("frames, but no checkpoint")
                 self.finish(self.start(["run", str(deck), "--out", str(directory), "--force"]), (0,))
-                return
+                return -1
             killed = False
             if kill_again and self.random.random() < 1 / 3:
                 killed = self.kill_after(self.start(["resume", str(directory)]), self.random.uniform(0.0, 0.1))
@@ -117,7 +119,7 @@ class Runner:
                 record = json.loads((directory / "run.json").read_text())
                 if not record["resumed_at_steps"]:
                     raise Failure("run.json does not tell where it went on")
-                return
+                return record["resumed_at_steps"][-1]
 
 
 def make_case(runner: Runner, folder: Path, form: str, equilibrate: int, production: int, checkpoint: int,

@@ -26,7 +26,7 @@ void check_directory(const Deck& deck, bool force);
 void require_no_input(const Deck& deck, const std::vector<std::filesystem::path>& outputs,
                       const std::string& consequence);
 
-/// Create a directory and those above it, if they are not there. @throws FileError
+/// Create a directory and those above it, if they are not there; their names are on the disk then. @throws FileError
 void make_directory(const std::filesystem::path& directory);
 
 /// Make the output directory of a run ready: create it, and remove the files of an earlier run (only those that ljmd
