@@ -69,7 +69,7 @@ void write_parts(OutputFile& file, const Parts& parts) {
             file.write(part.substr(from, piece_length));
         }
     }
-    file.sync();
+    file.flush();
 }
 
 bool reads_back(const fs::path& path, const Parts& parts) {

@@ -21,7 +21,7 @@ class CheckpointStore {
     /// @param keep  generations, >= 1
     CheckpointStore(std::filesystem::path directory, int keep);
 
-    /// Write the next generation: under a temporary name, fsync, read back and compare, rename, fsync of the folder.
+    /// Write the next generation: under a temporary name, read back and compare, fsync, rename, fsync of the folder.
     /// @throws FileError; then the generations that were there still are
     void write(std::span<const std::byte> content);
 
