@@ -23,12 +23,14 @@ endif()
 # sources that include them are written in C++17.
 function(ljmd_includes_openmm)
     set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -std=gnu++17)
+    set_property(SOURCE ${ARGN} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 if(LJMD_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     find_program(LJMD_CCACHE ccache)
     mark_as_advanced(LJMD_CCACHE)
     if(LJMD_CCACHE)
-        set(CMAKE_CXX_COMPILER_LAUNCHER ${LJMD_CCACHE})
+        # What its manual wants to be told before it keeps what was compiled with precompiled headers.
+        set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${LJMD_CCACHE})
     endif()
 endif()

@@ -12,6 +12,7 @@ list(FILTER ljmd_sources EXCLUDE REGEX "^${ljmd_unused_sources}")
 
 add_library(ljmd_library STATIC ${ljmd_sources} ${ljmd_generated_sources} ${ljmd_simd_objects})
 add_library(ljmd::ljmd ALIAS ljmd_library)
+target_precompile_headers(ljmd_library PRIVATE ${ljmd_precompiled_headers})
 add_dependencies(ljmd_library ljmd_version_header)
 set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
 target_compile_features(ljmd_library PUBLIC cxx_std_20)
