@@ -79,7 +79,7 @@ class Runner:
         if fault is not None:
             environment["LD_PRELOAD"] = str(self.library)
             environment["LJMD_FAULT"] = fault
-            environment["LJMD_FAULT_FOLDER"] = str(folder)
+            environment["LJMD_FAULT_FOLDER"] = str(folder or "")
             # The address sanitizer, where the program is built with it, need not be the first of its libraries; and
             # HDF5 loses some memory when a file cannot be closed.
             environment["ASAN_OPTIONS"] = ":".join(filter(None, [environment.get("ASAN_OPTIONS"),
