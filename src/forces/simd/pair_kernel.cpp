@@ -14,17 +14,23 @@ using Four = simd::RawVector<double, slots>;
 constexpr std::ptrdiff_t to_y = slots;
 constexpr std::ptrdiff_t to_z = std::ptrdiff_t{2} * slots;
 
-/// A row of atoms meets a cluster: lane 4 n + k is for the row's atom n and the cluster's slot k. A vector of two lanes
-/// meets it in two pieces, one after the other.
+/// A row of atoms meets a cluster: lane 4 n + k is for the row's atom n and the cluster's slot k.
 template <class V>
-constexpr int atoms_per_row = V::lanes < slots ? 1 : V::lanes / slots;
+constexpr int atoms_per_row = V::lanes / slots;
 template <class V>
-constexpr std::size_t pieces = V::lanes < slots ? slots / V::lanes : 1;
+constexpr int rows_per_cluster = slots / atoms_per_row<V>;
 
-/// Each of the numbers in four lanes, or one in all.
+/// How many clusters ahead of the one whose forces are worked out separations and divisions are begun. A processor
+/// looks at the next hundred or two of instructions for what can be done while others wait, which is less than the
+/// latencies from a separation to a force ask for. So far ahead only the 32 registers of AVX-512 reach; 16 hold the
+/// separations from one cluster beside those from the next.
+template <class V>
+constexpr std::size_t lead = sizeof(typename V::Raw) == 64 ? 3 : 0;
+
+/// Each of the numbers in four lanes.
 template <class T, int lanes>
 LJMD_INLINE simd::RawVector<T, lanes> in_four_lanes(const T* numbers) {
-    if constexpr (lanes <= 4) {
+    if constexpr (lanes == 4) {
         return *numbers - simd::RawVector<T, lanes>{};
     } else {
         return simd::joined<T, lanes / 2>(in_four_lanes<T, lanes / 2>(numbers),
@@ -32,14 +38,10 @@ LJMD_INLINE simd::RawVector<T, lanes> in_four_lanes(const T* numbers) {
     }
 }
 
-/// Four numbers over and over, or as many of them as there are lanes.
+/// Four numbers over and over.
 template <class T, int lanes>
 LJMD_INLINE simd::RawVector<T, lanes> repeated(const T* numbers) {
-    if constexpr (lanes <= 4) {
-        return simd::load_aligned<T, lanes>(numbers);
-    } else {
-        return simd::repeated<T, lanes>(simd::load_aligned<T, 4>(numbers));
-    }
+    return simd::repeated<T, lanes>(simd::load_aligned<T, 4>(numbers));
 }
 
 /// Separations of the atoms of a row from those of a cluster.
@@ -155,7 +157,7 @@ class Sums {
         fy += wy;
         fz += wz;
         // All are read before any is written. One by one would take a tenth longer.
-        constexpr std::size_t axis = V::lanes * pieces<V>;
+        constexpr std::size_t axis = V::lanes;
         const V x = V::load(others) + wx;
         const V y = V::load(others + axis) + wy;
         const V z = V::load(others + 2 * axis) + wz;
@@ -172,9 +174,8 @@ class Sums {
 /// only the one before meets the other, and none itself.
 template <class V>
 struct Aside {
-    static constexpr std::size_t rows = slots / atoms_per_row<V>;
-    static constexpr std::size_t numbers = V::lanes * pieces<V>;
-    typename V::Value of_row[rows][numbers] = {};
+    static constexpr std::size_t rows = rows_per_cluster<V>;
+    typename V::Value of_row[rows][V::lanes] = {};
     constexpr Aside() {
         for (std::size_t atom = 0; atom < slots; ++atom) {
             const std::size_t in_row = atom % (slots / rows);
@@ -185,53 +186,46 @@ struct Aside {
     }
 };
 
-/// The sums of four vectors over their lanes.
-LJMD_INLINE Four sums_of_four(Four a, Four b, Four c, Four d) {
-    const Four ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Four cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+/// Four numbers in double.
+LJMD_INLINE Four in_double(Four x) {
+    return x;
+}
+LJMD_INLINE Four in_double(simd::RawVector<float, slots> x) {
+    return simd::widened<slots>(x);
 }
 
-/// The part of a row's sums that is its atom n's.
-template <int n, class V>
-LJMD_INLINE Four of_atom(V sums) {
-    if constexpr (V::lanes < slots) {
-        return simd::joined<double, V::lanes>(sums.raw, typename V::Raw{});
-    } else if constexpr (std::is_same_v<typename V::Value, double>) {
-        return simd::four_lanes<n, double, V::lanes>(sums.raw);
+/// What the rows of a cluster sum up to, atom by atom. @param rows  of each row its sums, by lanes
+template <class T>
+LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 4> (&rows)[4]) {
+    const auto [a, b, c, d] = rows;
+    const auto ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const auto cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    return in_double(__builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
+}
+template <class T>
+LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 8> (&rows)[2]) {
+    const auto [a, b] = rows;
+    const auto ab = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
+                    __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    return in_double(__builtin_shufflevector(ab, ab, 0, 4, 1, 5) + __builtin_shufflevector(ab, ab, 2, 6, 3, 7));
+}
+template <class T>
+LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 16> (&rows)[1]) {
+    const auto a = rows[0];
+    const auto twos = a + __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14);
+    return in_double(__builtin_shufflevector(twos, twos, 0, 4, 8, 12) +
+                     __builtin_shufflevector(twos, twos, 2, 6, 10, 14));
+}
+
+/// Of four-lane pieces their sum.
+template <class T, int lanes>
+LJMD_INLINE simd::RawVector<T, slots> sum_of_pieces(simd::RawVector<T, lanes> v) {
+    if constexpr (lanes == slots) {
+        return v;
     } else {
-        return simd::widened<slots>(simd::four_lanes<n, float, V::lanes>(sums.raw));
+        return sum_of_pieces<T, lanes / 2>(simd::low_half<T, lanes>(v) + simd::high_half<T, lanes>(v));
     }
 }
-
-/// What the rows of a cluster sum up to, atom by atom.
-class ForcesOfCluster {
-  public:
-    LJMD_INLINE void reset() {
-        for (auto& atom : sums_) {
-            atom[0] = atom[1] = atom[2] = Four{};
-        }
-    }
-
-    template <int n = 0, class Sums>
-    LJMD_INLINE void keep(int first, const Sums& row) {
-        using V = decltype(row.fx);
-        if constexpr (n < atoms_per_row<V>) {
-            Four* atom = sums_[first + n];
-            atom[0] = of_atom<n>(row.fx);
-            atom[1] = of_atom<n>(row.fy);
-            atom[2] = of_atom<n>(row.fz);
-            keep<n + 1>(first, row);
-        }
-    }
-
-    [[nodiscard]] LJMD_INLINE Four along(int axis) const {
-        return sums_of_four(sums_[0][axis], sums_[1][axis], sums_[2][axis], sums_[3][axis]);
-    }
-
-  private:
-    Four sums_[slots][3];
-};
 
 /// Energy and virial of a tile. The pairs of a tile are those among its clusters and guests, all of which have one
 /// place in it, so what pairs add to the virial, (r_i - r_j)_a f_b, is r_a f_b summed over atoms instead.
@@ -266,26 +260,134 @@ class EnergyAndVirial {
 /// Along one axis, minus the forces of rows before on a cluster. @param others  of each row's atom in lanes of its own
 template <class V>
 LJMD_INLINE Four from_others(const typename V::Value* others) {
-    Four sum{};
-    for (int m = 0; m < atoms_per_row<V>; ++m) {
-        const auto part = simd::load_aligned<typename V::Value, slots>(others + std::ptrdiff_t{m} * slots);
-        if constexpr (std::is_same_v<typename V::Value, double>) {
-            sum += part;
-        } else {
-            sum += simd::widened<slots>(part);
-        }
-    }
-    return sum;
+    return in_double(sum_of_pieces<typename V::Value, V::lanes>(V::load(others).raw));
 }
 
-/// Row by row: its own cluster, then those on its list. When a cluster's turn comes, all atoms of the tile that have
-/// pairs with it on their lists have had theirs.
+/// A row of atoms on its way along its list.
+template <class Arithmetic, bool with_energy, class Pair>
+class Row {
+  public:
+    using V = typename Arithmetic::V;
+    using Real = typename V::Value;
+
+    LJMD_INLINE Row(const Arithmetic& arithmetic, const Pair& pair, V cutoff2, Real* partial,
+                    const std::int32_t* entries)
+        : arithmetic_(arithmetic), pair_(pair), cutoff2_(cutoff2), partial_(partial), entry_(entries) {}
+
+    /// Meet the row's own cluster, then those on its list.
+    /// @param own    the place of the first
+    /// @param aside  see Aside
+    /// @param end    of the list
+    LJMD_INLINE void meet_all(std::size_t own, const Real* aside, const std::int32_t* end) {
+        const bool far_ahead = lead<V> > 0 && end - entry_ >= static_cast<std::ptrdiff_t>(lead<V>);
+        Separation<V> next;
+        if (far_ahead) {
+            look_ahead(std::make_index_sequence<lead<V>>());
+        } else {
+            next = arithmetic_.separation(place(0));
+        }
+        Separation<V> d = arithmetic_.separation(own);
+        d.r2 += V::load_unaligned(aside);
+        meet(d, V(1) / d.r2, own);
+        if (far_ahead) {
+            while (take_turns(end, std::make_index_sequence<lead<V> + 1>())) {
+            }
+            return;
+        }
+        while (entry_ < end) {
+            d = next;
+            const std::size_t now = place(0);
+            next = arithmetic_.separation(place(1));
+            meet(d, V(1) / d.r2, now);
+            ++entry_;
+        }
+    }
+
+    Sums<V, with_energy> sums;
+
+  private:
+    static constexpr std::size_t width = atoms_per_row<V>;
+
+    [[nodiscard]] LJMD_INLINE std::size_t place(std::size_t offset) const {
+        return static_cast<std::uint32_t>(entry_[offset]);
+    }
+
+    LJMD_INLINE void meet(const Separation<V>& d, V inverse_r2, std::size_t there) {
+        sums.add(pair_, cutoff2_, d, inverse_r2, partial_ + there * width);
+    }
+
+    /// Begin what there is to do with the entry so many behind the present one.
+    LJMD_INLINE void look(std::size_t slot, std::size_t offset) {
+        ahead_[slot].d = arithmetic_.separation(place(offset));
+        ahead_[slot].inverse_r2 = V(1) / ahead_[slot].d.r2;
+    }
+    template <std::size_t... offset>
+    LJMD_INLINE void look_ahead(std::index_sequence<offset...>) {
+        (look(offset, offset), ...);
+    }
+
+    /// Each of what is under way has its turn in registers of its own: none is moved. @return false at the end
+    template <std::size_t... slot>
+    LJMD_INLINE bool take_turns(const std::int32_t* end, std::index_sequence<slot...>) {
+        return (take_turn<slot>(end) && ...);
+    }
+    template <std::size_t slot>
+    LJMD_INLINE bool take_turn(const std::int32_t* end) {
+        if (entry_ + lead<V> == end) {
+            meet_last<slot>(std::make_index_sequence<lead<V>>());
+            return false;
+        }
+        look((slot + lead<V>) % (lead<V> + 1), lead<V>);
+        meet(ahead_[slot].d, ahead_[slot].inverse_r2, place(0));
+        ++entry_;
+        return true;
+    }
+    template <std::size_t slot, std::size_t... offset>
+    LJMD_INLINE void meet_last(std::index_sequence<offset...>) {
+        (meet(ahead_[(slot + offset) % (lead<V> + 1)].d, ahead_[(slot + offset) % (lead<V> + 1)].inverse_r2,
+              place(offset)),
+         ...);
+    }
+
+    struct Ahead {
+        Separation<V> d;
+        V inverse_r2;
+    };
+
+    const Arithmetic& arithmetic_;
+    const Pair& pair_;
+    V cutoff2_;
+    Real* partial_;
+    const std::int32_t* entry_;
+    Ahead ahead_[lead<V> + 1];
+};
+
+/// Write the forces on the atoms of a cluster, x y z 0 each. @param f  by axes
+LJMD_INLINE void write_forces(const Four (&f)[3], std::size_t atoms, double* to) {
+    const Four none{};
+    const Four xy01 = __builtin_shufflevector(f[0], f[1], 0, 4, 1, 5);
+    const Four xy23 = __builtin_shufflevector(f[0], f[1], 2, 6, 3, 7);
+    const Four z01 = __builtin_shufflevector(f[2], none, 0, 4, 1, 5);
+    const Four z23 = __builtin_shufflevector(f[2], none, 2, 6, 3, 7);
+    const auto write = [&](std::size_t k, Four of_atom) {
+        if (k < atoms) {
+            __builtin_memcpy(to + slots * k, &of_atom, sizeof of_atom);
+        }
+    };
+    write(0, __builtin_shufflevector(xy01, z01, 0, 1, 4, 5));
+    write(1, __builtin_shufflevector(xy01, z01, 2, 3, 6, 7));
+    write(2, __builtin_shufflevector(xy23, z23, 0, 1, 4, 5));
+    write(3, __builtin_shufflevector(xy23, z23, 2, 3, 6, 7));
+}
+
+/// Row by row. When a cluster's turn comes, all atoms of the tile that have pairs with it on their lists have had
+/// theirs.
 template <class Arithmetic, bool with_energy, class Pair>
 [[gnu::flatten]] void sum_tile(const void* potential, const PairKernelTask& task, PairKernelSums* sums) {
     using V = typename Arithmetic::V;
     using Real = typename V::Value;
     static constexpr Aside<V> aside;
-    constexpr int width = atoms_per_row<V>;
+    constexpr std::size_t width = atoms_per_row<V>;
     constexpr std::size_t stride = std::size_t{3} * slots;
     const Pair pair = *static_cast<const Pair*>(potential);
     const V cutoff2(task.cutoff2);
@@ -295,72 +397,50 @@ template <class Arithmetic, bool with_energy, class Pair>
     const auto clusters = static_cast<std::size_t>(task.clusters);
     // Minus the forces on the atoms of a cluster, of each row's atom in lanes of its own.
     auto* const partial = static_cast<Real*>(task.partial_forces);
-    for (std::size_t k = 0; k < clusters * 3 * pieces<V>; ++k) {
+    for (std::size_t k = 0; k < clusters * 3; ++k) {
         V(0).store(partial + k * V::lanes);
     }
-    constexpr std::size_t axis = V::lanes * pieces<V>;
-    const std::int32_t* const entries = task.entries;
-    const auto place = [entries](std::size_t n) {
-        return static_cast<std::uint32_t>(entries[n / pieces<V>]) + n % pieces<V> * V::lanes;
-    };
-    const std::uint32_t* row = task.starts;
-    ForcesOfCluster forces;
+    constexpr std::size_t axis = V::lanes;
+    const std::uint32_t* start = task.starts;
     for (std::size_t cluster = 0; cluster < own_clusters; ++cluster) {
         const std::size_t own = cluster * stride;
         const std::uint32_t first_atom = task.first_atoms[cluster];
-        const int atoms = static_cast<int>(task.first_atoms[cluster + 1] - first_atom);
-        forces.reset();
-        for (int k = 0; k < atoms; k += width, ++row) {
+        const std::size_t atoms = task.first_atoms[cluster + 1] - first_atom;
+        typename V::Raw sums_of_rows[3][rows_per_cluster<V>];
+        if (atoms + width <= slots) {
+            __builtin_memset(sums_of_rows, 0, sizeof sums_of_rows);  // rows without an atom
+        }
+        for (std::size_t k = 0; k < atoms; k += width, ++start) {
             if (width == 1 || k + width <= atoms) {
                 arithmetic.go_to(arithmetic.cluster(own) + k);
             } else {
                 typename Arithmetic::Coordinate there[3 * slots];
-                for (int n = 0; n < width; ++n) {
-                    for (int a = 0; a < 3; ++a) {
+                for (std::size_t n = 0; n < width; ++n) {
+                    for (std::size_t a = 0; a < 3; ++a) {
                         there[a * slots + n] =
                             k + n < atoms ? arithmetic.cluster(own)[a * slots + k + n] : Arithmetic::nowhere;
                     }
                 }
                 arithmetic.go_to(there);
             }
-            Sums<V, with_energy> sum_of_row;
-            // The separations from the next cluster are on their way while the forces of one are worked out.
-            std::size_t n = row[0] * pieces<V>;
-            const std::size_t end = row[1] * pieces<V>;
-            std::size_t next_place = place(n);
-            Separation<V> next = arithmetic.separation(next_place);
-            for (std::size_t p = 0; p < pieces<V>; ++p) {
-                const std::size_t now = own + p * V::lanes;
-                Separation<V> d = arithmetic.separation(now);
-                d.r2 += V::load_unaligned(aside.of_row[k / width] + p * V::lanes);
-                sum_of_row.add(pair, cutoff2, d, V(1) / d.r2, partial + now * width);
-            }
-            while (n < end) {
-                const std::size_t now = next_place;
-                const Separation<V> d = next;
-                next_place = place(++n);
-                next = arithmetic.separation(next_place);
-                sum_of_row.add(pair, cutoff2, d, V(1) / d.r2, partial + now * width);
-            }
-            forces.keep(k, sum_of_row);
+            Row<Arithmetic, with_energy, Pair> row(arithmetic, pair, cutoff2, partial, task.entries + start[0]);
+            row.meet_all(own, aside.of_row[k / width], task.entries + start[1]);
+            sums_of_rows[0][k / width] = row.sums.fx.raw;
+            sums_of_rows[1][k / width] = row.sums.fy.raw;
+            sums_of_rows[2][k / width] = row.sums.fz.raw;
             if constexpr (with_energy) {
-                total.add_row(sum_of_row.u);
+                total.add_row(row.sums.u);
             }
         }
         Four force[3];
         for (std::size_t a = 0; a < 3; ++a) {
-            force[a] = (forces.along(static_cast<int>(a)) - from_others<V>(partial + own * width + a * axis)) *
+            force[a] = (sums_of_atoms<Real>(sums_of_rows[a]) - from_others<V>(partial + own * width + a * axis)) *
                        arithmetic.unit();
         }
         if constexpr (with_energy) {
             total.add_cluster(arithmetic.places(own, 0), arithmetic.places(own, 1), arithmetic.places(own, 2), force);
         }
-        for (int k = 0; k < atoms; ++k) {
-            double* to = task.forces + 4 * (first_atom + static_cast<std::size_t>(k));
-            to[0] = force[0][k];
-            to[1] = force[1][k];
-            to[2] = force[2][k];
-        }
+        write_forces(force, atoms, task.forces + slots * first_atom);
     }
     for (std::size_t cluster = own_clusters; cluster < clusters; ++cluster) {
         const std::size_t guest = cluster * stride;
