@@ -189,6 +189,9 @@ def test_programs_that_fail(tmp: Path) -> None:
     failed(lambda: execute(["no-such-program"], tmp), "no-such-program: cannot be run")
     script = "import sys; print('one\\ntwo\\n', file=sys.stderr); sys.exit(3)"
     failed(lambda: execute([sys.executable, "-c", script], tmp), "exit code 3: two")
+    frame = script.replace("two\\n", "Fatal error:\\nNo such\\nthing.\\n\\nRead more\\n-----\\n")
+    failed(lambda: execute([sys.executable, "-c", frame], tmp), "exit code 3: Fatal error: No such thing.")
+    failed(lambda: execute([sys.executable, "-c", script.replace("two", "two\\n---")], tmp), "exit code 3: two")
     said = execute([sys.executable, "-c", "import os; print(os.environ['X'], input())"], tmp, "y", X="x")
     assert said == "x y\n", said
 

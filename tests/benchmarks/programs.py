@@ -6,6 +6,7 @@ import os
 import subprocess
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
+from itertools import takewhile
 from pathlib import Path
 from typing import Any, Optional, Sequence
 
@@ -61,7 +62,7 @@ def execute(command: Sequence[Any], folder: Path, typed: str = "", **variables: 
     """Run a command in a folder and return what it wrote to stdout.
 
     `typed` is its stdin. Variables of OpenMP but OMP_WAIT_POLICY are taken out of its environment, then `variables` put
-    in. Raises ProgramFailed if it cannot be run or fails, with the last line that it wrote.
+    in. Raises ProgramFailed if it cannot be run or fails, with the last words that it wrote.
     """
     environment = {name: value for name, value in os.environ.items()
                    if not name.startswith("OMP_") or name == "OMP_WAIT_POLICY"}
@@ -72,6 +73,16 @@ def execute(command: Sequence[Any], folder: Path, typed: str = "", **variables: 
     except OSError as error:
         raise ProgramFailed(f"{words[0]}: cannot be run: {error.strerror}") from None
     if done.returncode != 0:
-        said = [line.strip() for line in (done.stdout + done.stderr).splitlines() if line.strip()]
-        raise ProgramFailed(f"{' '.join(words)}: exit code {done.returncode}: {said[-1] if said else 'no word'}")
+        raise ProgramFailed(f"{' '.join(words)}: exit code {done.returncode}: {last_words(done.stdout + done.stderr)}")
     return done.stdout
+
+
+def last_words(text: str) -> str:
+    """Of what a program that failed has written: the paragraph that calls itself fatal, as GROMACS does before it says
+    where to read more, or else the last line with a letter in it."""
+    lines = [line.strip() for line in text.splitlines()]
+    fatal = [number for number, line in enumerate(lines) if line.lower().startswith("fatal error:")]
+    if fatal:
+        return " ".join(takewhile(bool, lines[fatal[-1] :]))
+    said = [line for line in lines if any(map(str.isalpha, line))]
+    return said[-1] if said else "no word"
