@@ -404,7 +404,7 @@ template <class Arithmetic, bool with_energy, class Pair>
     const std::uint32_t* start = task.starts;
     for (std::size_t cluster = 0; cluster < own_clusters; ++cluster) {
         const std::size_t own = cluster * stride;
-        const std::uint32_t first_atom = task.first_atoms[cluster];
+        const std::size_t first_atom = task.first_atoms[cluster];
         const std::size_t atoms = task.first_atoms[cluster + 1] - first_atom;
         typename V::Raw sums_of_rows[3][rows_per_cluster<V>];
         if (atoms + width <= slots) {
