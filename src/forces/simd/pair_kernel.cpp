@@ -1,24 +1,15 @@
 // Compiled once for each SIMD level, see cmake/LjmdSimd.cmake.
 #include "pair_kernel.hpp"
 
+#include <utility>
+
+#include "cluster_forces.hpp"
 #include "ljmd/core/simd_vector.hpp"
+#include "pair_arithmetic.hpp"
 
 namespace ljmd {
 
 namespace {
-
-constexpr int slots = ClusterGrid::slots;
-using Four = simd::RawVector<double, slots>;
-
-/// From the x of a cluster's slots to their y and z.
-constexpr std::ptrdiff_t to_y = slots;
-constexpr std::ptrdiff_t to_z = std::ptrdiff_t{2} * slots;
-
-/// A row of atoms meets a cluster: lane 4 n + k is for the row's atom n and the cluster's slot k.
-template <class V>
-constexpr int atoms_per_row = V::lanes / slots;
-template <class V>
-constexpr int rows_per_cluster = slots / atoms_per_row<V>;
 
 /// How many clusters ahead of the one whose forces are worked out separations and divisions are begun. A processor
 /// looks at the next hundred or two of instructions for what can be done while others wait, which is less than the
@@ -26,116 +17,6 @@ constexpr int rows_per_cluster = slots / atoms_per_row<V>;
 /// separations from one cluster beside those from the next.
 template <class V>
 constexpr std::size_t lead = sizeof(typename V::Raw) == 64 ? 3 : 0;
-
-/// Each of the numbers in four lanes.
-template <class T, int lanes>
-LJMD_INLINE simd::RawVector<T, lanes> in_four_lanes(const T* numbers) {
-    if constexpr (lanes == 4) {
-        return *numbers - simd::RawVector<T, lanes>{};
-    } else {
-        return simd::joined<T, lanes / 2>(in_four_lanes<T, lanes / 2>(numbers),
-                                          in_four_lanes<T, lanes / 2>(numbers + lanes / 8));
-    }
-}
-
-/// Four numbers over and over.
-template <class T, int lanes>
-LJMD_INLINE simd::RawVector<T, lanes> repeated(const T* numbers) {
-    return simd::repeated<T, lanes>(simd::load_aligned<T, 4>(numbers));
-}
-
-/// Separations of the atoms of a row from those of a cluster.
-template <class V>
-struct Separation {
-    V dx, dy, dz;  ///< in the arithmetic's unit
-    V r2;          ///< [sigma^2]
-};
-
-/// Everything in double.
-class DoubleArithmetic {
-  public:
-    using V = simd::Doubles;
-    using Coordinate = double;
-    /// Out of reach of everything, the slots without an atom included.
-    static constexpr double nowhere = 1e9;
-
-    explicit DoubleArithmetic(const PairKernelTask& task) : positions_(static_cast<const double*>(task.positions)) {}
-
-    [[nodiscard]] const double* cluster(std::size_t entry) const { return positions_ + entry; }
-
-    /// To the atoms whose x begin at r.
-    LJMD_INLINE void go_to(const double* r) {
-        x_ = V(in_four_lanes<double, V::lanes>(r));
-        y_ = V(in_four_lanes<double, V::lanes>(r + to_y));
-        z_ = V(in_four_lanes<double, V::lanes>(r + to_z));
-    }
-
-    LJMD_INLINE Separation<V> separation(std::size_t entry) const {
-        const double* r = positions_ + entry;
-        const V dx = x_ - V(repeated<double, V::lanes>(r));
-        const V dy = y_ - V(repeated<double, V::lanes>(r + to_y));
-        const V dz = z_ - V(repeated<double, V::lanes>(r + to_z));
-        return {dx, dy, dz, dx * dx + dy * dy + dz * dz};  // rounded as the scalar sum does, see docs/performance.md
-    }
-
-    /// Along an axis, the places of a cluster's slots, from a point in the tile [sigma].
-    LJMD_INLINE Four places(std::size_t entry, std::ptrdiff_t axis) const {
-        const double* along = positions_ + axis * slots;
-        return simd::load_aligned<double, slots>(along + entry) - *along;
-    }
-
-    /// What dx = 1 means [sigma].
-    [[nodiscard]] double unit() const { return 1.0; }
-
-  private:
-    const double* positions_;
-    V x_, y_, z_;
-};
-
-/// Exact differences of fixed-point positions, pair terms in single precision.
-class MixedArithmetic {
-  public:
-    using V = simd::Floats;
-    using Coordinate = std::int32_t;
-    static constexpr std::int32_t nowhere = -(1 << 30);
-
-    explicit MixedArithmetic(const PairKernelTask& task)
-        : positions_(static_cast<const std::int32_t*>(task.positions)),
-          unit_(task.unit),
-          unit2_(task.unit * task.unit) {}
-
-    [[nodiscard]] const std::int32_t* cluster(std::size_t entry) const { return positions_ + entry; }
-
-    LJMD_INLINE void go_to(const std::int32_t* r) {
-        x_ = in_four_lanes<std::int32_t, V::lanes>(r);
-        y_ = in_four_lanes<std::int32_t, V::lanes>(r + to_y);
-        z_ = in_four_lanes<std::int32_t, V::lanes>(r + to_z);
-    }
-
-    LJMD_INLINE Separation<V> separation(std::size_t entry) const {
-        const std::int32_t* r = positions_ + entry;
-        const V dx(__builtin_convertvector(x_ - repeated<std::int32_t, V::lanes>(r), V::Raw));
-        const V dy(__builtin_convertvector(y_ - repeated<std::int32_t, V::lanes>(r + to_y), V::Raw));
-        const V dz(__builtin_convertvector(z_ - repeated<std::int32_t, V::lanes>(r + to_z), V::Raw));
-        return {dx, dy, dz, multiply_add(dz, dz, multiply_add(dy, dy, dx * dx)) * unit2_};
-    }
-
-    LJMD_INLINE Four places(std::size_t entry, std::ptrdiff_t axis) const {
-        const std::int32_t* along = positions_ + axis * slots;
-        const auto integers = simd::load_aligned<std::int32_t, slots>(along + entry);
-        return (__builtin_convertvector(integers, Four) - static_cast<double>(*along)) * unit_;
-    }
-
-    [[nodiscard]] double unit() const { return unit_; }
-
-  private:
-    using Raw = simd::RawVector<std::int32_t, V::lanes>;
-
-    const std::int32_t* positions_;
-    double unit_;
-    V unit2_;
-    Raw x_, y_, z_;
-};
 
 /// Sums over the pairs of a row, by lanes.
 template <class V, bool with_energy>
@@ -186,47 +67,6 @@ struct Aside {
     }
 };
 
-/// Four numbers in double.
-LJMD_INLINE Four in_double(Four x) {
-    return x;
-}
-LJMD_INLINE Four in_double(simd::RawVector<float, slots> x) {
-    return simd::widened<slots>(x);
-}
-
-/// What the rows of a cluster sum up to, atom by atom. @param rows  of each row its sums, by lanes
-template <class T>
-LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 4> (&rows)[4]) {
-    const auto [a, b, c, d] = rows;
-    const auto ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const auto cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    return in_double(__builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
-}
-template <class T>
-LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 8> (&rows)[2]) {
-    const auto [a, b] = rows;
-    const auto ab = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
-                    __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-    return in_double(__builtin_shufflevector(ab, ab, 0, 4, 1, 5) + __builtin_shufflevector(ab, ab, 2, 6, 3, 7));
-}
-template <class T>
-LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 16> (&rows)[1]) {
-    const auto a = rows[0];
-    const auto twos = a + __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14);
-    return in_double(__builtin_shufflevector(twos, twos, 0, 4, 8, 12) +
-                     __builtin_shufflevector(twos, twos, 2, 6, 10, 14));
-}
-
-/// Of four-lane pieces their sum.
-template <class T, int lanes>
-LJMD_INLINE simd::RawVector<T, slots> sum_of_pieces(simd::RawVector<T, lanes> v) {
-    if constexpr (lanes == slots) {
-        return v;
-    } else {
-        return sum_of_pieces<T, lanes / 2>(simd::low_half<T, lanes>(v) + simd::high_half<T, lanes>(v));
-    }
-}
-
 /// Energy and virial of a tile. The pairs of a tile are those among its clusters and guests, all of which have one
 /// place in it, so what pairs add to the virial, (r_i - r_j)_a f_b, is r_a f_b summed over atoms instead.
 template <class V>
@@ -256,12 +96,6 @@ class EnergyAndVirial {
     decltype(in_double(V())) u_{0};
     Four xx_{}, yy_{}, zz_{}, xy_{}, xz_{}, yz_{};
 };
-
-/// Along one axis, minus the forces of rows before on a cluster. @param others  of each row's atom in lanes of its own
-template <class V>
-LJMD_INLINE Four from_others(const typename V::Value* others) {
-    return in_double(sum_of_pieces<typename V::Value, V::lanes>(V::load(others).raw));
-}
 
 /// A row of atoms on its way along its list.
 template <class Arithmetic, bool with_energy, class Pair>
@@ -361,24 +195,6 @@ class Row {
     const std::int32_t* entry_;
     Ahead ahead_[lead<V> + 1];
 };
-
-/// Write the forces on the atoms of a cluster, x y z 0 each. @param f  by axes
-LJMD_INLINE void write_forces(const Four (&f)[3], std::size_t atoms, double* to) {
-    const Four none{};
-    const Four xy01 = __builtin_shufflevector(f[0], f[1], 0, 4, 1, 5);
-    const Four xy23 = __builtin_shufflevector(f[0], f[1], 2, 6, 3, 7);
-    const Four z01 = __builtin_shufflevector(f[2], none, 0, 4, 1, 5);
-    const Four z23 = __builtin_shufflevector(f[2], none, 2, 6, 3, 7);
-    const auto write = [&](std::size_t k, Four of_atom) {
-        if (k < atoms) {
-            __builtin_memcpy(to + slots * k, &of_atom, sizeof of_atom);
-        }
-    };
-    write(0, __builtin_shufflevector(xy01, z01, 0, 1, 4, 5));
-    write(1, __builtin_shufflevector(xy01, z01, 2, 3, 6, 7));
-    write(2, __builtin_shufflevector(xy23, z23, 0, 1, 4, 5));
-    write(3, __builtin_shufflevector(xy23, z23, 2, 3, 6, 7));
-}
 
 /// Row by row. When a cluster's turn comes, all atoms of the tile that have pairs with it on their lists have had
 /// theirs.

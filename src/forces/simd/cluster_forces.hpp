@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+
+#include "pair_arithmetic.hpp"
+
+/// From sums by lanes to the forces on the atoms of a cluster.
+/// Nothing here has a name that other units see: the linker could take what is compiled for one processor in place of
+/// what is compiled for another.
+namespace ljmd {
+
+namespace {
+
+/// Four numbers in double.
+LJMD_INLINE Four in_double(Four x) {
+    return x;
+}
+LJMD_INLINE Four in_double(simd::RawVector<float, slots> x) {
+    return simd::widened<slots>(x);
+}
+
+/// What the rows of a cluster sum up to, atom by atom. @param rows  of each row its sums, by lanes
+template <class T>
+LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 4> (&rows)[4]) {
+    const auto [a, b, c, d] = rows;
+    const auto ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const auto cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    return in_double(__builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
+}
+template <class T>
+LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 8> (&rows)[2]) {
+    const auto [a, b] = rows;
+    const auto ab = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
+                    __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    return in_double(__builtin_shufflevector(ab, ab, 0, 4, 1, 5) + __builtin_shufflevector(ab, ab, 2, 6, 3, 7));
+}
+template <class T>
+LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 16> (&rows)[1]) {
+    const auto a = rows[0];
+    const auto twos = a + __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14);
+    return in_double(__builtin_shufflevector(twos, twos, 0, 4, 8, 12) +
+                     __builtin_shufflevector(twos, twos, 2, 6, 10, 14));
+}
+
+/// Of four-lane pieces their sum.
+template <class T, int lanes>
+LJMD_INLINE simd::RawVector<T, slots> sum_of_pieces(simd::RawVector<T, lanes> v) {
+    if constexpr (lanes == slots) {
+        return v;
+    } else {
+        return sum_of_pieces<T, lanes / 2>(simd::low_half<T, lanes>(v) + simd::high_half<T, lanes>(v));
+    }
+}
+
+/// Along one axis, minus the forces of rows before on a cluster. @param others  of each row's atom in lanes of its own
+template <class V>
+LJMD_INLINE Four from_others(const typename V::Value* others) {
+    return in_double(sum_of_pieces<typename V::Value, V::lanes>(V::load(others).raw));
+}
+
+/// Write the forces on the atoms of a cluster, x y z 0 each. @param f  by axes
+LJMD_INLINE void write_forces(const Four (&f)[3], std::size_t atoms, double* to) {
+    const Four none{};
+    const Four xy01 = __builtin_shufflevector(f[0], f[1], 0, 4, 1, 5);
+    const Four xy23 = __builtin_shufflevector(f[0], f[1], 2, 6, 3, 7);
+    const Four z01 = __builtin_shufflevector(f[2], none, 0, 4, 1, 5);
+    const Four z23 = __builtin_shufflevector(f[2], none, 2, 6, 3, 7);
+    const auto write = [&](std::size_t k, Four of_atom) {
+        if (k < atoms) {
+            __builtin_memcpy(to + slots * k, &of_atom, sizeof of_atom);
+        }
+    };
+    write(0, __builtin_shufflevector(xy01, z01, 0, 1, 4, 5));
+    write(1, __builtin_shufflevector(xy01, z01, 2, 3, 6, 7));
+    write(2, __builtin_shufflevector(xy23, z23, 0, 1, 4, 5));
+    write(3, __builtin_shufflevector(xy23, z23, 2, 3, 6, 7));
+}
+
+}  // namespace
+
+}  // namespace ljmd

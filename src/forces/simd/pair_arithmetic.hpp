@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "ljmd/core/simd_vector.hpp"
+#include "ljmd/neighbors/cluster_grid.hpp"
+#include "pair_kernel.hpp"
+
+/// How the atoms of a row lie in the lanes of vectors, and separations from them in either precision.
+/// Nothing here has a name that other units see: the linker could take what is compiled for one processor in place of
+/// what is compiled for another.
+namespace ljmd {
+
+namespace {
+
+constexpr int slots = ClusterGrid::slots;
+using Four = simd::RawVector<double, slots>;
+
+/// From the x of a cluster's slots to their y and z.
+constexpr std::ptrdiff_t to_y = slots;
+constexpr std::ptrdiff_t to_z = std::ptrdiff_t{2} * slots;
+
+/// A row of atoms meets a cluster: lane 4 n + k is for the row's atom n and the cluster's slot k.
+template <class V>
+constexpr int atoms_per_row = V::lanes / slots;
+template <class V>
+constexpr int rows_per_cluster = slots / atoms_per_row<V>;
+
+/// Each of the numbers in four lanes.
+template <class T, int lanes>
+LJMD_INLINE simd::RawVector<T, lanes> in_four_lanes(const T* numbers) {
+    if constexpr (lanes == 4) {
+        return *numbers - simd::RawVector<T, lanes>{};
+    } else {
+        return simd::joined<T, lanes / 2>(in_four_lanes<T, lanes / 2>(numbers),
+                                          in_four_lanes<T, lanes / 2>(numbers + lanes / 8));
+    }
+}
+
+/// Four numbers over and over.
+template <class T, int lanes>
+LJMD_INLINE simd::RawVector<T, lanes> repeated(const T* numbers) {
+    return simd::repeated<T, lanes>(simd::load_aligned<T, 4>(numbers));
+}
+
+/// Separations of the atoms of a row from those of a cluster.
+template <class V>
+struct Separation {
+    V dx, dy, dz;  ///< in the arithmetic's unit
+    V r2;          ///< [sigma^2]
+};
+
+/// Everything in double.
+class DoubleArithmetic {
+  public:
+    using V = simd::Doubles;
+    using Coordinate = double;
+    /// Out of reach of everything, the slots without an atom included.
+    static constexpr double nowhere = 1e9;
+
+    explicit DoubleArithmetic(const PairKernelTask& task) : positions_(static_cast<const double*>(task.positions)) {}
+
+    [[nodiscard]] const double* cluster(std::size_t entry) const { return positions_ + entry; }
+
+    /// To the atoms whose x begin at r.
+    LJMD_INLINE void go_to(const double* r) {
+        x_ = V(in_four_lanes<double, V::lanes>(r));
+        y_ = V(in_four_lanes<double, V::lanes>(r + to_y));
+        z_ = V(in_four_lanes<double, V::lanes>(r + to_z));
+    }
+
+    LJMD_INLINE Separation<V> separation(std::size_t entry) const {
+        const double* r = positions_ + entry;
+        const V dx = x_ - V(repeated<double, V::lanes>(r));
+        const V dy = y_ - V(repeated<double, V::lanes>(r + to_y));
+        const V dz = z_ - V(repeated<double, V::lanes>(r + to_z));
+        return {dx, dy, dz, dx * dx + dy * dy + dz * dz};  // rounded as the scalar sum does, see docs/performance.md
+    }
+
+    /// Along an axis, the places of a cluster's slots, from a point in the tile [sigma].
+    LJMD_INLINE Four places(std::size_t entry, std::ptrdiff_t axis) const {
+        const double* along = positions_ + axis * slots;
+        return simd::load_aligned<double, slots>(along + entry) - *along;
+    }
+
+    /// What dx = 1 means [sigma].
+    [[nodiscard]] double unit() const { return 1.0; }
+
+  private:
+    const double* positions_;
+    V x_, y_, z_;
+};
+
+/// Exact differences of fixed-point positions, pair terms in single precision.
+class MixedArithmetic {
+  public:
+    using V = simd::Floats;
+    using Coordinate = std::int32_t;
+    static constexpr std::int32_t nowhere = -(1 << 30);
+
+    explicit MixedArithmetic(const PairKernelTask& task)
+        : positions_(static_cast<const std::int32_t*>(task.positions)),
+          unit_(task.unit),
+          unit2_(task.unit * task.unit) {}
+
+    [[nodiscard]] const std::int32_t* cluster(std::size_t entry) const { return positions_ + entry; }
+
+    LJMD_INLINE void go_to(const std::int32_t* r) {
+        x_ = in_four_lanes<std::int32_t, V::lanes>(r);
+        y_ = in_four_lanes<std::int32_t, V::lanes>(r + to_y);
+        z_ = in_four_lanes<std::int32_t, V::lanes>(r + to_z);
+    }
+
+    LJMD_INLINE Separation<V> separation(std::size_t entry) const {
+        const std::int32_t* r = positions_ + entry;
+        const V dx(__builtin_convertvector(x_ - repeated<std::int32_t, V::lanes>(r), V::Raw));
+        const V dy(__builtin_convertvector(y_ - repeated<std::int32_t, V::lanes>(r + to_y), V::Raw));
+        const V dz(__builtin_convertvector(z_ - repeated<std::int32_t, V::lanes>(r + to_z), V::Raw));
+        return {dx, dy, dz, multiply_add(dz, dz, multiply_add(dy, dy, dx * dx)) * unit2_};
+    }
+
+    LJMD_INLINE Four places(std::size_t entry, std::ptrdiff_t axis) const {
+        const std::int32_t* along = positions_ + axis * slots;
+        const auto integers = simd::load_aligned<std::int32_t, slots>(along + entry);
+        return (__builtin_convertvector(integers, Four) - static_cast<double>(*along)) * unit_;
+    }
+
+    [[nodiscard]] double unit() const { return unit_; }
+
+  private:
+    using Raw = simd::RawVector<std::int32_t, V::lanes>;
+
+    const std::int32_t* positions_;
+    double unit_;
+    V unit2_;
+    Raw x_, y_, z_;
+};
+
+}  // namespace
+
+}  // namespace ljmd
