@@ -14,12 +14,12 @@ namespace ljmd {
 
 namespace {
 
-constexpr int slots = ClusterGrid::slots;
+inline constexpr int slots = ClusterGrid::slots;
 using Four = simd::RawVector<double, slots>;
 
 /// From the x of a cluster's slots to their y and z.
-constexpr std::ptrdiff_t to_y = slots;
-constexpr std::ptrdiff_t to_z = std::ptrdiff_t{2} * slots;
+inline constexpr std::ptrdiff_t to_y = slots;
+inline constexpr std::ptrdiff_t to_z = std::ptrdiff_t{2} * slots;
 
 /// A row of atoms meets a cluster: lane 4 n + k is for the row's atom n and the cluster's slot k.
 template <class V>
