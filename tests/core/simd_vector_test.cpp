@@ -84,8 +84,8 @@ TEMPLATE_TEST_CASE("vectors compute lane by lane what numbers do", "", (Vec<doub
     CHECK(sum.raw[1] == 2 * x.raw[1]);
 }
 
-TEMPLATE_TEST_CASE("what where_less leaves out is zero even if it is no number", "", (Vec<double, 4>),
-                   (Vec<float, 8>)) {
+TEMPLATE_TEST_CASE("what where_less leaves out is zero even if it is no number", "", (Vec<double, 2>), (Vec<double, 4>),
+                   (Vec<double, 8>), (Vec<float, 4>), (Vec<float, 8>)) {
     using V = TestType;
     const V nothing = where_less(V(2), V(1), V(std::numeric_limits<double>::quiet_NaN()));
     const V none_of_nan = where_less(V(std::numeric_limits<double>::quiet_NaN()), V(1), V(5));
@@ -93,6 +93,42 @@ TEMPLATE_TEST_CASE("what where_less leaves out is zero even if it is no number",
         CHECK(nothing.raw[k] == 0);
         CHECK(none_of_nan.raw[k] == 0);
     }
+}
+
+TEMPLATE_TEST_CASE("of a number and none the larger is the second", "", (Vec<double, 2>), (Vec<double, 4>),
+                   (Vec<double, 8>), (Vec<float, 4>), (Vec<float, 8>), (Vec<float, 16>)) {
+    using V = TestType;
+    const V none(std::numeric_limits<double>::quiet_NaN());
+    const V first = max(none, V(2));
+    const V second = max(V(2), none);
+    for (int k = 0; k < V::lanes; ++k) {
+        CHECK(first.raw[k] == 2);
+        CHECK(std::isnan(second.raw[k]));
+    }
+}
+
+TEST_CASE("a polynomial of any length is the sum of its terms") {
+    using V = Vec<double, 4>;
+    const V x = ramp<V>(-1.0, 1.0);  // all terms below are whole numbers: exact in any order
+    const auto check = [&x](const auto& c, std::size_t length) {
+        for (int k = 0; k < V::lanes; ++k) {
+            double expected = 0.0;
+            for (std::size_t n = length; n > 0; --n) {
+                expected = expected * x.raw[k] + c[n - 1].raw[k];
+            }
+            CHECK(polynomial(c, x).raw[k] == expected);
+        }
+    };
+    const V one[] = {V(7)};
+    const V two[] = {V(7), V(5)};
+    const V three[] = {V(7), V(5), V(-2)};
+    const V seven[] = {V(1), V(2), V(3), V(4), V(5), V(6), V(-7)};
+    const V eight[] = {V(1), V(2), V(3), V(4), V(5), V(6), V(-7), V(11)};
+    check(one, 1);
+    check(two, 2);
+    check(three, 3);
+    check(seven, 7);
+    check(eight, 8);
 }
 
 TEMPLATE_TEST_CASE("a sum takes every lane once", "", (Vec<double, 2>), (Vec<double, 4>), (Vec<double, 8>),

@@ -10,6 +10,7 @@ namespace ljmd::simd::native {
 /// Stands for processors without an overload of their own, which the names below must find something of.
 struct None {};
 void keep_where(None);
+void larger(None);
 void multiply_add(None);
 void square_root(None);
 void widened(None);
@@ -27,18 +28,6 @@ void repeated(None);
 /// portable body.
 namespace ljmd::simd {
 
-/// Lanes that do not compare true become 0. @param condition  all bits set or none in each lane
-template <class T, int lanes>
-LJMD_INLINE RawVector<T, lanes> keep_where(RawVector<typename Integer<T>::Type, lanes> condition,
-                                           RawVector<T, lanes> x) {
-    if constexpr (requires { native::keep_where(condition, x); }) {
-        return native::keep_where(condition, x);
-    } else {
-        using Bits = RawVector<typename Integer<T>::Type, lanes>;
-        return reinterpret<RawVector<T, lanes>>(condition & reinterpret<Bits>(x));
-    }
-}
-
 /// a b + c
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes> multiply_add(RawVector<T, lanes> a, RawVector<T, lanes> b, RawVector<T, lanes> c) {
@@ -46,19 +35,6 @@ LJMD_INLINE RawVector<T, lanes> multiply_add(RawVector<T, lanes> a, RawVector<T,
         return native::multiply_add(a, b, c);
     } else {
         return a * b + c;
-    }
-}
-
-template <class T, int lanes>
-LJMD_INLINE RawVector<T, lanes> square_root(RawVector<T, lanes> x) {
-    if constexpr (requires { native::square_root(x); }) {
-        return native::square_root(x);
-    } else {
-        RawVector<T, lanes> result;
-        for (int k = 0; k < lanes; ++k) {
-            result[k] = static_cast<T>(__builtin_sqrt(x[k]));  // of a float it is the float's, rounded once
-        }
-        return result;
     }
 }
 
@@ -98,6 +74,55 @@ LJMD_INLINE RawVector<T, 2 * lanes> joined(RawVector<T, lanes> low, RawVector<T,
         __builtin_memcpy(&both, &low, sizeof low);
         __builtin_memcpy(reinterpret_cast<char*>(&both) + sizeof low, &high, sizeof high);
         return both;
+    }
+}
+
+/// What does not fit into a register is better worked on by halves: of comparisons and roots compilers make one for
+/// each lane.
+template <class T, int lanes>
+inline constexpr bool needs_two_registers = lanes > 2 && sizeof(RawVector<T, lanes>) > register_bytes;
+
+/// x in the lanes where a < b, 0 elsewhere, also where x is infinite or NaN.
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> keep_where_less(RawVector<T, lanes> a, RawVector<T, lanes> b, RawVector<T, lanes> x) {
+    if constexpr (needs_two_registers<T, lanes>) {
+        return joined<T, lanes / 2>(
+            keep_where_less<T, lanes / 2>(low_half<T, lanes>(a), low_half<T, lanes>(b), low_half<T, lanes>(x)),
+            keep_where_less<T, lanes / 2>(high_half<T, lanes>(a), high_half<T, lanes>(b), high_half<T, lanes>(x)));
+    } else if constexpr (requires { native::keep_where(a < b, x); }) {
+        return native::keep_where(a < b, x);
+    } else {
+        using Bits = RawVector<typename Integer<T>::Type, lanes>;
+        return reinterpret<RawVector<T, lanes>>((a < b) & reinterpret<Bits>(x));
+    }
+}
+
+/// Lane by lane the larger one; b where a is NaN. (Of the operators compilers make a comparison and a choice.)
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> larger(RawVector<T, lanes> a, RawVector<T, lanes> b) {
+    if constexpr (requires { native::larger(a, b); }) {
+        return native::larger(a, b);
+    } else if constexpr (needs_two_registers<T, lanes>) {
+        return joined<T, lanes / 2>(larger<T, lanes / 2>(low_half<T, lanes>(a), low_half<T, lanes>(b)),
+                                    larger<T, lanes / 2>(high_half<T, lanes>(a), high_half<T, lanes>(b)));
+    } else {
+        return a > b ? a : b;
+    }
+}
+
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> square_root(RawVector<T, lanes> x) {
+    if constexpr (requires { native::square_root(x); }) {
+        return native::square_root(x);
+    } else if constexpr (needs_two_registers<T, lanes>) {
+        return joined<T, lanes / 2>(square_root<T, lanes / 2>(low_half<T, lanes>(x)),
+                                    square_root<T, lanes / 2>(high_half<T, lanes>(x)));
+    } else {
+        RawVector<T, lanes> result;
+        for (int k = 0; k < lanes; ++k) {
+            result[k] = static_cast<T>(__builtin_sqrt(x[k]));  // of a float it is the float's, rounded once
+        }
+        return result;
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -59,12 +60,32 @@ struct Vec {
     LJMD_INLINE friend Vec sqrt(Vec a) { return Vec(square_root<T, lanes_>(a.raw)); }
 
     /// Lane by lane the larger one; b where a is NaN.
-    LJMD_INLINE friend Vec max(Vec a, Vec b) { return Vec(a.raw > b.raw ? a.raw : b.raw); }
+    LJMD_INLINE friend Vec max(Vec a, Vec b) { return Vec(larger<T, lanes_>(a.raw, b.raw)); }
     LJMD_INLINE friend Vec min(Vec a, Vec b) { return Vec(a.raw < b.raw ? a.raw : b.raw); }
 
     /// x in the lanes where a < b, 0 elsewhere, also where x is infinite or NaN.
-    LJMD_INLINE friend Vec where_less(Vec a, Vec b, Vec x) { return Vec(keep_where<T, lanes_>(a.raw < b.raw, x.raw)); }
+    LJMD_INLINE friend Vec where_less(Vec a, Vec b, Vec x) {
+        return Vec(keep_where_less<T, lanes_>(a.raw, b.raw, x.raw));
+    }
 };
+
+/// c[0] + c[1] x + c[2] x^2 + ...; halves of it are worked out at the same time (Estrin), where Horner's rule would
+/// wait for one product after the other.
+template <class V, std::size_t count>
+LJMD_INLINE V polynomial(const V (&c)[count], V x) {
+    if constexpr (count == 1) {
+        return c[0];
+    } else {
+        V pairs[(count + 1) / 2];
+        for (std::size_t k = 0; k + 1 < count; k += 2) {
+            pairs[k / 2] = multiply_add(c[k + 1], x, c[k]);
+        }
+        if constexpr (count % 2 == 1) {
+            pairs[count / 2] = c[count - 1];
+        }
+        return polynomial(pairs, x * x);
+    }
+}
 
 /// e^x within 2 units in the last place for x from -708 (-87 in single precision) to 709 (88); below 0, as x = -708
 /// gives.
@@ -82,28 +103,18 @@ LJMD_INLINE Vec<T, lanes, Level> exp(Vec<T, lanes, Level> x) {
     const V shift(is_double ? 0x1.8p52 : 0x1.8p23);
     const V lowest(is_double ? -708.0 : -87.0);
     x = max(x, lowest);
-    const V shifted = x * V(1.4426950408889634) + shift;
+    const V shifted = multiply_add(x, V(1.4426950408889634), shift);
     const V k = shifted - shift;
     // ln 2 in two parts, the first with enough zeros at its end for k times it to be exact.
-    const V s = (x - k * V(is_double ? 0x1.62e42feep-1 : 0x1.62e4p-1)) -
-                k * V(is_double ? 0x1.a39ef35793c76p-33 : 0x1.7f7d1cp-20);
-    V sum(is_double ? 1.0 / 6227020800.0 : 1.0 / 5040.0);
-    constexpr double inverse_factorials[] = {1.0 / 479001600.0,
-                                             1.0 / 39916800.0,
-                                             1.0 / 3628800.0,
-                                             1.0 / 362880.0,
-                                             1.0 / 40320.0,
-                                             1.0 / 5040.0,
-                                             1.0 / 720.0,
-                                             1.0 / 120.0,
-                                             1.0 / 24.0,
-                                             1.0 / 6.0,
-                                             0.5,
-                                             1.0,
-                                             1.0};
-    for (int n = is_double ? 0 : 6; n < 13; ++n) {
-        sum = multiply_add(sum, s, V(inverse_factorials[n]));
+    const V s = multiply_add(k, V(is_double ? -0x1.a39ef35793c76p-33 : -0x1.7f7d1cp-20),
+                             multiply_add(k, V(is_double ? -0x1.62e42feep-1 : -0x1.62e4p-1), x));
+    V inverse_factorials[is_double ? 14 : 8];
+    double factorial = 1.0;
+    for (int n = 0; n < (is_double ? 14 : 8); ++n) {
+        factorial *= n == 0 ? 1 : n;
+        inverse_factorials[n] = V(1.0 / factorial);
     }
+    const V sum = polynomial(inverse_factorials, s);
     const RawBits exponent = ((reinterpret<RawBits>(shifted.raw) - reinterpret<RawBits>(shift.raw)) + bias) << mantissa;
     return sum * V(reinterpret<typename V::Raw>(exponent));
 }

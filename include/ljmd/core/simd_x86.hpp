@@ -16,6 +16,12 @@ LJMD_INLINE RawVector<double, 2> square_root(RawVector<double, 2> x) {
 LJMD_INLINE RawVector<float, 4> square_root(RawVector<float, 4> x) {
     return _mm_sqrt_ps(x);
 }
+LJMD_INLINE RawVector<double, 2> larger(RawVector<double, 2> a, RawVector<double, 2> b) {
+    return _mm_max_pd(a, b);
+}
+LJMD_INLINE RawVector<float, 4> larger(RawVector<float, 4> a, RawVector<float, 4> b) {
+    return _mm_max_ps(a, b);
+}
 LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 4> condition) {
     return static_cast<unsigned>(_mm_movemask_ps(reinterpret<__m128>(condition)));
 }
@@ -32,6 +38,12 @@ LJMD_INLINE RawVector<double, 4> square_root(RawVector<double, 4> x) {
 }
 LJMD_INLINE RawVector<float, 8> square_root(RawVector<float, 8> x) {
     return _mm256_sqrt_ps(x);
+}
+LJMD_INLINE RawVector<double, 4> larger(RawVector<double, 4> a, RawVector<double, 4> b) {
+    return _mm256_max_pd(a, b);
+}
+LJMD_INLINE RawVector<float, 8> larger(RawVector<float, 8> a, RawVector<float, 8> b) {
+    return _mm256_max_ps(a, b);
 }
 // The compilers' operator would be the integers' instruction, whose result reaches the next one a cycle later.
 LJMD_INLINE RawVector<double, 4> keep_where(RawVector<std::int64_t, 4> condition, RawVector<double, 4> x) {
@@ -69,6 +81,12 @@ LJMD_INLINE RawVector<double, 8> square_root(RawVector<double, 8> x) {
 }
 LJMD_INLINE RawVector<float, 16> square_root(RawVector<float, 16> x) {
     return _mm512_sqrt_ps(x);
+}
+LJMD_INLINE RawVector<double, 8> larger(RawVector<double, 8> a, RawVector<double, 8> b) {
+    return _mm512_max_pd(a, b);
+}
+LJMD_INLINE RawVector<float, 16> larger(RawVector<float, 16> a, RawVector<float, 16> b) {
+    return _mm512_max_ps(a, b);
 }
 LJMD_INLINE RawVector<double, 8> widened(RawVector<float, 8> x) {
     return _mm512_cvtps_pd(x);
