@@ -11,9 +11,9 @@ namespace {
 
 /// u = r^2, w = 3 for every pair: sums that can be done by hand.
 struct Counting {
-    PairTerm<double> operator()(double r2, double /*inverse_r2*/) const {
+    PairTerm<double> operator()(const PairDistance<double>& d) const {
         ++calls;
-        return {r2, 3.0};
+        return {d.r2, 3.0};
     }
     mutable Index calls = 0;
 };

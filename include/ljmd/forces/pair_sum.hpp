@@ -8,12 +8,13 @@
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/forces/force_sum.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
+#include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
 
 /// Sum one pair term over all neighbours of all atoms: the readable reference that faster paths are held against.
 ///
-/// @param pair    PairTerm<double> operator()(double r2, double inverse_r2) const, valid for r < cutoff
+/// @param pair    PairTerm<double> operator()(const PairDistance<double>&) const, valid for r < cutoff
 /// @param search  prepared pair search (see PairSearch)
 /// @post state.forces() hold the forces; a pair counts if r < cutoff
 /// @tparam what   order_independent: forces are summed in fixed point (see FixedPointSum)
@@ -47,7 +48,7 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
             if (!(r2 < cutoff2)) {
                 return;
             }
-            const auto term = pair(r2, 1.0 / r2);
+            const auto term = pair(distance_from(r2));
             add(i, {term.w * dx, term.w * dy, term.w * dz});
             if (once) {
                 const std::array reaction{-term.w * dx, -term.w * dy, -term.w * dz};

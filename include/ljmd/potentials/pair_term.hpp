@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace ljmd {
 
 /// a b + c. Vectors of kernels have an overload that rounds once, where the processor can.
@@ -16,11 +18,26 @@ struct PairTerm {
     Real w;  ///< [epsilon/sigma^2]
 };
 
-/// What a formula gives at a squared separation. It takes 1/r^2, too, which kernels compute ahead of the rest.
-/// @param formula  PairTerm<double> operator()(double r2, double inverse_r2) const
+/// The distance of a pair as formulas take it: with what takes a processor long, so that kernels can begin it ahead of
+/// the rest. What a formula has no use for is not computed.
+template <class Real>
+struct PairDistance {
+    Real r2;          ///< [sigma^2]; > 0, unchecked (hot path)
+    Real inverse_r2;  ///< 1/r2
+    Real r;           ///< its root
+};
+
+template <class Real>
+PairDistance<Real> distance_from(Real r2) {
+    using std::sqrt;
+    return {r2, Real(1) / r2, sqrt(r2)};
+}
+
+/// What a formula gives at a squared separation.
+/// @param formula  PairTerm<double> operator()(const PairDistance<double>&) const
 template <class Formula>
 PairTerm<double> pair_term(const Formula& formula, double r2) {
-    return formula(r2, 1.0 / r2);
+    return formula(distance_from(r2));
 }
 
 /// What is missing beyond a radius R when g(r) = 1: the integrals behind tail corrections.

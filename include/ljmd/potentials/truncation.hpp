@@ -35,8 +35,8 @@ class Cut {
     [[nodiscard]] const Formula& formula() const { return formula_; }
 
     template <class Real>
-    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
-        return formula_(r2, inverse_r2);
+    PairTerm<Real> operator()(const PairDistance<Real>& d) const {
+        return formula_(d);
     }
 
   private:
@@ -56,8 +56,8 @@ class Shifted {
         : formula_(formula), u_cutoff_(pair_term(formula, cutoff.radius * cutoff.radius).u) {}
 
     template <class Real>
-    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
-        const PairTerm<Real> full = formula_(r2, inverse_r2);
+    PairTerm<Real> operator()(const PairDistance<Real>& d) const {
+        const PairTerm<Real> full = formula_(d);
         return {full.u - Real(u_cutoff_), full.w};
     }
 
@@ -82,12 +82,10 @@ class ForceShifted {
           f_cutoff_(pair_term(formula, cutoff.radius * cutoff.radius).w * cutoff.radius) {}
 
     template <class Real>
-    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
-        using std::sqrt;
-        const PairTerm<Real> full = formula_(r2, inverse_r2);
-        const Real r = sqrt(r2);
-        const Real inverse_r = r * inverse_r2;
-        return {full.u - Real(u_cutoff_) + (r - Real(radius_)) * Real(f_cutoff_),
+    PairTerm<Real> operator()(const PairDistance<Real>& d) const {
+        const PairTerm<Real> full = formula_(d);
+        const Real inverse_r = d.r * d.inverse_r2;
+        return {full.u - Real(u_cutoff_) + (d.r - Real(radius_)) * Real(f_cutoff_),
                 multiply_add(Real(-f_cutoff_), inverse_r, full.w)};
     }
 
@@ -119,18 +117,17 @@ class Switched {
         : formula_(formula), start_(cutoff.switch_start), inverse_width_(1.0 / (cutoff.radius - cutoff.switch_start)) {}
 
     template <class Real>
-    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
+    PairTerm<Real> operator()(const PairDistance<Real>& d) const {
         using std::max;
-        using std::sqrt;
-        const PairTerm<Real> full = formula_(r2, inverse_r2);
-        const Real r = sqrt(r2);
-        const Real inverse_r = r * inverse_r2;
-        const Real x = max(Real(0), (r - Real(start_)) * Real(inverse_width_));  // 0 below rs: S = 1, S' = 0
+        const PairTerm<Real> full = formula_(d);
+        const Real inverse_r = d.r * d.inverse_r2;
+        const Real x = max(Real(0), (d.r - Real(start_)) * Real(inverse_width_));  // 0 below rs: S = 1, S' = 0
         const Real s =
             multiply_add(x * x * x, multiply_add(x, multiply_add(Real(-6), x, Real(15)), Real(-10)), Real(1));
-        const Real y = x * (Real(1) - x);
-        const Real descent = Real(30 * inverse_width_) * y * y;  // -S'(r)
-        return {full.u * s, multiply_add(full.w, s, full.u * descent * inverse_r)};
+        const Real y = x - x * x;
+        // -S'(r) = 30 y^2 / (rc - rs). What does not depend on x is multiplied first: it need not wait for x.
+        const Real from_descent = y * y * (Real(30 * inverse_width_) * full.u * inverse_r);
+        return {full.u * s, multiply_add(full.w, s, from_descent)};
     }
 
   private:

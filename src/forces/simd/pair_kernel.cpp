@@ -11,10 +11,10 @@ namespace ljmd {
 
 namespace {
 
-/// How many clusters ahead of the one whose forces are worked out separations and divisions are begun. A processor
-/// looks at the next hundred or two of instructions for what can be done while others wait, which is less than the
-/// latencies from a separation to a force ask for. So far ahead only the 32 registers of AVX-512 reach; 16 hold the
-/// separations from one cluster beside those from the next.
+/// How many clusters ahead of the one whose forces are worked out separations, quotients and roots are begun. A
+/// processor looks at the next hundred or two of instructions for what can be done while others wait, which is less
+/// than the latencies from a separation to a force ask for. So far ahead only the 32 registers of AVX-512 reach; 16
+/// hold the separations from one cluster beside those from the next.
 template <class V>
 constexpr std::size_t lead = sizeof(typename V::Raw) == 64 ? 3 : 0;
 
@@ -27,9 +27,10 @@ class Sums {
 
     /// @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
     template <class Pair>
-    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d, V inverse_r2, typename V::Value* others) {
-        const auto term = pair(d.r2, inverse_r2);
-        const V w = where_less(d.r2, cutoff2, term.w);
+    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d, const PairDistance<V>& distance,
+                         typename V::Value* others) {
+        const auto term = pair(distance);
+        const V w = where_less(distance.r2, cutoff2, term.w);
         // Added to both sides, not fused: processors add and multiply at the same time, by different units.
         const V wx = w * d.dx;
         const V wy = w * d.dy;
@@ -46,7 +47,7 @@ class Sums {
         y.store(others + axis);
         z.store(others + 2 * axis);
         if constexpr (with_energy) {
-            u += where_less(d.r2, cutoff2, term.u);
+            u += where_less(distance.r2, cutoff2, term.u);
         }
     }
 };
@@ -122,7 +123,7 @@ class Row {
         }
         Separation<V> d = arithmetic_.separation(own);
         d.r2 += V::load_unaligned(aside);
-        meet(d, V(1) / d.r2, own);
+        meet(d, distance_from(d.r2), own);
         if (far_ahead) {
             while (take_turns(end, std::make_index_sequence<lead<V> + 1>())) {
             }
@@ -132,7 +133,7 @@ class Row {
             d = next;
             const std::size_t now = place(0);
             next = arithmetic_.separation(place(1));
-            meet(d, V(1) / d.r2, now);
+            meet(d, distance_from(d.r2), now);
             ++entry_;
         }
     }
@@ -146,14 +147,14 @@ class Row {
         return static_cast<std::uint32_t>(entry_[offset]);
     }
 
-    LJMD_INLINE void meet(const Separation<V>& d, V inverse_r2, std::size_t there) {
-        sums.add(pair_, cutoff2_, d, inverse_r2, partial_ + there * width);
+    LJMD_INLINE void meet(const Separation<V>& d, const PairDistance<V>& distance, std::size_t there) {
+        sums.add(pair_, cutoff2_, d, distance, partial_ + there * width);
     }
 
     /// Begin what there is to do with the entry so many behind the present one.
     LJMD_INLINE void look(std::size_t slot, std::size_t offset) {
         ahead_[slot].d = arithmetic_.separation(place(offset));
-        ahead_[slot].inverse_r2 = V(1) / ahead_[slot].d.r2;
+        ahead_[slot].distance = distance_from(ahead_[slot].d.r2);
     }
     template <std::size_t... offset>
     LJMD_INLINE void look_ahead(std::index_sequence<offset...>) {
@@ -172,20 +173,20 @@ class Row {
             return false;
         }
         look((slot + lead<V>) % (lead<V> + 1), lead<V>);
-        meet(ahead_[slot].d, ahead_[slot].inverse_r2, place(0));
+        meet(ahead_[slot].d, ahead_[slot].distance, place(0));
         ++entry_;
         return true;
     }
     template <std::size_t slot, std::size_t... offset>
     LJMD_INLINE void meet_last(std::index_sequence<offset...>) {
-        (meet(ahead_[(slot + offset) % (lead<V> + 1)].d, ahead_[(slot + offset) % (lead<V> + 1)].inverse_r2,
+        (meet(ahead_[(slot + offset) % (lead<V> + 1)].d, ahead_[(slot + offset) % (lead<V> + 1)].distance,
               place(offset)),
          ...);
     }
 
     struct Ahead {
         Separation<V> d;
-        V inverse_r2;
+        PairDistance<V> distance;
     };
 
     const Arithmetic& arithmetic_;

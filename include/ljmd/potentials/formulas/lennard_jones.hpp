@@ -22,12 +22,10 @@ class LennardJones {
     static std::vector<Key> keys() { return {}; }
     static LennardJones from(const Section&) { return {}; }
 
-    /// @param r2          squared separation [sigma^2]; r2 > 0, unchecked (hot path)
-    /// @param inverse_r2  1/r2
     template <class Real>
-    PairTerm<Real> operator()(Real /*r2*/, Real inverse_r2) const {
-        const Real s6 = inverse_r2 * inverse_r2 * inverse_r2;
-        return {Real(4) * s6 * (s6 - Real(1)), inverse_r2 * s6 * multiply_add(Real(48), s6, Real(-24))};
+    PairTerm<Real> operator()(const PairDistance<Real>& d) const {
+        const Real s6 = d.inverse_r2 * d.inverse_r2 * d.inverse_r2;
+        return {Real(4) * s6 * (s6 - Real(1)), d.inverse_r2 * s6 * multiply_add(Real(48), s6, Real(-24))};
     }
 
     /// Closed form: integral of u r^2 = 4 (R^-9/9 - R^-3/3), of w r^4 = 24 (2 R^-9/9 - R^-3/3).

@@ -41,15 +41,12 @@ class Morse {
     /// @param depth D [epsilon], @param steepness a [1/sigma], @param minimum r0 [sigma]; all positive
     Morse(double depth, double steepness, double minimum) : depth_(depth), steepness_(steepness), minimum_(minimum) {}
 
-    /// @param r2          squared separation [sigma^2]; r2 > 0, unchecked (hot path)
-    /// @param inverse_r2  1/r2
     template <class Real>
-    PairTerm<Real> operator()(Real r2, Real inverse_r2) const {
+    PairTerm<Real> operator()(const PairDistance<Real>& d) const {
         using std::exp;
-        using std::sqrt;
-        const Real r = sqrt(r2);
-        const Real e = exp(Real(-steepness_) * (r - Real(minimum_)));
-        return {Real(depth_) * e * (e - Real(2)), Real(2 * depth_ * steepness_) * e * (e - Real(1)) * (r * inverse_r2)};
+        const Real e = exp(Real(-steepness_) * (d.r - Real(minimum_)));
+        return {Real(depth_) * e * (e - Real(2)),
+                Real(2 * depth_ * steepness_) * e * (e - Real(1)) * (d.r * d.inverse_r2)};
     }
 
   private:
