@@ -27,10 +27,10 @@ class Sums {
 
     /// @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
     template <class Pair>
-    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d, const PairDistance<V>& distance,
+    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d, V inverse_r2, V r,
                          typename V::Value* others) {
-        const auto term = pair(distance);
-        const V w = where_less(distance.r2, cutoff2, term.w);
+        const auto term = pair(PairDistance<V>{d.r2, inverse_r2, r});
+        const V w = where_less(d.r2, cutoff2, term.w);
         // Added to both sides, not fused: processors add and multiply at the same time, by different units.
         const V wx = w * d.dx;
         const V wy = w * d.dy;
@@ -47,7 +47,7 @@ class Sums {
         y.store(others + axis);
         z.store(others + 2 * axis);
         if constexpr (with_energy) {
-            u += where_less(distance.r2, cutoff2, term.u);
+            u += where_less(d.r2, cutoff2, term.u);
         }
     }
 };
@@ -123,7 +123,7 @@ class Row {
         }
         Separation<V> d = arithmetic_.separation(own);
         d.r2 += V::load_unaligned(aside);
-        meet(d, distance_from(d.r2), own);
+        meet(d, V(1) / d.r2, sqrt(d.r2), own);
         if (far_ahead) {
             while (take_turns(end, std::make_index_sequence<lead<V> + 1>())) {
             }
@@ -133,7 +133,7 @@ class Row {
             d = next;
             const std::size_t now = place(0);
             next = arithmetic_.separation(place(1));
-            meet(d, distance_from(d.r2), now);
+            meet(d, V(1) / d.r2, sqrt(d.r2), now);
             ++entry_;
         }
     }
@@ -147,14 +147,15 @@ class Row {
         return static_cast<std::uint32_t>(entry_[offset]);
     }
 
-    LJMD_INLINE void meet(const Separation<V>& d, const PairDistance<V>& distance, std::size_t there) {
-        sums.add(pair_, cutoff2_, d, distance, partial_ + there * width);
+    LJMD_INLINE void meet(const Separation<V>& d, V inverse_r2, V r, std::size_t there) {
+        sums.add(pair_, cutoff2_, d, inverse_r2, r, partial_ + there * width);
     }
 
     /// Begin what there is to do with the entry so many behind the present one.
     LJMD_INLINE void look(std::size_t slot, std::size_t offset) {
         ahead_[slot].d = arithmetic_.separation(place(offset));
-        ahead_[slot].distance = distance_from(ahead_[slot].d.r2);
+        ahead_[slot].inverse_r2 = V(1) / ahead_[slot].d.r2;
+        ahead_[slot].r = sqrt(ahead_[slot].d.r2);
     }
     template <std::size_t... offset>
     LJMD_INLINE void look_ahead(std::index_sequence<offset...>) {
@@ -173,20 +174,21 @@ class Row {
             return false;
         }
         look((slot + lead<V>) % (lead<V> + 1), lead<V>);
-        meet(ahead_[slot].d, ahead_[slot].distance, place(0));
+        meet(ahead_[slot].d, ahead_[slot].inverse_r2, ahead_[slot].r, place(0));
         ++entry_;
         return true;
     }
     template <std::size_t slot, std::size_t... offset>
     LJMD_INLINE void meet_last(std::index_sequence<offset...>) {
-        (meet(ahead_[(slot + offset) % (lead<V> + 1)].d, ahead_[(slot + offset) % (lead<V> + 1)].distance,
-              place(offset)),
+        (meet(ahead_[(slot + offset) % (lead<V> + 1)].d, ahead_[(slot + offset) % (lead<V> + 1)].inverse_r2,
+              ahead_[(slot + offset) % (lead<V> + 1)].r, place(offset)),
          ...);
     }
 
     struct Ahead {
         Separation<V> d;
-        PairDistance<V> distance;
+        V inverse_r2;
+        V r;
     };
 
     const Arithmetic& arithmetic_;
