@@ -23,6 +23,26 @@ TEST_CASE("a kick changes velocities by dt f / m, each atom's by its own mass, a
     CHECK(state.forces_are_current());
 }
 
+TEST_CASE("an atom is kicked by its own mass, whatever that of the atom before it") {
+    const std::vector<double> masses = {2.5, 2.5, 1.0, 4.0, 1.0};
+    for (const bool and_drift : {false, true}) {
+        CAPTURE(and_drift);
+        test::Oscillator springs(2.0);
+        State state(5);
+        state.write_masses() = masses;
+        for (Index i = 0; i < 5; ++i) {
+            state.write_positions().col(i) = Vec3(1.0, -2.0, 3.0);
+        }
+        springs.evaluate(state, Request::forces);
+        apply(and_drift ? std::vector<Operator>{Kick{0.25}, Drift{0.5}} : std::vector<Operator>{Kick{0.25}}, state,
+              springs, energy);
+        for (Index i = 0; i < 5; ++i) {
+            CHECK(static_cast<const State&>(state).velocities().col(i) ==
+                  0.25 / masses[static_cast<std::size_t>(i)] * Vec3(-2.0, 4.0, -6.0));
+        }
+    }
+}
+
 TEST_CASE("a drift changes positions by dt v, and makes the forces stale") {
     test::Oscillator springs(2.0);
     State state = test::swinging(springs);
