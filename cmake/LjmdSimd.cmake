@@ -21,7 +21,7 @@ foreach(level IN LISTS ljmd_simd_levels)
         $<$<NOT:$<CONFIG:Debug>>:-O3>
         # All functions with vectors as arguments are inlined: how they would be passed is of no account.
         -Wno-psabi
-        # To tell a debugger where each variable is takes gcc four times as long as compiling such large functions.
+        # To tell a debugger where each variable is takes gcc about as long as all else that it does with such functions.
         $<$<CXX_COMPILER_ID:GNU>:-fno-var-tracking>
         # Before version 13 gcc takes its own headers of AVX-512 to use what is not set (its bug 105593).
         $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
