@@ -198,7 +198,10 @@ def threads_and_simd(t):
 
 
 def in_use(t):
-    """A second run is kept out of a directory, with and without --force, and so is `ljmd resume`."""
+    """A second run is kept out of a directory, with and without --force, and so is `ljmd resume`.
+
+    The first is halted meanwhile, so that it cannot come to its end: it is there, and has its lock.
+    """
     t.deck()
     (t.dir / "out").mkdir()
     descriptor = os.open(t.dir / "out", os.O_RDONLY)
@@ -210,13 +213,16 @@ def in_use(t):
     os.close(descriptor)
     process = start(t, "run", "deck.toml", "--out", "out", *LONG)
     has_begun(t, process)
-    texts += t.expect(9, t.run("resume", "out")).err
-    texts += t.expect(9, t.run("run", "deck.toml", "--out", "out", "--force")).err
-    told = t.run_well("info", "out").out
-    t.contains(told, "finished      no, it is running\n")
-    t.check("to go on" not in told, "a run that is alive is to be gone on with")
-    t.equal(json.loads(t.run_well("info", "out", "--json").out)["running"], True, "running")
-    process.kill()
+    process.send_signal(signal.SIGSTOP)
+    try:
+        texts += t.expect(9, t.run("resume", "out")).err
+        texts += t.expect(9, t.run("run", "deck.toml", "--out", "out", "--force")).err
+        told = t.run_well("info", "out").out
+        t.contains(told, "finished      no, it is running\n")
+        t.check("to go on" not in told, "a run that is alive is to be gone on with")
+        t.equal(json.loads(t.run_well("info", "out", "--json").out)["running"], True, "running")
+    finally:
+        process.kill()
     end(process)
     t.run_well("resume", "out", "--quiet")
     t.golden(texts)
