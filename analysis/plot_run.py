@@ -69,6 +69,23 @@ def peaks(r: np.ndarray, g: np.ndarray, error: np.ndarray, most: int = 4) -> lis
     return found[:most]
 
 
+def summit(r: np.ndarray, g: np.ndarray, error: np.ndarray, top: int) -> tuple[float, float]:
+    """Place and height of the peak whose highest row is `top`: of the parabola through what lies next to it in height.
+
+    A flat peak is highest where its noise is, which may be far from its middle. So the parabola takes the upper tenth, or
+    six standard errors where that is more, but not more than the upper half.
+    """
+    height = g[top] - 1.0
+    depth = np.clip(6.0 * np.nan_to_num(error[top]), 0.1 * height, 0.5 * height)
+    upper = (np.abs(r - r[top]) <= 0.25) & (g > g[top] - depth)
+    if np.count_nonzero(upper) >= 5:
+        curvature, slope, level = np.polyfit(r[upper] - r[top], g[upper], 2)
+        from_top = -slope / (2.0 * curvature) if curvature < 0.0 else np.inf
+        if upper[np.argmin(np.abs(r - r[top] - from_top))]:  # else it spans two peaks that lie close together
+            return float(r[top] + from_top), float(level + 0.5 * slope * from_top)
+    return float(r[top]), float(g[top])
+
+
 def si_factor(table: Table, name: str) -> Optional[float]:
     """SI units in one reduced unit of column `name`, from the columns themselves; None without an SI column."""
     si_name = SI_COLUMNS.get(name)
@@ -195,9 +212,10 @@ def plot_rdf(run: RunDirectory, table: Table) -> plt.Figure:
     axes.axhline(1.0, color=style.GREY, linewidth=0.8, linestyle="--")
     axes.fill_between(r, g - error, g + error, color=style.SKY, alpha=0.6, linewidth=0, label=band)
     axes.plot(r, g, color=style.BLUE, linewidth=1.3)
-    for i in peaks(r, g, error):
+    for top in peaks(r, g, error):
+        place, height = summit(r, g, error, top)
         axes.annotate(
-            f"{g[i]:.2f} at {r[i]:.2f}$\\,\\sigma$", (r[i], g[i]), xytext=(0, 6), textcoords="offset points",
+            f"{height:.2f} at {place:.2f}$\\,\\sigma$", (place, height), xytext=(0, 6), textcoords="offset points",
             ha="center", va="bottom", fontsize=9,
         )
     axes.set_xlim(0.0, r[-1])

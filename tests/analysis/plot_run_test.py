@@ -127,6 +127,28 @@ def test_peaks(tmp: Path) -> None:
     assert plot_run.peaks(r, near_end, np.zeros_like(r)) == []
 
 
+def test_summit(tmp: Path) -> None:
+    """The middle of a peak, whatever row its noise makes the highest."""
+    r = np.arange(0.005, 5.0, 0.01)
+    error = np.full_like(r, 0.004)
+    farthest = 0.0
+    for seed in range(50):
+        noise = error * np.random.default_rng(seed).standard_normal(r.size)
+        for middle, height, width in ((1.083, 2.0, 0.1), (3.912, 0.05, 0.2)):
+            g = 1.0 + height * np.exp(-(((r - middle) / width) ** 2)) + noise
+            top = int(np.argmax(g))
+            farthest = max(farthest, abs(r[top] - middle))
+            place, found = plot_run.summit(r, g, error, top)
+            assert abs(place - middle) < 0.02, (seed, place, middle)
+            assert abs(found - 1.0 - height) < 0.01, (seed, found)
+    assert farthest > 0.05, farthest  # the highest row itself would not have passed
+    two = 1.0 + np.exp(-(((r - 1.9) / 0.03) ** 2)) + np.exp(-(((r - 2.1) / 0.03) ** 2))
+    top = int(np.argmax(two))
+    assert plot_run.summit(r, two, np.full_like(r, 1.0), top) == (r[top], two[top])
+    few = np.array([0.0, 1.0, 3.0, 1.0, 0.0])
+    assert plot_run.summit(np.arange(5.0), few, np.zeros(5), 2) == (2.0, 3.0)
+
+
 def test_si_factor(tmp: Path) -> None:
     table = {"time": np.array([0.0, 1.0, 2.0]), "time_ps": np.array([0.0, 2.15, 4.3])}
     assert math.isclose(plot_run.si_factor(table, "time"), 2.15)
