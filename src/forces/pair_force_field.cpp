@@ -8,6 +8,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/core/threads.hpp"
+#include "ljmd/core/tiny_is_zero.hpp"
 #include "ljmd/forces/pair_sum.hpp"
 #include "simd/pair_kernel.hpp"
 
@@ -123,6 +124,7 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
     workspaces_.resize(static_cast<std::size_t>(workers));
     guest_forces_.resize(tiles.size());
     for_each_block(workers, 1, [&](Index worker, Index) {
+        const TinyIsZero tiny_is_zero;
         for (Index tile = worker * count / workers; tile < (worker + 1) * count / workers; ++tile) {
             sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(worker)]);
         }

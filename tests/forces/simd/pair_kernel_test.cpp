@@ -1,4 +1,9 @@
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "core/thread_guard.hpp"
 #include "forces/every_potential.hpp"
@@ -125,3 +130,21 @@ TEST_CASE("the error of mixed precision does not grow with the box") {
         CHECK(unit < 4e-8 * std::max(edge, 100.0) / 10.0);
     }
 }
+
+#if defined(__x86_64__)
+TEST_CASE("kernels take numbers below the normal range for zero, and leave the arithmetic as they found it") {
+    // At r = 8e4 the force, 24 r^-7, is 1e-33, but r^-8 on the way to it is 6e-40, below single precision's 1.2e-38.
+    const PairPotential potential = PairPotential::lennard_jones("cut", {1e5, 0.0});
+    const Vec3 first = Vec3::Constant(1.0);
+    const State pair = test::state_of({first, first + Vec3(8e4, 0.0, 0.0)}, Box(Vec3::Constant(4e5)));
+    constexpr unsigned flags = 0x3f;  // what has happened, which may change
+    for (const SimdLevel level : usable_simd_levels()) {
+        CAPTURE(name(level));
+        const unsigned before = _mm_getcsr() & ~flags;
+        CHECK(evaluated(potential, "verlet-list", {level, Precision::mixed}, pair).forces.norm() == 0.0);
+        CHECK(evaluated(potential, "verlet-list", {level, Precision::double_precision}, pair).forces(0, 0) ==
+              Approx(24.0 * std::pow(8e4, -7)).epsilon(1e-12).margin(0));
+        CHECK((_mm_getcsr() & ~flags) == before);
+    }
+}
+#endif
