@@ -49,8 +49,9 @@ class BlockFunction {
 /// @throws what the first block that threw has thrown; later blocks may not have been called
 void for_each_block(Index count, Index block_length, BlockFunction function);
 
-/// Atoms a block, where nothing else is asked for.
-inline constexpr Index usual_block = 1024;
+/// Atoms a block, where nothing else is asked for: so few that also the threads of a small system move the atoms whose
+/// forces they have just summed up, which other cores would have to fetch.
+inline constexpr Index usual_block = 128;
 
 /// function(i) for i in [0, count), by all threads. @pre as for_each_block
 template <class F>
