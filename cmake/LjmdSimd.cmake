@@ -5,19 +5,19 @@
 # portable is compiled with the flags of everything else, and is the only level where the processor is no x86-64.
 set(ljmd_simd_levels portable)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
-    list(APPEND ljmd_simd_levels x86_64_v2 x86_64_v3 x86_64_v4)
+    list(APPEND ljmd_simd_levels x86_64_v2 x86_64_v3 x86_64_v4 x86_64_v4_intel)
 endif()
 
 file(GLOB ljmd_simd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/simd/*.cpp)
 set(ljmd_simd_objects "")
 foreach(level IN LISTS ljmd_simd_levels)
     add_library(ljmd_simd_${level} OBJECT ${ljmd_simd_sources})
-    string(REGEX REPLACE "^x86_64_" "x86-64-" architecture ${level})
+    string(REGEX REPLACE "^x86_64_(v[0-9]).*" "x86-64-\\1" architecture ${level})
     # 512-bit registers are what v4 is for; the compilers' own choice would be half of them. Without -O3 and inlining,
     # which the code counts on, a debugging build would be too slow for its tests.
     target_compile_options(ljmd_simd_${level} PRIVATE
         $<$<NOT:$<STREQUAL:${level},portable>>:-march=${architecture}>
-        $<$<STREQUAL:${level},x86_64_v4>:-mprefer-vector-width=512>
+        $<$<STREQUAL:${architecture},x86-64-v4>:-mprefer-vector-width=512>
         $<$<NOT:$<CONFIG:Debug>>:-O3>
         # All functions with vectors as arguments are inlined: how they would be passed is of no account.
         -Wno-psabi
@@ -26,7 +26,8 @@ foreach(level IN LISTS ljmd_simd_levels)
         # Before version 13 gcc takes its own headers of AVX-512 to use what is not set (its bug 105593).
         $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-    target_compile_definitions(ljmd_simd_${level} PRIVATE LJMD_SIMD_LEVEL=${level})
+    target_compile_definitions(ljmd_simd_${level} PRIVATE LJMD_SIMD_LEVEL=${level}
+        $<$<STREQUAL:${level},x86_64_v4_intel>:LJMD_SIMD_FOR_INTEL>)
     target_include_directories(ljmd_simd_${level} PRIVATE ${PROJECT_SOURCE_DIR}/include
                                                           ${PROJECT_BINARY_DIR}/generated/include)
     target_link_libraries(ljmd_simd_${level} PRIVATE Eigen3::Eigen ljmd_options)

@@ -16,7 +16,7 @@ namespace {
 
 std::optional<SimdLevel> chosen_level;
 
-constexpr std::array level_names{"portable", "x86-64-v2", "x86-64-v3", "x86-64-v4"};
+constexpr std::array level_names{"portable", "x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-intel"};
 
 #if defined(__x86_64__)
 bool processor_has(SimdLevel level) {
@@ -32,17 +32,36 @@ bool processor_has(SimdLevel level) {
         case SimdLevel::x86_64_v3:
             return v3;
         case SimdLevel::x86_64_v4:
+        case SimdLevel::x86_64_v4_intel:
             return v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                    __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                    __builtin_cpu_supports("avx512vl");
     }
     return false;
 }
+
+bool is_from_intel() {
+    __builtin_cpu_init();
+    return __builtin_cpu_is("intel") != 0;
+}
 #else
 bool processor_has(SimdLevel level) {
     return level == SimdLevel::portable;
 }
+
+bool is_from_intel() {
+    return false;
+}
 #endif
+
+/// The highest usable one that is made for this processor.
+SimdLevel best_simd_level() {
+    std::vector<SimdLevel> usable = usable_simd_levels();
+    if (usable.back() == SimdLevel::x86_64_v4_intel && !is_from_intel()) {
+        usable.pop_back();
+    }
+    return usable.back();
+}
 
 std::vector<std::string_view> names(const std::vector<SimdLevel>& levels) {
     std::vector<std::string_view> result;
@@ -95,7 +114,7 @@ SimdLevel default_simd_level() {
         return *chosen_level;
     }
     const char* wanted = std::getenv("LJMD_SIMD");  // NOLINT(concurrency-mt-unsafe): nobody writes the environment
-    return wanted != nullptr && *wanted != '\0' ? usable_simd_level(wanted) : usable_simd_levels().back();
+    return wanted != nullptr && *wanted != '\0' ? usable_simd_level(wanted) : best_simd_level();
 }
 
 void set_default_simd_level(SimdLevel level) {

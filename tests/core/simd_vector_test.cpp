@@ -66,6 +66,8 @@ TEMPLATE_TEST_CASE("vectors compute lane by lane what numbers do", "", (Vec<doub
     same_in_every_lane(
         x, [](V v) { return V(1) / v; }, [](T v) { return T(1) / v; });
     same_in_every_lane(
+        x, [](V v) { return reciprocal(v); }, [](T v) { return T(1) / v; });
+    same_in_every_lane(
         x, [](V v) { return -v; }, [](T v) { return -v; });
     same_in_every_lane(
         x, [](V v) { return sqrt(v); }, [](T v) { return std::sqrt(v); });
@@ -77,6 +79,13 @@ TEMPLATE_TEST_CASE("vectors compute lane by lane what numbers do", "", (Vec<doub
         x, [](V v) { return where_less(v, V(3), V(7)); }, [](T v) { return v < T(3) ? T(7) : T(0); });
     same_in_every_lane(
         x, [](V v) { return multiply_add(v, V(2), V(1)); }, [](T v) { return v * T(2) + T(1); });
+    V one(1);
+    V two(2);
+    add_product(x, V(3), one, two);
+    same_in_every_lane(
+        x, [one](V) { return one; }, [](T v) { return T(1) + v * T(3); });
+    same_in_every_lane(
+        x, [two](V) { return two; }, [](T v) { return T(2) + v * T(3); });
     V sum = x;
     sum += x;
     same_in_every_lane(

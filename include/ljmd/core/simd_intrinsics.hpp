@@ -15,6 +15,8 @@ void multiply_add(None);
 void square_root(None);
 void widened(None);
 void joined(None);
+void reciprocal(None);
+void inverse_root(None);
 void bits_of(None);
 void repeated(None);
 
@@ -37,6 +39,29 @@ LJMD_INLINE RawVector<T, lanes> multiply_add(RawVector<T, lanes> a, RawVector<T,
         return a * b + c;
     }
 }
+
+/// Whether additions are done by the units that multiply, so that one fused with a multiplication is one saved.
+#if defined(LJMD_SIMD_FOR_INTEL)
+inline constexpr bool multipliers_add = true;
+#else
+inline constexpr bool multipliers_add = false;
+#endif
+
+/// 1/x, correctly rounded or, where division is slow, within 2 units in the last place; then NaN for 0 and infinity.
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> reciprocal(RawVector<T, lanes> x) {
+    if constexpr (requires { native::reciprocal(x); }) {
+        return native::reciprocal(x);
+    } else {
+        return T{1} / x;
+    }
+}
+
+/// Whether roots are slow, but 1/sqrt(x) is not: within 2 units in the last place, NaN for 0 and infinity.
+template <class T, int lanes>
+inline constexpr bool has_inverse_root = requires(RawVector<T, lanes> x) {
+    native::inverse_root(x);
+};
 
 /// Each lane in double. With gcc 12 the compilers' own conversion goes through memory.
 template <int lanes>

@@ -14,6 +14,8 @@
 /// compiled for one processor to be the same as one compiled for another. Nothing of the standard library but plain
 /// functions is called.
 ///
+/// LJMD_SIMD_FOR_INTEL marks the level for processors that divide slowly and add by the units that multiply.
+///
 /// Arithmetic is that of the compilers' vector extension (gcc 12, clang); what it lacks is in simd_intrinsics.hpp.
 namespace ljmd::simd {
 
@@ -57,7 +59,24 @@ struct Vec {
         return Vec(simd::multiply_add<T, lanes_>(a.raw, b.raw, c.raw));
     }
 
+    /// Add a b to either sum. Most processors add and multiply at the same time, by different units: there the product
+    /// is rounded and added twice. Where the multipliers add, too, it is fused with each sum.
+    LJMD_INLINE friend void add_product(Vec a, Vec b, Vec& one, Vec& other) {
+        if constexpr (multipliers_add) {
+            one = multiply_add(a, b, one);
+            other = multiply_add(a, b, other);
+        } else {
+            const Vec product = a * b;
+            one += product;
+            other += product;
+        }
+    }
+
+    LJMD_INLINE friend Vec reciprocal(Vec a) { return Vec(simd::reciprocal<T, lanes_>(a.raw)); }
     LJMD_INLINE friend Vec sqrt(Vec a) { return Vec(square_root<T, lanes_>(a.raw)); }
+    static constexpr bool has_inverse_root = simd::has_inverse_root<T, lanes_>;
+    /// 1/sqrt(a). @pre has_inverse_root
+    LJMD_INLINE friend Vec inverse_root(Vec a) { return Vec(native::inverse_root(a.raw)); }
 
     /// Lane by lane the larger one; b where a is NaN.
     LJMD_INLINE friend Vec max(Vec a, Vec b) { return Vec(larger<T, lanes_>(a.raw, b.raw)); }

@@ -19,18 +19,21 @@ struct PairTerm {
 };
 
 /// The distance of a pair as formulas take it: with what takes a processor long, so that kernels can begin it ahead of
-/// the rest. What a formula has no use for is not computed.
+/// the rest. A formula says as `takes_root` whether it has use for r or 1/r.
 template <class Real>
 struct PairDistance {
     Real r2;          ///< [sigma^2]; > 0, unchecked (hot path)
     Real inverse_r2;  ///< 1/r2
     Real r;           ///< its root
+    Real inverse_r;   ///< 1/r
 };
 
 template <class Real>
 PairDistance<Real> distance_from(Real r2) {
     using std::sqrt;
-    return {r2, Real(1) / r2, sqrt(r2)};
+    const Real inverse_r2 = Real(1) / r2;
+    const Real r = sqrt(r2);
+    return {r2, inverse_r2, r, r * inverse_r2};
 }
 
 /// What a formula gives at a squared separation.

@@ -26,6 +26,7 @@ template <class Formula>
 class Cut {
   public:
     static constexpr std::string_view name = "cut";
+    static constexpr bool takes_root = Formula::takes_root;
     static constexpr bool takes_tail = true;
     static std::vector<Key> keys() { return {}; }
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
@@ -48,6 +49,7 @@ template <class Formula>
 class Shifted {
   public:
     static constexpr std::string_view name = "shifted";
+    static constexpr bool takes_root = Formula::takes_root;
     static constexpr bool takes_tail = false;
     static std::vector<Key> keys() { return {}; }
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
@@ -71,6 +73,7 @@ template <class Formula>
 class ForceShifted {
   public:
     static constexpr std::string_view name = "force-shifted";
+    static constexpr bool takes_root = true;
     static constexpr bool takes_tail = false;
     static std::vector<Key> keys() { return {}; }
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
@@ -84,9 +87,8 @@ class ForceShifted {
     template <class Real>
     PairTerm<Real> operator()(const PairDistance<Real>& d) const {
         const PairTerm<Real> full = formula_(d);
-        const Real inverse_r = d.r * d.inverse_r2;
         return {full.u - Real(u_cutoff_) + (d.r - Real(radius_)) * Real(f_cutoff_),
-                multiply_add(Real(-f_cutoff_), inverse_r, full.w)};
+                multiply_add(Real(-f_cutoff_), d.inverse_r, full.w)};
     }
 
   private:
@@ -102,6 +104,7 @@ template <class Formula>
 class Switched {
   public:
     static constexpr std::string_view name = "switched";
+    static constexpr bool takes_root = true;
     static constexpr bool takes_tail = true;
     static std::vector<Key> keys() {
         return {Key::number("switch_start")
@@ -120,13 +123,12 @@ class Switched {
     PairTerm<Real> operator()(const PairDistance<Real>& d) const {
         using std::max;
         const PairTerm<Real> full = formula_(d);
-        const Real inverse_r = d.r * d.inverse_r2;
         const Real x = max(Real(0), (d.r - Real(start_)) * Real(inverse_width_));  // 0 below rs: S = 1, S' = 0
         const Real s =
             multiply_add(x * x * x, multiply_add(x, multiply_add(Real(-6), x, Real(15)), Real(-10)), Real(1));
         const Real y = x - x * x;
         // -S'(r) = 30 y^2 / (rc - rs). What does not depend on x is multiplied first: it need not wait for x.
-        const Real from_descent = y * y * (Real(30 * inverse_width_) * full.u * inverse_r);
+        const Real from_descent = y * y * (Real(30 * inverse_width_) * full.u * d.inverse_r);
         return {full.u * s, multiply_add(full.w, s, from_descent)};
     }
 

@@ -5,6 +5,7 @@
 
 #include "ljmd/core/simd_vector.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"
+#include "ljmd/potentials/pair_term.hpp"
 #include "pair_kernel.hpp"
 
 /// How the atoms of a row lie in the lanes of vectors, and separations from them in either precision.
@@ -49,6 +50,38 @@ template <class V>
 struct Separation {
     V dx, dy, dz;  ///< in the arithmetic's unit
     V r2;          ///< [sigma^2]
+};
+
+/// What takes long of the distances of pairs, to be begun ahead.
+template <class V, bool takes_root>
+class Begun {
+  public:
+    Begun() = default;
+    LJMD_INLINE explicit Begun(V r2) {
+        if constexpr (by_inverse_root) {
+            inverse_r_ = inverse_root(r2);
+        } else {
+            inverse_r2_ = reciprocal(r2);
+            if constexpr (takes_root) {
+                r_ = sqrt(r2);
+            }
+        }
+    }
+
+    /// @param r2  as before  @return without r and 1/r unless they are asked for
+    [[nodiscard]] LJMD_INLINE PairDistance<V> distance(V r2) const {
+        if constexpr (by_inverse_root) {
+            return {r2, inverse_r_ * inverse_r_, r2 * inverse_r_, inverse_r_};
+        } else if constexpr (takes_root) {
+            return {r2, inverse_r2_, r_, r_ * inverse_r2_};
+        } else {
+            return {r2, inverse_r2_, V(0), V(0)};
+        }
+    }
+
+  private:
+    static constexpr bool by_inverse_root = takes_root && V::has_inverse_root;
+    V inverse_r2_, r_, inverse_r_;
 };
 
 /// Everything in double.

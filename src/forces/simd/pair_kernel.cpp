@@ -27,22 +27,18 @@ class Sums {
 
     /// @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
     template <class Pair>
-    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d, V inverse_r2, V r,
+    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d, const Begun<V, Pair::takes_root>& begun,
                          typename V::Value* others) {
-        const auto term = pair(PairDistance<V>{d.r2, inverse_r2, r});
+        const auto term = pair(begun.distance(d.r2));
         const V w = where_less(d.r2, cutoff2, term.w);
-        // Added to both sides, not fused: processors add and multiply at the same time, by different units.
-        const V wx = w * d.dx;
-        const V wy = w * d.dy;
-        const V wz = w * d.dz;
-        fx += wx;
-        fy += wy;
-        fz += wz;
         // All are read before any is written. One by one would take a tenth longer.
         constexpr std::size_t axis = V::lanes;
-        const V x = V::load(others) + wx;
-        const V y = V::load(others + axis) + wy;
-        const V z = V::load(others + 2 * axis) + wz;
+        V x = V::load(others);
+        V y = V::load(others + axis);
+        V z = V::load(others + 2 * axis);
+        add_product(w, d.dx, fx, x);
+        add_product(w, d.dy, fy, y);
+        add_product(w, d.dz, fz, z);
         x.store(others);
         y.store(others + axis);
         z.store(others + 2 * axis);
@@ -123,7 +119,7 @@ class Row {
         }
         Separation<V> d = arithmetic_.separation(own);
         d.r2 += V::load_unaligned(aside);
-        meet(d, V(1) / d.r2, sqrt(d.r2), own);
+        meet(d, Started(d.r2), own);
         if (far_ahead) {
             while (take_turns(end, std::make_index_sequence<lead<V> + 1>())) {
             }
@@ -133,7 +129,7 @@ class Row {
             d = next;
             const std::size_t now = place(0);
             next = arithmetic_.separation(place(1));
-            meet(d, V(1) / d.r2, sqrt(d.r2), now);
+            meet(d, Started(d.r2), now);
             ++entry_;
         }
     }
@@ -142,20 +138,20 @@ class Row {
 
   private:
     static constexpr std::size_t width = atoms_per_row<V>;
+    using Started = Begun<V, Pair::takes_root>;
 
     [[nodiscard]] LJMD_INLINE std::size_t place(std::size_t offset) const {
         return static_cast<std::uint32_t>(entry_[offset]);
     }
 
-    LJMD_INLINE void meet(const Separation<V>& d, V inverse_r2, V r, std::size_t there) {
-        sums.add(pair_, cutoff2_, d, inverse_r2, r, partial_ + there * width);
+    LJMD_INLINE void meet(const Separation<V>& d, const Started& begun, std::size_t there) {
+        sums.add(pair_, cutoff2_, d, begun, partial_ + there * width);
     }
 
     /// Begin what there is to do with the entry so many behind the present one.
     LJMD_INLINE void look(std::size_t slot, std::size_t offset) {
         ahead_[slot].d = arithmetic_.separation(place(offset));
-        ahead_[slot].inverse_r2 = V(1) / ahead_[slot].d.r2;
-        ahead_[slot].r = sqrt(ahead_[slot].d.r2);
+        ahead_[slot].begun = Started(ahead_[slot].d.r2);
     }
     template <std::size_t... offset>
     LJMD_INLINE void look_ahead(std::index_sequence<offset...>) {
@@ -174,14 +170,13 @@ class Row {
             return false;
         }
         look((slot + lead<V>) % (lead<V> + 1), lead<V>);
-        meet(ahead_[slot].d, ahead_[slot].inverse_r2, ahead_[slot].r, place(0));
+        meet(ahead_[slot].d, ahead_[slot].begun, place(0));
         ++entry_;
         return true;
     }
     template <std::size_t slot, std::size_t... offset>
     LJMD_INLINE void meet_last(std::index_sequence<offset...>) {
-        (meet(ahead_[(slot + offset) % (lead<V> + 1)].d, ahead_[(slot + offset) % (lead<V> + 1)].inverse_r2,
-              ahead_[(slot + offset) % (lead<V> + 1)].r, place(offset)),
+        (meet(ahead_[(slot + offset) % (lead<V> + 1)].d, ahead_[(slot + offset) % (lead<V> + 1)].begun, place(offset)),
          ...);
     }
 
@@ -189,8 +184,7 @@ class Row {
     /// 5 % longer.
     struct Ahead {
         Separation<V> d;
-        V inverse_r2;
-        V r;
+        Started begun;
     };
 
     const Arithmetic& arithmetic_;

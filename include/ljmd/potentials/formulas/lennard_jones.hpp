@@ -15,6 +15,7 @@ namespace ljmd {
 class LennardJones {
   public:
     static constexpr std::string_view name = "lennard-jones";
+    static constexpr bool takes_root = false;
     static constexpr std::string_view meaning = "4 (r^-12 - r^-6)";
     static constexpr std::string_view expression = "4*(r^-12-r^-6)";
 

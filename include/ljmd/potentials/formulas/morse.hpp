@@ -15,6 +15,7 @@ namespace ljmd {
 class Morse {
   public:
     static constexpr std::string_view name = "morse";
+    static constexpr bool takes_root = true;
     static constexpr std::string_view meaning = "D (e^2 - 2 e), e = exp(-a (r - r0))";
     static constexpr std::string_view expression = "well_depth*(e^2-2*e); e=exp(-steepness*(r-minimum))";
 
@@ -45,8 +46,7 @@ class Morse {
     PairTerm<Real> operator()(const PairDistance<Real>& d) const {
         using std::exp;
         const Real e = exp(Real(-steepness_) * (d.r - Real(minimum_)));
-        return {Real(depth_) * e * (e - Real(2)),
-                Real(2 * depth_ * steepness_) * e * (e - Real(1)) * (d.r * d.inverse_r2)};
+        return {Real(depth_) * e * (e - Real(2)), Real(2 * depth_ * steepness_) * e * (e - Real(1)) * d.inverse_r};
     }
 
   private:
