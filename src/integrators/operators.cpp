@@ -43,7 +43,7 @@ void kick(State& state, double dt) {
     double* v = state.write_velocities().data();
     const double* f = static_cast<const State&>(state).forces().data();
     const double* m = state.masses().data();
-    for_each_block(state.count(), usual_block, [=](Index first, Index last) {
+    for_each_block(state.count(), loop_block, [=](Index first, Index last) {
         TimeOverMass factor(dt);
         for (Index i = first; i < last; ++i) {
             Atom(v + 4 * i) += factor(m[i]) * ConstAtom(f + 4 * i);
@@ -68,7 +68,7 @@ void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     const double* f = static_cast<const State&>(state).forces().data();
     const double* m = state.masses().data();
     const double rounding = state.rounding();
-    for_each_block(state.count(), usual_block, [=](Index first, Index last) {
+    for_each_block(state.count(), loop_block, [=](Index first, Index last) {
         TimeOverMass factor(dt_kick);
         for (Index i = first; i < last; ++i) {
             const Eigen::Array4d velocity = ConstAtom(v + 4 * i) + factor(m[i]) * ConstAtom(f + 4 * i);

@@ -36,7 +36,7 @@ template <std::size_t width, class Vector>
 void permute(Vector& data, const std::vector<Index>& order, std::byte* spare) {
     constexpr std::size_t bytes = width * sizeof(typename Vector::value_type);
     auto* moved = reinterpret_cast<std::byte*>(data.data());
-    for_each_block(static_cast<Index>(order.size()), usual_block, [&](Index first, Index last) {
+    for_each_block(static_cast<Index>(order.size()), loop_block, [&](Index first, Index last) {
         std::memcpy(spare + bytes * static_cast<std::size_t>(first), moved + bytes * static_cast<std::size_t>(first),
                     bytes * static_cast<std::size_t>(last - first));
     });

@@ -131,7 +131,7 @@ std::vector<Index> CellGrid::spatial_order(const State& state) {
     });
     sort_by(cell, cell_count(), starts_, order_);
     std::vector<Index> order(cell.size());
-    for_each_block(static_cast<Index>(cell_count()), usual_block, [&](Index first, Index last) {
+    for_each_block(static_cast<Index>(cell_count()), loop_block, [&](Index first, Index last) {
         for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
             const auto begin = order_.begin() + starts_[c];
             const auto end = order_.begin() + starts_[c + 1];

@@ -147,7 +147,7 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
     const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // a hair less, for the rounding in the distances
     const double limit2 = limit * limit;
     std::atomic<bool> valid = true;
-    for_each_block(state.count(), usual_block, [&](Index first, Index last) {
+    for_each_block(state.count(), loop_block, [&](Index first, Index last) {
         Index near = 0;
         for (Index i = first; i < last; ++i) {
             const double dx = r[4 * i] - reference[4 * i];

@@ -33,7 +33,7 @@ Eigen::VectorXd slope_weights(const LagTimes& lags, double start) {
 /// Sum of the squared differences, block by block.
 double square_distance(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
     return join_blocks(
-        a.cols(), usual_block, 0.0,
+        a.cols(), sum_block, 0.0,
         [&](Index first, Index last) {
             return (a.middleCols(first, last - first) - b.middleCols(first, last - first)).squaredNorm();
         },

@@ -14,7 +14,7 @@ double TranslationalOrder::operator()(const State& state) const {
     const CosineKernel kernel = cosine_kernel(default_simd_level());
     const double* r = state.positions().data();  // behind the three coordinates of an atom lies a zero
     const Eigen::Vector4d sums = join_blocks(
-        state.count(), usual_block, Eigen::Vector4d(Eigen::Vector4d::Zero()),
+        state.count(), sum_block, Eigen::Vector4d(Eigen::Vector4d::Zero()),
         [&](Index first, Index last) {
             Eigen::Vector4d of_block;
             kernel.sums_of_cosines(r + 4 * first, last - first, turns.data(), of_block.data());

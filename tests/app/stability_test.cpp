@@ -56,7 +56,7 @@ TEST_CASE("a fast atom is noticed and named") {
 TEST_CASE("the fastest atom of all blocks is named, of equals and of those that are not finite the first") {
     const test::ThreadGuard threads(GENERATE(1, 2));
     const StabilityWatch watch(dt, false, cut_at(2.5));
-    const Index atoms = 3 * usual_block;
+    const Index atoms = 3 * loop_block;
     const auto message_starts = [&](const std::vector<std::pair<Index, double>>& moves, const std::string& start) {
         State state(atoms, cubic_box(atoms, 0.5));
         for (const auto& [atom, move] : moves) {
@@ -65,10 +65,10 @@ TEST_CASE("the fastest atom of all blocks is named, of equals and of those that 
         CHECK_THROWS_WITH(watch.check_speeds(state), Catch::StartsWith(start));
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    message_starts({{10, 0.6}, {usual_block + 1, 0.8}, {2 * usual_block, 0.7}},
-                   fmt::format("atom {} ", usual_block + 2));
-    message_starts({{10, 0.8}, {2 * usual_block, 0.8}}, "atom 11 ");
-    message_starts({{10, 0.8}, {usual_block, nan}, {2 * usual_block, nan}}, fmt::format("atom {} ", usual_block + 1));
+    message_starts({{10, 0.6}, {loop_block + 1, 0.8}, {2 * loop_block, 0.7}},
+                   fmt::format("atom {} ", loop_block + 2));
+    message_starts({{10, 0.8}, {2 * loop_block, 0.8}}, "atom 11 ");
+    message_starts({{10, 0.8}, {loop_block, nan}, {2 * loop_block, nan}}, fmt::format("atom {} ", loop_block + 1));
 }
 
 TEST_CASE("a rising total energy is noticed at constant energy only") {

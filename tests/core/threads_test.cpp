@@ -56,7 +56,7 @@ TEST_CASE("what blocks yield is joined in their order") {
 }
 
 TEST_CASE("a sum over indices is the same bits for any number of threads") {
-    const Index count = 10 * usual_block + 7;
+    const Index count = 10 * sum_block + 7;
     // Of very different sizes: in another order they add up to something else.
     const auto term = [](Index i) { return (i % 2 == 0 ? 1.0 : -1.0) / static_cast<double>(1 + i * i % 1009); };
     const auto sum_with = [&](int threads) {
