@@ -4,6 +4,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/threads.hpp"
+#include "ljmd/model/time_over_mass.hpp"
 
 namespace ljmd {
 
@@ -19,38 +20,6 @@ void require_current_forces(const State& state) {
 using Atom = Eigen::Map<Eigen::Array4d>;
 using ConstAtom = Eigen::Map<const Eigen::Array4d>;
 
-/// dt/m of one atom after the other, divided only where the mass changes: with nearly all atoms of one mass, divisions
-/// were a fifth of the time of kicks and drifts.
-class TimeOverMass {
-  public:
-    explicit TimeOverMass(double dt) : dt_(dt), quotient_(dt) {}
-    double operator()(double mass) {
-        if (mass != mass_) {
-            mass_ = mass;
-            quotient_ = dt_ / mass;
-        }
-        return quotient_;
-    }
-
-  private:
-    double dt_;
-    double mass_ = 1.0;
-    double quotient_;
-};
-
-void kick(State& state, double dt) {
-    require_current_forces(state);
-    double* v = state.write_velocities().data();
-    const double* f = static_cast<const State&>(state).forces().data();
-    const double* m = state.masses().data();
-    for_each_block(state.count(), loop_block, [=](Index first, Index last) {
-        TimeOverMass factor(dt);
-        for (Index i = first; i < last; ++i) {
-            Atom(v + 4 * i) += factor(m[i]) * ConstAtom(f + 4 * i);
-        }
-    });
-}
-
 void drift(State& state, double dt) {
     double* r = state.write_positions().data();
     const double* v = static_cast<const State&>(state).velocities().data();
@@ -60,18 +29,25 @@ void drift(State& state, double dt) {
     });
 }
 
-/// A kick and the drift that follows it in one pass over the atoms: the same bits, and half the traffic of memory.
+/// A kick and the drift that follows it, and before them the kick that ended the last step if nobody has looked at its
+/// velocities since: in one pass over the atoms, with the same bits, and half the traffic of memory.
 void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     require_current_forces(state);
+    const double dt_due = state.take_kick();
     double* v = state.write_velocities().data();
     double* r = state.write_positions().data();
     const double* f = static_cast<const State&>(state).forces().data();
-    const double* m = state.masses().data();
+    const double* m = static_cast<const State&>(state).masses().data();
     const double rounding = state.rounding();
     for_each_block(state.count(), loop_block, [=](Index first, Index last) {
+        TimeOverMass due(dt_due);
         TimeOverMass factor(dt_kick);
         for (Index i = first; i < last; ++i) {
-            const Eigen::Array4d velocity = ConstAtom(v + 4 * i) + factor(m[i]) * ConstAtom(f + 4 * i);
+            Eigen::Array4d velocity = ConstAtom(v + 4 * i);
+            if (dt_due != 0.0) {
+                velocity += due(m[i]) * ConstAtom(f + 4 * i);
+            }
+            velocity += factor(m[i]) * ConstAtom(f + 4 * i);
             Atom(v + 4 * i) = velocity;
             Atom(r + 4 * i) = (Atom(r + 4 * i) + dt_drift * velocity + rounding) - rounding;
         }
@@ -91,7 +67,8 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
                 kick_and_drift(state, k->dt, d->dt);
                 ++op;
             } else {
-                kick(state, k->dt);
+                require_current_forces(state);
+                state.kick(k->dt);
             }
         } else if (const auto* d = std::get_if<Drift>(&*op)) {
             drift(state, d->dt);

@@ -12,6 +12,7 @@
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/threads.hpp"
+#include "ljmd/model/time_over_mass.hpp"
 
 namespace ljmd {
 
@@ -105,6 +106,7 @@ ConstVectorView State::positions_and_ghosts() const {
     return view(positions_, count_ + ghost_count_);
 }
 ConstVectorView State::velocities() const {
+    do_kick();
     return view(velocities_, count_);
 }
 ConstVectorView State::forces() const {
@@ -117,12 +119,42 @@ VectorView State::write_positions() {
     return view(positions_, 0, count_);
 }
 VectorView State::write_velocities() {
+    do_kick();
     phase_ = {};
     return view(velocities_, 0, count_);
 }
 VectorView State::write_forces() {
+    do_kick();
     return view(forces_, 0, count_);
 }
+std::vector<double>& State::write_masses() {
+    do_kick();
+    return masses_;
+}
+
+void State::kick(double dt) {
+    do_kick();
+    kick_due_ = dt;
+}
+
+double State::take_kick() {
+    return std::exchange(kick_due_, 0.0);
+}
+
+void State::do_kick() const {
+    if (kick_due_ == 0.0) {
+        return;
+    }
+    const double dt = std::exchange(kick_due_, 0.0);
+    for_each_block(count_, loop_block, [&](Index first, Index last) {
+        TimeOverMass factor(dt);
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+            Eigen::Map<Eigen::Array4d>(velocities_.data() + stride * i) +=
+                factor(masses_[i]) * Eigen::Map<const Eigen::Array4d>(forces_.data() + stride * i);
+        }
+    });
+}
+
 VectorView State::write_ghosts() {
     return view(positions_, count_, ghost_count_);
 }
@@ -157,6 +189,7 @@ void State::reorder(const std::vector<Index>& order) {
     if (static_cast<Index>(order.size()) != count_) {
         throw ContractViolation("a new order must name every atom once");
     }
+    do_kick();
     ++order_version_;
     const auto spare = std::make_unique_for_overwrite<std::byte[]>(stride * sizeof(double) * order.size());
     permute<stride>(positions_, order, spare.get());
@@ -189,6 +222,7 @@ void State::Registered::archive(Archive& a) {
 }
 
 void State::archive(Archive& a) {
+    do_kick();
     a.mark("state");
     const std::size_t length = stride * checked(count_);
     bool bounded = box_.has_value();

@@ -65,8 +65,7 @@ TEST_CASE("the fastest atom of all blocks is named, of equals and of those that 
         CHECK_THROWS_WITH(watch.check_speeds(state), Catch::StartsWith(start));
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    message_starts({{10, 0.6}, {loop_block + 1, 0.8}, {2 * loop_block, 0.7}},
-                   fmt::format("atom {} ", loop_block + 2));
+    message_starts({{10, 0.6}, {loop_block + 1, 0.8}, {2 * loop_block, 0.7}}, fmt::format("atom {} ", loop_block + 2));
     message_starts({{10, 0.8}, {2 * loop_block, 0.8}}, "atom 11 ");
     message_starts({{10, 0.8}, {loop_block, nan}, {2 * loop_block, nan}}, fmt::format("atom {} ", loop_block + 1));
 }

@@ -322,6 +322,12 @@ def test_line_of_cost(tmp: Path) -> None:
     assert scaling.fit(systems[:1]) == (43.0, 0.0)
 
 
+def test_cost_without_files(tmp: Path) -> None:
+    answer = {"atoms": 1000, "steps": 100, "atom_steps_per_second": 1e7}
+    assert abs(scaling.nanoseconds(answer) - 100.0) < 1e-9
+    assert abs(scaling.nanoseconds({**answer, "seconds_per_phase": {"force": 1.0, "write": 0.002}}) - 80.0) < 1e-9
+
+
 def test_scaling(tmp: Path) -> None:
     ljmd, path = prepare(tmp, "")
     result = run("scaling.py", path, "--ljmd", ljmd, "--quick", "--out", tmp / "out", "--families", "density,cutoff")

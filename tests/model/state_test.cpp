@@ -365,3 +365,58 @@ TEST_CASE("a state takes no image or number of steps that cannot be, and no four
     Archive again(a.bytes());
     CHECK_THROWS_WITH(state.archive(again), Catch::Contains(why));
 }
+
+TEST_CASE("a kick is done with the forces and masses that were there, whoever asks or changes them first") {
+    const Box box(Vec3(3.0, 4.0, 5.0));
+    const State start = scattered(300, box);
+    constexpr double dt = 0.25;
+    Eigen::Matrix3Xd expected = start.velocities();
+    for (Index i = 0; i < start.count(); ++i) {
+        expected.col(i) += dt / start.masses()[static_cast<std::size_t>(i)] * start.forces().col(i);
+    }
+    const auto after = [&](const auto& change) {
+        State state = start;
+        state.mark_forces_current();
+        state.kick(dt);
+        change(state);
+        Eigen::Matrix3Xd v(3, state.count());
+        for (Index i = 0; i < state.count(); ++i) {
+            v.col(state.ids()[static_cast<std::size_t>(i)]) = static_cast<const State&>(state).velocities().col(i);
+        }
+        return v;
+    };
+    CHECK(after([](State&) {}) == expected);
+    CHECK(after([](State& state) { state.write_forces().setZero(); }) == expected);
+    CHECK(after([](State& state) { state.write_masses().assign(300, 1e9); }) == expected);
+    CHECK(after([](State& state) { state.write_positions().setZero(); }) == expected);
+    CHECK(after([&](State& state) { state.write_velocities() -= expected; }).norm() == 0.0);
+    CHECK(after([&](State& state) { state.rescale_to(Box(2.0 * box.edges())); }) == expected);
+    CHECK(after([](State& state) {
+              std::vector<Index> order(300);
+              std::iota(order.rbegin(), order.rend(), 0);
+              state.reorder(order);
+              state.write_forces().setZero();
+          }) == expected);
+    CHECK(after([](State& state) {
+              std::vector<Index> order(300);
+              std::iota(order.rbegin(), order.rend(), 0);
+              state.write_positions().setZero();  // forces are stale, and stay where they are when atoms are reordered
+              state.reorder(order);
+          }) == expected);
+    CHECK(after([](State& state) {
+              const State copy = state;
+              state = copy;
+          }) == expected);
+    CHECK(after([&](State& state) { state.kick(-dt); }).isApprox(start.velocities(), 1e-15));
+}
+
+TEST_CASE("a kick that is taken over is not done") {
+    State state = scattered(5, Box(Vec3(3.0, 4.0, 5.0)));
+    const Eigen::Matrix3Xd before = static_cast<const State&>(state).velocities();
+    state.mark_forces_current();
+    CHECK(state.take_kick() == 0.0);
+    state.kick(0.25);
+    CHECK(state.take_kick() == 0.25);
+    CHECK(state.take_kick() == 0.0);
+    CHECK(static_cast<const State&>(state).velocities() == before);
+}

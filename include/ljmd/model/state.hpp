@@ -46,7 +46,7 @@ class State {
     // Read access: (3, N), by index.
     [[nodiscard]] ConstVectorView positions() const;             ///< [sigma], near the box, see unwrapped()
     [[nodiscard]] ConstVectorView positions_and_ghosts() const;  ///< (3, N + ghosts)
-    [[nodiscard]] ConstVectorView velocities() const;            ///< [sigma/tau]
+    [[nodiscard]] ConstVectorView velocities() const;            ///< [sigma/tau], see kick()
     [[nodiscard]] ConstVectorView forces() const;                ///< [epsilon/sigma]
     [[nodiscard]] const std::vector<double>& masses() const { return masses_; }
     [[nodiscard]] const std::vector<Index>& ids() const { return ids_; }
@@ -56,7 +56,15 @@ class State {
     [[nodiscard]] VectorView write_positions();
     [[nodiscard]] VectorView write_velocities();
     [[nodiscard]] VectorView write_forces();
-    [[nodiscard]] std::vector<double>& write_masses() { return masses_; }
+    [[nodiscard]] std::vector<double>& write_masses();
+
+    /// v += dt f/m with the forces there are. It is done when velocities are asked for, or what it depends on is about
+    /// to change, unless take_kick() comes first: a kick that ends a step and the one that begins the next are then one
+    /// pass over the atoms. So velocities() may write: after a kick its first call must not be one of several threads.
+    /// @pre forces are current
+    void kick(double dt);
+    /// @return dt of a kick that is not done yet, which the caller does; 0 if there is none
+    [[nodiscard]] double take_kick();
 
     /// r on the grid of the box; r itself when there is no box.
     [[nodiscard]] Vec3 snapped(const Vec3& r) const { return box_ ? box_->snap(r) : r; }
@@ -128,6 +136,8 @@ class State {
     [[nodiscard]] double heat() const { return bath.empty() ? 0.0 : bath.front(); }
 
   private:
+    void do_kick() const;
+
     struct Registered {
         std::string name;
         AlignedVector<double> data;
@@ -139,8 +149,9 @@ class State {
     Index ghost_count_ = 0;
     Index order_version_ = 0;
     std::optional<Box> box_;
-    AlignedVector<double> positions_;  // 4 doubles an atom: x y z and padding
-    AlignedVector<double> velocities_;
+    AlignedVector<double> positions_;           // 4 doubles an atom: x y z and padding
+    mutable AlignedVector<double> velocities_;  // what a kick that is due does to them is no change
+    mutable double kick_due_ = 0.0;
     AlignedVector<double> forces_;
     std::vector<double> masses_;
     std::vector<Index> ids_;

@@ -30,11 +30,11 @@ Vec3 increment(const State& state, Index i, double dt) {
 /// Verlet's Taylor start, with positions and displacement put on the grid.
 void begin(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
+    const auto v = static_cast<const State&>(state).velocities();
     for_each_index(state.count(), [&](Index i) {
         const Vec3 half_increment = 0.5 * dt * dt / state.masses()[static_cast<std::size_t>(i)] *
                                     static_cast<const State&>(state).forces().col(i);
-        d.col(i) =
-            on_grid(dt * static_cast<const State&>(state).velocities().col(i) - half_increment, resolution_of(state));
+        d.col(i) = on_grid(dt * v.col(i) - half_increment, resolution_of(state));
     });
 }
 

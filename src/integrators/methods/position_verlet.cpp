@@ -12,9 +12,10 @@ constexpr const char* last_displacement = "position-verlet: displacement of the 
 void begin(State& state, double dt, const std::string& start) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const State& now = state;
+    const auto v = now.velocities();
     for_each_index(state.count(), [&](Index i) {
         const Vec3 dt2_a = dt * dt / state.masses()[static_cast<std::size_t>(i)] * now.forces().col(i);
-        const Vec3 dt_v = dt * now.velocities().col(i);
+        const Vec3 dt_v = dt * v.col(i);
         const Vec3 r = now.positions().col(i);
         if (start == "euler") {
             d.col(i) = dt_v - dt2_a;
