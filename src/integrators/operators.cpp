@@ -37,7 +37,7 @@ void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     double* v = state.write_velocities().data();
     double* r = state.write_positions().data();
     const double* f = static_cast<const State&>(state).forces().data();
-    const double* m = static_cast<const State&>(state).masses().data();
+    const double* m = state.masses().data();
     const double rounding = state.rounding();
     for_each_block(state.count(), loop_block, [=](Index first, Index last) {
         TimeOverMass due(dt_due);

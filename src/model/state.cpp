@@ -134,6 +134,7 @@ std::vector<double>& State::write_masses() {
 
 void State::kick(double dt) {
     do_kick();
+    phase_ = {};
     kick_due_ = dt;
 }
 

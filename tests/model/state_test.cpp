@@ -415,7 +415,9 @@ TEST_CASE("a kick that is taken over is not done") {
     const Eigen::Matrix3Xd before = static_cast<const State&>(state).velocities();
     state.mark_forces_current();
     CHECK(state.take_kick() == 0.0);
+    state.set_phase({"leapfrog", 3});
     state.kick(0.25);
+    CHECK(state.phase().integrator.empty());
     CHECK(state.take_kick() == 0.25);
     CHECK(state.take_kick() == 0.0);
     CHECK(static_cast<const State&>(state).velocities() == before);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "ljmd/core/simd_intel.hpp"
 #include "ljmd/core/simd_raw.hpp"
 
 namespace ljmd::simd::native {
@@ -39,13 +40,6 @@ LJMD_INLINE RawVector<T, lanes> multiply_add(RawVector<T, lanes> a, RawVector<T,
         return a * b + c;
     }
 }
-
-/// Whether additions are done by the units that multiply, so that one fused with a multiplication is one saved.
-#if defined(LJMD_SIMD_FOR_INTEL)
-inline constexpr bool multipliers_add = true;
-#else
-inline constexpr bool multipliers_add = false;
-#endif
 
 /// 1/x, correctly rounded or, where division is slow, within 2 units in the last place; then NaN for 0 and infinity.
 template <class T, int lanes>

@@ -61,6 +61,7 @@ class State {
     /// v += dt f/m with the forces there are. It is done when velocities are asked for, or what it depends on is about
     /// to change, unless take_kick() comes first: a kick that ends a step and the one that begins the next are then one
     /// pass over the atoms. So velocities() may write: after a kick its first call must not be one of several threads.
+    /// Ends the integrator's phase, as writing velocities does.
     /// @pre forces are current
     void kick(double dt);
     /// @return dt of a kick that is not done yet, which the caller does; 0 if there is none
