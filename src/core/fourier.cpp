@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/memory_at_hand.hpp"
 
 namespace ljmd {
 
@@ -39,6 +40,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// What FFTW's planner needs besides the arrays: its tables of methods and of plans, measured as a few hundred
+/// kilobytes.
+constexpr std::size_t planner_memory = std::size_t{4} << 20;
+
 fftw_complex* fftw(AlignedVector<Complex>& values) {
     return reinterpret_cast<fftw_complex*>(values.data());
 }
@@ -48,6 +53,7 @@ fftw_complex* fftw(AlignedVector<Complex>& values) {
 template <typename Planner, typename... Arguments>
 detail::OwnedFourierPlan planned(Planner planner, Arguments... arguments) {
     const auto alone = detail::one_planner_at_a_time();
+    require_memory(planner_memory);
     fftw_plan plan = planner(arguments..., FFTW_ESTIMATE);
     if (plan == nullptr) {
         throw ContractViolation("FFTW has no transform of that kind");

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/memory_at_hand.hpp"
 
 namespace ljmd {
 
@@ -52,6 +53,7 @@ Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {
     const Hdf5Silence silence;
     links_ = Hdf5Handle(checked(H5Pcreate(H5P_LINK_ACCESS), "preparing to open it"), H5Pclose);
     checked(H5Pset_elink_cb(links_.get(), refuse_to_follow, nullptr), "preparing to open it");
+    require_memory(hdf5_file_memory);
     file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (file_) {
         return;

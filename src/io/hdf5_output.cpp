@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/memory_at_hand.hpp"
 #include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
@@ -50,6 +51,7 @@ Hdf5Output::Hdf5Output(std::filesystem::path path) : path_(std::move(path)) {
     checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), doing);
     checked(H5Pset_fapl_sec2(access.get()), doing);
     const Hdf5Handle creation = without_times(H5P_FILE_CREATE);
+    require_memory(hdf5_file_memory);
     file_ = Hdf5Handle(checked(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), doing), H5Fclose);
 }
 

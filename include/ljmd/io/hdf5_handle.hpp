@@ -2,10 +2,15 @@
 
 #include <hdf5.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 
 namespace ljmd {
+
+/// To have at hand (require_memory) where a file is opened: HDF5 crashes when it is refused the memory for it (seen
+/// with 1.10.8).
+inline constexpr std::size_t hdf5_file_memory = std::size_t{4} << 20;
 
 /// Owns one identifier of the HDF5 C API and closes it with the function that belongs to its kind.
 ///
