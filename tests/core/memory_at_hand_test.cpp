@@ -1,6 +1,6 @@
 #include "ljmd/core/memory_at_hand.hpp"
 
-#include <catch2/catch_test_macros.hpp>
+#include <catch2/catch.hpp>
 #include <cstddef>
 #include <fstream>
 #include <new>
