@@ -210,11 +210,9 @@ template <class Arithmetic, bool with_energy, class Pair>
     EnergyAndVirial<V> total;
     const auto own_clusters = static_cast<std::size_t>(task.own_clusters);
     const auto clusters = static_cast<std::size_t>(task.clusters);
-    // Minus the forces on the atoms of a cluster, of each row's atom in lanes of its own.
+    // Minus the forces on the atoms of a cluster, of each row's atom in lanes of its own. Where they are read for the
+    // last time they lie in the nearest cache: zeros are written there, not by a pass of their own.
     auto* const partial = static_cast<Real*>(task.partial_forces);
-    for (std::size_t k = 0; k < clusters * 3; ++k) {
-        V(0).store(partial + k * V::lanes);
-    }
     constexpr std::size_t axis = V::lanes;
     const std::uint32_t* start = task.starts;
     for (std::size_t cluster = 0; cluster < own_clusters; ++cluster) {
@@ -251,6 +249,7 @@ template <class Arithmetic, bool with_energy, class Pair>
         for (std::size_t a = 0; a < 3; ++a) {
             force[a] = (sums_of_atoms<Real>(sums_of_rows[a]) - from_others<V>(partial + own * width + a * axis)) *
                        arithmetic.unit();
+            V(0).store(partial + own * width + a * axis);
         }
         if constexpr (with_energy) {
             total.add_cluster(arithmetic.places(own, 0), arithmetic.places(own, 1), arithmetic.places(own, 2), force);
@@ -262,6 +261,7 @@ template <class Arithmetic, bool with_energy, class Pair>
         Four force[3];
         for (std::size_t a = 0; a < 3; ++a) {
             force[a] = from_others<V>(partial + guest * width + a * axis) * -arithmetic.unit();
+            V(0).store(partial + guest * width + a * axis);
         }
         __builtin_memcpy(task.guest_forces + (guest - own_clusters * stride), force, sizeof force);
         if constexpr (with_energy) {

@@ -23,7 +23,8 @@ struct PairKernelTask {
     const std::int32_t* entries;       ///< see VerletList::Tile
     const std::uint32_t* starts;       ///< see VerletList::Tile
     double cutoff2;                    ///< squared cutoff [sigma^2]
-    void* partial_forces;              ///< room for 12 atoms_per_row numbers a cluster; double, float if mixed
+    void* partial_forces;              ///< 12 atoms_per_row zeros a cluster, which are zeros again in the end; double,
+                                       ///< float if mixed
     double* forces;                    ///< x y z 0 of every atom: forces on the tile's own [epsilon/sigma]
     double* guest_forces;              ///< of each guest cluster the x of its four slots, y, z [epsilon/sigma]
 };
