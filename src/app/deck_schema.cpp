@@ -113,12 +113,12 @@ Schema neighbors_schema() {
                        .at_least(0.0)
                        .at_most(largest_skin)
                        .defaults_to(0.3)
-                       .meaning("the list holds pairs within cutoff + skin, and is rebuilt when an atom has moved "
-                                "by skin/2"),
+                       .meaning("the list holds pairs within cutoff + skin, and is rebuilt before any other pair is "
+                                "within the cutoff"),
                    Key::integer("every")
                        .at_least(1)
                        .at_most(static_cast<double>(most_steps))
-                       .optional("whenever an atom has moved by skin/2")
+                       .optional("whenever a pair could be missed")
                        .meaning("rebuild the list every so many steps, whatever the atoms do, as other programs may: "
                                 "pairs can be missed; verlet-list only")});
 }

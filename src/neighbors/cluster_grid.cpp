@@ -24,6 +24,9 @@ constexpr double most_atoms_per_tile = 4000.0;
 constexpr double fewest_tiles = 2.0;
 constexpr double fewest_atoms_per_tile = 200.0;
 
+/// Edges across z of a cluster, of those of a cube of the same volume.
+constexpr double slimness = 0.93;
+
 /// Slices of a column for each cluster that it has on the mean.
 constexpr double slices_per_cluster = 2.0;
 
@@ -59,18 +62,33 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms) {
         }
         ++tiles_along_[longest];
     }
-    const double width = std::cbrt(slots / density);  // of a cluster that is a cube
+    const double cube = std::cbrt(slots / density);  // edge of a cluster that is one
     for (std::size_t a = 0; a < 3; ++a) {
         const double edge = box.edges()[static_cast<Index>(a)];
-        columns_per_tile_[a] = a == 2 ? 1 : rounded(edge / tiles_along_[a] / width);
-        cells_[a] = tiles_along_[a] * columns_per_tile_[a];
+        const double edge_of_tile = edge / tiles_along_[a];
+        const auto reach_for = [&](int columns) {
+            return static_cast<int>(std::ceil(range_ * columns / edge_of_tile));
+        };
+        const int cubes = a == 2 ? 1 : rounded(edge_of_tile / cube);
+        int columns = a == 2 ? 1 : rounded(edge_of_tile / (slimness * cube));
+        while (columns > cubes && reach_for(columns) > reach_for(cubes)) {
+            --columns;  // to look at more columns costs more than slim ones save
+        }
+        columns_per_tile_[a] = columns;
+        reach_[a] = reach_for(columns);
+        cells_[a] = tiles_along_[a] * columns;
         inverse_width_[static_cast<Index>(a)] = cells_[a] / edge;
-        reach_[a] = static_cast<int>(std::ceil(range_ * inverse_width_[static_cast<Index>(a)]));
     }
     edges_ = box.edges();
     height_ = edges_[2] / cells_[2];
-    slice_count_ = rounded(slices_per_cluster * height_ / width);
+    slice_count_ = rounded(slices_per_cluster * height_ / cube);
     inverse_slice_ = slice_count_ / height_;
+    for (std::size_t a = 0; a < 3; ++a) {
+        numbers_along_[a].clear();
+        for (Cell cell{}; cell[a] < cells_[a]; ++cell[a]) {
+            numbers_along_[a].push_back(column_at(cell));
+        }
+    }
 }
 
 std::int32_t ClusterGrid::column_at(const Cell& cell) const {
@@ -103,6 +121,10 @@ ClusterGrid::Cell ClusterGrid::cell_at(const Vec3& position) const {
         cell[a] = std::clamp(static_cast<int>(position[k] * inverse_width_[k]), 0, cells_[a] - 1);
     }
     return cell;
+}
+
+int ClusterGrid::boxes_away(int cell, std::size_t axis) const {
+    return floor_of(static_cast<double>(cell) / cells_[axis]);
 }
 
 ClusterGrid::Run ClusterGrid::columns(std::size_t tile) const {
@@ -254,9 +276,9 @@ ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
                 int side = 0;  // of the tile to which the column belongs, as seen from this one
                 double left2 = range_ * range_;
                 for (std::size_t a = 0; a < 3; ++a) {
-                    const int edges = floor_of(static_cast<double>(cell[a]) / cells_[a]);
-                    wrapped[a] = cell[a] - edges * cells_[a];
-                    shift[static_cast<Index>(a)] = edges * edges_[static_cast<Index>(a)];
+                    const int boxes = boxes_away(cell[a], a);
+                    wrapped[a] = cell[a] - boxes * cells_[a];
+                    shift[static_cast<Index>(a)] = boxes * edges_[static_cast<Index>(a)];
                     const int before = std::min(0, cell[a] - first[a]);
                     const int behind = std::max(0, cell[a] - first[a] - columns_per_tile_[a] + 1);
                     side = before < 0 ? -1 : behind > 0 ? 1 : side;

@@ -11,6 +11,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/core/threads.hpp"
+#include "ljmd/neighbors/missed_pairs.hpp"
 #include "simd/list_kernel.hpp"
 
 namespace ljmd {
@@ -138,7 +139,9 @@ bool VerletList::is_of(const State& state, double cutoff) const {
 }
 
 bool VerletList::still_valid(const State& state, double cutoff) const {
-    return is_of(state, cutoff) && (every_ ? age_ < *every_ : nothing_moved_too_far(state));
+    return is_of(state, cutoff) &&
+           (every_ ? age_ < *every_
+                   : nothing_moved_too_far(state) || !any_pair_missed(grid_, reference_.data(), state, cutoff, skin_));
 }
 
 bool VerletList::nothing_moved_too_far(const State& state) const {

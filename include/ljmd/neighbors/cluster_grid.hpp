@@ -68,6 +68,8 @@ class ClusterGrid {
 
     /// Columns of a tile.
     [[nodiscard]] Run columns(std::size_t tile) const;
+    /// Of all tiles.
+    [[nodiscard]] Index column_count() const { return static_cast<Index>(column_clusters_.size()) - 1; }
     [[nodiscard]] Run clusters_of_column(std::int32_t column) const;
 
     /// Lowest and highest z of the atoms of a cluster [sigma].
@@ -119,10 +121,13 @@ class ClusterGrid {
     }
 
   private:
+    friend class ColumnsAround;
     using Cell = std::array<int, 3>;
     [[nodiscard]] std::int32_t column_at(const Cell& cell) const;
     [[nodiscard]] Cell cell_of(std::int32_t column) const;
     [[nodiscard]] Cell cell_at(const Vec3& position) const;
+    /// Of a column along an axis: how many whole boxes away from the box it lies.
+    [[nodiscard]] int boxes_away(int cell, std::size_t axis) const;
     /// 0 below the column, slice_count_ + 1 above it. @param above  its lowest z
     [[nodiscard]] Index slice(double above) const {
         return std::clamp(static_cast<int>(above * inverse_slice_ + 1.0), 0, slice_count_ + 1);
@@ -150,6 +155,8 @@ class ClusterGrid {
     /// Of each column and slice: the first cluster that reaches up to the slice, and the first that begins above it.
     std::vector<std::int32_t> slices_;
     std::vector<Run> tiles_;
+    /// The number of a column is the sum of what its places along x, y and z have here.
+    std::array<std::vector<std::int32_t>, 3> numbers_along_;
 };
 
 class ClusterGrid::Neighborhood {

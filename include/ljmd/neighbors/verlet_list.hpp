@@ -19,9 +19,10 @@
 
 namespace ljmd {
 
-/// Verlet's list: for every atom all others within cutoff + skin, kept until some atom has moved by more than skin/2
-/// since. Two atoms that were farther apart than cutoff + skin are then still farther apart than the cutoff, so no pair
-/// is ever missed. Checked at every evaluation, before the list is used.
+/// Verlet's list: for every atom all others within cutoff + skin, kept until a pair that does not stand on it may be
+/// within the cutoff. As long as no atom has moved by more than skin/2 since, two that were farther apart than cutoff +
+/// skin are still farther apart than the cutoff; then those around the atoms that have are looked at, see
+/// any_pair_missed(). No pair is ever missed. Checked at every evaluation, before the list is used.
 ///
 /// For comparison with programs that do so, a list can instead be kept for a fixed number of evaluations. Pairs may be
 /// missed then; at its end it is counted whether an atom has moved too far (SearchStatistics::late_rebuilds).
@@ -89,8 +90,9 @@ class VerletList {
   private:
     /// True when the list was built for this cutoff and box, and atoms in this order.
     [[nodiscard]] bool is_of(const State& state, double cutoff) const;
-    /// True when it is, and no atom has moved by more than skin/2 since, or it is young enough.
+    /// True when it is, and no pair within the cutoff is missing on it, or it is young enough.
     [[nodiscard]] bool still_valid(const State& state, double cutoff) const;
+    /// By more than skin/2.
     [[nodiscard]] bool nothing_moved_too_far(const State& state) const;
     void build(const State& state, double cutoff);
     /// @return distance tests

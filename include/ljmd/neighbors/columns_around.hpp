@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ljmd/core/types.hpp"
+#include "ljmd/neighbors/cluster_grid.hpp"
+
+namespace ljmd {
+
+/// The columns of a ClusterGrid around a point, and images of them.
+class ColumnsAround {
+  public:
+    explicit ColumnsAround(const ClusterGrid& grid) : grid_(grid) {}
+
+    /// Call visit(column, shift) for each column, or image of one, that may hold a point within a radius of a centre,
+    /// until one says true: the whole edges by which an image lies away are its shift [sigma].
+    /// @param center  anywhere [sigma]  @return whether one did
+    template <class Visit>
+    bool any(const Vec3& center, double radius, Visit&& visit);
+
+  private:
+    /// What the columns that share a place along an axis add to their number, shift and squared distance.
+    struct Layer {
+        std::int32_t number;
+        double shift;
+        double gap2;
+    };
+    void look_along(std::size_t axis, double center, double radius);
+
+    const ClusterGrid& grid_;
+    std::array<std::vector<Layer>, 3> layers_;
+};
+
+template <class Visit>
+bool ColumnsAround::any(const Vec3& center, double radius, Visit&& visit) {
+    for (std::size_t a = 0; a < 3; ++a) {
+        look_along(a, center[static_cast<Index>(a)], radius);
+    }
+    const auto& [along_x, along_y, along_z] = layers_;
+    for (const Layer& y : along_y) {
+        for (const Layer& x : along_x) {
+            if (x.gap2 + y.gap2 > radius * radius) {
+                continue;
+            }
+            for (const Layer& z : along_z) {
+                if (visit(x.number + y.number + z.number, Vec3(x.shift, y.shift, z.shift))) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace ljmd

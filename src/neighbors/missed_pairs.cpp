@@ -1,0 +1,133 @@
+#include "ljmd/neighbors/missed_pairs.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "ljmd/core/threads.hpp"
+#include "ljmd/neighbors/columns_around.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// For positions that mixed precision rounds.
+constexpr double wider = 1.0 + 0x1p-21;
+
+/// When there are more than one in so many, a new list costs less than to look around all of them.
+constexpr Index fewest_atoms_a_fast_one = 64;
+
+constexpr Index columns_per_block = 16;
+constexpr Index fast_atoms_per_block = 16;
+
+double squared_distance(const double* a, const double* b, const Vec3& shift) {
+    const double dx = a[0] - b[0] - shift[0];
+    const double dy = a[1] - b[1] - shift[1];
+    const double dz = a[2] - b[2] - shift[2];
+    return dx * dx + dy * dy + dz * dz;
+}
+
+struct Move {
+    Index atom;
+    double length;  ///< [sigma]
+};
+
+/// How far atoms have moved since they were sorted.
+struct Moves {
+    std::vector<Move> fast;          ///< of atoms that are not slow, in their order; NaN among them
+    std::vector<double> of_column;   ///< the longest of its slow and fast atoms [sigma]
+    std::vector<double> of_cluster;  ///< [sigma]
+};
+
+/// @param slow  up to that length [sigma]
+Moves find_moves(const ClusterGrid& grid, const double* before, const double* now, double slow) {
+    Moves moves;
+    moves.of_column.resize(static_cast<std::size_t>(grid.column_count()));
+    moves.of_cluster.resize(static_cast<std::size_t>(grid.cluster_count()));
+    const auto fast_in_columns = [&](Index first, Index last) {
+        std::vector<Move> fast;
+        for (Index column = first; column < last; ++column) {
+            const ClusterGrid::Run clusters = grid.clusters_of_column(static_cast<std::int32_t>(column));
+            double longest2_of_column = 0.0;
+            for (Index cluster = clusters.first; cluster < clusters.last; ++cluster) {
+                const AtomRange atoms = grid.atoms_of_cluster(cluster);
+                double longest2 = 0.0;
+                for (Index i = atoms.first; i < atoms.last; ++i) {
+                    const double length2 = squared_distance(now + 4 * i, before + 4 * i, Vec3::Zero());
+                    longest2 = std::max(longest2, length2);
+                    if (!(length2 <= slow * slow)) {
+                        fast.push_back({i, std::sqrt(length2)});
+                    }
+                }
+                moves.of_cluster[static_cast<std::size_t>(cluster)] = std::sqrt(longest2);
+                longest2_of_column = std::max(longest2_of_column, longest2);
+            }
+            moves.of_column[static_cast<std::size_t>(column)] = std::sqrt(longest2_of_column);
+        }
+        return fast;
+    };
+    moves.fast = join_blocks(
+        grid.column_count(), columns_per_block, std::vector<Move>{}, fast_in_columns,
+        [](std::vector<Move>& all, const std::vector<Move>& next) { all.insert(all.end(), next.begin(), next.end()); });
+    return moves;
+}
+
+}  // namespace
+
+bool any_pair_missed(const ClusterGrid& grid, const double* before, const State& state, double cutoff, double skin) {
+    const double* now = state.positions().data();
+    const double reach = cutoff * wider;
+    const double range = (cutoff + skin) * (1.0 - 0x1p-40);  // all within it stand on lists
+    const double harmless = std::max(0.0, range - reach);    // for two atoms together
+    const Moves moves = find_moves(grid, before, now, 0.5 * harmless);
+
+    if (static_cast<Index>(moves.fast.size()) * fewest_atoms_a_fast_one > state.count()) {
+        return true;
+    }
+    double longest = 0.0;
+    for (const Move& move : moves.fast) {
+        if (!(move.length <= skin)) {
+            return true;
+        }
+        longest = std::max(longest, move.length);
+    }
+
+    const auto missed_around = [&](ColumnsAround& around, const Move& move) {
+        const double* here = now + 4 * move.atom;
+        const double* there = before + 4 * move.atom;
+        const double enough = harmless - move.length;  // of another, to be missed
+        return around.any(Vec3(here[0], here[1], here[2]), reach + longest,
+                          [&](std::int32_t column, const Vec3& shift) {
+                              if (moves.of_column[static_cast<std::size_t>(column)] < enough) {
+                                  return false;
+                              }
+                              const ClusterGrid::Run clusters = grid.clusters_of_column(column);
+                              for (Index cluster = clusters.first; cluster < clusters.last; ++cluster) {
+                                  if (moves.of_cluster[static_cast<std::size_t>(cluster)] < enough) {
+                                      continue;
+                                  }
+                                  const AtomRange atoms = grid.atoms_of_cluster(cluster);
+                                  for (Index j = atoms.first; j < atoms.last; ++j) {
+                                      if (squared_distance(here, now + 4 * j, shift) < reach * reach &&
+                                          squared_distance(there, before + 4 * j, shift) >= range * range) {
+                                          return true;
+                                      }
+                                  }
+                              }
+                              return false;
+                          });
+    };
+    std::atomic<bool> missed = false;
+    for_each_block(static_cast<Index>(moves.fast.size()), fast_atoms_per_block, [&](Index first, Index last) {
+        ColumnsAround around(grid);
+        for (Index k = first; k < last && !missed; ++k) {
+            if (missed_around(around, moves.fast[static_cast<std::size_t>(k)])) {
+                missed = true;
+            }
+        }
+    });
+    return missed;
+}
+
+}  // namespace ljmd
