@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
@@ -201,12 +202,14 @@ TEST_CASE("thermostats that keep the motion conserve energy and heat together", 
         Bathed<PairForceField> fluid(start, test::lennard_jones("force-shifted"),
                                      test::made_thermostat(name, test::bath_of(start, 0.75, 0.004)), 0.004);
         LinearTrend energy;
+        double most_heat = 0.0;  // it comes and goes
         for (int n = 0; n < 2000; ++n) {
             fluid.run(10);
             energy.add(0.04 * n, fluid.conserved_energy() / static_cast<double>(start.count()));
+            most_heat = std::max(most_heat, std::abs(fluid.state().heat()));
         }
         CHECK(std::abs(energy.slope().value()) < 1e-6);
-        CHECK(std::abs(fluid.state().heat()) > 1.0);
+        CHECK(most_heat > 1.0);
     }
 }
 
