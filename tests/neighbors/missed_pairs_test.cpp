@@ -123,6 +123,27 @@ TEST_CASE("a pair that meets through walls, edges and corners of the box is miss
     CHECK(!sorted.missed());
 }
 
+TEST_CASE("a pair is missed wherever walls of columns lie between the two, and where they were before") {
+    const Box box(Vec3::Constant(12.0));
+    std::vector<Vec3> places = random_positions(300, Box(Vec3::Constant(11.0)), 5);
+    int missed = 0;
+    constexpr int rounds = 400;
+    for (int round = 0; round < rounds; ++round) {
+        const Vec3 here = Random(9, RandomStream::positions).uniform(0, round).cwiseProduct(box.edges());
+        const Vec3 along = round % 2 == 0 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, -1.0, 0.0);
+        places.resize(300);
+        places.push_back(here);
+        places.emplace_back(here + 2.801 * along);
+        State state = test::state_of(places, box);
+        state.wrap();
+        Sorted sorted(state);
+        sorted.move(sorted.of_id(300), 0.51 * skin * along);
+        sorted.move(sorted.of_id(301), -0.499 * skin * along);
+        missed += sorted.missed() ? 1 : 0;
+    }
+    CHECK(missed == rounds);
+}
+
 TEST_CASE("nobody looks around too many fast atoms, one that went the whole skin, or one that is nowhere") {
     Sorted sorted(test::random_state(640, Box(Vec3::Constant(9.2)), 17));
     CHECK(!sorted.missed());
