@@ -20,7 +20,7 @@ using Image = std::tuple<Index, double, double, double>;  // column and shift
 TEST_CASE("all atoms around a point, images included, are in columns around it, each of which is met once") {
     const Box box(GENERATE(Vec3(8.0, 8.0, 8.0), Vec3(5.1, 9.3, 17.0), Vec3(21.0, 6.0, 5.5)));
     const double density = GENERATE(0.05, 0.8442);
-    const Vec3 edges = box.edges();  // rounded
+    const Vec3& edges = box.edges();  // rounded
     State state = test::random_state(static_cast<Index>(density * box.volume()), box, 11);
     ClusterGrid grid;
     grid.configure(box, 2.8, state.count());
@@ -54,7 +54,8 @@ TEST_CASE("all atoms around a point, images included, are in columns around it, 
         }
         for (Index i = 0; i < state.count(); ++i) {
             for (int n = 0; n < 125; ++n) {
-                const Vec3 shift = Vec3(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2).cwiseProduct(edges);
+                const Eigen::Vector3i boxes(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2);
+                const Vec3 shift = boxes.cast<double>().cwiseProduct(edges);
                 if ((r.col(i) + shift - center).norm() < radius) {
                     ++found;
                     lost +=

@@ -48,7 +48,8 @@ bool missed_by_all_pairs(const Sorted& sorted) {
     for (Index i = 0; i < state.count(); ++i) {
         for (Index j = 0; j < state.count(); ++j) {
             for (int n = 0; n < 27; ++n) {
-                const Vec3 shift = Vec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1).cwiseProduct(state.box().edges());
+                const Eigen::Vector3i boxes(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+                const Vec3 shift = boxes.cast<double>().cwiseProduct(state.box().edges());
                 if ((r.col(i) - r.col(j) - shift).norm() < cutoff &&
                     (sorted.was(i) - sorted.was(j) - shift).norm() >= cutoff + skin) {
                     return true;
