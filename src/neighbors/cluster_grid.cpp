@@ -33,14 +33,27 @@ constexpr double slices_per_cluster = 2.0;
 /// Numbers of atoms are counted in 32 bits.
 constexpr Index most_atoms = Index{1} << 30;
 
-constexpr Index columns_per_block = 16;
-
 int floor_of(double x) {
     return static_cast<int>(std::floor(x));
 }
 
 int rounded(double x) {
     return std::max(1, static_cast<int>(std::lround(x)));
+}
+
+/// How many columns to each side are within range, when so many share an edge.
+int columns_to_look(int columns, double edge, double range) {
+    return static_cast<int>(std::ceil(range * columns / edge));
+}
+
+/// Columns along an edge of a tile: slim ones, unless there are more to look at than if clusters were cubes.
+int columns_along(double edge, double cube, double range) {
+    const int cubes = rounded(edge / cube);
+    int columns = rounded(edge / (slimness * cube));
+    while (columns > cubes && columns_to_look(columns, edge, range) > columns_to_look(cubes, edge, range)) {
+        --columns;
+    }
+    return columns;
 }
 
 }  // namespace
@@ -66,17 +79,9 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms) {
     for (std::size_t a = 0; a < 3; ++a) {
         const double edge = box.edges()[static_cast<Index>(a)];
         const double edge_of_tile = edge / tiles_along_[a];
-        const auto reach_for = [&](int columns) {
-            return static_cast<int>(std::ceil(range_ * columns / edge_of_tile));
-        };
-        const int cubes = a == 2 ? 1 : rounded(edge_of_tile / cube);
-        int columns = a == 2 ? 1 : rounded(edge_of_tile / (slimness * cube));
-        while (columns > cubes && reach_for(columns) > reach_for(cubes)) {
-            --columns;  // to look at more columns costs more than slim ones save
-        }
-        columns_per_tile_[a] = columns;
-        reach_[a] = reach_for(columns);
-        cells_[a] = tiles_along_[a] * columns;
+        columns_per_tile_[a] = a == 2 ? 1 : columns_along(edge_of_tile, cube, range_);
+        reach_[a] = columns_to_look(columns_per_tile_[a], edge_of_tile, range_);
+        cells_[a] = tiles_along_[a] * columns_per_tile_[a];
         inverse_width_[static_cast<Index>(a)] = cells_[a] / edge;
     }
     edges_ = box.edges();

@@ -18,7 +18,6 @@ constexpr double wider = 1.0 + 0x1p-21;
 /// When there are more than one in so many, a new list costs less than to look around all of them.
 constexpr Index fewest_atoms_a_fast_one = 64;
 
-constexpr Index columns_per_block = 16;
 constexpr Index fast_atoms_per_block = 16;
 
 double squared_distance(const double* a, const double* b, const Vec3& shift) {
@@ -68,7 +67,7 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const double* no
         return fast;
     };
     moves.fast = join_blocks(
-        grid.column_count(), columns_per_block, std::vector<Move>{}, fast_in_columns,
+        grid.column_count(), ClusterGrid::columns_per_block, std::vector<Move>{}, fast_in_columns,
         [](std::vector<Move>& all, const std::vector<Move>& next) { all.insert(all.end(), next.begin(), next.end()); });
     return moves;
 }

@@ -121,6 +121,7 @@ void VerletList::prepare(State& state, double cutoff) {
     if (still_valid(state, cutoff)) {
         ++age_;
     } else {
+        // Not any_pair_missed(): a pair that came within the cutoff meanwhile may have left by now.
         if (is_of(state, cutoff) && every_ && !nothing_moved_too_far(state)) {
             ++statistics_.late_rebuilds;
         }

@@ -68,6 +68,8 @@ class ClusterGrid {
 
     /// Columns of a tile.
     [[nodiscard]] Run columns(std::size_t tile) const;
+    /// Columns a block of loops over them, see threads.hpp.
+    static constexpr Index columns_per_block = 16;
     /// Of all tiles.
     [[nodiscard]] Index column_count() const { return static_cast<Index>(column_clusters_.size()) - 1; }
     [[nodiscard]] Run clusters_of_column(std::int32_t column) const;
