@@ -42,7 +42,7 @@ class CandidatesOfCluster {
         std::int32_t points = 0;
         for (const ClusterGrid::Near& other : near) {
             if (!grid_.may_reach(other, extent)) {
-                continue;  // for most clusters, all columns of the next tiles along z
+                break;  // for most clusters, at the first column of the next tiles along z; the others lie no lower
             }
             const ClusterGrid::Run window = grid_.window(other, extent);
             const std::int32_t least = other.column.guest ? 0 : static_cast<std::int32_t>(cluster) + 1;
@@ -146,18 +146,19 @@ bool VerletList::still_valid(const State& state, double cutoff) const {
 }
 
 bool VerletList::nothing_moved_too_far(const State& state) const {
-    const double* reference = reference_.data();
-    const double* r = state.positions().data();
+    // With the zero behind each three, see VectorView.
+    const Eigen::Map<const Eigen::Array4Xd> before(reference_.data(), 4, state.count());
+    const Eigen::Map<const Eigen::Array4Xd> now(state.positions().data(), 4, state.count());
     const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // a hair less, for the rounding in the distances
     const double limit2 = limit * limit;
     std::atomic<bool> valid = true;
     for_each_block(state.count(), loop_block, [&](Index first, Index last) {
+        if (!valid.load(std::memory_order_relaxed)) {
+            return;
+        }
         Index near = 0;
         for (Index i = first; i < last; ++i) {
-            const double dx = r[4 * i] - reference[4 * i];
-            const double dy = r[4 * i + 1] - reference[4 * i + 1];
-            const double dz = r[4 * i + 2] - reference[4 * i + 2];
-            near += dx * dx + dy * dy + dz * dz <= limit2 ? 1 : 0;  // NaN counts as moved
+            near += (now.col(i) - before.col(i)).matrix().squaredNorm() <= limit2 ? 1 : 0;  // NaN counts as moved
         }
         if (near < last - first) {
             valid = false;
@@ -210,8 +211,8 @@ void VerletList::build(const State& state, double cutoff) {
     find_guests_owners();
 
     reference_.resize(4 * static_cast<std::size_t>(state.count()));
-    for_each_index(state.count(), [&, r = state.positions().data()](Index i) {
-        std::copy_n(r + 4 * i, 4, reference_.data() + 4 * i);
+    for_each_block(state.count(), loop_block, [&, r = state.positions().data()](Index first, Index last) {
+        std::copy(r + 4 * first, r + 4 * last, reference_.data() + 4 * first);
     });
     built_for_cutoff_ = cutoff;
     built_for_edges_ = state.box().edges();
