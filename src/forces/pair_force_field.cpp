@@ -104,7 +104,7 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
         const auto numbers = per_cluster * static_cast<std::size_t>(tile.cluster_count);
         const auto partial = numbers * static_cast<std::size_t>(list.atoms_per_row());
         workspace.partial_forces.resize(std::max(workspace.partial_forces.size(), partial));
-        guest_forces_[t].resize(numbers - per_cluster * static_cast<std::size_t>(own.length()));
+        guest_forces_[t].resize(per_cluster * static_cast<std::size_t>(tile.cluster_count - own.length()) + 1);
         const PairKernelTask task{
             mixed ? static_cast<const void*>(workspace.fixed_positions.data()) : workspace.positions.data(),
             fixed_point.unit(),
@@ -144,21 +144,17 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
 /// What the atoms of a tile got as guests of others, tile by tile in the order of these.
 void PairForceField::add_guest_forces(const VerletList& list, State& state) const {
     double* forces = state.write_forces().data();
-    constexpr Index slots = ClusterGrid::slots;
     for_each_block(static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
         for (const VerletList::Away& away : list.away(tile)) {
-            const VerletList::Tile& host = list.tiles()[away.tile];
-            const ClusterGrid::Guests& guests = host.guests[away.guests];
-            const Index first_guest = host.guests.front().first;
-            const double* from = guest_forces_[away.tile].data() + 3 * slots * (guests.first - first_guest);
-            for (Index cluster = guests.of.first; cluster < guests.of.last; ++cluster, from += 3 * slots) {
-                const AtomRange atoms = list.clusters().atoms_of_cluster(cluster);
-                for (Index k = 0; k < atoms.count(); ++k) {
-                    double* force = forces + 4 * (atoms.first + k);
-                    force[0] += from[k];
-                    force[1] += from[slots + k];
-                    force[2] += from[2 * slots + k];
-                }
+            const auto& all = list.tiles()[away.tile].guests;
+            const ClusterGrid::Guests& guests = all[away.guests];
+            const double* from =
+                guest_forces_[away.tile].data() + 3 * ClusterGrid::slots * (guests.first - all.front().first);
+            // Of clusters that follow each other in a column only the last may have slots without an atom, so slots
+            // and atoms are in step.
+            const AtomRange atoms = list.clusters().atoms_of(guests.of);
+            for (Index i = atoms.first; i < atoms.last; ++i, from += 3) {
+                Eigen::Map<Vec3>(forces + 4 * i) += Eigen::Map<const Vec3>(from);
             }
         }
     });

@@ -44,7 +44,7 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const double* no
     Moves moves;
     moves.of_column.resize(static_cast<std::size_t>(grid.column_count()));
     moves.of_cluster.resize(static_cast<std::size_t>(grid.cluster_count()));
-    const auto length2_of = [&](Index i) {  // with the zero behind each three, see VectorView
+    const auto length2_of = [&](Index i) {  // with the zeros behind x y z
         using Atom = Eigen::Map<const Eigen::Vector4d>;
         return (Atom(now + 4 * i) - Atom(before + 4 * i)).squaredNorm();
     };

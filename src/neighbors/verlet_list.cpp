@@ -146,7 +146,7 @@ bool VerletList::still_valid(const State& state, double cutoff) const {
 }
 
 bool VerletList::nothing_moved_too_far(const State& state) const {
-    // With the zero behind each three, see VectorView.
+    // With the zeros behind x y z, see VectorView: whole vectors.
     const Eigen::Map<const Eigen::Array4Xd> before(reference_.data(), 4, state.count());
     const Eigen::Map<const Eigen::Array4Xd> now(state.positions().data(), 4, state.count());
     const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // a hair less, for the rounding in the distances

@@ -74,8 +74,6 @@ TEMPLATE_TEST_CASE("vectors compute lane by lane what numbers do", "", (Vec<doub
     same_in_every_lane(
         x, [](V v) { return max(v, V(3)); }, [](T v) { return std::max(v, T(3)); });
     same_in_every_lane(
-        x, [](V v) { return min(v, V(3)); }, [](T v) { return std::min(v, T(3)); });
-    same_in_every_lane(
         x, [](V v) { return where_less(v, V(3), V(7)); }, [](T v) { return v < T(3) ? T(7) : T(0); });
     same_in_every_lane(
         x, [](V v) { return multiply_add(v, V(2), V(1)); }, [](T v) { return v * T(2) + T(1); });

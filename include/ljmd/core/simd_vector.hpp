@@ -80,7 +80,6 @@ struct Vec {
 
     /// Lane by lane the larger one; b where a is NaN.
     LJMD_INLINE friend Vec max(Vec a, Vec b) { return Vec(larger<T, lanes_>(a.raw, b.raw)); }
-    LJMD_INLINE friend Vec min(Vec a, Vec b) { return Vec(a.raw < b.raw ? a.raw : b.raw); }
 
     /// x in the lanes where a < b, 0 elsewhere, also where x is infinite or NaN.
     LJMD_INLINE friend Vec where_less(Vec a, Vec b, Vec x) {

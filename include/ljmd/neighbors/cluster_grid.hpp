@@ -52,15 +52,14 @@ class ClusterGrid {
     /// Clusters of each tile. Some may have none.
     [[nodiscard]] std::span<const Run> tiles() const { return tiles_; }
 
-    [[nodiscard]] AtomRange atoms_of_tile(Index tile) const {
-        const Run& clusters = tiles_[static_cast<std::size_t>(tile)];
-        return {first_atoms_[static_cast<std::size_t>(clusters.first)],
-                first_atoms_[static_cast<std::size_t>(clusters.last)]};
-    }
-
     /// The first atom of each cluster, and the number of atoms behind the last.
     [[nodiscard]] std::span<const std::uint32_t> first_atoms() const { return first_atoms_; }
 
+    [[nodiscard]] AtomRange atoms_of(const Run& clusters) const {
+        return {first_atoms_[static_cast<std::size_t>(clusters.first)],
+                first_atoms_[static_cast<std::size_t>(clusters.last)]};
+    }
+    [[nodiscard]] AtomRange atoms_of_tile(Index tile) const { return atoms_of(tiles_[static_cast<std::size_t>(tile)]); }
     [[nodiscard]] AtomRange atoms_of_cluster(Index cluster) const {
         const auto c = static_cast<std::size_t>(cluster);
         return {first_atoms_[c], first_atoms_[c + 1]};

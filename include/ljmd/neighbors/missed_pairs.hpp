@@ -17,7 +17,7 @@ namespace ljmd {
 ///
 /// Exact but for rounding, for which pairs within a cutoff 5e-7 of itself wider count.
 /// @param grid    of the atoms as they are ordered now
-/// @param before  x y z of each atom when they were sorted, and one more number [sigma]
+/// @param before  x y z of each atom when they were sorted, and behind them the zero of VectorView [sigma]
 /// @param cutoff  > 0 [sigma]  @param skin  >= 0 [sigma]
 [[nodiscard]] bool any_pair_missed(const ClusterGrid& grid, const double* before, const State& state, double cutoff,
                                    double skin);

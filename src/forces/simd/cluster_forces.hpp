@@ -58,7 +58,10 @@ LJMD_INLINE Four from_others(const typename V::Value* others) {
     return in_double(sum_of_pieces<typename V::Value, V::lanes>(V::load(others).raw));
 }
 
-/// Write the forces on the atoms of a cluster, x y z 0 each. @param f  by axes
+/// Write the forces on the atoms of a cluster, x y z 0 each.
+/// @tparam stride  from one x to the next; of 3, all zeros but the last are overwritten
+/// @param f  by axes
+template <std::size_t stride>
 LJMD_INLINE void write_forces(const Four (&f)[3], std::size_t atoms, double* to) {
     const Four none{};
     const Four xy01 = __builtin_shufflevector(f[0], f[1], 0, 4, 1, 5);
@@ -67,7 +70,7 @@ LJMD_INLINE void write_forces(const Four (&f)[3], std::size_t atoms, double* to)
     const Four z23 = __builtin_shufflevector(f[2], none, 2, 6, 3, 7);
     const auto write = [&](std::size_t k, Four of_atom) {
         if (k < atoms) {
-            __builtin_memcpy(to + slots * k, &of_atom, sizeof of_atom);
+            __builtin_memcpy(to + stride * k, &of_atom, sizeof of_atom);
         }
     };
     write(0, __builtin_shufflevector(xy01, z01, 0, 1, 4, 5));

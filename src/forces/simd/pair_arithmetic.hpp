@@ -49,27 +49,30 @@ LJMD_INLINE simd::RawVector<T, lanes> repeated(const T* numbers) {
 template <class V>
 struct Separation {
     V dx, dy, dz;  ///< in the arithmetic's unit
-    V r2;          ///< [sigma^2]
+    V square;      ///< dx^2 + dy^2 + dz^2
 };
 
 /// What takes long of the distances of pairs, to be begun ahead.
-template <class V, bool takes_root>
+template <class Arithmetic, bool takes_root>
 class Begun {
   public:
+    using V = typename Arithmetic::V;
+
     Begun() = default;
-    LJMD_INLINE explicit Begun(V r2) {
+    LJMD_INLINE Begun(const Arithmetic& arithmetic, V square) {
         if constexpr (by_inverse_root) {
-            inverse_r_ = inverse_root(r2);
+            inverse_r_ = inverse_root(arithmetic.in_sigma2(square));
         } else {
-            inverse_r2_ = reciprocal(r2);
+            inverse_r2_ = arithmetic.inverse_of(square);
             if constexpr (takes_root) {
-                r_ = sqrt(r2);
+                r_ = sqrt(arithmetic.in_sigma2(square));
             }
         }
     }
 
-    /// @param r2  as before  @return without r and 1/r unless they are asked for
-    [[nodiscard]] LJMD_INLINE PairDistance<V> distance(V r2) const {
+    /// @param square  as before  @return without r and 1/r unless they are asked for
+    [[nodiscard]] LJMD_INLINE PairDistance<V> distance(const Arithmetic& arithmetic, V square) const {
+        const V r2 = arithmetic.in_sigma2(square);
         if constexpr (by_inverse_root) {
             return {r2, inverse_r_ * inverse_r_, r2 * inverse_r_, inverse_r_};
         } else if constexpr (takes_root) {
@@ -119,6 +122,9 @@ class DoubleArithmetic {
 
     /// What dx = 1 means [sigma].
     [[nodiscard]] double unit() const { return 1.0; }
+    /// r^2 of a separation, and 1/r^2.
+    LJMD_INLINE V in_sigma2(V square) const { return square; }
+    LJMD_INLINE V inverse_of(V square) const { return reciprocal(square); }
 
   private:
     const double* positions_;
@@ -135,7 +141,8 @@ class MixedArithmetic {
     explicit MixedArithmetic(const PairKernelTask& task)
         : positions_(static_cast<const std::int32_t*>(task.positions)),
           unit_(task.unit),
-          unit2_(task.unit * task.unit) {}
+          unit2_(task.unit * task.unit),
+          per_unit2_(1.0 / (task.unit * task.unit)) {}
 
     [[nodiscard]] const std::int32_t* cluster(std::size_t entry) const { return positions_ + entry; }
 
@@ -150,7 +157,7 @@ class MixedArithmetic {
         const V dx(__builtin_convertvector(x_ - repeated<std::int32_t, V::lanes>(r), V::Raw));
         const V dy(__builtin_convertvector(y_ - repeated<std::int32_t, V::lanes>(r + to_y), V::Raw));
         const V dz(__builtin_convertvector(z_ - repeated<std::int32_t, V::lanes>(r + to_z), V::Raw));
-        return {dx, dy, dz, multiply_add(dz, dz, multiply_add(dy, dy, dx * dx)) * unit2_};
+        return {dx, dy, dz, multiply_add(dz, dz, multiply_add(dy, dy, dx * dx))};
     }
 
     LJMD_INLINE Four places(std::size_t entry, std::ptrdiff_t axis) const {
@@ -159,7 +166,10 @@ class MixedArithmetic {
         return (__builtin_convertvector(integers, Four) - static_cast<double>(*along)) * unit_;
     }
 
+    // The unit is a power of two, so no bit depends on where it comes in: at the division it costs nothing.
     [[nodiscard]] double unit() const { return unit_; }
+    LJMD_INLINE V in_sigma2(V square) const { return square * unit2_; }
+    LJMD_INLINE V inverse_of(V square) const { return per_unit2_ / square; }
 
   private:
     using Raw = simd::RawVector<std::int32_t, V::lanes>;
@@ -167,6 +177,7 @@ class MixedArithmetic {
     const std::int32_t* positions_;
     double unit_;
     V unit2_;
+    V per_unit2_;
     Raw x_, y_, z_;
 };
 

@@ -14,23 +14,34 @@ namespace {
 /// How many clusters ahead of the one whose forces are worked out separations, quotients and roots are begun. A
 /// processor looks at the next hundred or two of instructions for what can be done while others wait, which is less
 /// than the latencies from a separation to a force ask for. So far ahead only the 32 registers of AVX-512 reach; 16
-/// hold the separations from one cluster beside those from the next.
+/// hold the separations from one cluster beside those from the next. In mixed precision a division is one instruction
+/// and two clusters are as far, where multipliers add; a third would leave too few registers.
 template <class V>
-constexpr std::size_t lead = sizeof(typename V::Raw) == 64 ? 3 : 0;
+constexpr std::size_t clusters_ahead() {
+    constexpr bool single = sizeof(typename V::Value) == sizeof(float);
+    if (sizeof(typename V::Raw) != 64) {
+        return 0;
+    }
+    return single && simd::multipliers_add ? 2 : 3;
+}
+template <class V>
+constexpr std::size_t lead = clusters_ahead<V>();
 
 /// Sums over the pairs of a row, by lanes.
-template <class V, bool with_energy>
+template <class Arithmetic, bool with_energy>
 class Sums {
   public:
+    using V = typename Arithmetic::V;
+
     V fx{0}, fy{0}, fz{0};
     V u{0};
 
     /// @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
     template <class Pair>
-    LJMD_INLINE void add(const Pair& pair, V cutoff2, const Separation<V>& d, const Begun<V, Pair::takes_root>& begun,
-                         typename V::Value* others) {
-        const auto term = pair(begun.distance(d.r2));
-        const V w = where_less(d.r2, cutoff2, term.w);
+    LJMD_INLINE void add(const Arithmetic& arithmetic, const Pair& pair, V cutoff2, const Separation<V>& d,
+                         const Begun<Arithmetic, Pair::takes_root>& begun, typename V::Value* others) {
+        const auto term = pair(begun.distance(arithmetic, d.square));
+        const V w = where_less(d.square, cutoff2, term.w);
         // All are read before any is written. One by one would take a tenth longer.
         constexpr std::size_t axis = V::lanes;
         V x = V::load(others);
@@ -43,7 +54,7 @@ class Sums {
         y.store(others + axis);
         z.store(others + 2 * axis);
         if constexpr (with_energy) {
-            u += where_less(d.r2, cutoff2, term.u);
+            u += where_less(d.square, cutoff2, term.u);
         }
     }
 };
@@ -58,7 +69,7 @@ struct Aside {
         for (std::size_t atom = 0; atom < slots; ++atom) {
             const std::size_t in_row = atom % (slots / rows);
             for (std::size_t other = 0; other <= atom; ++other) {
-                of_row[atom / (slots / rows)][in_row * slots + other] = typename V::Value(1e15);
+                of_row[atom / (slots / rows)][in_row * slots + other] = typename V::Value(1e30);
             }
         }
     }
@@ -118,8 +129,8 @@ class Row {
             next = arithmetic_.separation(place(0));
         }
         Separation<V> d = arithmetic_.separation(own);
-        d.r2 += V::load_unaligned(aside);
-        meet(d, Started(d.r2), own);
+        d.square += V::load_unaligned(aside);
+        meet(d, Started(arithmetic_, d.square), own);
         if (far_ahead) {
             while (take_turns(end, std::make_index_sequence<lead<V> + 1>())) {
             }
@@ -129,29 +140,29 @@ class Row {
             d = next;
             const std::size_t now = place(0);
             next = arithmetic_.separation(place(1));
-            meet(d, Started(d.r2), now);
+            meet(d, Started(arithmetic_, d.square), now);
             ++entry_;
         }
     }
 
-    Sums<V, with_energy> sums;
+    Sums<Arithmetic, with_energy> sums;
 
   private:
     static constexpr std::size_t width = atoms_per_row<V>;
-    using Started = Begun<V, Pair::takes_root>;
+    using Started = Begun<Arithmetic, Pair::takes_root>;
 
     [[nodiscard]] LJMD_INLINE std::size_t place(std::size_t offset) const {
         return static_cast<std::uint32_t>(entry_[offset]);
     }
 
     LJMD_INLINE void meet(const Separation<V>& d, const Started& begun, std::size_t there) {
-        sums.add(pair_, cutoff2_, d, begun, partial_ + there * width);
+        sums.add(arithmetic_, pair_, cutoff2_, d, begun, partial_ + there * width);
     }
 
     /// Begin what there is to do with the entry so many behind the present one.
     LJMD_INLINE void look(std::size_t slot, std::size_t offset) {
         ahead_[slot].d = arithmetic_.separation(place(offset));
-        ahead_[slot].begun = Started(ahead_[slot].d.r2);
+        ahead_[slot].begun = Started(arithmetic_, ahead_[slot].d.square);
     }
     template <std::size_t... offset>
     LJMD_INLINE void look_ahead(std::index_sequence<offset...>) {
@@ -205,8 +216,8 @@ template <class Arithmetic, bool with_energy, class Pair>
     constexpr std::size_t width = atoms_per_row<V>;
     constexpr std::size_t stride = std::size_t{3} * slots;
     const Pair pair = *static_cast<const Pair*>(potential);
-    const V cutoff2(task.cutoff2);
     Arithmetic arithmetic(task);
+    const V cutoff2(task.cutoff2 / (arithmetic.unit() * arithmetic.unit()));
     EnergyAndVirial<V> total;
     const auto own_clusters = static_cast<std::size_t>(task.own_clusters);
     const auto clusters = static_cast<std::size_t>(task.clusters);
@@ -254,7 +265,7 @@ template <class Arithmetic, bool with_energy, class Pair>
         if constexpr (with_energy) {
             total.add_cluster(arithmetic.places(own, 0), arithmetic.places(own, 1), arithmetic.places(own, 2), force);
         }
-        write_forces(force, atoms, task.forces + slots * first_atom);
+        write_forces<4>(force, atoms, task.forces + 4 * first_atom);
     }
     for (std::size_t cluster = own_clusters; cluster < clusters; ++cluster) {
         const std::size_t guest = cluster * stride;
@@ -263,7 +274,7 @@ template <class Arithmetic, bool with_energy, class Pair>
             force[a] = from_others<V>(partial + guest * width + a * axis) * -arithmetic.unit();
             V(0).store(partial + guest * width + a * axis);
         }
-        __builtin_memcpy(task.guest_forces + (guest - own_clusters * stride), force, sizeof force);
+        write_forces<3>(force, slots, task.guest_forces + (guest - own_clusters * stride));
         if constexpr (with_energy) {
             total.add_cluster(arithmetic.places(guest, 0), arithmetic.places(guest, 1), arithmetic.places(guest, 2),
                               force);

@@ -26,7 +26,7 @@ struct PairKernelTask {
     void* partial_forces;              ///< 12 atoms_per_row zeros a cluster, which are zeros again in the end; double,
                                        ///< float if mixed
     double* forces;                    ///< x y z 0 of every atom: forces on the tile's own [epsilon/sigma]
-    double* guest_forces;              ///< of each guest cluster the x of its four slots, y, z [epsilon/sigma]
+    double* guest_forces;              ///< x y z of every slot of its guests, and one more number [epsilon/sigma]
 };
 
 /// Over the pairs of a task, each once.
