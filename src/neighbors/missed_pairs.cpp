@@ -44,10 +44,6 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const double* no
     Moves moves;
     moves.of_column.resize(static_cast<std::size_t>(grid.column_count()));
     moves.of_cluster.resize(static_cast<std::size_t>(grid.cluster_count()));
-    const auto length2_of = [&](Index i) {  // with the zeros behind x y z
-        using Atom = Eigen::Map<const Eigen::Vector4d>;
-        return (Atom(now + 4 * i) - Atom(before + 4 * i)).squaredNorm();
-    };
     const auto fast_in_columns = [&](Index first, Index last) {
         std::vector<Move> fast;
         for (Index column = first; column < last; ++column) {
@@ -57,7 +53,7 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const double* no
                 const AtomRange atoms = grid.atoms_of_cluster(cluster);
                 double longest2 = 0.0;
                 for (Index i = atoms.first; i < atoms.last; ++i) {
-                    const double length2 = length2_of(i);
+                    const double length2 = squared_displacement(now, before, i);
                     longest2 = std::max(longest2, length2);
                     if (!(length2 <= slow * slow)) {
                         fast.push_back({i, std::sqrt(length2)});

@@ -41,8 +41,8 @@ class CandidatesOfCluster {
         int runs = 0;
         std::int32_t points = 0;
         for (const ClusterGrid::Near& other : near) {
-            if (!grid_.may_reach(other, extent)) {
-                break;  // for most clusters, at the first column of the next tiles along z; the others lie no lower
+            if (grid_.is_out_of_reach(other, extent)) {
+                break;  // for most clusters, at the first column of the next tiles along z
             }
             const ClusterGrid::Run window = grid_.window(other, extent);
             const std::int32_t least = other.column.guest ? 0 : static_cast<std::int32_t>(cluster) + 1;
@@ -146,9 +146,8 @@ bool VerletList::still_valid(const State& state, double cutoff) const {
 }
 
 bool VerletList::nothing_moved_too_far(const State& state) const {
-    // With the zeros behind x y z, see VectorView: whole vectors.
-    const Eigen::Map<const Eigen::Array4Xd> before(reference_.data(), 4, state.count());
-    const Eigen::Map<const Eigen::Array4Xd> now(state.positions().data(), 4, state.count());
+    const double* before = reference_.data();
+    const double* now = state.positions().data();
     const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // a hair less, for the rounding in the distances
     const double limit2 = limit * limit;
     std::atomic<bool> valid = true;
@@ -158,7 +157,7 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
         }
         Index near = 0;
         for (Index i = first; i < last; ++i) {
-            near += (now.col(i) - before.col(i)).matrix().squaredNorm() <= limit2 ? 1 : 0;  // NaN counts as moved
+            near += squared_displacement(now, before, i) <= limit2 ? 1 : 0;  // NaN counts as moved
         }
         if (near < last - first) {
             valid = false;

@@ -48,7 +48,7 @@ std::map<Meeting, int> meetings(const ClusterGrid& grid, const Box& box) {
             const ClusterGrid::Run own = grid.clusters_of_column(column);
             for (Index c = own.first; c < own.last; ++c) {
                 for (const ClusterGrid::Near& other : near) {
-                    if (!grid.may_reach(other, grid.extent(c))) {
+                    if (grid.is_out_of_reach(other, grid.extent(c))) {
                         continue;
                     }
                     const ClusterGrid::Run window = grid.window(other, grid.extent(c));

@@ -105,13 +105,13 @@ class ClusterGrid {
         double reach;  ///< along z, beyond which nothing is within range [sigma]
     };
     /// All columns that may have atoms within range of one of the tile, itself included; of the tile's own only those
-    /// that do not come before it.
+    /// that do not come before it. Layer by layer towards higher z, from that of the tile on: there are no guests
+    /// below.
     void find_near(const Neighborhood& neighborhood, std::int32_t column, std::vector<Near>& near) const;
 
-    /// False when nothing of a column is within range of a cluster.
-    [[nodiscard]] bool may_reach(const Near& near, const Extent& extent) const {
-        const double floor = near.column.floor;
-        return extent.low - range_ <= floor + height_ && extent.high + range_ >= floor;
+    /// Whether a column, and with it those that follow it in find_near(), lies out of range above a cluster.
+    [[nodiscard]] bool is_out_of_reach(const Near& near, const Extent& extent) const {
+        return extent.high + range_ < near.column.floor;
     }
     /// Clusters of a column that may have atoms within range of those of a cluster.
     [[nodiscard]] Run window(const Near& near, const Extent& extent) const {

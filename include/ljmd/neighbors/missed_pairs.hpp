@@ -5,6 +5,14 @@
 
 namespace ljmd {
 
+/// Square of the way from where an atom was to where it is [sigma^2].
+/// @param now, before  x y z of each atom, and behind them the zero of VectorView, so that whole vectors are computed
+/// with
+[[nodiscard]] inline double squared_displacement(const double* now, const double* before, Index atom) {
+    using Atom = Eigen::Map<const Eigen::Vector4d>;
+    return (Atom(now + 4 * atom) - Atom(before + 4 * atom)).squaredNorm();
+}
+
 /// Whether atoms that were at least cutoff + skin apart when they were sorted, and so need not stand on each other's
 /// list, may be within the cutoff by now.
 ///
@@ -17,7 +25,7 @@ namespace ljmd {
 ///
 /// Exact but for rounding, for which pairs within a cutoff 5e-7 of itself wider count.
 /// @param grid    of the atoms as they are ordered now
-/// @param before  x y z of each atom when they were sorted, and behind them the zero of VectorView [sigma]
+/// @param before  of each atom when they were sorted, as squared_displacement() takes it [sigma]
 /// @param cutoff  > 0 [sigma]  @param skin  >= 0 [sigma]
 [[nodiscard]] bool any_pair_missed(const ClusterGrid& grid, const double* before, const State& state, double cutoff,
                                    double skin);

@@ -60,7 +60,7 @@ class Sums {
 };
 
 /// What to add to the squared distances of each row of a cluster from the cluster itself, so that of two of its atoms
-/// only the one before meets the other, and none itself.
+/// only the one before meets the other, and none itself: more than any cutoff is, in units of FixedPoint, too.
 template <class V>
 struct Aside {
     static constexpr std::size_t rows = rows_per_cluster<V>;
