@@ -49,7 +49,7 @@ std::map<Meeting, int> meetings(const ClusterGrid& grid, const Box& box) {
             for (Index c = own.first; c < own.last; ++c) {
                 for (const ClusterGrid::Near& other : near) {
                     if (grid.is_out_of_reach(other, grid.extent(c))) {
-                        continue;
+                        break;
                     }
                     const ClusterGrid::Run window = grid.window(other, grid.extent(c));
                     for (Index n = window.first; n < window.last; ++n) {
