@@ -149,7 +149,7 @@ void PairForceField::add_guest_forces(const VerletList& list, State& state) cons
             const auto& all = list.tiles()[away.tile].guests;
             const ClusterGrid::Guests& guests = all[away.guests];
             const double* from =
-                guest_forces_[away.tile].data() + Index{3 * ClusterGrid::slots} * (guests.first - all.front().first);
+                guest_forces_[away.tile].data() + Index{3} * ClusterGrid::slots * (guests.first - all.front().first);
             // Of clusters that follow each other in a column only the last may have slots without an atom, so slots
             // and atoms are in step.
             const AtomRange atoms = list.clusters().atoms_of(guests.of);
