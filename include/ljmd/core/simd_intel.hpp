@@ -11,16 +11,10 @@
 namespace ljmd::simd {
 
 inline constexpr bool multipliers_add = true;
+inline constexpr bool divisions_are_slow = true;
 
 namespace native {
 
-// With the estimate r and e = 1 - x r, |e| < 2^-14, it is 1/x = r / (1 - e) = r (1 + e) (1 + e^2) (1 + O(e^4)).
-LJMD_INLINE RawVector<double, 8> reciprocal(RawVector<double, 8> x) {
-    const RawVector<double, 8> r = _mm512_rcp14_pd(x);
-    const RawVector<double, 8> e = _mm512_fnmadd_pd(x, r, _mm512_set1_pd(1.0));
-    const RawVector<double, 8> closer = _mm512_fmadd_pd(r, e, r);
-    return _mm512_fmadd_pd(closer, e * e, closer);
-}
 // With the estimate y and e = 1 - x y^2, it is 1/sqrt(x) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16 + O(e^4)).
 LJMD_INLINE RawVector<double, 8> inverse_root(RawVector<double, 8> x) {
     const RawVector<double, 8> y = _mm512_rsqrt14_pd(x);
@@ -43,6 +37,9 @@ namespace ljmd::simd {
 
 /// Whether additions are done by the units that multiply, so that one fused with a multiplication is one saved.
 inline constexpr bool multipliers_add = false;
+
+/// Whether a division in double takes as long as ten products and more.
+inline constexpr bool divisions_are_slow = false;
 
 }  // namespace ljmd::simd
 #endif

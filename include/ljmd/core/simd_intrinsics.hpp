@@ -16,7 +16,6 @@ void multiply_add(None);
 void square_root(None);
 void widened(None);
 void joined(None);
-void reciprocal(None);
 void inverse_root(None);
 void bits_of(None);
 void repeated(None);
@@ -38,16 +37,6 @@ LJMD_INLINE RawVector<T, lanes> multiply_add(RawVector<T, lanes> a, RawVector<T,
         return native::multiply_add(a, b, c);
     } else {
         return a * b + c;
-    }
-}
-
-/// 1/x, correctly rounded or, where division is slow, within 2 units in the last place; then NaN for 0 and infinity.
-template <class T, int lanes>
-LJMD_INLINE RawVector<T, lanes> reciprocal(RawVector<T, lanes> x) {
-    if constexpr (requires { native::reciprocal(x); }) {
-        return native::reciprocal(x);
-    } else {
-        return T{1} / x;
     }
 }
 

@@ -72,7 +72,6 @@ struct Vec {
         }
     }
 
-    LJMD_INLINE friend Vec reciprocal(Vec a) { return Vec(simd::reciprocal<T, lanes_>(a.raw)); }
     LJMD_INLINE friend Vec sqrt(Vec a) { return Vec(square_root<T, lanes_>(a.raw)); }
     static constexpr bool has_inverse_root = simd::has_inverse_root<T, lanes_>;
     /// 1/sqrt(a). @pre has_inverse_root
@@ -86,6 +85,26 @@ struct Vec {
         return Vec(keep_where_less<T, lanes_>(a.raw, b.raw, x.raw));
     }
 };
+
+/// 1/a and 1/b from 1/(a b), each within 2 units in the last place.
+/// @pre neither a b nor 1/(a b) overflows. Where one is 0 both may be NaN.
+template <class V>
+LJMD_INLINE void by_one_division(V a, V b, V& inverse_a, V& inverse_b) {
+    const V inverse = V(1) / (a * b);
+    inverse_a = inverse * b;
+    inverse_b = inverse * a;
+}
+
+/// 1/a and 1/b, by one division where these are slow. @pre see by_one_division
+template <class V>
+LJMD_INLINE void reciprocals(V a, V b, V& inverse_a, V& inverse_b) {
+    if constexpr (divisions_are_slow) {
+        by_one_division(a, b, inverse_a, inverse_b);
+    } else {
+        inverse_a = V(1) / a;
+        inverse_b = V(1) / b;
+    }
+}
 
 /// c[0] + c[1] x + c[2] x^2 + ...; halves of it are worked out at the same time (Estrin), where Horner's rule would
 /// wait for one product after the other.

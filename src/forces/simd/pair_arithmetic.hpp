@@ -70,6 +70,16 @@ class Begun {
         }
     }
 
+    /// Of two at a time.
+    LJMD_INLINE static void begin(const Arithmetic& arithmetic, V square, V other_square, Begun (&two)[2]) {
+        if constexpr (takes_root) {
+            two[0] = Begun(arithmetic, square);
+            two[1] = Begun(arithmetic, other_square);
+        } else {
+            arithmetic.inverses_of(square, other_square, two[0].inverse_r2_, two[1].inverse_r2_);
+        }
+    }
+
     /// @param square  as before  @return without r and 1/r unless they are asked for
     [[nodiscard]] LJMD_INLINE PairDistance<V> distance(const Arithmetic& arithmetic, V square) const {
         const V r2 = arithmetic.in_sigma2(square);
@@ -124,7 +134,10 @@ class DoubleArithmetic {
     [[nodiscard]] double unit() const { return 1.0; }
     /// r^2 of a separation, and 1/r^2.
     LJMD_INLINE V in_sigma2(V square) const { return square; }
-    LJMD_INLINE V inverse_of(V square) const { return reciprocal(square); }
+    LJMD_INLINE V inverse_of(V square) const { return V(1) / square; }
+    LJMD_INLINE void inverses_of(V a, V b, V& inverse_a, V& inverse_b) const {
+        reciprocals(a, b, inverse_a, inverse_b);
+    }
 
   private:
     const double* positions_;
@@ -170,6 +183,10 @@ class MixedArithmetic {
     [[nodiscard]] double unit() const { return unit_; }
     LJMD_INLINE V in_sigma2(V square) const { return square * unit2_; }
     LJMD_INLINE V inverse_of(V square) const { return per_unit2_ / square; }
+    LJMD_INLINE void inverses_of(V a, V b, V& inverse_a, V& inverse_b) const {
+        inverse_a = inverse_of(a);
+        inverse_b = inverse_of(b);
+    }
 
   private:
     using Raw = simd::RawVector<std::int32_t, V::lanes>;

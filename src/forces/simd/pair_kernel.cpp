@@ -1,8 +1,6 @@
 // Compiled once for each SIMD level, see cmake/LjmdSimd.cmake.
 #include "pair_kernel.hpp"
 
-#include <utility>
-
 #include "cluster_forces.hpp"
 #include "ljmd/core/simd_vector.hpp"
 #include "pair_arithmetic.hpp"
@@ -11,21 +9,12 @@ namespace ljmd {
 
 namespace {
 
-/// How many clusters ahead of the one whose forces are worked out separations, quotients and roots are begun. A
-/// processor looks at the next hundred or two of instructions for what can be done while others wait, which is less
-/// than the latencies from a separation to a force ask for. So far ahead only the 32 registers of AVX-512 reach; 16
-/// hold the separations from one cluster beside those from the next. In mixed precision a division is one instruction
-/// and two clusters are as far, where multipliers add; a third would leave too few registers.
+/// Whether two clusters are begun while forces from the two before them are worked out. A processor looks at the next
+/// hundred or two of instructions for what can be done while others wait, which is less than the latencies from a
+/// separation to a force ask for. So far ahead only the 32 registers of AVX-512 reach; 16 hold the separations from one
+/// cluster beside those from the next.
 template <class V>
-constexpr std::size_t clusters_ahead() {
-    constexpr bool single = sizeof(typename V::Value) == sizeof(float);
-    if (sizeof(typename V::Raw) != 64) {
-        return 0;
-    }
-    return single && simd::multipliers_add ? 2 : 3;
-}
-template <class V>
-constexpr std::size_t lead = clusters_ahead<V>();
+constexpr bool by_twos = sizeof(typename V::Raw) == 64;
 
 /// Sums over the pairs of a row, by lanes.
 template <class Arithmetic, bool with_energy>
@@ -121,27 +110,10 @@ class Row {
     /// @param aside  see Aside
     /// @param end    of the list
     LJMD_INLINE void meet_all(std::size_t own, const Real* aside, const std::int32_t* end) {
-        const bool far_ahead = lead<V> > 0 && end - entry_ >= static_cast<std::ptrdiff_t>(lead<V>);
-        Separation<V> next;
-        if (far_ahead) {
-            look_ahead(std::make_index_sequence<lead<V>>());
+        if constexpr (by_twos<V>) {
+            meet_by_twos(own, aside, end);
         } else {
-            next = arithmetic_.separation(place(0));
-        }
-        Separation<V> d = arithmetic_.separation(own);
-        d.square += V::load_unaligned(aside);
-        meet(d, Started(arithmetic_, d.square), own);
-        if (far_ahead) {
-            while (take_turns(end, std::make_index_sequence<lead<V> + 1>())) {
-            }
-            return;
-        }
-        while (entry_ < end) {
-            d = next;
-            const std::size_t now = place(0);
-            next = arithmetic_.separation(place(1));
-            meet(d, Started(arithmetic_, d.square), now);
-            ++entry_;
+            meet_one_by_one(own, aside, end);
         }
     }
 
@@ -151,59 +123,87 @@ class Row {
     static constexpr std::size_t width = atoms_per_row<V>;
     using Started = Begun<Arithmetic, Pair::takes_root>;
 
+    /// Two clusters under way. No PairDistance: with a second copy of the squared distance gcc 12 needs more registers.
+    struct Two {
+        Separation<V> d[2];
+        Started begun[2];
+    };
+
     [[nodiscard]] LJMD_INLINE std::size_t place(std::size_t offset) const {
         return static_cast<std::uint32_t>(entry_[offset]);
+    }
+
+    [[nodiscard]] LJMD_INLINE Separation<V> separation_from_own(std::size_t own, const Real* aside) const {
+        Separation<V> d = arithmetic_.separation(own);
+        d.square += V::load_unaligned(aside);
+        return d;
     }
 
     LJMD_INLINE void meet(const Separation<V>& d, const Started& begun, std::size_t there) {
         sums.add(arithmetic_, pair_, cutoff2_, d, begun, partial_ + there * width);
     }
 
-    /// Begin what there is to do with the entry so many behind the present one.
-    LJMD_INLINE void look(std::size_t slot, std::size_t offset) {
-        ahead_[slot].d = arithmetic_.separation(place(offset));
-        ahead_[slot].begun = Started(arithmetic_, ahead_[slot].d.square);
-    }
-    template <std::size_t... offset>
-    LJMD_INLINE void look_ahead(std::index_sequence<offset...>) {
-        (look(offset, offset), ...);
-    }
-
-    /// Each of what is under way has its turn in registers of its own: none is moved. @return false at the end
-    template <std::size_t... slot>
-    LJMD_INLINE bool take_turns(const std::int32_t* end, std::index_sequence<slot...>) {
-        return (take_turn<slot>(end) && ...);
-    }
-    template <std::size_t slot>
-    LJMD_INLINE bool take_turn(const std::int32_t* end) {
-        if (entry_ + lead<V> == end) {
-            meet_last<slot>(std::make_index_sequence<lead<V>>());
-            return false;
+    LJMD_INLINE void meet_one_by_one(std::size_t own, const Real* aside, const std::int32_t* end) {
+        Separation<V> next = arithmetic_.separation(place(0));
+        Separation<V> d = separation_from_own(own, aside);
+        meet(d, Started(arithmetic_, d.square), own);
+        while (entry_ < end) {
+            d = next;
+            const std::size_t now = place(0);
+            next = arithmetic_.separation(place(1));
+            meet(d, Started(arithmetic_, d.square), now);
+            ++entry_;
         }
-        look((slot + lead<V>) % (lead<V> + 1), lead<V>);
-        meet(ahead_[slot].d, ahead_[slot].begun, place(0));
-        ++entry_;
-        return true;
-    }
-    template <std::size_t slot, std::size_t... offset>
-    LJMD_INLINE void meet_last(std::index_sequence<offset...>) {
-        (meet(ahead_[(slot + offset) % (lead<V> + 1)].d, ahead_[(slot + offset) % (lead<V> + 1)].begun, place(offset)),
-         ...);
     }
 
-    /// No PairDistance: with a second copy of the squared distance gcc 12 needs more registers, and the plain cut takes
-    /// 5 % longer.
-    struct Ahead {
-        Separation<V> d;
-        Started begun;
-    };
+    LJMD_INLINE void meet_by_twos(std::size_t own, const Real* aside, const std::int32_t* end) {
+        Two now, next;
+        const bool odd = (end - entry_) % 2 != 0;
+        now.d[0] = separation_from_own(own, aside);
+        if (odd) {  // the first on the list goes with the row's own
+            now.d[1] = arithmetic_.separation(place(0));
+            Started::begin(arithmetic_, now.d[0].square, now.d[1].square, now.begun);
+        } else {
+            now.begun[0] = Started(arithmetic_, now.d[0].square);
+        }
+        const std::size_t first = place(0);
+        entry_ += odd ? 1 : 0;
+        const bool more = entry_ < end;
+        if (more) {
+            begin(next, 0);
+        }
+        meet(now.d[0], now.begun[0], own);
+        if (odd) {
+            meet(now.d[1], now.begun[1], first);
+        }
+        while (more && take_turn(next, now, end) && take_turn(now, next, end)) {
+        }
+    }
+
+    /// Meet two while the next two are begun, which have registers of their own: none is moved. @return false at the
+    /// end
+    LJMD_INLINE bool take_turn(const Two& now, Two& next, const std::int32_t* end) {
+        const bool more = end - entry_ > 2;
+        if (more) {
+            begin(next, 2);
+        }
+        meet(now.d[0], now.begun[0], place(0));
+        meet(now.d[1], now.begun[1], place(1));
+        entry_ += 2;
+        return more;
+    }
+
+    LJMD_INLINE void begin(Two& two, std::size_t offset) {
+        two.d[0] = arithmetic_.separation(place(offset));
+        two.d[1] = arithmetic_.separation(place(offset + 1));
+        Started::begin(arithmetic_, two.d[0].square, two.d[1].square, two.begun);
+    }
 
     const Arithmetic& arithmetic_;
     const Pair& pair_;
     V cutoff2_;
     Real* partial_;
     const std::int32_t* entry_;
-    Ahead ahead_[lead<V> + 1];
 };
 
 /// Row by row. When a cluster's turn comes, all atoms of the tile that have pairs with it on their lists have had
