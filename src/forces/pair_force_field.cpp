@@ -25,7 +25,7 @@ PairForceField::PairForceField(PairPotential potential, PairSearch search, PairA
     : potential_(std::move(potential)), search_(std::move(search)), arithmetic_(arithmetic) {
     if (auto* list = std::get_if<VerletList>(&search_)) {
         const auto precision = static_cast<std::size_t>(arithmetic_.precision);
-        list->prepare_for(arithmetic_.simd, pair_kernels(arithmetic_.simd).atoms_per_row[precision]);
+        list->prepare_for(arithmetic_.simd, pair_kernels(arithmetic_.simd).row_shapes[precision]);
     } else if (arithmetic_.precision == Precision::mixed) {
         throw ContractViolation("mixed precision needs a Verlet list");
     }
@@ -102,7 +102,7 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
                 [](double dx) { return dx; }, far_away);
         }
         const auto numbers = per_cluster * static_cast<std::size_t>(tile.cluster_count);
-        const auto partial = numbers * static_cast<std::size_t>(list.atoms_per_row());
+        const auto partial = numbers * static_cast<std::size_t>(list.row_shape().atoms);
         workspace.partial_forces.resize(std::max(workspace.partial_forces.size(), partial));
         guest_forces_[t].resize(per_cluster * static_cast<std::size_t>(tile.cluster_count - own.length()) + 1);
         const PairKernelTask task{

@@ -71,9 +71,9 @@ class CandidatesOfCluster {
     int count_ = 0;
 };
 
-/// All slots of a tile and its guests, as the kernel wants them.
+/// All slots of a tile and its guests, as the kernel wants them. @param part  how many slots stand together on lists
 CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighborhood& neighborhood,
-                              const State& state, const FixedPoint& fixed_point) {
+                              const State& state, const FixedPoint& fixed_point, Index part) {
     constexpr Index slots = ClusterGrid::slots;
     CandidateArrays candidates;
     candidates.resize(static_cast<std::size_t>(neighborhood.cluster_count() * slots));
@@ -85,7 +85,7 @@ CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighb
             const Index number = first + c - clusters.first;
             for (Index k = 0; k < slots; ++k) {
                 const Index slot = number * slots + k;
-                to.entry[slot] = static_cast<std::int32_t>(3 * number * slots);
+                to.entry[slot] = static_cast<std::int32_t>(3 * number * slots + k / part * part);
                 if (k < atoms.count()) {
                     const Vec3 there = r.col(atoms.first + k) + shift;
                     to.x[slot] = static_cast<float>(fixed_point(there[0], 0));
@@ -107,12 +107,14 @@ CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighb
 
 }  // namespace
 
-void VerletList::prepare_for(SimdLevel level, int atoms_per_row) {
-    if (atoms_per_row != 1 && atoms_per_row != 2 && atoms_per_row != 4) {
-        throw ContractViolation(fmt::format("lists of {} atoms: 1, 2 or 4 can share one", atoms_per_row));
+void VerletList::prepare_for(SimdLevel level, RowShape shape) {
+    if (shape != RowShape{1, 2} && shape != RowShape{2, 2} && shape != RowShape{2, 4} && shape != RowShape{4, 4}) {
+        throw ContractViolation(
+            fmt::format("rows of {} atoms that meet {} others: 1 can meet 2, 2 can meet 2 or 4, 4 can meet 4",
+                        shape.atoms, shape.others));
     }
     level_ = level;
-    atoms_per_row_ = atoms_per_row;
+    shape_ = shape;
 }
 
 void VerletList::prepare(State& state, double cutoff) {
@@ -136,7 +138,7 @@ void VerletList::prepare(State& state, double cutoff) {
 
 bool VerletList::is_of(const State& state, double cutoff) const {
     return cutoff == built_for_cutoff_ && state.box().edges() == built_for_edges_ &&
-           state.order_version() == built_for_order_ && atoms_per_row_ == built_for_atoms_per_row_;
+           state.order_version() == built_for_order_ && shape_ == built_for_shape_;
 }
 
 bool VerletList::still_valid(const State& state, double cutoff) const {
@@ -216,7 +218,7 @@ void VerletList::build(const State& state, double cutoff) {
     built_for_cutoff_ = cutoff;
     built_for_edges_ = state.box().edges();
     built_for_order_ = state.order_version();
-    built_for_atoms_per_row_ = atoms_per_row_;
+    built_for_shape_ = shape_;
     ++statistics_.rebuilds;
 }
 
@@ -228,7 +230,7 @@ Index VerletList::fill(std::size_t number, const State& state, double range) {
     const auto range2 = static_cast<float>(units * units * (1.0 + 1e-6));
 
     const ClusterGrid::Neighborhood neighborhood = grid_.neighborhood(number);
-    const CandidateArrays arrays = candidates_of(grid_, neighborhood, state, fixed_point_);
+    const CandidateArrays arrays = candidates_of(grid_, neighborhood, state, fixed_point_, shape_.others);
     const ConstCandidates all = arrays.read();
     Tile& tile = tiles_[number];
     tile.guests = neighborhood.guests();
@@ -246,20 +248,19 @@ Index VerletList::fill(std::size_t number, const State& state, double range) {
             candidates.go_to(cluster, near);
             const Index atoms = grid_.atoms_of_cluster(cluster).count();
             const Index slots = (cluster - neighborhood.own().first) * ClusterGrid::slots;
-            for (Index k = 0; k < atoms; k += atoms_per_row_) {
-                RowOfAtoms row;
-                row.count = atoms_per_row_;
-                for (Index n = 0; n < atoms_per_row_ && k + n < atoms; ++n) {
+            for (Index k = 0; k < atoms; k += shape_.atoms) {
+                RowOfAtoms row{shape_};
+                for (Index n = 0; n < shape_.atoms && k + n < atoms; ++n) {
                     row.x[n] = all.x[slots + k + n];
                     row.y[n] = all.y[slots + k + n];
                     row.z[n] = all.z[slots + k + n];
                 }
                 tile.starts.push_back(static_cast<std::uint32_t>(end));
                 make_room(tile.entries,
-                          end + static_cast<std::size_t>(candidates.count() / ClusterGrid::slots) + list_kernel_slack);
-                end += static_cast<std::size_t>(kernel.clusters_near(candidates.read(), candidates.count(), row, range2,
-                                                                     tile.entries.data() + end));
-                tests += Index{candidates.count()} * row.count;
+                          end + static_cast<std::size_t>(candidates.count() / shape_.others) + list_kernel_slack);
+                end += static_cast<std::size_t>(
+                    kernel.parts_near(candidates.read(), candidates.count(), row, range2, tile.entries.data() + end));
+                tests += Index{candidates.count()} * shape_.atoms;
             }
         }
     }

@@ -197,26 +197,17 @@ TEMPLATE_TEST_CASE_SIG("lanes that compare true have their bits set", "", ((int 
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("four numbers are repeated over all lanes", "", ((class T, int lanes), T, lanes), (double, 4),
-                       (double, 8), (std::int32_t, 4), (std::int32_t, 8), (std::int32_t, 16)) {
-    const simd::RawVector<T, 4> four{5, 6, 7, 8};
-    const auto all = simd::repeated<T, lanes>(four);
+TEMPLATE_TEST_CASE_SIG("two or four numbers are repeated over all lanes, in turn or each by itself", "",
+                       ((class T, int count, int lanes), T, count, lanes), (double, 2, 2), (double, 2, 4),
+                       (double, 4, 8), (std::int32_t, 2, 4), (std::int32_t, 4, 8), (std::int32_t, 4, 16)) {
+    simd::RawVector<T, count> few;
+    for (int k = 0; k < count; ++k) {
+        few[k] = T(5 + k);
+    }
+    const auto in_turn = simd::repeated<T, lanes, count>(few);
+    const auto each = simd::each_repeated<T, lanes, count>(few);
     for (int k = 0; k < lanes; ++k) {
-        CHECK(all[k] == T(5 + k % 4));
+        CHECK(in_turn[k] == T(5 + k % count));
+        CHECK(each[k] == T(5 + k / (lanes / count)));
     }
-}
-
-TEST_CASE("sums of four lanes are theirs alone, and made in double") {
-    Vec<float, 16> v(0);
-    for (int k = 0; k < 16; ++k) {
-        v.raw[k] = k % 4 == 0 ? static_cast<float>(k / 4 + 1) : 0x1p-30F;
-    }
-    CHECK(simd::sum_of_four<0>(v) == 1.0 + 3 * 0x1p-30);
-    CHECK(simd::sum_of_four<1>(v) == 2.0 + 3 * 0x1p-30);
-    CHECK(simd::sum_of_four<2>(v) == 3.0 + 3 * 0x1p-30);
-    CHECK(simd::sum_of_four<3>(v) == 4.0 + 3 * 0x1p-30);
-    Vec<double, 8> w(1);
-    w.raw[5] = 3.0;
-    CHECK(simd::sum_of_four<0>(w) == 4.0);
-    CHECK(simd::sum_of_four<1>(w) == 6.0);
 }

@@ -193,7 +193,7 @@ TEST_CASE("displacements are measured from the last rebuild, also for atoms that
 TEST_CASE("all pairs within cutoff + skin stand on the list, once for both sides") {
     State state = test::random_state(300, Box(Vec3(7.0, 6.0, 8.0)), 61);
     VerletList list(0.35);
-    list.prepare_for(default_simd_level(), GENERATE(1, 2, 4));
+    list.prepare_for(default_simd_level(), GENERATE(RowShape{1, 2}, RowShape{2, 2}, RowShape{2, 4}, RowShape{4, 4}));
     list.prepare(state, 2.5);
     CHECK(test::pairs_within(list, state, 2.85) == test::all_pairs_within(state, 2.85));
 }
@@ -321,10 +321,11 @@ TEST_CASE("a list needs no ghosts, and leaves those of others alone between rebu
     CHECK(list.statistics().rebuilds == 1);
 }
 
-TEST_CASE("lists are for one, two or four atoms") {
+TEST_CASE("lists are for rows that fill a vector of two, four, eight or sixteen lanes") {
     VerletList list(0.3);
-    for (const int atoms : {0, 3, 5, 8}) {
-        CHECK_THROWS_AS(list.prepare_for(default_simd_level(), atoms), ContractViolation);
+    for (const RowShape shape :
+         {RowShape{0, 0}, RowShape{1, 1}, RowShape{2, 1}, RowShape{4, 2}, RowShape{3, 4}, RowShape{8, 4}}) {
+        CHECK_THROWS_AS(list.prepare_for(default_simd_level(), shape), ContractViolation);
     }
 }
 

@@ -32,13 +32,18 @@ Fluid triple_point(Index cells, const PairPotential& potential, bool tail = fals
     return fluid_of(liquid(cells, 11, "cut"), potential, tail);
 }
 
+/// Makes starts, the same ones on all processors of a kind, see liquid().
+std::unique_ptr<ForceField> portable() {
+    return by(cut(), "verlet-list", {SimdLevel::portable})();
+}
+
 /// A fluid at another density and temperature, molten and equilibrated.
 Fluid fluid_at(double density, double temperature) {
     State state = crystal(6, density);
-    auto force_field = lennard_jones("cut");
+    const auto force_field = portable();
     draw_velocities(state, 2.0 * temperature, 4);
     for (int block = 0; block < 40; ++block) {
-        advance(state, force_field, 0.004, 20);
+        advance(state, *force_field, 0.004, 20);
         rescale_velocities(state, temperature);
     }
     remove_momentum(state);
@@ -47,9 +52,9 @@ Fluid fluid_at(double density, double temperature) {
 
 Fluid cold_crystal(Index cells) {
     State state = crystal(cells, 1.0);
-    auto force_field = lennard_jones("cut");
+    const auto force_field = portable();
     draw_velocities(state, 0.8, 4);
-    advance(state, force_field, 0.004, 500);
+    advance(state, *force_field, 0.004, 500);
     return fluid_of(state, cut(), false);
 }
 

@@ -19,6 +19,7 @@ void joined(None);
 void inverse_root(None);
 void bits_of(None);
 void repeated(None);
+void each_repeated(None);
 
 }  // namespace ljmd::simd::native
 
@@ -148,19 +149,34 @@ LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, lanes> condition) {
     }
 }
 
-/// Four numbers over and over.
-template <class T, int lanes, int... lane>
-LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, 4> four, std::integer_sequence<int, lane...>) {
-    return __builtin_shufflevector(four, four, (lane % 4)...);
+/// Two or four numbers over and over.
+template <class T, int lanes, int count, int... lane>
+LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, count> few, std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(few, few, (lane % count)...);
 }
-template <class T, int lanes>
-LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, 4> four) {
-    if constexpr (lanes == 4) {
-        return four;
-    } else if constexpr (requires { native::repeated(four, RawVector<T, lanes>{}); }) {
-        return native::repeated(four, RawVector<T, lanes>{});
+template <class T, int lanes, int count>
+LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, count> few) {
+    if constexpr (lanes == count) {
+        return few;
+    } else if constexpr (requires { native::repeated(few, RawVector<T, lanes>{}); }) {
+        return native::repeated(few, RawVector<T, lanes>{});
     } else {
-        return repeated<T, lanes>(four, std::make_integer_sequence<int, lanes>());
+        return repeated<T, lanes, count>(few, std::make_integer_sequence<int, lanes>());
+    }
+}
+
+/// Two or four numbers, each in as many lanes that follow each other. With gcc 12 the portable body goes through
+/// memory.
+template <class T, int lanes, int count, int... lane>
+LJMD_INLINE RawVector<T, lanes> each_repeated(RawVector<T, count> few, std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(few, few, (lane / (lanes / count))...);
+}
+template <class T, int lanes, int count>
+LJMD_INLINE RawVector<T, lanes> each_repeated(RawVector<T, count> few) {
+    if constexpr (requires { native::each_repeated(few, RawVector<T, lanes>{}); }) {
+        return native::each_repeated(few, RawVector<T, lanes>{});
+    } else {
+        return each_repeated<T, lanes, count>(few, std::make_integer_sequence<int, lanes>());
     }
 }
 

@@ -184,35 +184,13 @@ LJMD_INLINE double sum(V v) {
     return sum_of<decltype(doubles)::lanes>(doubles.raw);
 }
 
-/// Lanes 4 n ... 4 n + 3.
-template <int n, class T, int lanes>
-LJMD_INLINE RawVector<T, 4> four_lanes(RawVector<T, lanes> v) {
-    if constexpr (lanes == 4) {
-        return v;
-    } else if constexpr (n < lanes / 8) {
-        return four_lanes<n, T, lanes / 2>(low_half<T, lanes>(v));
-    } else {
-        return four_lanes<n - lanes / 8, T, lanes / 2>(high_half<T, lanes>(v));
-    }
-}
-
-/// Sum of these, in double.
-template <int n, class T, int lanes, class Level>
-LJMD_INLINE double sum_of_four(Vec<T, lanes, Level> v) {
-    if constexpr (std::is_same_v<T, double>) {
-        return sum_of<4>(four_lanes<n, T, lanes>(v.raw));
-    } else {
-        return sum_of<4>(widened<4>(four_lanes<n, T, lanes>(v.raw)));
-    }
-}
-
 #ifdef LJMD_SIMD_LEVEL
 /// The level that this translation unit is compiled for.
 struct LJMD_SIMD_LEVEL;
 using Here = LJMD_SIMD_LEVEL;
 
-/// As wide as the registers of this level, and four lanes at least.
-using Doubles = Vec < double, register_bytes<32 ? 4 : register_bytes / 8, Here>;
+/// As wide as the registers of this level.
+using Doubles = Vec<double, register_bytes / 8, Here>;
 using Floats = Vec<float, register_bytes / 4, Here>;
 #endif
 

@@ -64,8 +64,20 @@ LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 8> condition) {
 }
 
 // From memory these are loads and nothing else.
+LJMD_INLINE RawVector<double, 4> repeated(RawVector<double, 2> two, RawVector<double, 4>) {
+    return reinterpret<RawVector<double, 4>>(_mm256_broadcastsi128_si256(reinterpret<__m128i>(two)));
+}
 LJMD_INLINE RawVector<std::int32_t, 8> repeated(RawVector<std::int32_t, 4> four, RawVector<std::int32_t, 8>) {
     return reinterpret<RawVector<std::int32_t, 8>>(_mm256_broadcastsi128_si256(reinterpret<__m128i>(four)));
+}
+
+LJMD_INLINE RawVector<double, 4> each_repeated(RawVector<double, 2> two, RawVector<double, 4>) {
+    return _mm256_permute4x64_pd(_mm256_castpd128_pd256(two), 0x50);
+}
+LJMD_INLINE RawVector<std::int32_t, 8> each_repeated(RawVector<std::int32_t, 2> two, RawVector<std::int32_t, 8>) {
+    return reinterpret<RawVector<std::int32_t, 8>>(
+        _mm256_permutevar8x32_epi32(_mm256_castsi128_si256(_mm_cvtsi64_si128(reinterpret<std::int64_t>(two))),
+                                    _mm256_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1)));
 }
 #endif
 
@@ -106,6 +118,14 @@ LJMD_INLINE RawVector<double, 8> repeated(RawVector<double, 4> four, RawVector<d
 }
 LJMD_INLINE RawVector<std::int32_t, 16> repeated(RawVector<std::int32_t, 4> four, RawVector<std::int32_t, 16>) {
     return reinterpret<RawVector<std::int32_t, 16>>(_mm512_broadcast_i32x4(reinterpret<__m128i>(four)));
+}
+LJMD_INLINE RawVector<double, 8> each_repeated(RawVector<double, 2> two, RawVector<double, 8>) {
+    return _mm512_permutexvar_pd(_mm512_setr_epi64(0, 0, 0, 0, 1, 1, 1, 1), _mm512_castpd128_pd512(two));
+}
+LJMD_INLINE RawVector<std::int32_t, 16> each_repeated(RawVector<std::int32_t, 4> four, RawVector<std::int32_t, 16>) {
+    const __m512i atoms = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
+    return reinterpret<RawVector<std::int32_t, 16>>(
+        _mm512_permutexvar_epi32(atoms, _mm512_castsi128_si512(reinterpret<__m128i>(four))));
 }
 #endif
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ljmd/neighbors/row_shape.hpp"
+
 namespace ljmd {
 
 /// Points among which neighbours are sought, cluster after cluster, in units of FixedPoint. Rounding them to single
@@ -14,7 +16,7 @@ struct PointArrays {
     Real* x;
     Real* y;
     Real* z;
-    Integer* entry;  ///< what stands for the point's cluster on a list
+    Integer* entry;  ///< what stands on a list for the part of a cluster that the point belongs to
 };
 using Candidates = PointArrays<float, std::int32_t>;
 using ConstCandidates = PointArrays<const float, const std::int32_t>;
@@ -24,7 +26,7 @@ inline constexpr float nowhere = 0x1p60F;
 
 /// Atoms that share a list, in the same units.
 struct RowOfAtoms {
-    int count = 0;  ///< 1, 2 or 4, those that are nowhere included
+    RowShape shape;
     float x[4] = {-nowhere, -nowhere, -nowhere, -nowhere};
     float y[4] = {};
     float z[4] = {};

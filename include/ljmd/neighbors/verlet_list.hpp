@@ -15,6 +15,7 @@
 #include "ljmd/neighbors/cluster_grid.hpp"
 #include "ljmd/neighbors/fixed_point.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
+#include "ljmd/neighbors/row_shape.hpp"
 #include "ljmd/neighbors/search_statistics.hpp"
 
 namespace ljmd {
@@ -39,9 +40,9 @@ class VerletList {
     /// @param every  keep each list for that many evaluations (>= 1), whatever the atoms do; none: by displacement
     explicit VerletList(double skin, std::optional<Index> every = std::nullopt) : skin_(skin), every_(every) {}
 
-    /// Which kernel builds lists, and how many atoms share one; takes effect at the next rebuild.
-    /// @pre level is usable here  @throws ContractViolation unless 1, 2 or 4 atoms do
-    void prepare_for(SimdLevel level, int atoms_per_row);
+    /// Which kernel builds lists, and for which rows; takes effect at the next rebuild.
+    /// @pre level is usable here  @throws ContractViolation unless 1 atom meets 2 others, 2 meet 2 or 4, or 4 meet 4
+    void prepare_for(SimdLevel level, RowShape shape);
 
     void prepare(State& state, double cutoff);
 
@@ -50,12 +51,13 @@ class VerletList {
     template <class Visit>
     void for_each_candidate(const State& state, Index part, Visit&& visit) const;
 
-    /// The lists of a tile's atoms. Rows are what kernels sum up at once: one, two or all of the atoms of a cluster
-    /// (and fewer if slots are empty), with the clusters that any of them has on its list.
+    /// The lists of a tile's atoms, for each row (see RowShape; fewer if slots are empty) the parts of clusters that
+    /// any of its atoms has on its list.
     struct Tile {
-        /// Clusters, in the numbers that they have in the tile; those behind the row's own and guests. Its own, whose
-        /// pairs the row has, too, is not among them. Cluster c stands there as 12 c, the place of its first x in
-        /// TilePositions. Behind the last row stand some of cluster 0, for those who look ahead.
+        /// Parts of clusters, in the numbers that these have in the tile; of those behind the row's own and guests. Its
+        /// own, whose pairs the row has, too, is not among them. Slots from k on of cluster c stand there as 12 c + k,
+        /// the place of the first x in TilePositions. Behind the last row stand some of cluster 0, for those who look
+        /// ahead.
         std::vector<std::int32_t> entries;
         /// Of each row: where its entries begin; behind these, the end.
         std::vector<std::uint32_t> starts;
@@ -72,7 +74,7 @@ class VerletList {
         const auto t = static_cast<std::size_t>(tile);
         return std::span(away_).subspan(away_starts_[t], away_starts_[t + 1] - away_starts_[t]);
     }
-    [[nodiscard]] int atoms_per_row() const { return built_for_atoms_per_row_; }
+    [[nodiscard]] const RowShape& row_shape() const { return built_for_shape_; }
     [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
     [[nodiscard]] const ClusterGrid& clusters() const { return grid_; }
 
@@ -102,12 +104,12 @@ class VerletList {
     double skin_;
     std::optional<Index> every_;
     SimdLevel level_ = default_simd_level();
-    int atoms_per_row_ = 1;
+    RowShape shape_{2, 2};
     Index age_ = 0;  ///< evaluations since the last rebuild
     double built_for_cutoff_ = -1.0;
     Vec3 built_for_edges_ = Vec3::Zero();
     Index built_for_order_ = -1;
-    int built_for_atoms_per_row_ = 0;
+    RowShape built_for_shape_{0, 0};
     ClusterGrid grid_;
     FixedPoint fixed_point_;
     AlignedVector<double> reference_;  ///< positions when the list was built, 4 numbers each
@@ -132,22 +134,27 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
     for (Index c = clusters.first; c < clusters.last; ++c) {
         const auto [first, last] = grid_.atoms_of_cluster(c);
         for (Index i = first; i < last; ++i) {
-            const std::uint32_t* starts = row + (i - first) / built_for_atoms_per_row_;
+            const std::uint32_t* starts = row + (i - first) / built_for_shape_.atoms;
             meet(i, {i + 1, last}, Vec3::Zero());
             for (std::uint32_t e = starts[0]; e < starts[1]; ++e) {
                 const std::int32_t other = tile.entries[e] / (3 * ClusterGrid::slots);
+                const std::int32_t slot = tile.entries[e] % (3 * ClusterGrid::slots);
+                const auto part_of = [&](Index cluster) {
+                    const AtomRange all = grid_.atoms_of_cluster(cluster);
+                    return AtomRange{all.first + slot, std::min(all.last, all.first + slot + built_for_shape_.others)};
+                };
                 if (other < clusters.length()) {
-                    meet(i, grid_.atoms_of_cluster(clusters.first + other), Vec3::Zero());
+                    meet(i, part_of(clusters.first + other), Vec3::Zero());
                 } else {
                     const auto behind = std::upper_bound(
                         tile.guests.begin(), tile.guests.end(), other,
                         [](std::int32_t number, const ClusterGrid::Guests& guests) { return number < guests.first; });
                     const ClusterGrid::Guests& guests = *std::prev(behind);
-                    meet(i, grid_.atoms_of_cluster(guests.of.first + other - guests.first), guests.shift);
+                    meet(i, part_of(guests.of.first + other - guests.first), guests.shift);
                 }
             }
         }
-        row += (last - first + built_for_atoms_per_row_ - 1) / built_for_atoms_per_row_;
+        row += (last - first + built_for_shape_.atoms - 1) / built_for_shape_.atoms;
     }
 }
 

@@ -21,11 +21,13 @@ LJMD_INLINE Four in_double(simd::RawVector<float, slots> x) {
 
 /// What the rows of a cluster sum up to, atom by atom. @param rows  of each row its sums, by lanes
 template <class T>
-LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 4> (&rows)[4]) {
-    const auto [a, b, c, d] = rows;
-    const auto ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const auto cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    return in_double(__builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
+LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 2> (&rows)[4]) {
+    return Four{rows[0][0] + rows[0][1], rows[1][0] + rows[1][1], rows[2][0] + rows[2][1], rows[3][0] + rows[3][1]};
+}
+template <class T>
+LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 4> (&rows)[2]) {
+    const auto [a, b] = rows;
+    return in_double(__builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7));
 }
 template <class T>
 LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 8> (&rows)[2]) {
@@ -42,20 +44,34 @@ LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 16> (&rows)[1]) {
                      __builtin_shufflevector(twos, twos, 2, 6, 10, 14));
 }
 
-/// Of four-lane pieces their sum.
-template <class T, int lanes>
-LJMD_INLINE simd::RawVector<T, slots> sum_of_pieces(simd::RawVector<T, lanes> v) {
-    if constexpr (lanes == slots) {
+/// Of pieces of so many lanes their sum.
+template <int piece, class T, int lanes>
+LJMD_INLINE simd::RawVector<T, piece> sum_of_pieces(simd::RawVector<T, lanes> v) {
+    if constexpr (lanes == piece) {
         return v;
     } else {
-        return sum_of_pieces<T, lanes / 2>(simd::low_half<T, lanes>(v) + simd::high_half<T, lanes>(v));
+        return sum_of_pieces<piece, T, lanes / 2>(simd::low_half<T, lanes>(v) + simd::high_half<T, lanes>(v));
     }
 }
 
-/// Along one axis, minus the forces of rows before on a cluster. @param others  of each row's atom in lanes of its own
+/// Partial forces of a cluster along one axis: part after part, of each row's atom in lanes of its own.
 template <class V>
-LJMD_INLINE Four from_others(const typename V::Value* others) {
-    return in_double(sum_of_pieces<typename V::Value, V::lanes>(V::load(others).raw));
+constexpr std::size_t partial_forces = std::size_t{slots} * atoms_per_row<V>;
+
+/// Along one axis, minus the forces of rows before on the atoms of a cluster, which are forgotten then.
+template <class V>
+LJMD_INLINE Four take_from_others(typename V::Value* others) {
+    using T = typename V::Value;
+    constexpr int part = others_per_row<V>;
+    const auto first = sum_of_pieces<part, T, V::lanes>(V::load(others).raw);
+    V(0).store(others);
+    if constexpr (parts_per_cluster<V> == 1) {
+        return in_double(first);
+    } else {
+        const auto second = sum_of_pieces<part, T, V::lanes>(V::load(others + V::lanes).raw);
+        V(0).store(others + V::lanes);
+        return in_double(__builtin_shufflevector(first, second, 0, 1, 2, 3));
+    }
 }
 
 /// Write the forces on the atoms of a cluster, x y z 0 each.

@@ -8,7 +8,7 @@
 #include "ljmd/potentials/pair_term.hpp"
 #include "pair_kernel.hpp"
 
-/// How the atoms of a row lie in the lanes of vectors, and separations from them in either precision.
+/// How the atoms of rows and parts lie in the lanes of vectors, and their separations in either precision.
 /// Nothing here has a name that other units see: the linker could take what is compiled for one processor in place of
 /// what is compiled for another.
 namespace ljmd {
@@ -22,30 +22,38 @@ using Four = simd::RawVector<double, slots>;
 inline constexpr std::ptrdiff_t to_y = slots;
 inline constexpr std::ptrdiff_t to_z = std::ptrdiff_t{2} * slots;
 
-/// A row of atoms meets a cluster: lane 4 n + k is for the row's atom n and the cluster's slot k.
+/// A row of atoms meets a part of a cluster (see RowShape): lane others n + k is for the row's atom n and the part's
+/// slot k.
 template <class V>
-constexpr int atoms_per_row = V::lanes / slots;
+constexpr int others_per_row = V::lanes <= 4 ? 2 : 4;
+template <class V>
+constexpr int atoms_per_row = V::lanes / others_per_row<V>;
 template <class V>
 constexpr int rows_per_cluster = slots / atoms_per_row<V>;
+template <class V>
+constexpr int parts_per_cluster = slots / others_per_row<V>;
 
-/// Each of the numbers in four lanes.
-template <class T, int lanes>
-LJMD_INLINE simd::RawVector<T, lanes> in_four_lanes(const T* numbers) {
-    if constexpr (lanes == 4) {
-        return *numbers - simd::RawVector<T, lanes>{};
+/// The coordinates of a row's atoms, each in as many lanes as a part has slots.
+template <class V, class T>
+LJMD_INLINE simd::RawVector<T, V::lanes> of_row(const T* coordinates) {
+    constexpr int count = atoms_per_row<V>;
+    if constexpr (count == 1) {
+        return *coordinates - simd::RawVector<T, V::lanes>{};
     } else {
-        return simd::joined<T, lanes / 2>(in_four_lanes<T, lanes / 2>(numbers),
-                                          in_four_lanes<T, lanes / 2>(numbers + lanes / 8));
+        simd::RawVector<T, count> numbers;
+        __builtin_memcpy(&numbers, coordinates, sizeof numbers);
+        return simd::each_repeated<T, V::lanes, count>(numbers);
     }
 }
 
-/// Four numbers over and over.
-template <class T, int lanes>
-LJMD_INLINE simd::RawVector<T, lanes> repeated(const T* numbers) {
-    return simd::repeated<T, lanes>(simd::load_aligned<T, 4>(numbers));
+/// The coordinates of a part's slots over and over.
+template <class V, class T>
+LJMD_INLINE simd::RawVector<T, V::lanes> of_part(const T* coordinates) {
+    constexpr int count = others_per_row<V>;
+    return simd::repeated<T, V::lanes, count>(simd::load_aligned<T, count>(coordinates));
 }
 
-/// Separations of the atoms of a row from those of a cluster.
+/// Separations of the atoms of a row from those of a part of a cluster.
 template <class V>
 struct Separation {
     V dx, dy, dz;  ///< in the arithmetic's unit
@@ -111,16 +119,16 @@ class DoubleArithmetic {
 
     /// To the atoms whose x begin at r.
     LJMD_INLINE void go_to(const double* r) {
-        x_ = V(in_four_lanes<double, V::lanes>(r));
-        y_ = V(in_four_lanes<double, V::lanes>(r + to_y));
-        z_ = V(in_four_lanes<double, V::lanes>(r + to_z));
+        x_ = V(of_row<V>(r));
+        y_ = V(of_row<V>(r + to_y));
+        z_ = V(of_row<V>(r + to_z));
     }
 
     LJMD_INLINE Separation<V> separation(std::size_t entry) const {
         const double* r = positions_ + entry;
-        const V dx = x_ - V(repeated<double, V::lanes>(r));
-        const V dy = y_ - V(repeated<double, V::lanes>(r + to_y));
-        const V dz = z_ - V(repeated<double, V::lanes>(r + to_z));
+        const V dx = x_ - V(of_part<V>(r));
+        const V dy = y_ - V(of_part<V>(r + to_y));
+        const V dz = z_ - V(of_part<V>(r + to_z));
         return {dx, dy, dz, dx * dx + dy * dy + dz * dz};  // rounded as the scalar sum does, see docs/performance.md
     }
 
@@ -160,16 +168,16 @@ class MixedArithmetic {
     [[nodiscard]] const std::int32_t* cluster(std::size_t entry) const { return positions_ + entry; }
 
     LJMD_INLINE void go_to(const std::int32_t* r) {
-        x_ = in_four_lanes<std::int32_t, V::lanes>(r);
-        y_ = in_four_lanes<std::int32_t, V::lanes>(r + to_y);
-        z_ = in_four_lanes<std::int32_t, V::lanes>(r + to_z);
+        x_ = of_row<V>(r);
+        y_ = of_row<V>(r + to_y);
+        z_ = of_row<V>(r + to_z);
     }
 
     LJMD_INLINE Separation<V> separation(std::size_t entry) const {
         const std::int32_t* r = positions_ + entry;
-        const V dx(__builtin_convertvector(x_ - repeated<std::int32_t, V::lanes>(r), V::Raw));
-        const V dy(__builtin_convertvector(y_ - repeated<std::int32_t, V::lanes>(r + to_y), V::Raw));
-        const V dz(__builtin_convertvector(z_ - repeated<std::int32_t, V::lanes>(r + to_z), V::Raw));
+        const V dx(__builtin_convertvector(x_ - of_part<V>(r), V::Raw));
+        const V dy(__builtin_convertvector(y_ - of_part<V>(r + to_y), V::Raw));
+        const V dz(__builtin_convertvector(z_ - of_part<V>(r + to_z), V::Raw));
         return {dx, dy, dz, multiply_add(dz, dz, multiply_add(dy, dy, dx * dx))};
     }
 

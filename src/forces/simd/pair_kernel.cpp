@@ -25,14 +25,14 @@ class Sums {
     V fx{0}, fy{0}, fz{0};
     V u{0};
 
-    /// @param others  x, y and z of minus the forces on the cluster that is met, which grow, too
+    /// @param others  x, y and z of minus the forces on the part that is met, which grow, too
     template <class Pair>
     LJMD_INLINE void add(const Arithmetic& arithmetic, const Pair& pair, V cutoff2, const Separation<V>& d,
                          const Begun<Arithmetic, Pair::takes_root>& begun, typename V::Value* others) {
         const auto term = pair(begun.distance(arithmetic, d.square));
         const V w = where_less(d.square, cutoff2, term.w);
         // All are read before any is written. One by one would take a tenth longer.
-        constexpr std::size_t axis = V::lanes;
+        constexpr std::size_t axis = partial_forces<V>;
         V x = V::load(others);
         V y = V::load(others + axis);
         V z = V::load(others + 2 * axis);
@@ -48,17 +48,18 @@ class Sums {
     }
 };
 
-/// What to add to the squared distances of each row of a cluster from the cluster itself, so that of two of its atoms
-/// only the one before meets the other, and none itself: more than any cutoff is, in units of FixedPoint, too.
+/// What to add to the squared distances of each row of a cluster from the parts of the cluster itself, so that of two
+/// of its atoms only the one before meets the other, and none itself: more than any cutoff is, in units of FixedPoint,
+/// too.
 template <class V>
 struct Aside {
-    static constexpr std::size_t rows = rows_per_cluster<V>;
-    typename V::Value of_row[rows][V::lanes] = {};
+    typename V::Value of_row[rows_per_cluster<V>][parts_per_cluster<V>][V::lanes] = {};
     constexpr Aside() {
+        constexpr std::size_t atoms = atoms_per_row<V>;
+        constexpr std::size_t others = others_per_row<V>;
         for (std::size_t atom = 0; atom < slots; ++atom) {
-            const std::size_t in_row = atom % (slots / rows);
             for (std::size_t other = 0; other <= atom; ++other) {
-                of_row[atom / (slots / rows)][in_row * slots + other] = typename V::Value(1e30);
+                of_row[atom / atoms][other / others][atom % atoms * others + other % others] = typename V::Value(1e30);
             }
         }
     }
@@ -105,15 +106,18 @@ class Row {
                     const std::int32_t* entries)
         : arithmetic_(arithmetic), pair_(pair), cutoff2_(cutoff2), partial_(partial), entry_(entries) {}
 
-    /// Meet the row's own cluster, then those on its list.
+    /// Meet the row's own cluster, then what is on its list.
     /// @param own    the place of the first
-    /// @param aside  see Aside
+    /// @param first  its first part that has a slot behind the row's first atom
+    /// @param aside  see Aside; of that part and those behind it
     /// @param end    of the list
-    LJMD_INLINE void meet_all(std::size_t own, const Real* aside, const std::int32_t* end) {
+    LJMD_INLINE void meet_all(std::size_t own, std::size_t first, const Real (*aside)[V::lanes],
+                              const std::int32_t* end) {
         if constexpr (by_twos<V>) {
-            meet_by_twos(own, aside, end);
+            static_assert(parts == 1);
+            meet_by_twos(own, *aside, end);
         } else {
-            meet_one_by_one(own, aside, end);
+            meet_one_by_one(own, first, aside, end);
         }
     }
 
@@ -121,9 +125,11 @@ class Row {
 
   private:
     static constexpr std::size_t width = atoms_per_row<V>;
+    static constexpr std::size_t others = others_per_row<V>;
+    static constexpr std::size_t parts = parts_per_cluster<V>;
     using Started = Begun<Arithmetic, Pair::takes_root>;
 
-    /// Two clusters under way. No PairDistance: with a second copy of the squared distance gcc 12 needs more registers.
+    /// Two parts under way. No PairDistance: with a second copy of the squared distance gcc 12 needs more registers.
     struct Two {
         Separation<V> d[2];
         Started begun[2];
@@ -133,8 +139,8 @@ class Row {
         return static_cast<std::uint32_t>(entry_[offset]);
     }
 
-    [[nodiscard]] LJMD_INLINE Separation<V> separation_from_own(std::size_t own, const Real* aside) const {
-        Separation<V> d = arithmetic_.separation(own);
+    [[nodiscard]] LJMD_INLINE Separation<V> separation_from_own(std::size_t there, const Real* aside) const {
+        Separation<V> d = arithmetic_.separation(there);
         d.square += V::load_unaligned(aside);
         return d;
     }
@@ -143,12 +149,15 @@ class Row {
         sums.add(arithmetic_, pair_, cutoff2_, d, begun, partial_ + there * width);
     }
 
-    LJMD_INLINE void meet_one_by_one(std::size_t own, const Real* aside, const std::int32_t* end) {
+    LJMD_INLINE void meet_one_by_one(std::size_t own, std::size_t first, const Real (*aside)[V::lanes],
+                                     const std::int32_t* end) {
         Separation<V> next = arithmetic_.separation(place(0));
-        Separation<V> d = separation_from_own(own, aside);
-        meet(d, Started(arithmetic_, d.square), own);
+        for (std::size_t part = first; part < parts; ++part, ++aside) {
+            const Separation<V> d = separation_from_own(own + part * others, *aside);
+            meet(d, Started(arithmetic_, d.square), own + part * others);
+        }
         while (entry_ < end) {
-            d = next;
+            const Separation<V> d = next;
             const std::size_t now = place(0);
             next = arithmetic_.separation(place(1));
             meet(d, Started(arithmetic_, d.square), now);
@@ -224,7 +233,7 @@ template <class Arithmetic, bool with_energy, class Pair>
     // Minus the forces on the atoms of a cluster, of each row's atom in lanes of its own. Where they are read for the
     // last time they lie in the nearest cache: zeros are written there, not by a pass of their own.
     auto* const partial = static_cast<Real*>(task.partial_forces);
-    constexpr std::size_t axis = V::lanes;
+    constexpr std::size_t axis = partial_forces<V>;
     const std::uint32_t* start = task.starts;
     for (std::size_t cluster = 0; cluster < own_clusters; ++cluster) {
         const std::size_t own = cluster * stride;
@@ -235,7 +244,7 @@ template <class Arithmetic, bool with_energy, class Pair>
             __builtin_memset(sums_of_rows, 0, sizeof sums_of_rows);  // rows without an atom
         }
         for (std::size_t k = 0; k < atoms; k += width, ++start) {
-            if (width == 1 || k + width <= atoms) {
+            if (k + width <= atoms) {
                 arithmetic.go_to(arithmetic.cluster(own) + k);
             } else {
                 typename Arithmetic::Coordinate there[3 * slots];
@@ -248,7 +257,8 @@ template <class Arithmetic, bool with_energy, class Pair>
                 arithmetic.go_to(there);
             }
             Row<Arithmetic, with_energy, Pair> row(arithmetic, pair, cutoff2, partial, task.entries + start[0]);
-            row.meet_all(own, aside.of_row[k / width], task.entries + start[1]);
+            const std::size_t first = parts_per_cluster<V> == 1 ? 0 : (k + 1) / others_per_row<V>;
+            row.meet_all(own, first, aside.of_row[k / width] + first, task.entries + start[1]);
             sums_of_rows[0][k / width] = row.sums.fx.raw;
             sums_of_rows[1][k / width] = row.sums.fy.raw;
             sums_of_rows[2][k / width] = row.sums.fz.raw;
@@ -258,9 +268,8 @@ template <class Arithmetic, bool with_energy, class Pair>
         }
         Four force[3];
         for (std::size_t a = 0; a < 3; ++a) {
-            force[a] = (sums_of_atoms<Real>(sums_of_rows[a]) - from_others<V>(partial + own * width + a * axis)) *
+            force[a] = (sums_of_atoms<Real>(sums_of_rows[a]) - take_from_others<V>(partial + own * width + a * axis)) *
                        arithmetic.unit();
-            V(0).store(partial + own * width + a * axis);
         }
         if constexpr (with_energy) {
             total.add_cluster(arithmetic.places(own, 0), arithmetic.places(own, 1), arithmetic.places(own, 2), force);
@@ -271,8 +280,7 @@ template <class Arithmetic, bool with_energy, class Pair>
         const std::size_t guest = cluster * stride;
         Four force[3];
         for (std::size_t a = 0; a < 3; ++a) {
-            force[a] = from_others<V>(partial + guest * width + a * axis) * -arithmetic.unit();
-            V(0).store(partial + guest * width + a * axis);
+            force[a] = take_from_others<V>(partial + guest * width + a * axis) * -arithmetic.unit();
         }
         write_forces<3>(force, slots, task.guest_forces + (guest - own_clusters * stride));
         if constexpr (with_energy) {
@@ -290,7 +298,10 @@ constexpr PairKernelsOfPotentials kernels_for(const std::variant<Pairs...>*) {
     return {{{{&sum_tile<Arithmetic, false, Pairs>, &sum_tile<Arithmetic, true, Pairs>}}...}};
 }
 
-constexpr PairKernels kernels{{atoms_per_row<DoubleArithmetic::V>, atoms_per_row<MixedArithmetic::V>},
+template <class V>
+constexpr RowShape row_shape{atoms_per_row<V>, others_per_row<V>};
+
+constexpr PairKernels kernels{{row_shape<DoubleArithmetic::V>, row_shape<MixedArithmetic::V>},
                               {kernels_for<DoubleArithmetic>(static_cast<const AnyPair*>(nullptr)),
                                kernels_for<MixedArithmetic>(static_cast<const AnyPair*>(nullptr))}};
 

@@ -8,6 +8,7 @@
 #include "ljmd/core/simd_levels.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"
+#include "ljmd/neighbors/row_shape.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
 namespace ljmd {
@@ -23,8 +24,8 @@ struct PairKernelTask {
     const std::int32_t* entries;       ///< see VerletList::Tile
     const std::uint32_t* starts;       ///< see VerletList::Tile
     double cutoff2;                    ///< squared cutoff [sigma^2]
-    void* partial_forces;              ///< 12 atoms_per_row zeros a cluster, which are zeros again in the end; double,
-                                       ///< float if mixed
+    void* partial_forces;              ///< 12 zeros a cluster and atom of a row, which are zeros again in the end;
+                                       ///< double, float if mixed
     double* forces;                    ///< x y z 0 of every atom: forces on the tile's own [epsilon/sigma]
     double* guest_forces;              ///< x y z of every slot of its guests, and one more number [epsilon/sigma]
 };
@@ -43,7 +44,7 @@ using PairKernel = void (*)(const void* pair, const PairKernelTask& task, PairKe
 using PairKernelsOfPotentials = std::array<std::array<PairKernel, 2>, std::variant_size_v<AnyPair>>;
 
 struct PairKernels {
-    int atoms_per_row[2];  ///< see VerletList::Tile, by precision
+    RowShape row_shapes[2];  ///< by precision
     PairKernelsOfPotentials by_precision[2];
 };
 

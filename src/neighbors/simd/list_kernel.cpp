@@ -53,11 +53,9 @@ int gather(const ConstCandidates& from, const ClusterGrid::Run* runs, int run_co
     return count;
 }
 
-template <int atoms>
-int find_clusters(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2,
-                  std::int32_t* out) {
-    constexpr int slots = ClusterGrid::slots;
-    constexpr unsigned bits_of_cluster = (1U << slots) - 1U;
+template <int atoms, int others>
+int find_parts(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2, std::int32_t* out) {
+    constexpr unsigned bits_of_part = (1U << others) - 1U;
     std::int32_t* end = out;
     for (int k = 0; k < count; k += lanes) {
         const Reals x = load<Reals>(candidates.x + k);
@@ -73,31 +71,28 @@ int find_clusters(const ConstCandidates& candidates, int count, const RowOfAtoms
             near |= r2 < range2;
         }
         const unsigned bits = simd::bits_of<lanes>(near);
-        for (int c = 0; c < lanes / slots; ++c) {  // written always and kept if near: branches would be guessed wrong
-            *end = candidates.entry[k + c * slots];
-            end += (bits >> (c * slots) & bits_of_cluster) != 0 ? 1 : 0;
+        for (int n = 0; n < lanes; n += others) {  // written always and kept if near: branches would be guessed wrong
+            *end = candidates.entry[k + n];
+            end += (bits >> n & bits_of_part) != 0 ? 1 : 0;
         }
     }
     return static_cast<int>(end - out);
 }
 
-int clusters_near(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2,
-                  std::int32_t* out) {
-    switch (row.count) {
-        case 1:
-            return find_clusters<1>(candidates, count, row, range2, out);
-        case 2:
-            return find_clusters<2>(candidates, count, row, range2, out);
-        default:
-            return find_clusters<4>(candidates, count, row, range2, out);
+int parts_near(const ConstCandidates& candidates, int count, const RowOfAtoms& row, float range2, std::int32_t* out) {
+    if (row.shape.others == 2) {
+        return row.shape.atoms == 1 ? find_parts<1, 2>(candidates, count, row, range2, out)
+                                    : find_parts<2, 2>(candidates, count, row, range2, out);
     }
+    return row.shape.atoms == 2 ? find_parts<2, 4>(candidates, count, row, range2, out)
+                                : find_parts<4, 4>(candidates, count, row, range2, out);
 }
 
 }  // namespace
 
 template <>
 ListKernel simd::compiled_here<ListKernel, simd::Here>() {
-    return {gather, clusters_near};
+    return {gather, parts_near};
 }
 
 }  // namespace ljmd

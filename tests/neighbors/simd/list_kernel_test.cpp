@@ -6,27 +6,28 @@
 
 using namespace ljmd;
 
-TEST_CASE("list kernels of every SIMD level find the pairs of all-pairs, for any width of rows and number of threads") {
-    const int atoms_per_row = GENERATE(1, 2, 4);
+TEST_CASE("list kernels of every SIMD level find the pairs of all-pairs, for any shape of rows and number of threads") {
+    const RowShape shape = GENERATE(RowShape{1, 2}, RowShape{2, 2}, RowShape{2, 4}, RowShape{4, 4});
     const int threads = GENERATE(1, 3);
     const test::ThreadGuard guard(threads);
     for (const double density : {0.02, 0.8442, 1.3}) {
         State state = test::random_state(400, cubic_box(400, density), 19);
         const auto expected = test::all_pairs_within(state, 2.5);
         for (const SimdLevel level : usable_simd_levels()) {
-            CAPTURE(name(level), atoms_per_row, threads, density);
+            CAPTURE(name(level), shape.atoms, shape.others, threads, density);
             VerletList list(0.3);
-            list.prepare_for(level, atoms_per_row);
+            list.prepare_for(level, shape);
             list.prepare(state, 2.5);
             CHECK(test::pairs_within(list, state, 2.5) == expected);
         }
     }
 }
 
-TEST_CASE("on a list stands every guest and every later cluster of the tile with an atom in range, and no other") {
+TEST_CASE("on a list stands every part of guests and later clusters of the tile with an atom in range, and no other") {
+    constexpr Index part = 2;
     State state = test::random_state(900, cubic_box(900, 0.8442), 23);
     VerletList list(0.3);
-    list.prepare_for(default_simd_level(), 1);
+    list.prepare_for(default_simd_level(), {1, part});
     list.prepare(state, 2.5);
     const ClusterGrid& grid = list.clusters();
     const auto r = static_cast<const State&>(state).positions();
@@ -49,9 +50,10 @@ TEST_CASE("on a list stands every guest and every later cluster of the tile with
             }
         }
         REQUIRE(static_cast<std::int32_t>(clusters.size()) == tile.cluster_count);
-        const auto nearest = [&](Index i, const Members& members) {
+        const auto nearest = [&](Index i, const Members& members, Index slot) {
             double d = 1e9;
-            for (Index j = members.atoms.first; j < members.atoms.last; ++j) {
+            const Index first = members.atoms.first + slot;
+            for (Index j = first; j < std::min(members.atoms.last, first + part); ++j) {
                 d = std::min(d, (r.col(i) - r.col(j) - members.shift).norm());
             }
             return d;
@@ -60,15 +62,17 @@ TEST_CASE("on a list stands every guest and every later cluster of the tile with
         for (Index own = 0; own < own_count; ++own) {
             const AtomRange atoms = clusters[static_cast<std::size_t>(own)].atoms;
             for (Index i = atoms.first; i < atoms.last; ++i, ++row, ++lists) {
-                std::vector<int> times(clusters.size());
+                std::vector<int> times(12 * clusters.size());
                 for (std::uint32_t e = row[0]; e < row[1]; ++e) {
-                    right = right && tile.entries[e] % 12 == 0;
-                    ++times.at(static_cast<std::size_t>(tile.entries[e] / 12));
+                    ++times.at(static_cast<std::size_t>(tile.entries[e]));
                 }
-                for (Index cluster = 0; cluster < tile.cluster_count; ++cluster) {
-                    const double d = nearest(i, clusters[static_cast<std::size_t>(cluster)]);
+                for (Index place = 0; place < Index{12} * tile.cluster_count; ++place) {
+                    const Index cluster = place / 12;
+                    const Index slot = place % 12;
+                    const double d =
+                        slot == 0 || slot == part ? nearest(i, clusters[static_cast<std::size_t>(cluster)], slot) : 1e9;
                     if (std::abs(d - 2.8) > 1e-6) {  // the kernel computes in single precision
-                        right = right && times[static_cast<std::size_t>(cluster)] == (cluster > own && d < 2.8 ? 1 : 0);
+                        right = right && times[static_cast<std::size_t>(place)] == (cluster > own && d < 2.8 ? 1 : 0);
                     }
                 }
             }
