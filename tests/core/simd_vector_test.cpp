@@ -207,7 +207,8 @@ TEMPLATE_TEST_CASE_SIG("two or four numbers are repeated over all lanes, in turn
     const auto in_turn = simd::repeated<T, lanes, count>(few);
     const auto each = simd::each_repeated<T, lanes, count>(few);
     for (int k = 0; k < lanes; ++k) {
-        CHECK(in_turn[k] == T(5 + k % count));
-        CHECK(each[k] == T(5 + k / (lanes / count)));
+        const int of = k / (lanes / count);
+        CHECK(in_turn[k] == few[k % count]);
+        CHECK(each[k] == few[of]);
     }
 }
