@@ -257,6 +257,7 @@ template <class Arithmetic, bool with_energy, class Pair>
                 arithmetic.go_to(there);
             }
             Row<Arithmetic, with_energy, Pair> row(arithmetic, pair, cutoff2, partial, task.entries + start[0]);
+            // Of one part it is always 0, which the compiler should know: AVX2's mixed kernel is 4 % faster for it.
             const std::size_t first = parts_per_cluster<V> == 1 ? 0 : (k + 1) / others_per_row<V>;
             row.meet_all(own, first, aside.of_row[k / width] + first, task.entries + start[1]);
             sums_of_rows[0][k / width] = row.sums.fx.raw;
