@@ -48,7 +48,7 @@ std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<Su
     return std::nullopt;
 }
 
-Json observable_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+Json estimate_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
     if (!average.estimate) {
         return {
             {"mean", nullptr}, {"standard_error", nullptr}, {"independent_samples", nullptr}, {"unit", average.unit}};
@@ -68,14 +68,52 @@ Json observable_json(const ObservableAverage& average, const std::optional<Subst
     return json;
 }
 
-std::string table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+Json observable_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+    Json json = estimate_json(average, units);
+    if (!average.remark.empty()) {
+        json["remark"] = average.remark;
+    }
+    return json;
+}
+
+/// Remarks on lines of a table, each told once below it.
+class Footnotes {
+  public:
+    /// What stands beside the number that the remark is about, such as "[1]"; nothing for an empty remark.
+    [[nodiscard]] std::string mark(const std::string& remark) {
+        if (remark.empty()) {
+            return "";
+        }
+        const auto found = std::ranges::find(remarks_, remark);
+        const auto number = found - remarks_.begin() + 1;
+        if (found == remarks_.end()) {
+            remarks_.push_back(remark);
+        }
+        return fmt::format("[{}]", number);
+    }
+
+    [[nodiscard]] std::string text() const {
+        std::string text;
+        for (std::size_t k = 0; k < remarks_.size(); ++k) {
+            text += fmt::format("  [{}] {}\n", k + 1, remarks_[k]);
+        }
+        return text;
+    }
+
+  private:
+    std::vector<std::string> remarks_;
+};
+
+std::string table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units,
+                       Footnotes& footnotes) {
+    const std::string mark = footnotes.mark(average.remark);
     if (!average.estimate) {
-        return fmt::format("  {:<26}{:<6}not defined\n", average.name, average.symbol);
+        return fmt::format("  {:<26}{:<6}{:>22} {}\n", average.name, average.symbol, "no value", mark);
     }
     const Estimate& e = *average.estimate;
     std::string line = fmt::format(
-        "  {:<26}{:<6}{:>22}  {:<20}{:>8}", average.name, average.symbol, with_error(e.mean, e.standard_error),
-        average.unit, std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-");
+        "  {:<26}{:<6}{:>22} {:<4}{:<20}{:>8}", average.name, average.symbol, with_error(e.mean, e.standard_error),
+        mark, average.unit, std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-");
     if (const auto si = si_unit(average.unit, units)) {
         line += fmt::format("{:>26} {}", with_error(e.mean * si->factor, e.standard_error * si->factor), si->name);
     }
@@ -101,14 +139,15 @@ Json observables_json(const std::vector<ObservableAverage>& averages, const std:
 
 std::string observables_table(const std::vector<ObservableAverage>& averages,
                               const std::optional<SubstanceUnits>& units) {
-    std::string text = fmt::format("  {:<26}{:<6}{:>22}  {:<20}{:>8}{:>26}\n", "observable", "",
+    Footnotes footnotes;
+    std::string text = fmt::format("  {:<26}{:<6}{:>22}     {:<20}{:>8}{:>26}\n", "observable", "",
                                    "mean +- standard error", "unit", "samples*", units ? "SI" : "");
     for (const ObservableAverage& average : averages) {
         if (is_in_table(average.name)) {
-            text += table_line(average, units);
+            text += table_line(average, units, footnotes);
         }
     }
-    return text;
+    return text + footnotes.text();
 }
 
 std::string samples_footnote() {

@@ -143,13 +143,33 @@ TEST_CASE("the table of a run shows what people look for, in SI too for a substa
     CHECK_THAT(line_of_table(reduced, "temperature"),
                Contains("0.7220 +- 0.0021") && Contains("epsilon/k_B") && Catch::EndsWith(" 100"));
     CHECK_THAT(line_of_table(reduced, "compressibility_factor"), Contains(" 0.9 ") && Catch::EndsWith(" -"));
-    CHECK_THAT(line_of_table(reduced, "kinetic_energy"), Contains("not defined"));
+    CHECK_THAT(line_of_table(reduced, "kinetic_energy"), Contains("no value"));
     CHECK_THAT(line_of_table(reduced, "energy drift"), Contains("'production': -1.5e-07 epsilon per atom and tau"));
     CHECK_THAT(reduced, !Contains("pressure_xy") && !Contains("equilibrate"));
     const std::string argon = results_table(deck_with(argon_table), result);
     CHECK_THAT(line_of_table(argon, "temperature"), Catch::EndsWith(" 86.50 +- 0.25 K"));
     CHECK_THAT(line_of_table(argon, "potential_energy"), Catch::EndsWith(" -6.0632 +- 0.0012 kJ/mol"));
     CHECK_THAT(argon, Contains("density 0.8442 sigma^-3 (1.4185 g/cm3)"));
+}
+
+TEST_CASE("a remark stands where its number stands, and is told once") {
+    RunResult result = some_result();
+    result.averages[0].remark = "asked for 1.0";
+    result.averages[1].remark = "few samples";
+    result.averages[2].remark = "few samples";
+    result.averages.push_back({"viscosity", "eta", "epsilon tau/sigma^3", std::nullopt, "frames too far apart"});
+    const std::string table = results_table(deck_with(""), result);
+    CHECK_THAT(line_of_table(table, "temperature"), Contains("0.7220 +- 0.0021 [1] epsilon/k_B"));
+    CHECK_THAT(line_of_table(table, "potential_energy"), Contains("-6.0871 +- 0.0012 [2] epsilon"));
+    CHECK_THAT(line_of_table(table, "pressure"), Contains("0.50 +- 0.25 [2] epsilon/sigma^3"));
+    CHECK_THAT(line_of_table(table, "viscosity"), Catch::EndsWith("no value [3]"));
+    CHECK_THAT(line_of_table(table, "compressibility_factor"), !Contains("["));
+    CHECK_THAT(table, Contains("\n  [1] asked for 1.0\n  [2] few samples\n  [3] frames too far apart\n"));
+    const Json observables = Json::parse(results_json(deck_with(""), result)).at("observables");
+    CHECK(observables.at("pressure").at("remark") == "few samples");
+    CHECK(observables.at("viscosity").at("remark") == "frames too far apart");
+    CHECK(observables.at("viscosity").at("mean").is_null());
+    CHECK_FALSE(observables.at("compressibility_factor").contains("remark"));
 }
 
 TEST_CASE("transport, heat capacity and viscosity have the units of a substance, too") {

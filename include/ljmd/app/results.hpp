@@ -16,12 +16,12 @@ namespace ljmd {
 /// virial are in results.json only.
 [[nodiscard]] bool is_in_table(const std::string& observable);
 
-/// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, and si
-/// for a substance.
+/// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for a
+/// substance, and remark where there is one.
 [[nodiscard]] nlohmann::ordered_json observables_json(const std::vector<ObservableAverage>& averages,
                                                       const std::optional<SubstanceUnits>& units);
 
-/// A header and one line an observable.
+/// A header, one line an observable, and below them the remarks that numbers are marked with.
 [[nodiscard]] std::string observables_table(const std::vector<ObservableAverage>& averages,
                                             const std::optional<SubstanceUnits>& units);
 
