@@ -41,7 +41,7 @@ std::optional<Index> atoms_of(const Deck& deck) {
     }
 }
 
-/// From the fluctuations of temperature and energy.
+/// From the fluctuations of temperature and potential energy.
 std::optional<Estimate> heat_capacity(const DataTable& table, const Deck& deck) {
     const auto atoms = atoms_of(deck);
     if (!atoms) {
@@ -49,11 +49,11 @@ std::optional<Estimate> heat_capacity(const DataTable& table, const Deck& deck) 
     }
     RunAverages averages(*atoms, sampled_ensemble(deck));
     const std::vector<double> temperatures = column(table, "temperature");
-    const std::vector<double> energies = column(table, "total_energy");
+    const std::vector<double> energies = column(table, "potential_energy");
     for (std::size_t k = 0; k < energies.size(); ++k) {
         Thermodynamics row;
         row.temperature = temperatures[k];
-        row.total_energy = energies[k];
+        row.potential_energy = energies[k];
         averages.add(row);
     }
     for (const ObservableAverage& average : averages.averages()) {

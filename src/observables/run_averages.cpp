@@ -15,7 +15,7 @@ struct Column {
 };
 
 constexpr Index temperature_column = 0;
-constexpr Index energy_column = 3;
+constexpr Index potential_energy_column = 1;
 constexpr Index pressure_column = 4;
 constexpr Index density_column = 5;
 constexpr std::array<Column, 13> columns{{{"temperature", "T", "epsilon/k_B"},
@@ -32,9 +32,9 @@ constexpr std::array<Column, 13> columns{{{"temperature", "T", "epsilon/k_B"},
                                           {"pressure_yz", "p_yz", "epsilon/sigma^3"},
                                           {"virial", "W", "epsilon"}}};
 
-/// Behind the columns that are reported: T^2 and e^2.
-constexpr auto squared_temperature_column = static_cast<Index>(columns.size());
-constexpr Index squared_energy_column = squared_temperature_column + 1;
+/// Behind the columns that are reported: 1/T and u^2.
+constexpr auto inverse_temperature_column = static_cast<Index>(columns.size());
+constexpr Index squared_energy_column = inverse_temperature_column + 1;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ void RunAverages::add(const Thermodynamics& s) {
     const double t = s.temperature.value_or(0.0);
     Eigen::VectorXd row(series_.width());
     row << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure, s.density, p(0, 0), p(1, 1), p(2, 2),
-        p(0, 1), p(0, 2), p(1, 2), s.virial, t * t, s.total_energy * s.total_energy;
+        p(0, 1), p(0, 2), p(1, 2), s.virial, t > 0.0 ? 1.0 / t : 0.0, s.potential_energy * s.potential_energy;
     series_.add(row);
 }
 
@@ -86,31 +86,31 @@ std::optional<Estimate> RunAverages::heat_capacity() const {
 std::optional<Estimate> RunAverages::heat_capacity_at_constant_energy() const {
     const Eigen::VectorXd mean = series_.mean();
     const double t = mean[temperature_column];
-    const double t_squared = mean[squared_temperature_column];
-    const double half_freedom = 0.5 * degrees_of_freedom_;
-    const double rest = 1.0 - half_freedom * (t_squared / (t * t) - 1.0);
+    const double inverse = mean[inverse_temperature_column];
+    const double share = 1.0 - 2.0 / degrees_of_freedom_;
+    const double rest = 1.0 - share * t * inverse;
     if (!(rest > 0.0)) {
         return std::nullopt;  // larger fluctuations than any heat capacity allows
     }
-    const double c = half_freedom / (atoms_ * rest);
-    const double slope = c * half_freedom / rest;  // dc/d(<T^2>/<T>^2)
+    const double c = 1.0 / (atoms_ * rest);
+    const double slope = c * share / rest;  // dc/d(<T> <1/T>)
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
-    gradient[squared_temperature_column] = slope / (t * t);
-    gradient[temperature_column] = -2.0 * slope * t_squared / (t * t * t);
-    return series_.estimate(c, gradient);
+    gradient[temperature_column] = slope * inverse;
+    gradient[inverse_temperature_column] = slope * t;
+    return series_.estimate(c + 1.5 / atoms_, gradient);
 }
 
 std::optional<Estimate> RunAverages::heat_capacity_at_constant_temperature() const {
     const Eigen::VectorXd mean = series_.mean();
     const double t = mean[temperature_column];
-    const double e = mean[energy_column];
+    const double u = mean[potential_energy_column];
     const double per_variance = atoms_ / (t * t);
-    const double c = per_variance * (mean[squared_energy_column] - e * e);
+    const double c = per_variance * (mean[squared_energy_column] - u * u);
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
     gradient[squared_energy_column] = per_variance;
-    gradient[energy_column] = -2.0 * per_variance * e;
+    gradient[potential_energy_column] = -2.0 * per_variance * u;
     gradient[temperature_column] = -2.0 * c / t;
-    return series_.estimate(c, gradient);
+    return series_.estimate(c + 1.5, gradient);
 }
 
 std::vector<ObservableAverage> RunAverages::averages() const {

@@ -175,10 +175,10 @@ TEST_CASE("the heat capacity at constant energy is that of the fluctuations of t
         sample.temperature = t;
         run.add(sample);
     }
-    // <T^2>/<T>^2 - 1 = 0.005: c = 1/(1 - 3 * 0.005).
+    const double mean_inverse = (1.0 / 0.9 + 2.0 + 1.0 / 1.1) / 4.0;
     const ObservableAverage found = find(run.averages(), "heat_capacity_cv");
     CHECK(found.unit == "k_B");
-    CHECK(found.estimate->mean == Approx(1.0 / 0.985).epsilon(1e-12));
+    CHECK(found.estimate->mean == Approx(1.0 / (3.0 * (1.0 - 2.0 / 3.0 * mean_inverse)) + 0.5).epsilon(1e-12));
 
     RunAverages thermostatted(3, Ensemble::none);
     thermostatted.add(numbered(1.0));
@@ -237,32 +237,79 @@ void check_heat_capacity_of_many_runs(Index atoms, Ensemble ensemble, const Samp
 }  // namespace
 
 TEST_CASE("the error of the heat capacity is the scatter of many runs") {
-    // 300 degrees of freedom; relative variance of T at constant energy: 2/f (1 - f/(2 C)).
-    const double width = std::sqrt(2.0 / 300.0 * (1.0 - 150.0 / (101.0 * 2.5)));
+    // 300 degrees of freedom: <T> <1/T> = 1 + v with (1 - 2/f) (1 + v) = 1 - 1/(N c_v - 3/2), and v = w^2 + 3 w^4 where
+    // the relative fluctuations of T are normal, of width w.
+    const double v = (1.0 - 1.0 / (101.0 * 2.5 - 1.5)) / (1.0 - 2.0 / 300.0) - 1.0;
+    const double width = std::sqrt(v - 3.0 * v * v);
     check_heat_capacity_of_many_runs(101, Ensemble::constant_energy, [&](double normal) {
         Thermodynamics sample;
         sample.temperature = 0.7 * (1.0 + width * normal);
         return sample;
     });
-    // Variance of e in the canonical ensemble: c T^2/N.
-    const double energy_width = std::sqrt(2.5 * 0.49 / 100.0);
+    // Variance of u in the canonical ensemble: (c - 3/2) T^2/N.
+    const double energy_width = std::sqrt(1.0 * 0.49 / 100.0);
     check_heat_capacity_of_many_runs(100, Ensemble::canonical, [&](double normal) {
         Thermodynamics sample;
         sample.temperature = 0.7;
-        sample.total_energy = -3.0 + energy_width * normal;
+        sample.potential_energy = -3.0 + energy_width * normal;
         return sample;
     });
 }
 
-TEST_CASE("the heat capacity in the canonical ensemble is that of the fluctuations of the energy") {
+namespace {
+
+/// The heat capacity from samples of an ensemble.
+template <class Sample>
+double heat_capacity_of(Index atoms, Ensemble ensemble, const Sample& sample_of) {
+    std::mt19937_64 generator(5);
+    RunAverages run(atoms, ensemble);
+    for (int n = 0; n < 100000; ++n) {
+        run.add(sample_of(generator));
+    }
+    return find(run.averages(), "heat_capacity_cv").estimate->mean;
+}
+
+}  // namespace
+
+TEST_CASE("the heat capacity of few harmonic oscillators has no error of the order 1/N, at constant energy") {
+    // Nine degrees of freedom of the motion about the centre of mass, nine harmonic ones, energy 1: the kinetic energy
+    // has a beta distribution. C = 9 without, 10.5 with the motion of the centre of mass.
+    std::gamma_distribution<double> gamma(4.5);
+    const double c = heat_capacity_of(4, Ensemble::constant_energy, [&](auto& generator) {
+        const double k = gamma(generator);
+        Thermodynamics sample;
+        sample.temperature = 2.0 / 9.0 * k / (k + gamma(generator));
+        return sample;
+    });
+    CHECK(c == Approx(10.5 / 4.0).epsilon(0.01));
+}
+
+TEST_CASE("the heat capacity in the canonical ensemble is the same whether or not the centre of mass moves") {
+    for (const double freedom : {9.0, 12.0}) {  // of the motion of four atoms; nine harmonic ones
+        CAPTURE(freedom);
+        std::gamma_distribution<double> kinetic(0.5 * freedom);
+        std::gamma_distribution<double> potential(4.5);
+        const double c = heat_capacity_of(4, Ensemble::canonical, [&](auto& generator) {
+            Thermodynamics sample;
+            sample.temperature = 1.0;
+            sample.kinetic_energy = kinetic(generator) / 4.0;
+            sample.potential_energy = potential(generator) / 4.0;
+            sample.total_energy = sample.kinetic_energy + sample.potential_energy;
+            return sample;
+        });
+        CHECK(c == Approx(10.5 / 4.0).epsilon(0.02));
+    }
+}
+
+TEST_CASE("the heat capacity in the canonical ensemble is that of the fluctuations of the potential energy") {
     RunAverages run(50, Ensemble::canonical);
     for (const double e : {-2.9, -3.0, -3.0, -3.1}) {
         Thermodynamics sample;
         sample.temperature = 0.5;
-        sample.total_energy = e;
+        sample.potential_energy = e;
         run.add(sample);
     }
-    CHECK(find(run.averages(), "heat_capacity_cv").estimate->mean == Approx(50.0 * 0.005 / 0.25).epsilon(1e-12));
+    CHECK(find(run.averages(), "heat_capacity_cv").estimate->mean == Approx(50.0 * 0.005 / 0.25 + 1.5).epsilon(1e-12));
 }
 
 TEST_CASE("a density that fluctuates is an observable, and the compressibility factor is that of its mean") {

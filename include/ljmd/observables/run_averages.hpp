@@ -20,13 +20,16 @@ enum class Ensemble {
 /// Averages of thermodynamic samples with standard errors by blocking.
 ///
 /// The compressibility factor is a ratio of means, Z = <p>/(<rho> <T>); its error takes the correlation of the three
-/// into account (delta method). Fluctuations give the heat capacity: at constant energy those of the temperature, in
-/// the canonical ensemble those of the total energy e per atom,
+/// into account (delta method). Fluctuations give the heat capacity at constant volume, with the 3/2 of the motion of
+/// all N atoms: at constant energy those of the temperature, in the canonical ensemble those of the potential energy u
+/// per atom,
 ///
-///     c_v = f/(2 N)/(1 - (f/2)(<T^2>/<T>^2 - 1)),   f = 3 N - 3
-///     c_v = N (<e^2> - <e>^2)/<T>^2
+///     c_v = 1/(N (1 - (1 - 2/f) <T> <1/T>)) + 3/(2 N),   f = 3 N - 3
+///     c_v = N (<u^2> - <u>^2)/<T>^2 + 3/2
 ///
-/// Source of the first: Lebowitz, Percus and Verlet (1967), doi:10.1103/PhysRev.153.250
+/// The first is exact for f degrees of freedom of the motion, and 3/(2 N) that of the centre of mass; the second does
+/// not depend on whether the thermostat conserves momentum.
+/// Source of the first: Pearson, Halicioglu and Tiller (1985), doi:10.1103/PhysRevA.32.3030
 class RunAverages {
   public:
     /// @param ensemble  that all samples are from
