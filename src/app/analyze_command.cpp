@@ -84,14 +84,21 @@ std::vector<std::string> output_files(const std::vector<FrameAnalysis>& analyses
     return files;
 }
 
+std::optional<Positions> said_positions(const AnalyzeOptions& options) {
+    if (options.positions.empty()) {
+        return std::nullopt;
+    }
+    return options.positions == "wrapped" ? Positions::wrapped : Positions::unwrapped;
+}
+
 /// Analyze a trajectory and write the tables.
 /// @param is_run  the deck is that of the run that the trajectory is of
 /// @return what is to be printed
 std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
                     const AnalyzeOptions& options, const fs::path& directory) {
     set_thread_count(default_thread_count());
-    AnalyzedTrajectory trajectory{path, deck, {}, {}, wanted.thermo && !is_run};  // a run has its thermo.csv
-    trajectory.summary = summarize(path, trajectory.units());
+    AnalyzedTrajectory trajectory{path, deck, {}, {}, options.group, wanted.thermo && !is_run};  // a run has thermo.csv
+    trajectory.summary = summarize(path, trajectory.units(), options.group, said_positions(options));
     std::optional<double> time_step = options.time_step;
     if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
         time_step = sampled_run(deck->root, trajectory.summary.atoms, Box(trajectory.summary.edges)).time_step;
@@ -102,6 +109,9 @@ std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const W
         check_thermo(deck, trajectory.summary, trajectory.selection);
     } else if (names.empty()) {
         names = usual_analyses(trajectory.summary, trajectory.selection);
+        if (!trajectory.summary.positions.positions) {
+            talk(fmt::format("warning: msd is left out: {}\n", trajectory.summary.positions.reason));
+        }
     }
     const std::vector<FrameAnalysis> analyses =
         make_frame_analyses(names, options.settings, deck, trajectory.summary, trajectory.selection);

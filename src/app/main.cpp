@@ -103,6 +103,15 @@ void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
         .add_option("--time-step", options.time_step,
                     "time between steps in tau, for trajectories that do not tell; that of the deck by default")
         ->type_name("DT");
+    command
+        .add_option("--group", options.group, "of an H5MD file with several groups of particles, the one to measure")
+        ->type_name("NAME");
+    command
+        .add_option("--positions", options.positions,
+                    "wrapped or unwrapped, for displacements in trajectories where neither the file nor the motion of "
+                    "the atoms tells")
+        ->type_name("HOW")
+        ->check(CLI::IsMember({"wrapped", "unwrapped"}));
     command.add_option("--set", options.settings, "e.g. --set analysis.rdf.bins=100; `every` counts frames")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);

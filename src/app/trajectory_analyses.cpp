@@ -93,7 +93,10 @@ std::string obstacle(const AnalysisMethod& method, const SampledRun& run, const 
                      const FrameSelection& selection) {
     const AnalysisNeeds& needs = method.needs;
     if (needs.velocities && !trajectory.has_velocities) {
-        return "needs velocities, which the trajectory does not have";
+        return fmt::format("needs velocities, {}", trajectory.missing_velocities);
+    }
+    if (needs.unwrapped_positions && !trajectory.positions.positions) {
+        return fmt::format("needs displacements: {}", trajectory.positions.reason);
     }
     if (method.follows_time && !selection.spacing) {
         return fmt::format("needs equally spaced frames: {}", selection.uneven);
@@ -119,7 +122,7 @@ std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory, con
     std::vector<std::string> names{"rdf"};
     if (!trajectory.box_changes) {
         names.emplace_back("structure_factor");
-        if (selection.spacing) {
+        if (selection.spacing && trajectory.positions.positions) {
             names.emplace_back("msd");
         }
     }

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/deck_against_frames.hpp"
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/sampled_run.hpp"
@@ -20,18 +21,26 @@ namespace ljmd {
 
 namespace {
 
+DeckClaims claims_of(const AnalyzedTrajectory& trajectory) {
+    if (trajectory.deck == nullptr) {
+        return {};
+    }
+    const Box box(trajectory.summary.edges);
+    return {sampled_ensemble(*trajectory.deck),
+            sampled_run(trajectory.deck->root, trajectory.summary.atoms, box).held_temperature};
+}
+
 /// One pass over a trajectory.
 class Pass {
   public:
     Pass(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses)
         : trajectory_(trajectory),
           analyses_(analyses),
-          averages_(trajectory.summary.atoms,
-                    trajectory.deck != nullptr ? sampled_ensemble(*trajectory.deck) : Ensemble::none),
+          averages_(trajectory.summary.atoms, claims_of(trajectory).ensemble),
           tail_(trajectory.thermo ? interaction_of(*trajectory.deck).tail : TailCorrection()) {}
 
     void run() {
-        const auto reader = open_trajectory(trajectory_.path, trajectory_.units());
+        const auto reader = open_trajectory(trajectory_.path, trajectory_.units(), trajectory_.group);
         const auto frames = static_cast<std::size_t>(trajectory_.summary.frames);
         Frame frame;
         for (std::size_t k = 0; k < frames; ++k) {
@@ -40,13 +49,6 @@ class Pass {
             }
             take(k, std::move(frame.configuration));
         }
-    }
-
-    /// Whether positions are followed through the walls from frame to frame.
-    [[nodiscard]] bool unwraps() const {
-        return trajectory_.summary.wrapped && std::ranges::any_of(analyses_, [](const FrameAnalysis& each) {
-                   return each.method.needs.unwrapped_positions;
-               });
     }
 
     /// Of energies and pressures where they are wanted; of the temperature alone where there are velocities.
@@ -58,12 +60,14 @@ class Pass {
         return found;
     }
 
+    [[nodiscard]] const EnergyFluctuations& energies() const { return energies_; }
+
   private:
     void take(std::size_t k, Configuration configuration) {
         if (!trajectory_.summary.box_changes) {
             configuration.edges = trajectory_.summary.edges;
         }
-        if (unwraps()) {
+        if (trajectory_.summary.positions.positions == Positions::wrapped) {
             unwrapper_.unwrap(configuration);
         }
         const std::optional<std::size_t> part = trajectory_.selection.parts[k];
@@ -94,7 +98,9 @@ class Pass {
             })) {
             evaluation = evaluate(state, k);
         }
-        averages_.add(thermodynamics(state, evaluation, tail_));
+        const Thermodynamics found = thermodynamics(state, evaluation, tail_);
+        averages_.add(found);
+        energies_.add(found);
         for (const FrameAnalysis& each : analyses_) {
             if (each.analysis->due(number)) {
                 each.analysis->sample(state, evaluation);
@@ -115,10 +121,22 @@ class Pass {
     const AnalyzedTrajectory& trajectory_;
     const std::vector<FrameAnalysis>& analyses_;
     RunAverages averages_;
+    EnergyFluctuations energies_;
     TailCorrection tail_;  ///< of energies and pressures, where they are wanted
     FrameUnwrapper unwrapper_;
     std::optional<std::size_t> part_;  ///< of the last frame
 };
+
+/// How positions were taken; null where no displacement was measured.
+nlohmann::ordered_json positions_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
+    const PositionReading& reading = trajectory.summary.positions;
+    if (!result.used_displacements) {
+        return nullptr;
+    }
+    return {{"taken_as", reading.positions == Positions::wrapped ? "wrapped" : "unwrapped"},
+            {"told_by", reading.told_by},
+            {"largest_step", trajectory.summary.motion.largest_step}};
+}
 
 std::string si_box(const Vec3& edges, const std::optional<SubstanceUnits>& units) {
     if (!units) {
@@ -137,10 +155,10 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
     if (!trajectory.summary.warning.empty()) {
         result.warnings.push_back(trajectory.summary.warning);
     }
-    if (pass.unwraps()) {
-        result.warnings.emplace_back(
-            "the file does not hold unwrapped positions: atoms were followed from frame to frame by their nearest "
-            "images, which is wrong where one moves by half an edge of the box");
+    result.used_displacements =
+        std::ranges::any_of(analyses, [](const auto& each) { return each.method.needs.unwrapped_positions; });
+    if (result.used_displacements && !trajectory.summary.positions.doubt.empty()) {
+        result.warnings.push_back(trajectory.summary.positions.doubt);
     }
     result.averages = pass.averages();
     for (const auto& [method, analysis] : analyses) {
@@ -156,6 +174,7 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
     if (const auto infinite = diffusion_in_infinite_system(result.averages, Box(trajectory.summary.edges))) {
         result.averages.push_back(*infinite);
     }
+    take_back_contradicted(result.averages, claims_of(trajectory), pass.energies(), trajectory.summary.box_changes);
     if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
         result.warnings.push_back(
             fmt::format("the trajectory is too short for the error bars of {}: they are guesses", unsure));
@@ -172,6 +191,9 @@ std::string trajectory_table(const AnalyzedTrajectory& trajectory, const Traject
                                    trajectory.selection.used);
     if (trajectory.selection.spacing) {
         text += fmt::format(", {:.6g} tau apart", *trajectory.selection.spacing);
+    }
+    if (result.used_displacements) {
+        text += "\n" + description(summary.positions, summary.motion);
     }
     text += "\n\n";
     if (!result.averages.empty()) {
@@ -190,6 +212,7 @@ std::string trajectory_json(const AnalyzedTrajectory& trajectory, const Trajecto
                                          {"frames", summary.frames},
                                          {"frames_used", trajectory.selection.used},
                                          {"spacing", number_or_null(spacing)},
+                                         {"positions", positions_json(trajectory, result)},
                                          {"observables", observables_json(result.averages, trajectory.units())},
                                          {"warnings", result.warnings}};
     // A path need not be UTF-8, as JSON must.

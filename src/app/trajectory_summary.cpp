@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {
@@ -13,7 +10,6 @@ namespace {
 
 /// Edges are stored with the digits of a single-precision number, or more; they count as the same within this.
 constexpr double same_edge = 1e-6;
-constexpr double late_wrapping = 1.05;
 
 /// Gathers what frames tell, one after the other.
 class Summarizer {
@@ -24,9 +20,15 @@ class Summarizer {
             summary_.atoms = std::ssize(found.positions);
             summary_.edges = found.edges;
             summary_.smallest_edges = found.edges;
-            summary_.has_velocities = !found.velocities.empty();
+            summary_.has_velocities = true;
         }
         ++summary_.frames;
+        if (!found.velocities.empty()) {
+            any_velocities_ = true;
+        } else if (summary_.has_velocities) {
+            summary_.has_velocities = false;
+            first_without_ = summary_.frames;
+        }
         const Vec3 change = (found.edges - summary_.edges).cwiseAbs();
         if (!summary_.box_changes && (change.array() > same_edge * summary_.edges.array()).any()) {
             summary_.box_changes = summary_.frames;
@@ -38,40 +40,35 @@ class Summarizer {
         if (frame.has_time) {
             summary_.times.push_back(found.time);
         }
-        unwrapped_ = unwrapped_ && frame.wrapping == Wrapping::unwrapped;
-        told_ = told_ && frame.wrapping != Wrapping::not_told;
-        for (const Vec3& r : found.positions) {
-            const Vec3 in_edges = r.cwiseQuotient(found.edges);
-            lowest_ = lowest_.cwiseMin(in_edges);
-            highest_ = highest_.cwiseMax(in_edges);
-        }
+        tells_unwrapped_ = tells_unwrapped_ && frame.tells_unwrapped;
+        meter_.add(found);
     }
 
-    [[nodiscard]] TrajectorySummary finish() {
-        const auto has_all = [&](const auto& of_frames) { return std::ssize(of_frames) == summary_.frames; };
-        if (!has_all(summary_.steps)) {
-            summary_.steps.clear();
+    /// @param unused  TrajectoryReader::unused_velocities()
+    [[nodiscard]] TrajectorySummary finish(std::optional<Positions> said, const std::string& unused) {
+        if (!summary_.has_velocities) {
+            summary_.missing_velocities = any_velocities_  ? fmt::format("which frame {} does not have", first_without_)
+                                          : unused.empty() ? "which the trajectory does not have"
+                                                           : fmt::format("which the trajectory has {}", unused);
         }
-        if (!has_all(summary_.times)) {
-            summary_.times.clear();
-        }
-        const bool spread = (highest_ - lowest_).maxCoeff() > late_wrapping;
-        summary_.wrapped = told_ ? !unwrapped_ : !spread;
+        summary_.motion = meter_.motion();
+        summary_.positions = read_positions(summary_.motion, tells_unwrapped_, said);
         return std::move(summary_);
     }
 
   private:
     TrajectorySummary summary_{};
-    bool unwrapped_ = true;
-    bool told_ = true;
-    Vec3 lowest_ = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< of all positions, in edges
-    Vec3 highest_ = -lowest_;
+    bool any_velocities_ = false;
+    Index first_without_ = 0;  ///< number of the first frame without velocities
+    bool tells_unwrapped_ = true;
+    FrameMotionMeter meter_;
 };
 
 }  // namespace
 
-TrajectorySummary summarize(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units) {
-    const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path, units);
+TrajectorySummary summarize(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
+                            const std::string& group, std::optional<Positions> positions) {
+    const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path, units, group);
     Summarizer summarizer;
     Frame frame;
     while (reader->next(frame)) {
@@ -80,7 +77,7 @@ TrajectorySummary summarize(const std::filesystem::path& path, const std::option
     if (reader->frames() == 0) {
         throw DataError(fmt::format("{}: the file has no frame", path.string()));
     }
-    TrajectorySummary summary = summarizer.finish();
+    TrajectorySummary summary = summarizer.finish(positions, reader->unused_velocities());
     summary.warning = reader->warning();
     return summary;
 }

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
+
+#include "ljmd/io/one_kind.hpp"
 
 namespace ljmd {
 namespace {
@@ -136,7 +137,12 @@ ExtendedXyzColumns parse_columns(const TextFile& file, std::string_view text) {
     columns.velocity = column_of(file, properties, {"velo", "vel"}, "R", 3);
     columns.id = column_of(file, properties, {"id"}, "I", 1);
     columns.mass = column_of(file, properties, {"mass", "masses"}, "R", 1);
-    for (const Property& property : properties) columns.count += static_cast<std::size_t>(property.columns);
+    for (const Property& property : properties) {
+        if (property.columns == 1 && OneKind::is_told_by(property.name)) {
+            columns.kinds.emplace(property.name, columns.count);
+        }
+        columns.count += static_cast<std::size_t>(property.columns);
+    }
     return columns;
 }
 
@@ -164,8 +170,8 @@ ExtendedXyzHeader parse_extended_xyz_header(const TextFile& file) {
     header.edges = parse_lattice(file, find(pairs, "lattice"));
     header.columns = parse_columns(file, find(pairs, "properties").value_or("species:S:1:pos:R:3"));
     check_periodic(file, find(pairs, "pbc").value_or("T T T"));
-    header.tells_units = find(pairs, "units").has_value();
-    header.si = parse_units(file, find(pairs, "units").value_or("reduced"));
+    header.tells_unwrapped = find(pairs, "positions") == "unwrapped";
+    if (const auto units = find(pairs, "units")) header.si = parse_units(file, *units);
     if (const auto time = find(pairs, "time")) header.time = file.number(*time, "Time");
     if (const auto step = find(pairs, "step")) header.step = file.integer(*step, "step");
     if (header.step && *header.step < 0) file.fail(fmt::format("step must not be negative, found {}", *header.step));

@@ -26,11 +26,18 @@ struct RawFrame {
     std::vector<Vec3> positions;
     std::vector<Vec3> velocities;
     std::vector<double> masses;
-    std::string species;
 };
 
-FileUnits units_of(const TextFile& file, const ExtendedXyzHeader& header, const std::optional<SubstanceUnits>& units) {
-    if (!header.si) return {};
+/// @param si  what the first frame says, to be set by it
+FileUnits units_of(const TextFile& file, const ExtendedXyzHeader& header, std::optional<bool>& si,
+                   const std::optional<SubstanceUnits>& units) {
+    const auto name = [](bool is_si) { return is_si ? "si" : "reduced"; };
+    if (!si) si = header.si.value_or(false);
+    if (header.si.value_or(*si) != *si) {
+        file.fail(fmt::format("units={}, but the units of frame 1, which hold for all frames, are {}", name(*header.si),
+                              name(*si)));
+    }
+    if (!*si) return {};
     if (!units)
         file.fail(
             "the file is in SI units (units=si), which takes a substance: a deck with [argon] is needed (analyze: "
@@ -46,18 +53,13 @@ void reserve(RawFrame& frame, std::size_t size) {
     if (frame.header.columns.mass) frame.masses.reserve(size);
 }
 
-void read_atom(const TextFile& file, const std::vector<std::string_view>& fields, RawFrame& frame) {
+void read_atom(const TextFile& file, const std::vector<std::string_view>& fields, RawFrame& frame, OneKind& kind) {
     const ExtendedXyzColumns& columns = frame.header.columns;
     if (fields.size() != columns.count) {
         file.fail(fmt::format("{} columns, but Properties has {}", fields.size(), columns.count));
     }
-    if (columns.species) {
-        const std::string_view species = fields[*columns.species];
-        if (frame.species.empty()) frame.species = species;
-        if (species != frame.species) {
-            file.fail(fmt::format("species {} beside {}, but ljmd has one kind of atom", shown(species),
-                                  shown(frame.species)));
-        }
+    for (const auto& [name, column] : columns.kinds) {
+        if (const std::string fault = kind.add(name, fields[column]); !fault.empty()) file.fail(fault);
     }
     frame.positions.push_back(read_vector(file, fields, columns.position) / frame.units.length);
     if (columns.velocity) {
@@ -71,19 +73,19 @@ void read_atom(const TextFile& file, const std::vector<std::string_view>& fields
 /// Read one frame. The file stands at the line with its number of atoms, whose only field is given.
 /// @param wanted  number of atoms; 0: any
 RawFrame read_frame(TextFile& file, std::string_view count_field, Index wanted,
-                    const std::optional<SubstanceUnits>& units) {
+                    const std::optional<SubstanceUnits>& units, ExtendedXyzPremises& premises) {
     const Index count = read_atom_count(file, count_field, wanted);
     file.next_line();  // the comment line; there is one, or the count would have been refused
     RawFrame frame;
     frame.header_line = file.line_number();
     frame.header = parse_extended_xyz_header(file);
-    frame.units = units_of(file, frame.header, units);
+    frame.units = units_of(file, frame.header, premises.si, units);
     reserve(frame, expected_atoms(file, count));
     std::vector<std::string_view> fields;
     for (Index row = 0; row < count; ++row) {
         next_atom_line(file, row, count);
         split_fields(file.line(), fields);
-        read_atom(file, fields, frame);
+        read_atom(file, fields, frame, premises.kind);
     }
     return frame;
 }
@@ -109,7 +111,7 @@ AtomOrder order_of(const TextFile& file, const RawFrame& frame) {
 /// The next frame; nothing behind the last one.
 /// @param number  of the frame, from 1
 std::optional<RawFrame> next_frame(TextFile& file, Index number, Index wanted,
-                                   const std::optional<SubstanceUnits>& units) {
+                                   const std::optional<SubstanceUnits>& units, ExtendedXyzPremises& premises) {
     std::vector<std::string_view> fields;
     while (file.next_line()) {
         split_fields(file.line(), fields);
@@ -118,7 +120,7 @@ std::optional<RawFrame> next_frame(TextFile& file, Index number, Index wanted,
         if (fields.size() != 1) {
             file.fail(fmt::format("expected the number of atoms, found {}", shown(file.line())));
         }
-        return read_frame(file, fields[0], wanted, units);
+        return read_frame(file, fields[0], wanted, units, premises);
     }
     return std::nullopt;
 }
@@ -127,8 +129,8 @@ std::optional<RawFrame> next_frame(TextFile& file, Index number, Index wanted,
 
 Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units) {
     std::optional<RawFrame> last;
-    Index number = 1;
-    for (auto frame = next_frame(file, number, 0, units); frame; frame = next_frame(file, ++number, 0, units)) {
+    ExtendedXyzPremises premises;
+    for (Index number = 1; auto frame = next_frame(file, number, 0, units, premises); ++number) {
         last = std::move(frame);
     }
     if (!last) file.fail("the file has no frame");
@@ -139,13 +141,17 @@ Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUni
 }
 
 bool ExtendedXyzTrajectory::read(Frame& frame) {
-    const std::optional<RawFrame> raw = next_frame(file_, frames() + 1, atoms(), units_);
+    const std::optional<RawFrame> raw = next_frame(file_, frames() + 1, atoms(), units_, premises_);
     if (!raw) return false;
     if (frames() > 0 && is_cut()) file_.fail("the last line has no end");
-    const AtomOrder order = order_of(file_, *raw);
     const ExtendedXyzHeader& header = raw->header;
-    frame = {to_configuration(*raw, order), header.step.has_value(), header.time.has_value(),
-             header.tells_units ? Wrapping::unwrapped : Wrapping::not_told};
+    const bool has_ids = header.columns.id.has_value();
+    if (premises_.has_ids.value_or(has_ids) != has_ids) {
+        file_.fail(has_ids ? "ids, which frame 1 has not" : "no ids, which frame 1 has");
+    }
+    premises_.has_ids = has_ids;
+    const AtomOrder order = order_of(file_, *raw);
+    frame = {to_configuration(*raw, order), header.step.has_value(), header.time.has_value(), header.tells_unwrapped};
     check_frame(file_, frame.configuration, order, raw->header_line);
     return true;
 }

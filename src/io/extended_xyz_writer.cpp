@@ -21,9 +21,10 @@ std::string header(const State& state, bool velocities, bool si, const UnitScale
         const Vec3 edges = scale.length * state.box().edges();
         text += fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" ", edges[0], edges[1], edges[2]);
     }
-    text += fmt::format("Properties=species:S:1:pos:R:3{}:id:I:1 pbc=\"{}\" Time={} step={} units={}\n",
-                        velocities ? ":velo:R:3" : "", state.has_box() ? "T T T" : "F F F", scale.time * state.time,
-                        state.step, si ? "si" : "reduced");
+    text +=
+        fmt::format("Properties=species:S:1:pos:R:3{}:id:I:1 pbc=\"{}\" Time={} step={} units={} positions=unwrapped\n",
+                    velocities ? ":velo:R:3" : "", state.has_box() ? "T T T" : "F F F", scale.time * state.time,
+                    state.step, si ? "si" : "reduced");
     return text;
 }
 

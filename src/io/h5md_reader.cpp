@@ -20,25 +20,40 @@ constexpr double largest_step = 1e15;  // that and what is below are exact in do
 
 }  // namespace
 
-H5mdReader::H5mdReader(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units) : file_(path) {
-    group_ = find_group();
+H5mdReader::H5mdReader(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
+                       const std::string& group)
+    : file_(path) {
+    group_ = find_group(group);
     position_ = vectors("position");
     if (position_.value.empty() || position_.fixed) {
         file_.fail(fmt::format("{} has no positions that change with time", group_));
     }
     velocity_ = vectors("velocity");
+    if (!is_at_steps_of_positions("velocity", velocity_)) {
+        velocity_ = {};
+        leave_velocities("at other steps than the positions");
+    }
     image_ = vectors("image");
+    if (!is_at_steps_of_positions("image", image_)) {
+        image_ = {};
+    }
     edges_ = element("box/edges");
     id_ = element("id");
     check_box();
-    check_species();
+    check_kind();
     find_frames();
-    steps_ = series(group_ + "/position/step");
-    times_ = series(group_ + "/position/time");
-    for (const char* name : {"velocity", "image", "box/edges", "id"}) {
+    steps_ = series(group_ + "/position/step", frame_count_);
+    times_ = series(group_ + "/position/time", frame_count_);
+    for (const char* name : {"box/edges", "id"}) {
         require_same_steps(name);
     }
-    scale_ = h5md_scale(file_, {position_.value, group_ + "/position/time", velocity_.value, edges_.value}, units);
+    const Element mass = element("mass");
+    scale_ = h5md_scale(file_, {position_.value, group_ + "/position/time", velocity_.value, edges_.value, mass.value},
+                        units);
+    if (!mass.value.empty() && scale_.mass) {
+        const std::vector<double> masses = mass.fixed ? file_.numbers(mass.value) : file_.numbers_at(mass.value, 0);
+        mass_ = masses.empty() ? std::nullopt : std::optional(masses[0] / *scale_.mass);
+    }
     const std::vector<std::string> creator = file_.text_attribute("h5md/creator", "name");
     is_ljmd_ = !creator.empty() && creator[0] == "ljmd";
 }
@@ -47,20 +62,23 @@ void H5mdReader::fail(const std::string& message) const {
     file_.fail(fmt::format("frame {}: {}", frames() + 1, message));
 }
 
-std::string H5mdReader::find_group() const {
+std::string H5mdReader::find_group(const std::string& wanted) const {
     const std::string all = "particles";
     if (!file_.exists(all)) {
         file_.fail("it is HDF5, but not H5MD: there is no group 'particles'");
     }
     const std::vector<std::string> groups = file_.members(all);
-    if (groups.size() == 1) {
+    if (wanted.empty() && groups.size() == 1) {
         return all + "/" + groups[0];
     }
-    if (std::ranges::find(groups, "trajectory") == groups.end()) {
-        file_.fail(fmt::format("'particles' has {} groups, none of them called 'trajectory': {}", groups.size(),
-                               fmt::join(groups, ", ")));
+    const std::string name = wanted.empty() ? "trajectory" : wanted;
+    if (std::ranges::find(groups, name) == groups.end()) {
+        file_.fail(wanted.empty()
+                       ? fmt::format("'particles' has {} groups, {}: choose one (analyze: --group NAME)", groups.size(),
+                                     fmt::join(groups, ", "))
+                       : fmt::format("'particles' has no group {}, but {}", shown(wanted), fmt::join(groups, ", ")));
     }
-    return all + "/trajectory";
+    return all + "/" + name;
 }
 
 H5mdReader::Element H5mdReader::element(const std::string& name) const {
@@ -68,7 +86,10 @@ H5mdReader::Element H5mdReader::element(const std::string& name) const {
     if (!file_.exists(path)) {
         return {};
     }
-    return file_.is_dataset(path) ? Element{path, true} : Element{path + "/value", false};
+    if (file_.is_dataset(path)) {
+        return {path, true};
+    }
+    return file_.exists(path + "/value") ? Element{path + "/value", false} : Element{};
 }
 
 H5mdReader::Element H5mdReader::vectors(const std::string& name) {
@@ -124,9 +145,30 @@ void H5mdReader::find_frames() {
     }
 }
 
+/// Whether an element that not every analysis needs has an entry for each frame. A file that was not closed may lack
+/// the last ones.
+bool H5mdReader::is_at_steps_of_positions(const std::string& name, const Element& element) const {
+    if (element.value.empty() || element.fixed) {
+        return true;
+    }
+    const Index frames = file_.extent(position_.value)[0];
+    const Index entries = file_.extent(element.value)[0];
+    const std::vector<double> steps = series(group_ + "/position/step", frames);
+    const std::vector<double> others = series(fmt::format("{}/{}/step", group_, name), entries);
+    if (entries == 0) {
+        return false;
+    }
+    if (steps.empty() || others.empty()) {
+        return entries == frames || !file_.was_closed();
+    }
+    const auto common = static_cast<std::ptrdiff_t>(std::min(steps.size(), others.size()));
+    return std::equal(steps.begin(), steps.begin() + common, others.begin()) &&
+           (steps.size() == others.size() || !file_.was_closed());
+}
+
 /// Another element must not have been written at other steps than the positions.
 void H5mdReader::require_same_steps(const std::string& name) const {
-    const std::vector<double> others = series(fmt::format("{}/{}/step", group_, name));
+    const std::vector<double> others = series(fmt::format("{}/{}/step", group_, name), frame_count_);
     if (steps_.empty() || others.empty()) {
         return;
     }
@@ -153,21 +195,39 @@ void H5mdReader::check_box() const {
     }
 }
 
-void H5mdReader::check_species() const {
-    const std::string species = group_ + "/species";
-    if (!file_.is_dataset(species)) {
-        return;
-    }
-    const std::vector<std::int64_t> all = file_.integers(species);
-    const auto other = std::ranges::adjacent_find(all, std::not_equal_to());
-    if (other != all.end()) {
-        file_.fail(fmt::format("species {} beside {}, but ljmd has one kind of atom", *std::next(other), *other));
+/// Of all that tells kinds of atoms apart, in all entries: they may be at other steps than the positions.
+void H5mdReader::check_kind() const {
+    OneKind kind;
+    const auto add = [&](const std::string& name, const std::vector<double>& values) {
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            if (k > 0 && values[k] == values[k - 1]) {
+                continue;
+            }
+            if (const std::string fault = kind.add(name, fmt::format("{}", values[k])); !fault.empty()) {
+                file_.fail(fmt::format("{}: {}", group_, fault));
+            }
+        }
+    };
+    for (const std::string& name : file_.members(group_)) {
+        const Element found = OneKind::is_told_by(name) ? element(name) : Element{};
+        if (found.value.empty()) {
+            continue;
+        }
+        const std::vector<Index> extent = file_.extent(found.value);
+        if (found.fixed || extent.empty()) {
+            add(name, file_.numbers(found.value));
+            continue;
+        }
+        for (Index entry = 0; entry < extent[0]; ++entry) {
+            add(name, file_.numbers_at(found.value, entry));
+        }
     }
 }
 
 /// What an array with one entry a frame, or an increment from one to the next, says of each frame; nothing when there
 /// is none.
-std::vector<double> H5mdReader::series(const std::string& array) const {
+/// @param entries  that an increment stands for; an array with more is cut to as many
+std::vector<double> H5mdReader::series(const std::string& array, Index entries) const {
     if (!file_.exists(array)) {
         return {};
     }
@@ -176,11 +236,11 @@ std::vector<double> H5mdReader::series(const std::string& array) const {
         const std::vector<double> offset = file_.number_attribute(array, "offset");
         const double increment = values.at(0);
         values.clear();
-        for (Index frame = 0; frame < frame_count_; ++frame) {
+        for (Index frame = 0; frame < entries; ++frame) {
             values.push_back((offset.empty() ? 0.0 : offset[0]) + static_cast<double>(frame) * increment);
         }
     }
-    values.resize(static_cast<std::size_t>(frame_count_));
+    values.resize(static_cast<std::size_t>(entries));
     return values;
 }
 
@@ -254,6 +314,9 @@ bool H5mdReader::read(Frame& frame) {
             found.positions[atom] += images[atom].cwiseProduct(found.edges);
         }
     }
+    if (mass_) {
+        found.masses.assign(found.positions.size(), *mass_);
+    }
     if (const std::vector<Index> order = order_of(k); !order.empty()) {
         found.positions = arranged(found.positions, order);
         found.velocities = arranged(found.velocities, order);
@@ -261,8 +324,7 @@ bool H5mdReader::read(Frame& frame) {
     if (const auto fault = find_fault(found)) {
         fail(fault->atom ? fmt::format("atom {} {}", *fault->atom + 1, fault->message) : fault->message);
     }
-    frame = {std::move(found), !steps_.empty(), !times_.empty(),
-             is_ljmd_ || !image_.value.empty() ? Wrapping::unwrapped : Wrapping::not_told};
+    frame = {std::move(found), !steps_.empty(), !times_.empty(), is_ljmd_ || !image_.value.empty()};
     return true;
 }
 

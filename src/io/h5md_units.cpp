@@ -12,6 +12,8 @@ namespace {
 std::optional<double> si_of(std::string name, Dimension dimension) {
     if (name == "Angstrom") {
         name = "angstrom";
+    } else if (name == "g mol-1") {
+        name = "g/mol";
     }
     return parse_quantity("1 " + name, dimension);
 }
@@ -86,6 +88,14 @@ H5mdScale h5md_scale(const Hdf5Input& file, const H5mdQuantities& quantities,
         file.fail(fmt::format("positions have no unit, but {} has one", quantities.edges));
     }
     scale.edges = unit ? scale_of(file, quantities.edges, *unit, Dimension::length, units) : scale.length;
+    const auto mass_unit = file.exists(quantities.masses) ? unit_of(file, quantities.masses) : std::nullopt;
+    if (mass_unit && !has_units) {
+        file.fail(fmt::format("positions have no unit, but {} has one", quantities.masses));
+    }
+    if (has_units) {
+        scale.mass = mass_unit ? std::optional(scale_of(file, quantities.masses, *mass_unit, Dimension::mass, units))
+                               : std::nullopt;
+    }
     return scale;
 }
 

@@ -39,7 +39,7 @@ herr_t refuse_to_follow(const char*, const char*, const char*, const char*, unsi
 
 bool holds_numbers(hid_t type) {
     const H5T_class_t kind = H5Tget_class(type);
-    return kind == H5T_FLOAT || kind == H5T_INTEGER;
+    return kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_ENUM;
 }
 
 }  // namespace

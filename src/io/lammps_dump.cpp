@@ -138,18 +138,21 @@ std::size_t LammpsDump::column(std::string_view name) const {
 
 LammpsDump::Rows LammpsDump::read_atoms(const std::vector<std::string>& columns) {
     const std::size_t id = column("id");
-    const bool has_type = has("type");
-    const std::size_t type = has_type ? column("type") : id;
     std::vector<std::size_t> wanted;
     wanted.reserve(columns.size());
     for (const std::string& name : columns) {
         wanted.push_back(column(name));
     }
+    std::vector<std::size_t> kinds;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+        if (OneKind::is_told_by(columns_[k])) {
+            kinds.push_back(k);
+        }
+    }
     std::vector<Index> ids;
     std::vector<double> numbers;
     ids.reserve(expected_atoms(file_, atoms_));
     numbers.reserve(expected_atoms(file_, atoms_) * wanted.size());
-    std::string only_type;
     std::vector<std::string_view> fields;
     const Index first_line = file_.line_number() + 1;
     for (Index row = 0; row < atoms_; ++row) {
@@ -159,10 +162,10 @@ LammpsDump::Rows LammpsDump::read_atoms(const std::vector<std::string>& columns)
             file_.fail(fmt::format("{} columns, but 'ITEM: ATOMS' names {}", fields.size(), columns_.size()));
         }
         ids.push_back(file_.integer(fields[id], "the id"));
-        only_type = row == 0 ? fields[type] : only_type;
-        if (has_type && fields[type] != only_type) {
-            file_.fail(
-                fmt::format("type {} beside {}, but ljmd has one kind of atom", shown(fields[type]), shown(only_type)));
+        for (const std::size_t k : kinds) {
+            if (const std::string fault = kind_.add(columns_[k], fields[k]); !fault.empty()) {
+                file_.fail(fault);
+            }
         }
         for (const std::size_t k : wanted) {
             numbers.push_back(file_.number(fields[k], columns_[k]));
@@ -188,8 +191,13 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
     if (has_images) {
         columns.insert(columns.end(), image_names.begin(), image_names.end());
     }
+    const auto first_velocity = static_cast<Index>(columns.size());
     if (has_velocities) {
         columns.insert(columns.end(), velocity_names.begin(), velocity_names.end());
+    }
+    const bool has_masses = dump_.has("mass");
+    if (has_masses) {
+        columns.emplace_back("mass");
     }
     const LammpsDump::Rows rows = dump_.read_atoms(columns);
     if (frames() > 0 && is_cut()) {
@@ -206,12 +214,14 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
         const Vec3 from_corner = found->scaled ? Vec3(place.cwiseProduct(edges)) : Vec3(place - dump_.low());
         configuration.positions.emplace_back(from_corner + image.cwiseProduct(edges));
         if (has_velocities) {
-            configuration.velocities.emplace_back(rows.row(atom).tail<3>());
+            configuration.velocities.emplace_back(rows.row(atom).segment<3>(first_velocity));
+        }
+        if (has_masses) {
+            configuration.masses.push_back(rows(atom, rows.cols() - 1));
         }
     }
     check_frame(dump_.file(), configuration, dump_.order(), dump_.box_line());
-    frame = {std::move(configuration), true, dump_.time().has_value(),
-             found->unwrapped || has_images ? Wrapping::unwrapped : Wrapping::wrapped};
+    frame = {std::move(configuration), true, dump_.time().has_value(), found->unwrapped || has_images};
     return true;
 }
 

@@ -26,24 +26,30 @@ bool TrajectoryReader::next(Frame& frame) {
         return false;
     }
     const auto atoms = static_cast<Index>(frame.configuration.positions.size());
-    const bool has_velocities = !frame.configuration.velocities.empty();
     if (frames_ == 0) {
         atoms_ = atoms;
-        has_velocities_ = has_velocities;
+        has_step_ = frame.has_step;
+        has_time_ = frame.has_time;
     } else if (atoms != atoms_) {
         fail(fmt::format("{} atoms, but frame 1 has {}", atoms, atoms_));
-    } else if (has_velocities != has_velocities_) {
-        fail(has_velocities ? "velocities, which frame 1 has not" : "no velocities, which frame 1 has");
+    } else if (frame.has_step != has_step_) {
+        fail(frame.has_step ? "a step, which frame 1 has not" : "no step, which frame 1 has");
+    } else if (frame.has_time != has_time_) {
+        fail(frame.has_time ? "a time, which frame 1 has not" : "no time, which frame 1 has");
     }
     ++frames_;
     return true;
 }
 
 std::unique_ptr<TrajectoryReader> open_trajectory(const std::filesystem::path& path,
-                                                  const std::optional<SubstanceUnits>& units) {
+                                                  const std::optional<SubstanceUnits>& units,
+                                                  const std::string& group) {
     TextFile file(path);  // refuses what is no regular file, which HDF5 would open
     if (is_hdf5(path)) {
-        return std::make_unique<H5mdReader>(path, units);
+        return std::make_unique<H5mdReader>(path, units, group);
+    }
+    if (!group.empty()) {
+        file.fail_at(0, fmt::format("only an H5MD file has groups of particles, such as {}", shown(group)));
     }
     if (!file.next_line()) {
         file.fail_at(0, "the file is empty");

@@ -18,6 +18,7 @@ TrajectorySummary fifty_frames() {
     summary.edges = Vec3::Constant(5.13);
     summary.smallest_edges = summary.edges;
     summary.has_velocities = true;
+    summary.positions = {Positions::unwrapped, "file", "", ""};
     for (int k = 0; k < 50; ++k) {
         summary.steps.push_back(10 * k);
         summary.times.push_back(0.04 * k);
@@ -109,10 +110,14 @@ TEST_CASE("an analysis of what a trajectory lacks is refused") {
     }
     summary = fifty_frames();
     summary.box_changes = 2;
-    for (const char* name : {"msd", "vacf", "viscosity", "structure_factor"}) {
+    for (const char* name : {"msd", "vacf", "viscosity", "structure_factor", "chemical_potential"}) {
         CHECK_THAT(complaint({name}, summary, {}, &deck), Contains("needs a box that stays the same"));
     }
-    CHECK(complaint({"rdf", "chemical_potential"}, summary, {}, &deck) == "no InputError");
+    CHECK(complaint({"rdf"}, summary, {}, &deck) == "no InputError");
+    summary = fifty_frames();
+    summary.positions = {std::nullopt, "", "nobody knows", ""};
+    CHECK_THAT(complaint({"msd"}, summary), Contains("msd needs displacements: nobody knows"));
+    CHECK(complaint({"rdf", "vacf", "structure_factor"}, summary) == "no InputError");
 }
 
 TEST_CASE("settings are checked as those of a deck are") {

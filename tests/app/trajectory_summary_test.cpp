@@ -34,9 +34,21 @@ TEST_CASE("a summary tells what all frames have") {
     CHECK_FALSE(all.has_velocities);
     CHECK_FALSE(all.box_changes.has_value());
     CHECK(all.warning.empty());
-    const TrajectorySummary some = summary_of(frame("step=5 Time=0.5", 1.0) + frame("step=9", 2.0));
+    const TrajectorySummary some = summary_of(frame("step=5", 1.0) + frame("step=9", 2.0));
     CHECK(some.steps.size() == 2);
     CHECK(some.times.empty());
+}
+
+TEST_CASE("a summary tells whether all frames have velocities, and why not") {
+    const std::string without = frame("", 1.0);
+    const std::string with_velocities =
+        "1\nLattice=\"4 0 0 0 4 0 0 0 4\" Properties=species:S:1:pos:R:3:velo:R:3\nX 1 1 1 0 0 1\n";
+    CHECK(summary_of(with_velocities + with_velocities).has_velocities);
+    CHECK_FALSE(summary_of(without).has_velocities);
+    CHECK(summary_of(without).missing_velocities == "which the trajectory does not have");
+    CHECK_FALSE(summary_of(with_velocities + without + without).has_velocities);
+    CHECK(summary_of(with_velocities + without + without).missing_velocities == "which frame 2 does not have");
+    CHECK(summary_of(without + with_velocities).missing_velocities == "which frame 1 does not have");
 }
 
 TEST_CASE("a summary tells where the box changes, and its smallest edges") {
@@ -47,12 +59,20 @@ TEST_CASE("a summary tells where the box changes, and its smallest edges") {
     CHECK(all.smallest_edges == Vec3::Constant(3.5));
 }
 
-TEST_CASE("positions that spread over more than the box are unwrapped, where the file does not tell") {
-    CHECK(summary_of(frame("", 0.1) + frame("", 3.9)).wrapped);
-    CHECK(summary_of(frame("", -1.9) + frame("", 1.9)).wrapped);
-    CHECK(summary_of(frame("", -0.05) + frame("", 4.05)).wrapped);
-    CHECK_FALSE(summary_of(frame("", 0.1) + frame("", 4.6)).wrapped);
-    CHECK_FALSE(summary_of(frame("units=reduced", 0.1) + frame("units=reduced", 3.9)).wrapped);
+TEST_CASE("displacements tell whether positions are wrapped, and a file does where all its frames say so") {
+    const std::string told = "positions=unwrapped";
+    const auto positions = [](const std::string& text) { return summary_of(text).positions.positions; };
+    CHECK(positions(frame("", 0.1) + frame("", 3.9)) == Positions::wrapped);
+    CHECK(positions(frame("units=reduced", 0.1) + frame("units=reduced", 3.9)) == Positions::wrapped);
+    CHECK(positions(frame("", 0.1) + frame("", 1.9)) == Positions::unwrapped);
+    CHECK(positions(frame("", 0.1) + frame("", 2.9)) == std::nullopt);
+    CHECK(positions(frame(told, 0.1) + frame("", 2.9)) == std::nullopt);
+    CHECK(positions(frame(told, 0.1) + frame(told, 2.9)) == Positions::unwrapped);
+    const WrittenFile written(frame("", 0.1) + frame("", 2.9));
+    const TrajectorySummary said = summarize(written.path(), std::nullopt, {}, Positions::wrapped);
+    CHECK(said.positions.positions == Positions::wrapped);
+    CHECK(said.motion.jumps == 1);
+    CHECK(said.motion.largest_step == Approx(0.3));
 }
 
 TEST_CASE("what the reader has to tell is passed on") {

@@ -9,7 +9,11 @@ import math
 import random
 import re
 
+from pathlib import Path
+
 from harness import ARGON, Case, DECK, STARS
+
+DATA = Path(__file__).resolve().parent.parent / "data"
 
 ANALYSIS = """
 [analysis]
@@ -108,18 +112,19 @@ def a_lammps_dump_with_image_flags(t):
     name = write_dump(t, images=True)
     result = t.run_well("analyze", name, *ALL, "--deck", "deck.toml", *SAMPLED, "--json")
     as_the_run(t, "dump-analysis", result)
-    t.check("images" not in result.err, result.err)
+    t.equal(json.loads(result.out)["positions"]["told_by"], "file", "positions")
 
 
 def a_wrapped_lammps_dump(t):
-    """Atoms are followed by their nearest images, and that is said once."""
+    """Atoms are followed by their nearest images, and that is said."""
     run(t)
     name = write_dump(t, images=False)
     result = t.run_well("analyze", name, *ALL, "--deck", "deck.toml", *SAMPLED, "--json")
     as_the_run(t, "dump-analysis", result)
-    t.equal(result.err.count("nearest images"), 1, "warnings")
-    t.equal(t.run_well("analyze", name, "rdf", "vacf", "--time-step", "0.004", "--out", "again").err.count("images"), 0,
-            "warnings where positions are not followed")
+    t.equal(json.loads(result.out)["positions"]["taken_as"], "wrapped", "positions")
+    t.contains(t.run_well("analyze", name, "msd", "--time-step", "0.004", "--out", "again").out, "nearest images")
+    t.check("positions:" not in t.run_well("analyze", name, "rdf", "vacf", "--time-step", "0.004", "--out", "more").out,
+            "positions are described where it does not matter")
 
 
 def frames_in_a_foreign_place(t):
@@ -204,7 +209,7 @@ def frame(keys="", columns="", values=""):
 
 
 def timed(*times, **options):
-    return "".join(frame(f"Time={time} units=reduced", **options) for time in times)
+    return "".join(frame(f"Time={time}", **options) for time in times)
 
 
 WITH_VELOCITIES = {"columns": ":velo:R:3", "values": " 0 0 1"}
@@ -274,10 +279,132 @@ def without_times(t):
     t.equal(t.columns("a-analysis/msd.csv")["time"][:2], [0.0, 0.5], "times")
 
 
+def walls(wrap_every, step=0.5, edge=5.0, keys=""):
+    """Eight atoms on a lattice, the first of which moves by `step` a frame, the last by -step. Positions are wrapped every so
+    many frames, 0: never; LAMMPS does that when it builds lists, so that atoms lie outside for a while."""
+    text = ""
+    for number in range(40):
+        text += f'8\nLattice="{edge} 0 0 0 {edge} 0 0 0 {edge}" Time={number} {keys}\n'
+        for atom in range(8):
+            x, y, z = (edge * (0.25 + 0.5 * (atom >> axis & 1)) for axis in (2, 1, 0))
+            velocity = step * {0: 1, 7: -1}.get(atom, 0)
+            edges = math.floor((x + velocity * (number - number % wrap_every)) / edge) if wrap_every else 0
+            text += f"X {x + velocity * number - edges * edge:.6f} {y:.6f} {z:.6f}\n"
+    return text
+
+
+def positions_through_the_walls(t):
+    """msd is the same however a file has its positions; units are no proof that they are unwrapped."""
+    (t.dir / "deck.toml").write_text(DECK + ARGON)
+    files = {"late": walls(3), "wrapped": walls(1), "unwrapped": walls(0),
+             "si": walls(1, step=0.5 * 3.405, edge=5 * 3.405, keys="units=si")}
+    for name, text in files.items():
+        (t.dir / f"{name}.xyz").write_text(text)
+        argon = ("--deck", "deck.toml") if name == "si" else ()
+        result = t.run_well("analyze", f"{name}.xyz", "msd", "--json", *argon)
+        columns = t.columns(f"{name}-analysis/msd.csv")
+        t.check(math.isclose(columns["msd"][4], 2 / 8 * (4 * 0.5)**2, rel_tol=1e-4), f"{name}: {columns['msd'][:5]}")
+        found = json.loads(result.out)["positions"]
+        t.equal((found["taken_as"], found["told_by"]), ("unwrapped" if name == "unwrapped" else "wrapped", "displacements"),
+                name)
+    t.contains(t.run_well("analyze", "late.xyz", "msd", "--force").out,
+               "positions: wrapped, atoms followed by their nearest images, at most 0.1 edges away (told by displacements)")
+
+
+def positions_that_nothing_tells(t):
+    """Atoms that move by more than a quarter of an edge a frame: which displacement is meant has to be said."""
+    (t.dir / "a.xyz").write_text(walls(1, step=2.0))
+    t.golden(t.expect(2, t.run("analyze", "a.xyz", "msd")).err + t.run_well("analyze", "a.xyz").err)
+    t.check("msd.csv" not in t.files("a-analysis"), "msd of what nothing tells")
+    for how, msd in (("wrapped", 2 / 8 * 4.0), ("unwrapped", None)):
+        result = t.run_well("analyze", "a.xyz", "msd", "--positions", how, "--out", how, "--json")
+        found = json.loads(result.out)["positions"]
+        t.equal((found["taken_as"], found["told_by"]), (how, "--positions"), how)
+        t.check(msd is None or math.isclose(t.columns(f"{how}/msd.csv")["msd"][1], msd, rel_tol=1e-3), f"msd, {how}")
+    t.expect(2, t.run("analyze", "a.xyz", "msd", "--positions", "folded"))
+
+
+def shivering_lattice(atoms, edge):
+    """Lines of a dump, frame after frame: a cubic lattice that shivers, with the same velocities."""
+    generator = random.Random(4)
+    cells = round(atoms**(1 / 3))
+    velocities = [[generator.gauss(0, 1) for _ in range(3)] for _ in range(atoms)]
+    while True:
+        lines = []
+        for atom, velocity in enumerate(velocities):
+            place = [(atom // cells**axis % cells) * edge / cells + generator.uniform(-0.1, 0.1) for axis in (0, 1, 2)]
+            lines.append(" ".join([str(atom + 1), "1", *map(repr, place + velocity)]) + "\n")
+        yield "".join(lines)
+
+
+def a_deck_that_the_frames_contradict(t):
+    """c_v by the formula of constant volume, of a dump whose box grows: no value, and why."""
+    t.deck()
+    places = shivering_lattice(64, 6)
+    text = ""
+    for number in range(6):
+        edge = 6 + 0.6 * number
+        text += f"ITEM: TIMESTEP\n{number}\nITEM: NUMBER OF ATOMS\n64\nITEM: BOX BOUNDS pp pp pp\n" + f"0 {edge}\n" * 3
+        text += "ITEM: ATOMS id type x y z vx vy vz\n" + next(places)
+    (t.dir / "grows.dump").write_text(text)
+    result = t.run_well("analyze", "grows.dump", "thermo", "--deck", "deck.toml", "--json")
+    found = json.loads(result.out)["observables"]["heat_capacity_cv"]
+    t.equal(found["mean"], None, "heat capacity")
+    t.contains(found["remark"], "the box changes, in frame 2")
+    t.contains(t.run_well("analyze", "grows.dump", "thermo", "--deck", "deck.toml").out, "the box changes, in frame 2")
+    refused = t.expect(2, t.run("analyze", "grows.dump", "chemical_potential", "--deck", "deck.toml"))
+    t.contains(refused.err, "needs a box that stays the same")
+
+
+def units_of_the_first_frame(t):
+    """units=si in the first frame alone: the others are not reduced; what contradicts it is refused."""
+    (t.dir / "deck.toml").write_text(DECK + ARGON)
+    frames = [f'2\nLattice="34.05 0 0 0 34.05 0 0 0 34.05" Time={k} {{}}\nAr 0 0 0\nAr 3.7 0 0\n' for k in (0, 1)]
+    (t.dir / "a.xyz").write_text(frames[0].format("units=si") + frames[1].format(""))
+    found = json.loads(t.run_well("analyze", "a.xyz", "rdf", "--deck", "deck.toml", "--json").out)
+    t.check(math.isclose(found["box_edges"][0], 10), f"edges: {found['box_edges']}")
+    t.check("box" not in " ".join(found["warnings"]), "warnings")
+    t.run_well("analyze", "a.xyz", "structure_factor", "--deck", "deck.toml")  # of a box that stays the same
+    (t.dir / "b.xyz").write_text(frames[0].format("") + frames[1].format("units=si"))
+    t.golden(t.expect(3, t.run("analyze", "b.xyz", "rdf", "--deck", "deck.toml")).err)
+
+
+def two_kinds_of_atoms(t):
+    """In whatever format and column they are told apart."""
+    header = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n" + "0 6\n" * 3
+    files = {"element.dump": header + "ITEM: ATOMS id element x y z\n1 Kr 1 1 1\n2 Ar 2 1 1\n",
+             "mass.dump": header + "ITEM: ATOMS id type mass x y z\n1 1 1 1 1 1\n2 1 2 2 1 1\n",
+             "z.xyz": frame().replace("species:S:1:pos:R:3", "pos:R:3:Z:I:1").replace("X 1 1 1", "1 1 1 18").replace(
+                 "X 2.2 1 1", "2.2 1 1 36"),
+             "frames.xyz": frame() + frame().replace("X", "Kr")}
+    said = ""
+    for name, text in files.items():
+        (t.dir / name).write_text(text)
+        said += t.expect(3, t.run("analyze", name, "rdf")).err
+    for name in ("species_in_time.h5md", "species_enum.h5md", "velocity_at_other_steps.h5md"):
+        (t.dir / name).write_bytes((DATA / "h5md" / name).read_bytes())
+    t.golden(said + t.expect(3, t.run("analyze", "species_in_time.h5md")).err)
+    t.run_well("analyze", "species_enum.h5md")
+
+
+def velocities_at_other_steps(t):
+    """They matter to what needs them alone."""
+    t.deck()
+    (t.dir / "a.h5md").write_bytes((DATA / "h5md/velocity_at_other_steps.h5md").read_bytes())
+    found = json.loads(t.run_well("analyze", "a.h5md", "rdf", "--json").out)
+    t.equal(found["frames_used"], 2, "frames")
+    t.check("temperature" not in found["observables"], "a temperature of velocities at other steps")
+    (t.dir / "b.xyz").write_text(frame("Time=0") + frame("Time=1", **WITH_VELOCITIES) + frame("Time=2"))
+    t.equal(json.loads(t.run_well("analyze", "b.xyz", "rdf", "--json").out)["frames_used"], 3, "frames")
+    t.golden("".join(t.expect(2, t.run("analyze", name, analysis, "--deck", "deck.toml")).err
+                     for name in ("a.h5md", "b.xyz") for analysis in ("vacf", "thermo")))
+
+
 def cases():
     named = (a_lammps_dump_with_image_flags, thermodynamics_of_frames, a_wrapped_lammps_dump, frames_in_a_foreign_place, without_names,
              settings_count_frames, thermo_and_more, cut_off, in_si_units, tables_that_are_there, without_a_trajectory,
-             a_few_bodies, a_box_that_changes, without_times)
+             a_few_bodies, a_box_that_changes, without_times, positions_through_the_walls, positions_that_nothing_tells,
+             a_deck_that_the_frames_contradict, units_of_the_first_frame, two_kinds_of_atoms, velocities_at_other_steps)
     uneven = timed(0, 1, 3, 4, **WITH_VELOCITIES)
     return [Case(test.__name__.replace("_", " "), test) for test in named] + [
         Case("the frames of a run in XYZ", frames_of_a_run()),

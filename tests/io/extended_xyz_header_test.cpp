@@ -29,14 +29,14 @@ TEST_CASE("keys of an extended XYZ comment line: quoted and bare, in any case, u
     CHECK(header.edges == Vec3(4, 5, 6));
     CHECK(header.time == 2.5);
     CHECK(header.step == Index{40});
-    CHECK(header.si);
-    CHECK(header.tells_units);
-    CHECK(parse(lattice + "units=reduced").tells_units);
-    CHECK_FALSE(parse(lattice).tells_units);
+    CHECK(header.si == true);
+    CHECK_FALSE(header.tells_unwrapped);
+    CHECK(parse(lattice + "positions=unwrapped").tells_unwrapped);
+    CHECK_FALSE(parse(lattice + "positions=wrapped").tells_unwrapped);
     CHECK_FALSE(parse(lattice).time.has_value());
     CHECK_FALSE(parse(lattice).step.has_value());
-    CHECK_FALSE(parse(lattice + "units=reduced").si);
-    CHECK_FALSE(parse(lattice).si);
+    CHECK(parse(lattice + "units=reduced").si == false);
+    CHECK_FALSE(parse(lattice).si.has_value());
     CHECK(parse(lattice + "pbc=\"True true T\"").edges == Vec3(4, 5, 6));
 }
 
@@ -46,18 +46,21 @@ TEST_CASE("columns are found by the names of their properties") {
     CHECK(given.id == std::size_t{0});
     CHECK(given.position == 4);
     CHECK(given.species == std::size_t{9});
+    CHECK(given.kinds == std::map<std::string, std::size_t>{{"species", 9}, {"mass", 13}});
     CHECK(given.velocity == std::size_t{10});
     CHECK(given.mass == std::size_t{13});
     CHECK(given.count == 14);
 
     const ExtendedXyzColumns absent = parse(lattice).columns;
     CHECK(absent.species == std::size_t{0});
+    CHECK(absent.kinds == std::map<std::string, std::size_t>{{"species", 0}});
     CHECK(absent.position == 1);
     CHECK_FALSE(absent.velocity.has_value());
     CHECK(absent.count == 4);
 
     const ExtendedXyzColumns other_names = parse(lattice + "Properties=pos:R:3:vel:R:3:masses:R:1").columns;
     CHECK_FALSE(other_names.species.has_value());
+    CHECK(other_names.kinds == std::map<std::string, std::size_t>{{"masses", 6}});
     CHECK(other_names.velocity == std::size_t{3});
     CHECK(other_names.mass == std::size_t{6});
 }

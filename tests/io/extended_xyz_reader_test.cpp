@@ -29,11 +29,11 @@ TEST_CASE("an extended XYZ file with everything in it") {
     const Configuration configuration =
         read_text("3\n" + lattice +
                   "Properties=species:S:1:pos:R:3:charge:R:1:velo:R:3:id:I:1:mass:R:1 pbc=\"T T T\" Time=1.5 step=30 "
-                  "units=reduced\nX 3 0 -9 0.1 0 0 3 3 1\nX 1 0 0 0.1 1 0 0 1 2.5\nX 2 77 0 0.1 0 2 0 2 1\n");
+                  "units=reduced\nX 3 0 -9 0.1 0 0 3 3 1\nX 1 0 0 0.1 1 0 0 1 1\nX 2 77 0 0.1 0 2 0 2 1.0\n");
     CHECK(configuration.edges == Vec3(4, 5, 6));
     CHECK(configuration.positions == std::vector<Vec3>{{1, 0, 0}, {2, 77, 0}, {3, 0, -9}});
     CHECK(configuration.velocities == std::vector<Vec3>{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}});
-    CHECK(configuration.masses == std::vector<double>{2.5, 1, 1});
+    CHECK(configuration.masses == std::vector<double>{1, 1, 1});
     CHECK(configuration.time == 1.5);
     CHECK(configuration.step == 30);
 }
@@ -63,7 +63,7 @@ TEST_CASE("an extended XYZ file in SI units is converted through the substance")
     const SubstanceUnits argon(3.405e-10, 119.8 * 1.380649e-23, 39.948 * dalton);
     const std::string text =
         "2\nLattice=\"34.05 0 0 0 34.05 0 0 0 68.1\" Properties=species:S:1:pos:R:3:velo:R:3:mass:R:1 Time=2.0 step=3 "
-        "units=si\nAr 3.405 0 0 0 1.5 0 39.948\nAr 0 -6.81 0 0 0 0 79.896\n";
+        "units=si\nAr 3.405 0 0 0 1.5 0 39.948\nAr 0 -6.81 0 0 0 0 39.948\n";
     const Configuration configuration = read_text(text, argon);
     const double tau = 3.405e-10 * std::sqrt(39.948 * dalton / (119.8 * 1.380649e-23));  // [s]
     CHECK(configuration.edges[0] == Approx(10.0).epsilon(1e-14));
@@ -73,7 +73,7 @@ TEST_CASE("an extended XYZ file in SI units is converted through the substance")
     CHECK(configuration.velocities[0][1] ==
           Approx(150.0 * tau / 3.405e-10).epsilon(1e-13));  // 1.5 angstrom/ps = 150 m/s
     CHECK(configuration.masses[0] == Approx(1.0).epsilon(1e-9));
-    CHECK(configuration.masses[1] == Approx(2.0).epsilon(1e-9));
+    CHECK(configuration.masses[1] == configuration.masses[0]);
     CHECK(configuration.time == Approx(2e-12 / tau).epsilon(1e-13));
     CHECK(configuration.step == 3);
     CHECK_THAT(data_error([&] { (void)read_text(text); }),
@@ -141,20 +141,20 @@ TEST_CASE("malformed extended XYZ files are refused with line and frame") {
 }
 
 TEST_CASE("frames of an extended XYZ file come one after the other, unwrapped where ljmd wrote them") {
-    const WrittenFile written(frame + "\n" + "2\n" + lattice + "Time=0.5 step=9 units=reduced\nX 5 0 0\nX -1 0 0\n\n");
+    const WrittenFile written("2\n" + lattice + "step=3 Time=0\nX 1 0 0\nX 2 0 0\n\n2\n" + lattice +
+                              "Time=0.5 step=9 positions=unwrapped\nX 5 0 0\nX -1 0 0\n\n");
     ExtendedXyzTrajectory reader(written.path(), std::nullopt);
     Frame found;
     REQUIRE(reader.next(found));
     CHECK(found.configuration.positions == std::vector<Vec3>{{1, 0, 0}, {2, 0, 0}});
-    CHECK_FALSE(found.has_step);
-    CHECK_FALSE(found.has_time);
-    CHECK(found.wrapping == Wrapping::not_told);
+    CHECK(found.configuration.step == 3);
+    CHECK_FALSE(found.tells_unwrapped);
     REQUIRE(reader.next(found));
     CHECK(found.configuration.positions == std::vector<Vec3>{{5, 0, 0}, {-1, 0, 0}});
     CHECK((found.has_step && found.has_time));
     CHECK(found.configuration.step == 9);
     CHECK(found.configuration.time == 0.5);
-    CHECK(found.wrapping == Wrapping::unwrapped);
+    CHECK(found.tells_unwrapped);
     CHECK_FALSE(reader.next(found));
     CHECK(reader.frames() == 2);
 }
@@ -166,4 +166,65 @@ TEST_CASE("two atoms at one place are no start, but a frame like any other") {
     ExtendedXyzTrajectory reader(written.path(), std::nullopt);
     Frame found;
     CHECK(reader.next(found));
+}
+
+TEST_CASE("the units of the first frame are those of all frames") {
+    const SubstanceUnits argon(3.405e-10, 119.8 * 1.380649e-23, 39.948 * 1.66053906660e-27);
+    const auto frame_in = [](const std::string& units) {
+        return "2\nLattice=\"34.05 0 0 0 34.05 0 0 0 34.05\" " + units + "\nAr 0 0 0\nAr 3.405 0 0\n";
+    };
+    const auto edges = [&](const std::string& text) {
+        const WrittenFile written(text);
+        ExtendedXyzTrajectory reader(written.path(), argon);
+        Frame found;
+        std::vector<double> all;
+        while (reader.next(found)) all.push_back(found.configuration.edges[0]);
+        return all;
+    };
+    for (const char* later : {"units=si", ""}) {
+        const std::vector<double> found = edges(frame_in("units=si") + frame_in(later));
+        CHECK(found.at(0) == Approx(10.0));
+        CHECK(found.at(1) == found.at(0));
+    }
+    CHECK(edges(frame_in("") + frame_in("units=reduced")) == std::vector<double>{34.05, 34.05});
+    for (const auto& [first, second] : {std::pair{"", "si"}, {"units=reduced", "si"}, {"units=si", "reduced"}}) {
+        CHECK_THAT(
+            data_error([&] { edges(frame_in(first) + frame_in(std::string("units=") + second)); }),
+            Catch::Contains("start.txt:6: frame 2: units=" + std::string(second) + ", but the units of frame 1"));
+    }
+    CHECK(read_text(frame_in("units=si") + frame_in(""), argon).edges[0] == Approx(10.0));
+}
+
+TEST_CASE("frames have ids all or none") {
+    const std::string with_ids = "2\n" + lattice + "Properties=species:S:1:pos:R:3:id:I:1\nX 1 0 0 2\nX 2 0 0 1\n";
+    for (const auto& [text, fragment] : {std::pair{frame + with_ids, "frame 2: ids, which frame 1 has not"},
+                                         std::pair{with_ids + frame, "frame 2: no ids, which frame 1 has"}}) {
+        const WrittenFile written(text);
+        ExtendedXyzTrajectory reader(written.path(), std::nullopt);
+        Frame found;
+        REQUIRE(reader.next(found));
+        CHECK_THAT(data_error([&] { static_cast<void>(reader.next(found)); }), Catch::Contains(fragment));
+    }
+}
+
+TEST_CASE("all atoms of an extended XYZ file are of one kind, in whatever column and frame it is told") {
+    const auto two = [](const std::string& property, const std::string& a, const std::string& b) {
+        return "2\n" + lattice + "Properties=pos:R:3:" + property + "\n1 0 0 " + a + "\n2 0 0 " + b + "\n";
+    };
+    for (const auto& [text, fragment] :
+         {std::pair{two("Z:I:1", "18", "36"), "start.txt:4: frame 1: Z '36' beside '18'"},
+          std::pair{two("element:S:1", "Ar", "Kr"), "element 'Kr' beside 'Ar'"},
+          std::pair{two("masses:R:1", "1", "2"), "masses '2' beside '1', but ljmd has one kind of atom"},
+          std::pair{two("species:S:1", "Ar", "Ar") + two("species:S:1", "Kr", "Kr"),
+                    "start.txt:7: frame 2: species 'Kr' beside 'Ar'"}}) {
+        const WrittenFile written(text);
+        CHECK_THAT(data_error([&] {
+                       ExtendedXyzTrajectory reader(written.path(), std::nullopt);
+                       for (Frame found; reader.next(found);) {
+                       }
+                   }),
+                   Catch::Contains(fragment));
+        CHECK_THAT(data_error([&] { static_cast<void>(read_text(text)); }), Catch::Contains(fragment));
+    }
+    CHECK(read_text(two("masses:R:1", "1", "1.0000000") + two("Z:I:1", "18", "18")).masses.empty());
 }

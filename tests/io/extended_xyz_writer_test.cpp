@@ -46,7 +46,7 @@ TEST_CASE("an extended XYZ frame is written to the letter, atoms by id and unwra
     CHECK(content_of(folder / "final.xyz") ==
           "3\n"
           "Lattice=\"4 0 0 0 5 0 0 0 6.5\" Properties=species:S:1:pos:R:3:velo:R:3:id:I:1 pbc=\"T T T\" Time=0.3 "
-          "step=75 units=reduced\n"
+          "step=75 units=reduced positions=unwrapped\n"
           "X 0.5 1 1.5 1 0 -1 1\n"
           "X -1.25 5.5 13.75 0.1 0.2 0.3 2\n"
           "X 3 3.25 3.5 1e-05 -25000000000 0 3\n");
@@ -57,7 +57,7 @@ TEST_CASE("velocities are optional, and without a box there is no lattice") {
     write_configuration(folder / "final.xyz", sample(std::nullopt), false);
     CHECK(content_of(folder / "final.xyz") ==
           "3\n"
-          "Properties=species:S:1:pos:R:3:id:I:1 pbc=\"F F F\" Time=0.3 step=75 units=reduced\n"
+          "Properties=species:S:1:pos:R:3:id:I:1 pbc=\"F F F\" Time=0.3 step=75 units=reduced positions=unwrapped\n"
           "X 0.5 1 1.5 1\n"
           "X -1.25 5.5 13.75 2\n"
           "X 3 3.25 3.5 3\n");

@@ -39,10 +39,13 @@ struct Foreign {
     std::vector<std::int64_t> ids = {};      ///< fixed
     std::vector<std::int64_t> all_ids = {};  ///< of each frame, one behind the other
     std::vector<std::int64_t> species = {};
+    std::vector<std::int64_t> all_species = {};  ///< of each frame, one behind the other
+    std::vector<double> masses = {};
     std::vector<std::string> units = {};  ///< of positions, times, velocities
     std::int64_t first_step = 0;
     std::int64_t velocity_steps_later = 0;
     int velocity_frames = frames;
+    int velocity_steps = frames;
     double first_coordinate = place(0, 0)[0];
     bool killed = false;  ///< as a kill leaves the file
 
@@ -56,11 +59,12 @@ struct Foreign {
         output.create_group(all);
         output.create_group(all + "/box");
         output.set_fixed_texts(all + "/box", "boundary", boundary);
-        for (const char* name : {"/position", "/image", "/velocity", "/box/edges", "/id"}) {
+        for (const char* name : {"/position", "/image", "/velocity", "/box/edges", "/id", "/species"}) {
             const bool wanted = (name != std::string("/image") || image) &&
                                 (name != std::string("/velocity") || velocity) &&
                                 (name != std::string("/box/edges") || !edges_entry.empty()) &&
-                                (name != std::string("/id") || !all_ids.empty());
+                                (name != std::string("/id") || !all_ids.empty()) &&
+                                (name != std::string("/species") || !all_species.empty());
             if (wanted) {
                 output.create_group(all + name);
             }
@@ -73,6 +77,9 @@ struct Foreign {
         }
         if (!species.empty()) {
             output.write_numbers(all + "/species", species);
+        }
+        if (!masses.empty()) {
+            output.write_numbers(all + "/mass", masses);
         }
         append_all(output, all);
         output.commit();
@@ -95,6 +102,7 @@ struct Foreign {
         Hdf5Output::Series velocity_step{all + "/velocity/step", {}, H5T_NATIVE_INT64};
         Hdf5Output::Series edges{all + "/box/edges/value", edges_entry, H5T_NATIVE_DOUBLE};
         Hdf5Output::Series id{all + "/id/value", {atoms}, H5T_NATIVE_INT64};
+        Hdf5Output::Series kinds{all + "/species/value", {atoms}, H5T_NATIVE_INT64};
         const auto create = [&](Hdf5Output::Series& series) {
             std::vector<hsize_t> chunk{1};
             chunk.insert(chunk.end(), series.entry.begin(), series.entry.end());
@@ -108,6 +116,7 @@ struct Foreign {
         if (velocity) create(velocity_step);
         if (!edges_entry.empty()) create(edges);
         if (!all_ids.empty()) create(id);
+        if (!all_species.empty()) create(kinds);
         if (!units.empty()) {
             output.set_variable_text(position.name, "unit", units[0]);
             if (units.size() > 1) output.set_variable_text(time.name, "unit", units[1]);
@@ -134,11 +143,13 @@ struct Foreign {
             output.append(position, r.data());
             if (image) output.append(images, n.data());
             if (velocity && f < velocity_frames) output.append(velocities, v.data());
-            if (velocity) output.append(velocity_step, &later);
+            if (velocity && f < velocity_steps) output.append(velocity_step, &later);
             const std::vector<double> e = edges_entry.size() == 1 ? std::vector<double>{4, 5, 6}
                                                                   : std::vector<double>{4, tilt, 0, 0, 5, 0, 0, 0, 6};
             if (!edges_entry.empty()) output.append(edges, e.data());
-            if (!all_ids.empty()) output.append(id, &all_ids[static_cast<std::size_t>(atoms * f)]);
+            const auto first = static_cast<std::size_t>(atoms * f);
+            if (first < all_ids.size()) output.append(id, &all_ids[first]);
+            if (!all_species.empty()) output.append(kinds, &all_species[first]);
         }
     }
 };
@@ -146,27 +157,32 @@ struct Foreign {
 struct Read {
     std::vector<Frame> frames;
     std::string warning;
+    std::string unused_velocities;
 };
 
-Read read_all(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units = std::nullopt) {
-    H5mdReader reader(path, units);
+Read read_all(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units = std::nullopt,
+              const std::string& group = {}) {
+    H5mdReader reader(path, units, group);
     Read all;
     Frame frame;
     while (reader.next(frame)) {
         all.frames.push_back(frame);
     }
     all.warning = reader.warning();
+    all.unused_velocities = reader.unused_velocities();
     return all;
 }
 
-Read read(const Foreign& foreign, const std::optional<SubstanceUnits>& units = std::nullopt) {
+Read read(const Foreign& foreign, const std::optional<SubstanceUnits>& units = std::nullopt,
+          const std::string& group = {}) {
     const TemporaryFolder folder;
     foreign.write(folder / "a.h5");
-    return read_all(folder / "a.h5", units);
+    return read_all(folder / "a.h5", units, group);
 }
 
-std::string complaint(const Foreign& foreign, const std::optional<SubstanceUnits>& units = std::nullopt) {
-    return data_error([&] { static_cast<void>(read(foreign, units)); });
+std::string complaint(const Foreign& foreign, const std::optional<SubstanceUnits>& units = std::nullopt,
+                      const std::string& group = {}) {
+    return data_error([&] { static_cast<void>(read(foreign, units, group)); });
 }
 
 }  // namespace
@@ -185,7 +201,7 @@ TEST_CASE("boxes of foreign H5MD files are fixed or not, vectors or matrices") {
             CHECK(frame.configuration.step == 10 * f);
             CHECK(frame.configuration.time == 0.25 * f);
             CHECK((frame.has_step && frame.has_time));
-            CHECK(frame.wrapping == Wrapping::not_told);
+            CHECK_FALSE(frame.tells_unwrapped);
         }
     }
 }
@@ -193,7 +209,7 @@ TEST_CASE("boxes of foreign H5MD files are fixed or not, vectors or matrices") {
 TEST_CASE("images of an H5MD file are applied, velocities read") {
     const Read all = read({.image = true, .velocity = true});
     const Frame& last = all.frames.at(2);
-    CHECK(last.wrapping == Wrapping::unwrapped);
+    CHECK(last.tells_unwrapped);
     CHECK(last.configuration.positions[0] == place(2, 0) + Vec3(0, 5, 12));
     CHECK(last.configuration.positions[1] == place(2, 1) + Vec3(-4, 0, 6));
     CHECK(last.configuration.velocities == std::vector<Vec3>{{0, 0.5, 1}, {1, 1.5, 2}});
@@ -246,7 +262,7 @@ TEST_CASE("what ljmd writes is read back to the last bit, closed or not") {
         CHECK(last.configuration.velocities[1] == Vec3(0.1, 0.2, 0.3));
         CHECK(last.configuration.step == 5);
         CHECK(last.configuration.time == 0.02);
-        CHECK(last.wrapping == Wrapping::unwrapped);
+        CHECK(last.tells_unwrapped);
         CHECK(all.warning.empty() == (name == std::string("a.h5md")));
     }
 }
@@ -255,22 +271,70 @@ TEST_CASE("of an H5MD file whose writer was killed the whole frames are read, wi
     const Read open = read({.killed = true});
     CHECK(open.frames.size() == frames);
     CHECK_THAT(open.warning, Contains("was not closed"));
-    const Read short_one = read({.velocity = true, .velocity_frames = 2});
+    const Read short_one = read({.all_ids = {1, 2, 1, 2}});
     CHECK(short_one.frames.size() == 2);
     CHECK_THAT(short_one.warning, Contains("some arrays have 3 frames, others 2; the first 2 are used"));
+}
+
+TEST_CASE("velocities of an H5MD file at other steps than the positions are left out, the positions are not") {
+    for (const Foreign& foreign : {Foreign{.velocity = true, .velocity_steps_later = 1},
+                                   Foreign{.velocity = true, .velocity_frames = 1, .velocity_steps = 1},
+                                   Foreign{.velocity = true, .velocity_frames = 0, .velocity_steps = 0}}) {
+        const Read all = read(foreign);
+        REQUIRE(all.frames.size() == frames);
+        CHECK(all.frames[1].configuration.velocities.empty());
+        CHECK(all.frames[1].configuration.positions[0] == place(1, 0));
+        CHECK(all.unused_velocities == "at other steps than the positions");
+        CHECK(all.warning.empty());
+    }
+    const Read killed = read({.velocity = true, .velocity_frames = 2, .velocity_steps = 2, .killed = true});
+    CHECK(killed.frames.size() == 2);
+    CHECK(killed.frames[1].configuration.velocities.size() == atoms);
+    CHECK(killed.unused_velocities.empty());
+}
+
+TEST_CASE("atoms of an H5MD file are of one kind, fixed and in time") {
+    CHECK_THAT(complaint({.species = {0, 1}}),
+               Contains("particles/all: species '1' beside '0', but ljmd has one kind of atom"));
+    CHECK_THAT(complaint({.all_species = {3, 3, 3, 3, 3, 4}}), Contains("species '4' beside '3'"));
+    CHECK_THAT(complaint({.masses = {1.0, 2.0}}), Contains("mass '2' beside '1'"));
+    const Read all = read({.all_species = {3, 3, 3, 3, 3, 3}, .masses = {1.5, 1.5}});
+    CHECK(all.frames.at(2).configuration.masses == std::vector<double>{1.5, 1.5});
+    CHECK(read({.velocity = true, .masses = {39.9, 39.9}, .units = {"nm", "ps", "nm ps-1"}}, argon())
+              .frames.at(0)
+              .configuration.masses.empty());
+}
+
+TEST_CASE("species and velocities as other programs write them") {
+    // By h5py: an enumeration of argon and krypton, all argon; two species in time; velocities at the second of two
+    // steps.
+    const std::string data = LJMD_TEST_DATA "/h5md/";
+    CHECK(read_all(data + "species_enum.h5md").frames.size() == 2);
+    CHECK_THAT(data_error([&] { static_cast<void>(read_all(data + "species_in_time.h5md")); }),
+               Contains("species '1' beside '0', but ljmd has one kind of atom"));
+    const Read all = read_all(data + "velocity_at_other_steps.h5md");
+    CHECK(all.frames.size() == 2);
+    CHECK(all.unused_velocities == "at other steps than the positions");
+}
+
+TEST_CASE("of several groups of particles in an H5MD file one is chosen") {
+    const Foreign two{.second_group = "another"};
+    CHECK_THAT(complaint(two), Contains("'particles' has 2 groups, all, another: choose one (analyze: --group NAME)"));
+    CHECK_THAT(complaint(two, std::nullopt, "some"), Contains("'particles' has no group 'some', but all, another"));
+    CHECK_THAT(complaint(two, std::nullopt, "another"), Contains("no positions that change with time"));
+    CHECK(read(two, std::nullopt, "all").frames.at(1).configuration.positions[0] == place(1, 0));
+    CHECK(read({}, std::nullopt, "all").frames.size() == frames);
+    CHECK_THAT(complaint({}, std::nullopt, "some"), Contains("no group 'some', but all"));
 }
 
 TEST_CASE("H5MD files that cannot be used are refused, with the reason") {
     CHECK_THAT(complaint({.boundary = {"periodic", "none", "periodic"}}), Contains("must be periodic"));
     CHECK_THAT(complaint({.edges_entry = {3, 3}, .tilt = 0.5}), Contains("frame 1: the box is tilted"));
     CHECK_THAT(complaint({.edges_entry = {2}}), Contains("neither a vector nor a matrix"));
-    CHECK_THAT(complaint({.second_group = "another"}), Contains("has 2 groups, none of them called 'trajectory'"));
     CHECK_THAT(complaint({.ids = {3, 3}}), Contains("frame 1: id 3 occurs twice"));
     CHECK_THAT(complaint({.ids = {3, -1}}), Contains("frame 1: id -1: an atom is missing"));
     CHECK_THAT(complaint({.ids = {1, 2, 3}}), Contains("frame 1: 3 ids, but 2 atoms"));
-    CHECK_THAT(complaint({.species = {0, 1}}), Contains("species 1 beside 0"));
     CHECK_THAT(complaint({.first_step = -10}), Contains("frame 1: the step must be an integer of at least 0"));
-    CHECK_THAT(complaint({.velocity = true, .velocity_steps_later = 1}), Contains("written at another step"));
     CHECK_THAT(complaint({.first_coordinate = std::nan("")}), Contains("frame 1: atom 1 has a position that is not"));
     CHECK_THAT(complaint({.first_coordinate = 1e8}), Contains("frame 1: atom 1 is more than"));
     CHECK_THAT(complaint({.units = {"nm", "ps"}}), Contains("a deck with [argon] is needed"));

@@ -57,6 +57,7 @@ TEST_CASE("numbers, extents, texts and members of an HDF5 file are read") {
     CHECK(input.numbers("g/numbers") == std::vector<double>{0.5, -1.0, 1e300});
     CHECK(input.integers("g/integers") == std::vector<std::int64_t>{7, -3});
     CHECK(input.numbers("g/integers") == std::vector<double>{7, -3});
+    CHECK(Hdf5Input(LJMD_TEST_DATA "/h5md/species_enum.h5md").integers("particles/all/species").at(26) == 0);
     CHECK(input.numbers_at("g/h/value", 1) == std::vector<double>{20, 21, 22, 23, 24, 25});
     CHECK(input.integers_at("g/h/value", 0) == std::vector<std::int64_t>{10, 11, 12, 13, 14, 15});
     CHECK(input.number_attribute("g", "version") == std::vector<double>{1, 1});

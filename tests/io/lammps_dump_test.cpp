@@ -55,21 +55,18 @@ TEST_CASE("a dump is read frame by frame, atoms in the order of ids") {
 TEST_CASE("positions of a dump are unwrapped, scaled or wrapped, from the corner of the box") {
     const auto positions = [](const std::string& columns, const std::string& atoms) {
         const Frame found = read_text(head + "ITEM: ATOMS " + columns + "\n" + atoms);
-        return std::pair(found.configuration.positions, found.wrapping);
+        return std::pair(found.configuration.positions, found.tells_unwrapped);
     };
     const std::vector<Vec3> expected{{1, 2, 3}, {6, -3, 4}};
-    CHECK(positions("id xu yu zu", "1 0 2 5\n2 5 -3 6\n") == std::pair(expected, Wrapping::unwrapped));
-    CHECK(positions("zu id yu xu", "5 1 2 0\n6 2 -3 5\n") == std::pair(expected, Wrapping::unwrapped));
-    CHECK(positions("id xsu ysu zsu", "1 0.25 0.4 0.5\n2 1.5 -0.6 0.66666666666666663\n").second ==
-          Wrapping::unwrapped);
+    CHECK(positions("id xu yu zu", "1 0 2 5\n2 5 -3 6\n") == std::pair(expected, true));
+    CHECK(positions("zu id yu xu", "5 1 2 0\n6 2 -3 5\n") == std::pair(expected, true));
+    CHECK(positions("id xsu ysu zsu", "1 0.25 0.4 0.5\n2 1.5 -0.6 0.66666666666666663\n").second);
     CHECK(positions("id xsu ysu zsu", "1 0.25 0.4 0.5\n2 1.5 -0.6 0.75\n").first ==
           std::vector<Vec3>{{1, 2, 3}, {6, -3, 4.5}});
-    CHECK(positions("id type x y z ix iy iz", "2 1 1 2 6 1 -1 0\n1 1 0 2 5 0 0 0\n") ==
-          std::pair(expected, Wrapping::unwrapped));
-    CHECK(positions("id x y z", "1 0 2 5\n2 1 2 6\n") ==
-          std::pair(std::vector<Vec3>{{1, 2, 3}, {2, 2, 4}}, Wrapping::wrapped));
+    CHECK(positions("id type x y z ix iy iz", "2 1 1 2 6 1 -1 0\n1 1 0 2 5 0 0 0\n") == std::pair(expected, true));
+    CHECK(positions("id x y z", "1 0 2 5\n2 1 2 6\n") == std::pair(std::vector<Vec3>{{1, 2, 3}, {2, 2, 4}}, false));
     CHECK(positions("id xs ys zs", "1 0.25 0.4 0.5\n2 0.5 0.4 0.5\n") ==
-          std::pair(std::vector<Vec3>{{1, 2, 3}, {2, 2, 3}}, Wrapping::wrapped));
+          std::pair(std::vector<Vec3>{{1, 2, 3}, {2, 2, 3}}, false));
     CHECK(positions("id x y z xu yu zu", "1 9 9 9 0 2 5\n2 9 9 9 5 -3 6\n").first == expected);
 }
 
@@ -108,6 +105,8 @@ TEST_CASE("a dump that cannot be used is refused, with its line") {
         {9, "a step that is not negative, a number of atoms and a box",
          with(frame, "ITEM: TIMESTEP\n7\n", "").insert(0, "ITEM: TIME\n7\n")},
         {11, "type '2' beside '1'", head + "ITEM: ATOMS id type x y z\n1 1 0 0 3\n2 2 0 1 3\n"},
+        {11, "element 'Kr' beside 'Ar'", head + "ITEM: ATOMS id type element x y z\n1 1 Ar 0 0 3\n2 1 Kr 0 1 3\n"},
+        {11, "mass '2' beside '1'", head + "ITEM: ATOMS id mass x y z\n1 1 0 0 3\n2 2 0 1 3\n"},
         {2, "the file is in units 'metal'; a LAMMPS dump must be in units 'lj'", "ITEM: UNITS\nmetal\n" + frame},
     };
     for (const auto& [line, fragment, text] : cases) {
@@ -115,4 +114,20 @@ TEST_CASE("a dump that cannot be used is refused, with its line") {
         CHECK_THAT(data_error([&] { static_cast<void>(read_text(text)); }),
                    Contains("start.txt:" + std::to_string(line) + ": ") && Contains(fragment));
     }
+}
+
+TEST_CASE("atoms of a dump are of one kind in all frames, masses read") {
+    const auto frame_of = [](const std::string& kind) {
+        return head + "ITEM: ATOMS id element x y z vx vy vz mass\n1 " + kind + " 0 0 3 1 2 3 1.5\n2 " + kind +
+               " 0 1 3 4 5 6 1.5\n";
+    };
+    const Frame found = read_text(frame_of("Ar"));
+    CHECK(found.configuration.masses == std::vector<double>{1.5, 1.5});
+    CHECK(found.configuration.velocities == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
+    const WrittenFile written(frame_of("Ar") + frame_of("Kr"));
+    LammpsDumpTrajectory reader(written.path());
+    Frame frame;
+    REQUIRE(reader.next(frame));
+    CHECK_THAT(data_error([&] { static_cast<void>(reader.next(frame)); }),
+               Contains("start.txt:21: frame 2: element 'Kr' beside 'Ar', but ljmd has one kind of atom"));
 }

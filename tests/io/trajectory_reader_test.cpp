@@ -76,13 +76,32 @@ TEST_CASE("what is no trajectory is refused") {
                Contains("is a directory"));
 }
 
-TEST_CASE("the number of atoms, and what is known of them, stay the same in a trajectory") {
+TEST_CASE("the number of atoms stays the same in a trajectory, and steps and times are in all frames or none") {
     const std::string fewer = "1\nLattice=\"4 0 0 0 5 0 0 0 6\"\nX 1 2 3\n";
-    const std::string with_velocities =
-        "2\nLattice=\"4 0 0 0 5 0 0 0 6\" Properties=species:S:1:pos:R:3:velo:R:3\nX 1 2 3 0 0 0\nX 2 2 3 0 0 0\n";
+    const std::string without_step = "2\nLattice=\"4 0 0 0 5 0 0 0 6\"\nX 1 2 3\nX 2 2 3\n";
+    const std::string with_time = "2\nLattice=\"4 0 0 0 5 0 0 0 6\" step=8 Time=1\nX 1 2 3\nX 2 2 3\n";
     CHECK_THAT(complaint(xyz + fewer), EndsWith("start.txt:5: frame 2: 1 atoms, but frame 1 has 2"));
-    CHECK_THAT(complaint(xyz + with_velocities), Contains("frame 2: velocities, which frame 1 has not"));
-    CHECK_THAT(complaint(with_velocities + xyz), Contains("frame 2: no velocities, which frame 1 has"));
+    CHECK_THAT(complaint(xyz + without_step), Contains("frame 2: no step, which frame 1 has"));
+    CHECK_THAT(complaint(without_step + xyz), Contains("frame 2: a step, which frame 1 has not"));
+    CHECK_THAT(complaint(xyz + with_time), Contains("frame 2: a time, which frame 1 has not"));
+    CHECK_THAT(complaint(with_time + xyz), Contains("frame 2: no time, which frame 1 has"));
+}
+
+TEST_CASE("frames need not all have velocities") {
+    const std::string with_velocities =
+        "2\nLattice=\"4 0 0 0 5 0 0 0 6\" step=7 Properties=species:S:1:pos:R:3:velo:R:3\nX 1 2 3 0 0 0\nX 2 2 3 0 0 "
+        "0\n";
+    const WrittenFile written(xyz + with_velocities);
+    const Read all = read_all(written.path());
+    REQUIRE(all.frames.size() == 2);
+    CHECK(all.frames[0].configuration.velocities.empty());
+    CHECK(all.frames[1].configuration.velocities.size() == 2);
+}
+
+TEST_CASE("only H5MD files have groups of particles") {
+    const WrittenFile written(xyz);
+    CHECK_THAT(data_error([&] { static_cast<void>(open_trajectory(written.path(), std::nullopt, "solvent")); }),
+               Contains("only an H5MD file has groups of particles, such as 'solvent'"));
 }
 
 TEST_CASE("of a text that was cut off anywhere the whole frames are read, with a warning") {

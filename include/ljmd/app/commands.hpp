@@ -72,6 +72,8 @@ struct AnalyzeOptions {
     std::vector<std::string> settings{};  ///< of --set
     std::optional<double> from{};         ///< time [tau]
     std::optional<double> time_step{};    ///< for frames without times [tau]
+    std::string group{};                  ///< of particles in an H5MD file; empty: the only one
+    std::string positions{};              ///< "wrapped", "unwrapped"; empty: the file or the displacements tell
     std::string out{};                    ///< directory for the tables
     bool force = false;
     bool json = false;

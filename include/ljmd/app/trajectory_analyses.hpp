@@ -17,7 +17,7 @@ struct FrameAnalysis {
 };
 
 /// What a trajectory is analyzed for when nothing is asked for: rdf, structure_factor where the box stays the same, and
-/// msd where frames are equally spaced.
+/// msd where frames are equally spaced and it is known whether positions are wrapped.
 [[nodiscard]] std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory,
                                                       const FrameSelection& selection);
 
@@ -36,7 +36,8 @@ void check_thermo(const Deck* deck, const TrajectorySummary& trajectory, const F
 /// @param settings  of --set
 /// @param deck      for the interaction, the seed and what thermostats hold; may be null
 /// @throws InputError  a setting is wrong or does not fit the trajectory; the trajectory or the deck lacks what an
-///                     analysis needs: velocities, equally spaced frames, a box that stays the same, an interaction
+///                     analysis needs: velocities, equally spaced frames, a box that stays the same, an interaction, or
+///                     what tells whether positions are wrapped
 [[nodiscard]] std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& names,
                                                              const std::vector<std::string>& settings, const Deck* deck,
                                                              const TrajectorySummary& trajectory,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/app/position_reading.hpp"
 #include "ljmd/io/trajectory_reader.hpp"
 
 namespace ljmd {
@@ -16,17 +17,21 @@ struct TrajectorySummary {
     Vec3 edges;                        ///< of the box of the first frame [sigma]
     Vec3 smallest_edges;               ///< of all frames, edge by edge [sigma]
     std::optional<Index> box_changes;  ///< the frame, from 1, whose box is another one than that of the first
-    bool has_velocities;
-    std::vector<Index> steps;   ///< of the frames; empty where not all have one
-    std::vector<double> times;  ///< [tau], likewise
-    bool wrapped;               ///< atoms that leave the box come in again on its other side
-    std::string warning;        ///< of the reader; may be empty
+    bool has_velocities;               ///< all frames have
+    std::string missing_velocities;    ///< why not: "which the trajectory does not have"
+    std::vector<Index> steps;          ///< of the frames; empty where they have none
+    std::vector<double> times;         ///< [tau], likewise
+    FrameMotion motion;
+    PositionReading positions;
+    std::string warning;  ///< of the reader; may be empty
 };
 
-/// Read all of a trajectory once. Where the file does not tell whether its positions are wrapped, they are taken to be
-/// unless they spread over more than an edge of the box (and a twentieth, as some programs wrap late).
+/// Read all of a trajectory once.
+/// @param group      of particles, see open_trajectory()
+/// @param positions  what the user says of them
 /// @throws DataError as TrajectoryReader::next, and for a file without frames
-[[nodiscard]] TrajectorySummary summarize(const std::filesystem::path& path,
-                                          const std::optional<SubstanceUnits>& units);
+[[nodiscard]] TrajectorySummary summarize(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
+                                          const std::string& group = {},
+                                          std::optional<Positions> positions = std::nullopt);
 
 }  // namespace ljmd

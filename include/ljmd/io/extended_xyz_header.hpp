@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "ljmd/core/types.hpp"
@@ -16,7 +18,8 @@ struct ExtendedXyzColumns {
     std::optional<std::size_t> velocity;
     std::optional<std::size_t> id;
     std::optional<std::size_t> mass;
-    std::size_t count = 0;  ///< columns in all
+    std::map<std::string, std::size_t> kinds;  ///< of properties that tell kinds of atoms apart, see one_kind.hpp
+    std::size_t count = 0;                     ///< columns in all
 };
 
 /// What the comment line of an extended XYZ frame says, in the units of the file.
@@ -25,8 +28,8 @@ struct ExtendedXyzHeader {
     ExtendedXyzColumns columns;
     std::optional<double> time;
     std::optional<Index> step;
-    bool si = false;           ///< units=si: angstrom, angstrom/ps, ps, u; else reduced units
-    bool tells_units = false;  ///< as the files of ljmd do, and no others
+    std::optional<bool> si;        ///< units=si: angstrom, angstrom/ps, ps, u; units=reduced: false; none: not told
+    bool tells_unwrapped = false;  ///< positions=unwrapped: those of atoms that leave the box go on
 };
 
 /// Parse a comment line: key=value pairs, values bare or in double quotes, keys in any case, unknown keys skipped.

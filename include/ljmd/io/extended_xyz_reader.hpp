@@ -3,11 +3,19 @@
 #include <optional>
 
 #include "ljmd/core/units.hpp"
+#include "ljmd/io/one_kind.hpp"
 #include "ljmd/io/text_file.hpp"
 #include "ljmd/io/trajectory_reader.hpp"
 #include "ljmd/model/configuration.hpp"
 
 namespace ljmd {
+
+/// What the first frame of a file says for all of them.
+struct ExtendedXyzPremises {
+    std::optional<bool> si;       ///< empty before the first frame
+    std::optional<bool> has_ids;  ///< likewise
+    OneKind kind;
+};
 
 /// Read the last frame of an extended XYZ file:
 ///
@@ -15,17 +23,18 @@ namespace ljmd {
 ///     comment line, see extended_xyz_header.hpp
 ///     one line an atom, columns as Properties says; unknown columns are skipped
 ///
-/// Read are the columns species (one kind only), pos, velo (or vel), id and mass (or masses). Without ids, the order in
-/// the file counts. Every frame must be complete and well-formed, the last one most of all: a cut is an error.
-/// A file that says units=si (angstrom, angstrom/ps, ps, u) is converted to reduced units.
+/// Read are the columns pos, velo (or vel), id and mass (or masses), and those that tell kinds of atoms apart, see
+/// one_kind.hpp: all atoms must be of one kind. Without ids, the order in the file counts. Every frame must be complete
+/// and well-formed, the last one most of all: a cut is an error. A file whose first frame says units=si (angstrom,
+/// angstrom/ps, ps, u) is converted to reduced units; a later frame that says otherwise is refused.
 ///
 /// @param file   at its start
 /// @param units  of the substance; needed for SI files
 /// @throws DataError with file, line and frame
 [[nodiscard]] Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units);
 
-/// All frames of such a file, one after the other. Those that say units=, as ljmd's do, have unwrapped positions; of
-/// others that is not told. A last line without its end belongs to a frame that was cut off.
+/// All frames of such a file, one after the other. Those that say positions=unwrapped, as ljmd's do, have unwrapped
+/// positions; of others that is not told. A last line without its end belongs to a frame that was cut off.
 class ExtendedXyzTrajectory : public TrajectoryReader {
   public:
     /// @param units  of the substance; needed for SI files
@@ -39,6 +48,7 @@ class ExtendedXyzTrajectory : public TrajectoryReader {
 
     TextFile file_;
     std::optional<SubstanceUnits> units_;
+    ExtendedXyzPremises premises_;
 };
 
 }  // namespace ljmd

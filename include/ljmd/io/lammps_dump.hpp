@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ljmd/io/atom_rows.hpp"
+#include "ljmd/io/one_kind.hpp"
 #include "ljmd/io/text_file.hpp"
 #include "ljmd/io/trajectory_reader.hpp"
 
@@ -42,7 +43,7 @@ class LammpsDump {
     /// Numbers of the atoms, one row an atom in the order of ids, one column for each name.
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-    /// Read the atoms of the frame; once a frame. More than one `type` of atom is refused.
+    /// Read the atoms of the frame; once a frame. More than one kind of atom is refused.
     /// @throws DataError also for a column that is not there
     [[nodiscard]] Rows read_atoms(const std::vector<std::string>& columns);
 
@@ -69,10 +70,11 @@ class LammpsDump {
     Index box_line_ = 0;
     std::vector<std::string> columns_;
     AtomOrder order_;
+    OneKind kind_;
 };
 
 /// A dump as a trajectory. Positions are xu yu zu or xsu ysu zsu, else x y z or xs ys zs, unwrapped where there are ix
-/// iy iz; velocities are vx vy vz. Positions are moved by -(xlo, ylo, zlo).
+/// iy iz; velocities are vx vy vz, masses are in `mass`. Positions are moved by -(xlo, ylo, zlo).
 class LammpsDumpTrajectory : public TrajectoryReader {
   public:
     explicit LammpsDumpTrajectory(const std::filesystem::path& path) : dump_(path) {}

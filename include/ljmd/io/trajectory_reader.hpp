@@ -10,19 +10,14 @@
 
 namespace ljmd {
 
-/// What the file tells of an atom that leaves the box.
-enum class Wrapping {
-    unwrapped,  ///< its position goes on, or image flags that were applied say where it is
-    wrapped,    ///< it comes in again on the other side
-    not_told,
-};
-
-/// One frame of a trajectory. Its positions may lie anywhere, but for Wrapping::wrapped near the box.
+/// One frame of a trajectory. Its positions may lie anywhere. Not all frames need have velocities.
 struct Frame {
     Configuration configuration;  ///< step and time are 0 where the file has none
     bool has_step = false;
     bool has_time = false;
-    Wrapping wrapping = Wrapping::not_told;
+    /// The file says that the position of an atom goes on where it leaves the box, or image flags that were applied
+    /// say where it is.
+    bool tells_unwrapped = false;
 };
 
 /// Reads the frames of a trajectory one after the other. A frame is in memory at a time.
@@ -33,8 +28,8 @@ class TrajectoryReader {
     /// Read the next frame.
     /// @return false behind the last whole one; `frame` is then of no use
     /// @throws DataError with file, frame (and line of a text file) for whatever is damaged: a number that is none or
-    /// not finite, a box that is tilted or not periodic, another number of atoms or other contents than in the first
-    /// frame, more than one kind of atom; also for a file that ends within its first frame
+    /// not finite, a box that is tilted or not periodic, another number of atoms than in the first frame, a step or
+    /// time that not all frames have, more than one kind of atom; also for a file that ends within its first frame
     bool next(Frame& frame);
 
     /// Whole frames that were read.
@@ -43,6 +38,9 @@ class TrajectoryReader {
     /// What is to be told of the file: that it ends within a frame, or was not closed. Known at its end; empty if all
     /// is well.
     [[nodiscard]] const std::string& warning() const { return warning_; }
+
+    /// Why no frame has velocities although the file has some, "at other steps than the positions"; else empty.
+    [[nodiscard]] const std::string& unused_velocities() const { return unused_velocities_; }
 
   protected:
     TrajectoryReader() = default;
@@ -62,12 +60,15 @@ class TrajectoryReader {
     [[nodiscard]] Index atoms() const { return atoms_; }
 
     void warn(std::string text) { warning_ = std::move(text); }
+    void leave_velocities(std::string why) { unused_velocities_ = std::move(why); }
 
   private:
     Index frames_ = 0;
     Index atoms_ = 0;
-    bool has_velocities_ = false;
+    bool has_step_ = false;
+    bool has_time_ = false;
     std::string warning_;
+    std::string unused_velocities_;
 };
 
 /// Open a trajectory of any supported format; the format is recognised by content, not by name:
@@ -77,8 +78,10 @@ class TrajectoryReader {
 /// - extended XYZ: the first line is one number, see extended_xyz_reader.hpp.
 ///
 /// @param units  of the substance, for files in SI units; empty: they are refused
-/// @throws DataError when the file is missing, not a regular file, or of unknown format
+/// @param group  of particles, in an H5MD file; empty: the only one
+/// @throws DataError when the file is missing, not a regular file, of unknown format, or has no such group
 [[nodiscard]] std::unique_ptr<TrajectoryReader> open_trajectory(const std::filesystem::path& path,
-                                                                const std::optional<SubstanceUnits>& units);
+                                                                const std::optional<SubstanceUnits>& units,
+                                                                const std::string& group = {});
 
 }  // namespace ljmd

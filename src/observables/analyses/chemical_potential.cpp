@@ -9,7 +9,7 @@ AnalysisMethod chemical_potential() {
         .meaning = "excess chemical potential by Widom's insertion of test particles",
         .files = {},
         .follows_time = false,
-        .needs = {.velocities = true, .interaction = true, .fixed_box = false},
+        .needs = {.velocities = true, .interaction = true},
         .keys =
             {Key::integer("every").at_least(1).defaults_to(std::int64_t{200}).meaning("steps between configurations"),
              Key::integer("insertions")
