@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run_fixtures.hpp"
+#include "core/same_bits.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -177,6 +178,7 @@ TEST_CASE("lists that were kept too long are told of") {
 }
 
 TEST_CASE("a long run of a liquid leaves no doubt") {
+    const test::SameBits everywhere;  // judged by its statistics
     const Finished run(small_deck, {"stage.equilibrate.steps=600", "stage.equilibrate.temperature=3",
                                     "stage.production.steps=20000", "output.thermo.every=5"});
     INFO(Json(run.result.warnings).dump());

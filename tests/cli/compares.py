@@ -31,7 +31,8 @@ def environment(**variables):
 
 
 def everything(t):
-    """All parts at once, on the screen, as JSON and as files."""
+    """All parts at once, on the screen, as JSON and as files. In 400 steps both follow one trajectory: means that are compared
+    within three standard errors differ by less than a thousandth of one."""
     needs_openmm(t)
     t.deck(("steps = 40", "steps = 400"))
     result = t.run_well("compare", "deck.toml", "--with", "openmm", "--steps", "20", "--out", "some/where")

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import time
 
-from harness import Case, clean_environment, held, snapshot
+from harness import Case, clean_environment, held, same_bits_environment, snapshot
 
 TWO_ROWS = ("reproduce", "verlet1967", "--quick", "--rows", "0.85:0.786,0.45:2.935", "--out", "out")
 DENSE, THIN = "rho0.8500-T0.786", "rho0.4500-T2.935"
@@ -19,7 +19,8 @@ def table(t):
 
 
 def two_rows(t):
-    result = t.run_well(*TWO_ROWS)
+    environment = same_bits_environment()
+    result = t.run_well(*TWO_ROWS, env=environment)
     t.equal(result.err.count("\n"), 2, "lines of progress")
     t.contains(result.err, "[2/2] rho ")
     t.contains(result.out, "chi-square")
@@ -39,7 +40,7 @@ def two_rows(t):
         t.check(abs(found["potential_energy"]["mean"] - float(row["U"])) < 0.1, "mean energy")
     t.check(t.read("out/rows.md").count("\n| 0.") == 2, "rows of the Markdown table")
     again = snapshot(t.dir / "out")
-    quiet = t.run_well(*TWO_ROWS, "--quiet", "--json")
+    quiet = t.run_well(*TWO_ROWS, "--quiet", "--json", env=environment)
     t.equal(quiet.err, "", "stderr")
     t.equal(json.loads(quiet.out), t.json("out/results.json"), "JSON")
     t.equal(snapshot(t.dir / "out"), again, "a second time changes the files")

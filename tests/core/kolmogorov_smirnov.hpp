@@ -6,6 +6,9 @@
 
 namespace ljmd::test {
 
+/// kolmogorov_smirnov is above that once in a million times: for numbers that a chaotic trajectory yields.
+constexpr double one_in_a_million = 2.69;
+
 /// Largest distance between the distribution of the numbers and F, times sqrt(n): below 1.63 with 99 % probability.
 /// @pre the numbers are independent
 template <class Distribution>

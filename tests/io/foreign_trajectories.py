@@ -22,6 +22,9 @@ import ase  # noqa: E402
 import ase.io  # noqa: E402
 import MDAnalysis  # noqa: E402
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from same_bits import compute_same_bits_everywhere  # noqa: E402
+
 DECK = """
 [argon]
 sigma = "3.405 angstrom"
@@ -201,6 +204,7 @@ def extended_xyz_by_ase(ljmd, run):
 
 def main():
     ljmd = pathlib.Path(sys.argv[1]).resolve()
+    compute_same_bits_everywhere()  # how many distances rounding takes to another bin depends on the trajectory
     tests = (h5md_with_images_ids_and_increments, h5md_with_a_matrix_in_each_frame, h5md_in_other_units, h5md_by_mdanalysis,
              extended_xyz_by_ase)
     failed = 0

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "core/kolmogorov_smirnov.hpp"
+#include "core/same_bits.hpp"
 #include "integrators/oscillator.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"
 #include "physics/liquid.hpp"
@@ -17,9 +18,6 @@
 using namespace ljmd;
 
 namespace {
-
-/// Below that with 99 % probability, see kolmogorov_smirnov.
-constexpr double one_percent = 1.63;
 
 /// A system that moves under a thermostat.
 template <class Force>
@@ -92,6 +90,7 @@ class SoftSpheres : public Bathed<PairForceField> {
 constexpr Index spheres = 32;
 constexpr Index steps_between_samples = 100;  // four relaxation times of the thermostats here
 constexpr int samples = 2000;
+constexpr int kinetic_samples = 4000;  // three degrees of freedom are then 5.5 +- 0.5 off, by Kolmogorov and Smirnov
 
 /// @param method  a canonical one
 std::unique_ptr<Thermostat> fast(const ThermostatMethod& method, double temperature) {
@@ -103,7 +102,7 @@ std::unique_ptr<Thermostat> fast(const ThermostatMethod& method, double temperat
 double distance_of_kinetic_energies(std::unique_ptr<Thermostat> thermostat, double temperature, Index freedom) {
     SoftSpheres fluid(temperature, std::move(thermostat));
     std::vector<double> reduced;
-    for (int n = 0; n < samples; ++n) {
+    for (int n = 0; n < kinetic_samples; ++n) {
         fluid.run(steps_between_samples);
         reduced.push_back(fluid.sound_kinetic_energy() / temperature);
     }
@@ -171,15 +170,15 @@ TEST_CASE("under canonical thermostats the kinetic energy has the canonical dist
         }
         CAPTURE(method.name);
         const Index freedom = method.conserves_momentum ? 3 * spheres - 3 : 3 * spheres;
-        CHECK(distance_of_kinetic_energies(fast(method, 1.0), 1.0, freedom) < one_percent);
+        CHECK(distance_of_kinetic_energies(fast(method, 1.0), 1.0, freedom) < test::one_in_a_million);
         // The test can tell: three degrees of freedom more or less are too many.
         const Index other = method.conserves_momentum ? 3 * spheres : 3 * spheres - 3;
-        CHECK(distance_of_kinetic_energies(fast(method, 1.0), 1.0, other) > 2.0 * one_percent);
+        CHECK(distance_of_kinetic_energies(fast(method, 1.0), 1.0, other) > test::one_in_a_million);
     }
 }
 
 TEST_CASE("a rescaling without noise gives a kinetic energy that hardly fluctuates, and is found out", "[ensembles]") {
-    CHECK(distance_of_kinetic_energies(std::make_unique<WeakCoupling>(), 1.0, 3 * spheres - 3) > 3.0 * one_percent);
+    CHECK(distance_of_kinetic_energies(std::make_unique<WeakCoupling>(), 1.0, 3 * spheres - 3) > 5.0);
 }
 
 TEST_CASE("energies at two temperatures are in the ratio of their Boltzmann factors", "[ensembles]") {
@@ -190,12 +189,13 @@ TEST_CASE("energies at two temperatures are in the ratio of their Boltzmann fact
         CAPTURE(method.name);
         const Slope slope = slope_of_log_ratio(potential_energies(method, 1.0), potential_energies(method, 1.2));
         CAPTURE(slope.value, slope.standard_error);
-        CHECK(std::abs(slope.value - (1.0 / 1.2 - 1.0)) < 3.0 * slope.standard_error);
+        CHECK(std::abs(slope.value - (1.0 / 1.2 - 1.0)) < 5.0 * slope.standard_error);
         CHECK(slope.standard_error < 0.1 * (1.0 - 1.0 / 1.2));
     }
 }
 
 TEST_CASE("thermostats that keep the motion conserve energy and heat together", "[ensembles]") {
+    const test::SameBits everywhere;
     for (const char* name : {"nose-hoover-chain", "stochastic-rescaling"}) {
         CAPTURE(name);
         const State start = test::liquid(4, 3);

@@ -18,6 +18,7 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
+from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 DECK = """
 [system]
@@ -56,8 +57,12 @@ thermostat = {{ type = "{thermostat}", time = 0.5 }}
 VAPOUR = [(0.85, 0.003), (0.85, 0.007), (0.9, 0.009)]
 LIQUID = [(0.85, 0.776), (0.85, 0.82), (0.85, 0.86), (0.9, 0.776), (0.9, 0.86)]
 
-# chi-square of so many degrees of freedom is below with 99 % probability
-CHI_SQUARE_99 = {8: 20.09}
+# The runs are the same on every processor; gates are such that a change of the code that only gives other bits fails them by
+# chance once in ten thousand times.
+SIGMAS = 4.0
+CHI_SQUARE = {5: 25.7}  # of so many degrees of freedom
+# In a vapour few pairs of atoms hold together, each for long: blocks of one run do not tell the error of its energy well.
+VAPOUR_ENERGY = 0.05  # relative
 
 
 def main() -> int:
@@ -65,6 +70,7 @@ def main() -> int:
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--reference", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
+    compute_same_bits_everywhere()
     with open(arguments.reference, newline="") as file:
         reference = {(float(row["T"]), float(row["rho"])): row for row in csv.DictReader(file)}
 
@@ -90,19 +96,20 @@ def main() -> int:
             state = f"(T {temperature}, rho {density})"
             energy, energy_error = found["potential_energy"]
             both = math.hypot(energy_error, float(known["U_standard_deviation"]))
-            check(f"energy {state}", energy, float(known["U"]), 3.0 * both)
-            chi_square += ((energy - float(known["U"])) / both) ** 2
+            right = float(known["U"])
+            check(f"energy {state}", energy, right, SIGMAS * both if liquid else VAPOUR_ENERGY * abs(right))
+            chi_square += ((energy - right) / both) ** 2 if liquid else 0.0
             pressure, pressure_error = found["pressure"]
             wanted = float(known["p"])
             check(f"pressure {state}", pressure, wanted,
-                  max(3.0 * pressure_error, 0.03) if liquid else 0.01 * wanted)
+                  max(SIGMAS * pressure_error, 0.03) if liquid else 0.01 * wanted)
             check(f"error of the energy {state}", energy_error, 0.0, 0.004)
             check(f"error of the compressibility factor {state}", found["compressibility_factor"][1], 0.0, 0.02)
-        states = len(VAPOUR + LIQUID)
-        limit = CHI_SQUARE_99[states]
-        check(f"chi-square of {states} energies", chi_square, 0.5 * limit, 0.5 * limit)
+        limit = CHI_SQUARE[len(LIQUID)]
+        check(f"chi-square of {len(LIQUID)} energies of the liquid", chi_square, 0.5 * limit, 0.5 * limit)
 
-        # The scatter of 20 runs against the errors that they report: known to 16 %.
+        # The scatter of 20 runs against the errors that they report: known to 16 %. Errors that are half or twice what they
+        # should be are found; more seeds are a matter for the long set.
         runs = [observables(folder, cells=4, cutoff=2.5, seed=seed, temperature=1.0, density=0.76, equilibration=2000,
                             thermostat="stochastic-rescaling", steps=20000) for seed in range(1, 21)]
     for name in ("potential_energy", "pressure", "compressibility_factor", "temperature"):
@@ -110,7 +117,7 @@ def main() -> int:
         centre = sum(means) / len(means)
         scatter = math.sqrt(sum((mean - centre) ** 2 for mean in means) / (len(means) - 1))
         reported = math.sqrt(sum(run[name][1] ** 2 for run in runs) / len(runs))
-        check(f"scatter of 20 runs over the reported error: {name}", scatter / reported, 1.05, 0.35)
+        check(f"scatter of 20 runs over the reported error: {name}", scatter / reported, 1.05, 0.6)
     return exit_code()
 
 
