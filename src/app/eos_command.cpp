@@ -46,7 +46,9 @@ void eos_command(const EosOptions& options) {
     require_number("--density", *options.density, true);
     const std::string found = options.json ? state_json(equation, *options.temperature, *options.density)
                                            : state_table(equation, *options.temperature, *options.density);
-    warn(doubts(equation, *options.temperature, *options.density));
+    for (const std::string& doubt : doubts(equation, *options.temperature, *options.density)) {
+        warn(doubt);
+    }
     print_result(found);
 }
 

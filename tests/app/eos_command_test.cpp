@@ -8,6 +8,7 @@
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 
 TEST_CASE("eos prints the equations, coexistence, or a state, by what it is given") {
     CHECK(said([] { eos_command({}); }).out == equations_table());
@@ -26,6 +27,8 @@ TEST_CASE("eos warns of doubtful numbers, and only of these") {
     CHECK(said([] { eos_command({.temperature = 0.9}); }).err.empty());
     CHECK_THAT(said([] { eos_command({.temperature = 0.9, .density = 0.5}); }).err,
                Contains("warning: ") && Contains("coexist"));
+    CHECK_THAT(said([] { eos_command({.temperature = 0.722, .density = 1.0}); }).err,
+               StartsWith("warning: at temperature 0.722 the fluid freezes at density 0.8545"));
     CHECK_THAT(said([] { eos_command({.temperature = 0.6}); }).err, Contains("warning: temperature 0.6 is outside"));
 }
 

@@ -52,6 +52,8 @@ TEST_CASE("functions of one variable: their closed-form derivatives") {
     };
     const double e = std::exp(at_x);
     check(exp(x), {e, e, e, e});
+    check(log1p(x - 1.0), {std::log(at_x), 1.0 / at_x, -std::pow(at_x, -2), 2.0 * std::pow(at_x, -3)});
+    CHECK(log1p(1e-20 * x).value() == 1e-20 * at_x);
     check(log(x), {std::log(at_x), 1.0 / at_x, -std::pow(at_x, -2), 2.0 * std::pow(at_x, -3)});
     check(1.0 / x, {1.0 / at_x, -std::pow(at_x, -2), 2.0 * std::pow(at_x, -3), -6.0 * std::pow(at_x, -4)});
     check(pow(x, 2.5),

@@ -82,6 +82,35 @@ TEST_CASE("a dilute gas is ideal, and its first correction the second virial coe
     }
 }
 
+TEST_CASE("at any low density the properties are those of the virial series, to all digits") {
+    for (const EquationOfState& equation : all_equations_of_state()) {
+        for (const double t : {0.7, 1.3, 5.0}) {
+            // The series in rho about zero, whose coefficients are sums of few terms without cancellation.
+            const Taylor a = equation.residual_helmholtz(Taylor::x(t), Taylor::y(0.0));
+            for (const double rho : {1e-15, 1e-12, 1e-10, 1e-8}) {
+                INFO(equation.name << ", temperature " << t << ", density " << rho);
+                const FluidProperties state = properties(equation, t, rho);
+                const auto series = [&](double first, double second) {
+                    return Approx(rho * (first + rho * second)).epsilon(2e-12).margin(0.0);
+                };
+                CHECK(state.residual_helmholtz_energy == series(t * a.derivative(0, 1), t * 0.5 * a.derivative(0, 2)));
+                CHECK(state.potential_energy == series(-t * t * a.derivative(1, 1), -t * t * 0.5 * a.derivative(1, 2)));
+                CHECK(state.excess_chemical_potential ==
+                      series(t * 2.0 * a.derivative(0, 1), t * 1.5 * a.derivative(0, 2)));
+                // One and 3/2 are added to these: their digits end at 1e-16.
+                const auto with_ideal = [&](double ideal, double first, double second) {
+                    return Approx(ideal + rho * (first + rho * second)).epsilon(1e-15).margin(0.0);
+                };
+                CHECK(state.compressibility_factor == with_ideal(1.0, a.derivative(0, 1), a.derivative(0, 2)));
+                if (rho < 1e-8) {  // the next term needs a fourth derivative
+                    CHECK(state.heat_capacity_cv ==
+                          with_ideal(1.5, -2.0 * t * a.derivative(1, 1) - t * t * a.derivative(2, 1), 0.0));
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("three fits of the full fluid agree where it is simple") {
     for (const double t : {1.5, 2.74, 4.0}) {
         for (const double rho : {0.1, 0.45, 0.8}) {

@@ -68,6 +68,13 @@ class Taylor {
         return a.composed({std::log(a.value()), inverse, -inverse * inverse / 2.0, inverse * inverse * inverse / 3.0});
     }
 
+    /// log(1 + a), to all digits for a near zero.
+    friend Taylor log1p(const Taylor& a) {
+        const double inverse = 1.0 / (1.0 + a.value());
+        return a.composed(
+            {std::log1p(a.value()), inverse, -inverse * inverse / 2.0, inverse * inverse * inverse / 3.0});
+    }
+
     /// a^n for a real n. @pre a.value() > 0
     friend Taylor pow(const Taylor& a, double n) {
         const double inverse = 1.0 / a.value();

@@ -23,6 +23,7 @@ struct EquationOfState {
     std::string name;     ///< as users write it
     std::string meaning;  ///< whose equation, of which fluid
     std::string source;   ///< where it was published
+    bool full_potential;  ///< of the fluid whose potential is not truncated
     ValidRange valid;
 
     /// A_res/(N k_B T) as a function of T and rho; A_res is the Helmholtz energy less that of the ideal gas at the same

@@ -46,15 +46,48 @@ std::array<Taylor, gaussians> coefficients_b(const Taylor& t) {
             x[25] * t2 + x[26] * t4, x[27] * t2 + x[28] * t3, x[29] * t2 + x[30] * t3 + x[31] * t4};
 }
 
-/// G_1 to G_6 of Table 7: G_1 = (1 - F)/(2 gamma), G_i = -(F rho^(2(i - 1)) - 2(i - 1) G_(i - 1))/(2 gamma).
+/// Up to this z, the series of G_6 below converges within 40 terms; from it on, the recursion upwards is as exact.
+constexpr double largest_series_argument = 6.0;
+constexpr int series_terms = 40;
+
+/// G_6 = integral from 0 to rho of x^11 exp(-gamma x^2) dx = rho^12/2 F (1/6 + z/(6 7) + z^2/(6 7 8) + ...),
+/// z = gamma rho^2: every term is positive. Source: NIST Digital Library of Mathematical Functions, 8.7.1
+Taylor last_integral(const Taylor& density2, const Taylor& f) {
+    const Taylor z = gamma * density2;
+    constexpr int n = gaussians;
+    Taylor term = 1.0 / static_cast<double>(n);
+    Taylor sum = term;
+    for (int k = 1; k < series_terms; ++k) {
+        term *= z / static_cast<double>(n + k);
+        sum += term;
+    }
+    return 0.5 * pow(density2, n) * f * sum;
+}
+
+/// G_1 to G_6 of Table 7, G_i = integral from 0 to rho of x^(2i - 1) exp(-gamma x^2) dx.
+///
+/// The paper goes upwards: G_1 = (1 - F)/(2 gamma), G_(i + 1) = (2 i G_i - F rho^(2 i))/(2 gamma). At low densities
+/// that is a small difference of large numbers, G_6 of the order rho^12 from terms of the order rho^2; solved for G_i,
+/// the same relation adds positive terms.
 std::array<Taylor, gaussians> integrals_g(const Taylor& density) {
     const Taylor density2 = density * density;
     const Taylor f = exp(-gamma * density2);
-    std::array<Taylor, gaussians> g{(1.0 - f) / (2.0 * gamma)};
-    Taylor power = density2;
+    std::array<Taylor, gaussians> power;  // rho^(2 (i + 1))
+    power[0] = density2;
     for (std::size_t i = 1; i < gaussians; ++i) {
-        g[i] = (2.0 * static_cast<double>(i) * g[i - 1] - f * power) / (2.0 * gamma);
-        power *= density2;
+        power[i] = power[i - 1] * density2;
+    }
+    std::array<Taylor, gaussians> g;
+    if (gamma * density2.value() < largest_series_argument) {
+        g[gaussians - 1] = last_integral(density2, f);
+        for (std::size_t i = gaussians - 1; i > 0; --i) {
+            g[i - 1] = (2.0 * gamma * g[i] + f * power[i - 1]) / (2.0 * static_cast<double>(i));
+        }
+    } else {
+        g[0] = (1.0 - f) / (2.0 * gamma);
+        for (std::size_t i = 1; i < gaussians; ++i) {
+            g[i] = (2.0 * static_cast<double>(i) * g[i - 1] - f * power[i - 1]) / (2.0 * gamma);
+        }
     }
     return g;
 }
@@ -84,6 +117,7 @@ EquationOfState johnson1993() {
             .source =
                 "J. K. Johnson, J. A. Zollweg, K. E. Gubbins, Mol. Phys. 78, 591 (1993), "
                 "doi:10.1080/00268979300100411",
+            .full_potential = true,
             .valid = {.lowest_temperature = 0.7, .highest_temperature = 6.0, .highest_density = 1.25},
             .residual_helmholtz = residual};
 }

@@ -65,7 +65,7 @@ Taylor sum_of(const auto& terms, const Taylor& temperature) {
 /// Hard spheres of packing fraction y, A_res/(N k_B T). Source: J. Kolafa, as equation 5 of the paper.
 Taylor hard_spheres(const Taylor& y) {
     const Taylor hole = 1.0 - y;
-    return 5.0 / 3.0 * log(hole) + y * (34.0 - 33.0 * y + 4.0 * y * y) / (6.0 * hole * hole);
+    return 5.0 / 3.0 * log1p(-y) + y * (34.0 - 33.0 * y + 4.0 * y * y) / (6.0 * hole * hole);
 }
 
 /// Equations 29 and 30.
@@ -86,6 +86,7 @@ EquationOfState kolafa_nezbeda1994() {
     return {.name = "kolafa-nezbeda1994",
             .meaning = "Kolafa and Nezbeda: the full Lennard-Jones fluid",
             .source = "J. Kolafa, I. Nezbeda, Fluid Phase Equilib. 100, 1 (1994), doi:10.1016/0378-3812(94)80001-4",
+            .full_potential = true,
             .valid = {.lowest_temperature = 0.68, .highest_temperature = 10.0, .highest_density = 1.2},
             .residual_helmholtz = residual};
 }

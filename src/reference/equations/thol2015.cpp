@@ -35,6 +35,7 @@ EquationOfState thol2015() {
             .source =
                 "M. Thol, G. Rutkai, R. Span, J. Vrabec, R. Lustig, Int. J. Thermophys. 36, 25 (2015), "
                 "doi:10.1007/s10765-014-1764-4",
+            .full_potential = false,
             .valid = {.lowest_temperature = 0.6, .highest_temperature = 10.0, .highest_pressure = 70.0},
             .residual_helmholtz = [](const Taylor& temperature, const Taylor& density) {
                 return residual_helmholtz(form, temperature, density);

@@ -37,6 +37,7 @@ EquationOfState thol2016() {
             .source =
                 "M. Thol, G. Rutkai, A. Koester, R. Lustig, R. Span, J. Vrabec, J. Phys. Chem. Ref. Data 45, 023101 "
                 "(2016), doi:10.1063/1.4945000",
+            .full_potential = true,
             .valid = {.lowest_temperature = 0.661, .highest_temperature = 9.0, .highest_pressure = 65.0},
             .residual_helmholtz = [](const Taylor& temperature, const Taylor& density) {
                 return residual_helmholtz(form, temperature, density);
