@@ -100,6 +100,30 @@ def every_path(t):
         t.contains(t.run_well("compare", "deck.toml", "--with", "openmm", *TRAJECTORY, *arguments).out, said)
 
 
+def two_atoms_in_a_long_box(t):
+    """Coordinates of 50 sigma over a short time step are coarse velocities: OpenMM takes its own from them."""
+    needs_openmm(t)
+    (t.dir / "two.xyz").write_text('2\nLattice="50 0 0 0 6 0 0 0 6"\nAr 49.9 1 1\nAr 1.2 1 1\n')
+    t.deck(text="""
+[system]
+file = "two.xyz"
+temperature = 1.0
+seed = 5
+[potential]
+type = "lennard-jones"
+cutoff = 2.0
+truncation = "force-shifted"
+[[stage]]
+name = "p"
+time_step = 0.002
+steps = 200
+sample = true
+""")
+    for step in ("0.002", "0.0002"):
+        t.run_well("compare", "deck.toml", "--with", "openmm", "--parts", "point,trajectory", "--steps", "200",
+                   "--set", f"stage.p.time_step={step}", "--quiet")
+
+
 def missed_pairs_fail(t):
     """Lists that are built too seldom miss pairs: the trajectories differ, and the verdict says so."""
     needs_openmm(t)
@@ -152,7 +176,8 @@ def position_that_is_not_finite(t):
 
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (everything, json_alone, existing_files_are_refused, frames_are_judged, every_path, missed_pairs_fail, lammps,
+            for test in (everything, json_alone, existing_files_are_refused, frames_are_judged, every_path,
+                         two_atoms_in_a_long_box, missed_pairs_fail, lammps,
                          unknown_platform, plugin_folder_missing, no_lammps, position_that_is_not_finite)] + \
            [Case("few bodies with openmm", compare_refused(STARS, "--with", "openmm")),
             Case("few bodies with lammps", compare_refused(STARS, "--with", "lammps")),

@@ -52,6 +52,44 @@ TEST_CASE("distances may be larger where they have longer to grow, coarser numbe
     CHECK(limit({.atoms = 2}, 1000) == 1e-5);
 }
 
+TEST_CASE("in large boxes separations are coarser: all that is made of them may differ more") {
+    const Agreement usual = double_agreement({});
+    for (const double edge : {32.0, 50.0, 500.0}) {
+        const Agreement large = double_agreement({.longest_edge = edge});
+        CHECK(large.energy == Approx(usual.energy * edge / 16.0));
+        CHECK(large.largest_force == Approx(usual.largest_force * edge / 16.0));
+        CHECK(large.rms_force == Approx(usual.rms_force * edge / 16.0));
+        CHECK(large.pressure == Approx(usual.pressure * edge / 16.0));
+        CHECK(large.kinetic_energy >= usual.kinetic_energy * edge / 16.0);
+        CHECK(lammps_agreement({.longest_edge = edge}).energy == Approx(10.0 * large.energy));
+    }
+    CHECK(double_agreement({.longest_edge = 5.0}).energy == usual.energy);
+}
+
+TEST_CASE(
+    "the kinetic energy may differ by the rounding of places over the time step, and by what distances make of it") {
+    const auto limit = [](const Situation& situation) { return double_agreement(situation).kinetic_energy; };
+    CHECK(limit({}) == Approx(1.05e-12).epsilon(0.01));
+    // Velocities (r' - r)/dt of numbers around the edge, each off by half of the last place, in the worst case all
+    // alike.
+    for (const double edge : {10.0, 16.0, 17.0, 50.0, 64.0, 500.0}) {
+        for (const double dt : {0.0005, 0.002}) {
+            for (const double temperature : {0.1, 1.0}) {
+                INFO(edge << " " << dt << " " << temperature);
+                const double last_place = edge - std::nextafter(edge, 0.0);
+                const double rounding = 2.0 * last_place / dt / std::sqrt(temperature);
+                CHECK(rounding <= limit({temperature, dt, edge, 1000000}) * (1.0 + 1e-12));
+                CHECK(limit({temperature, dt, edge, 1000000}) <= std::max(2.0 * rounding, 1e-12 * edge / 16.0 + 1e-12));
+            }
+        }
+    }
+    // What two atoms in a box of 50 sigma were found apart with a step of 0.002: 1.4e-12.
+    CHECK(limit({.temperature = 1.0, .time_step = 0.002, .longest_edge = 50.0, .atoms = 2}) > 3e-12);
+    CHECK(limit({.atoms = 216}) == Approx(2e-12));
+    CHECK(limit({.time_step = 0.005, .atoms = 54}) == Approx(4e-12 * std::exp(0.375)));
+    CHECK(std::isinf(limit({.temperature = 0.0})));
+}
+
 TEST_CASE("after one step in the same order nothing but two roundings may be between two places") {
     const auto first = [](double edge) {
         return limit_at(double_agreement({.longest_edge = edge}).positions_in_the_same_order, 1).value();

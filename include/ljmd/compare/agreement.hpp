@@ -25,6 +25,9 @@ struct Check {
 /// The larger of two distances; not a number if one of them is not.
 [[nodiscard]] double larger_or_nan(double a, double b);
 
+/// Kinetic energies are judged up to this step.
+inline constexpr Index last_step_of_kinetic_energy = 100;
+
 /// What tolerances depend on.
 struct Situation {
     double temperature = 0.722;  ///< [epsilon/k_B]
@@ -40,7 +43,7 @@ struct Agreement {
     double largest_force;   ///< max |F - F'| / F_rms
     double rms_force;       ///< rms of |F - F'| / F_rms
     double pressure;        ///< |p - p'| / ((2 K + |W|)/3V), the size of the terms that p is the sum of
-    double kinetic_energy;  ///< |K - K'| / K' at equal times, up to step 100
+    double kinetic_energy;  ///< |K - K'| at equal times over the larger of K' and K' at the start; infinite: no limit
 
     /// The largest distance between the two places of an atom, ascending.
     struct Limit {
@@ -54,7 +57,8 @@ struct Agreement {
 
 /// Two programs in double precision. Distances begin as units of the last place of a coordinate and grow like
 /// exp(lambda t), lambda = 3.75/tau in a cold liquid; that of the atom that is furthest off, after long, with the
-/// number of atoms. Trajectories of a hot fluid (T > 1) part twice as fast and are judged up to step 200 only.
+/// number of atoms. A separation is as uncertain as the coordinates that it is the difference of, so in large boxes all
+/// of them are. Trajectories of a hot fluid (T > 1) part twice as fast and are judged up to step 200 only.
 [[nodiscard]] Agreement double_agreement(const Situation& situation);
 
 /// LAMMPS, whose sums run in another order over other lists.

@@ -27,7 +27,7 @@ struct TrajectoryComparison {
         double time;                    ///< since the start [tau]
         std::vector<double> distances;  ///< of each pairing: of the atom that is furthest off [sigma]
         double potential_difference;    ///< |U - U'| / |U'| of the first pairing
-        double kinetic_difference;      ///< |K - K'| / K' of the first pairing
+        double kinetic_difference;      ///< |K - K'| over the larger of K' and K' at the start, of the first pairing
     };
     double time_step = 0.0;
     std::vector<Pairing> pairings;
