@@ -243,17 +243,6 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
     }
 }
 
-int resume_threads(const ResumeOptions& options) {
-    if (options.threads > 0) {
-        return options.threads;
-    }
-    try {
-        return recorded_run(options.directory).threads;
-    } catch (const Error&) {  // resume_command() tells of it
-        return 1;
-    }
-}
-
 void resume_command(const ResumeOptions& options) {
     RunControl control{.interruption = Interruption(wall_time(options.walltime))};
     heed_signals();
@@ -267,7 +256,7 @@ void resume_command(const ResumeOptions& options) {
     if (!run.simd.empty()) {
         set_default_simd_level(usable_simd_level(run.simd));
     }
-    set_thread_count(resume_threads(options));
+    set_thread_count(options.threads > 0 ? options.threads : run.threads);
     EarlierParts earlier = run.earlier;
     const Index atoms = point->head.atoms;
     const Vec3 edges = point->head.edges;

@@ -9,6 +9,7 @@
 #include "ljmd/app/interruption.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/thread_team.hpp"
 
 namespace ljmd {
 
@@ -38,6 +39,8 @@ int report_current_exception() {
         return say(e.what(), 6);
     } catch (const std::bad_alloc&) {
         return say("out of memory; `ljmd check` tells how much a deck needs", 7);
+    } catch (const ThreadsError& e) {
+        return say(e.what(), 7);
     } catch (const InUseError& e) {
         return say(e.what(), 9);
     } catch (const Interrupted& e) {

@@ -8,7 +8,6 @@
 #include "ljmd/app/exit_code.hpp"
 #include "ljmd/app/export.hpp"
 #include "ljmd/app/streams.hpp"
-#include "ljmd/app/wait_policy.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/registry.hpp"
@@ -265,10 +264,6 @@ int main(int argc, char** argv) {
         return report_usage(app, error);
     }
     try {
-        const int threads = resume.parsed()       ? ljmd::resume_threads(resumed)
-                            : options.threads > 0 ? options.threads
-                                                  : ljmd::default_thread_count();
-        ljmd::wait_actively(threads, argv);
         if (run.parsed()) {
             ljmd::run_command(options, out, walltime);
         } else if (resume.parsed()) {

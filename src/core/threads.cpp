@@ -1,70 +1,73 @@
 #include "ljmd/core/threads.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
+#include <sched.h>
 
-#include <algorithm>
+#include <charconv>
 #include <cstdlib>
-#include <exception>
-#include <limits>
+#include <memory>
+#include <string_view>
+#include <thread>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/thread_team.hpp"
 
 namespace ljmd {
 
 namespace {
 
-int threads_in_use = 1;
+std::unique_ptr<ThreadTeam>& team() {
+    static std::unique_ptr<ThreadTeam> team = std::make_unique<ThreadTeam>(1);
+    return team;
+}
 
 }  // namespace
 
 int available_processors() {
-    return std::max(1, omp_get_num_procs());
+#ifdef CPU_COUNT
+    // A process may be kept to some of the processors, e.g. by taskset or a queue.
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+        return CPU_COUNT(&allowed);
+    }
+#endif
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 int default_thread_count() {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody writes the environment
-    return std::getenv("OMP_NUM_THREADS") != nullptr ? std::clamp(omp_get_max_threads(), 1, most_threads) : 1;
+    const char* variable = std::getenv("OMP_NUM_THREADS");
+    const std::string_view text = variable != nullptr ? variable : "";
+    if (text.empty()) {
+        return 1;
+    }
+    const std::string_view first = text.substr(0, text.find(','));  // the others are for loops within loops
+    int count = 0;
+    const auto [rest, error] = std::from_chars(first.data(), first.data() + first.size(), count);
+    if (error != std::errc() || rest != first.data() + first.size() || count < 1 || count > most_threads) {
+        throw InputError(
+            fmt::format("OMP_NUM_THREADS is '{}': allowed is a number of threads from 1 to {}", text, most_threads));
+    }
+    return count;
 }
 
 int thread_count() {
-    return threads_in_use;
+    return team()->size();
 }
 
 void set_thread_count(int count) {
     if (count < 1) {
         throw ContractViolation(fmt::format("{} threads", count));
     }
-    threads_in_use = count;
+    if (count == thread_count()) {
+        return;
+    }
+    team() = std::make_unique<ThreadTeam>(1);  // the old threads end before there are new ones
+    team() = std::make_unique<ThreadTeam>(count);
 }
 
 void for_each_block(Index count, Index block_length, BlockFunction function) {
-    const Index blocks = (count + block_length - 1) / block_length;
-    const auto call = [&](Index block) { function(block * block_length, std::min((block + 1) * block_length, count)); };
-    if (threads_in_use == 1 || blocks < 2) {
-        for (Index block = 0; block < blocks; ++block) {
-            call(block);
-        }
-        return;
-    }
-    // An exception may not leave a parallel region. Of several the one of the first block is kept, as in a serial loop.
-    std::exception_ptr failure;
-    Index failed = std::numeric_limits<Index>::max();
-#pragma omp parallel for schedule(static) num_threads(threads_in_use)
-    for (Index block = 0; block < blocks; ++block) {
-        try {
-            call(block);
-        } catch (...) {
-#pragma omp critical(ljmd_block_failure)
-            if (block < failed) {
-                failed = block;
-                failure = std::current_exception();
-            }
-        }
-    }
-    if (failure) {
-        std::rethrow_exception(failure);
-    }
+    team()->for_each_block(count, block_length, function);
 }
 
 }  // namespace ljmd

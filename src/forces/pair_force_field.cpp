@@ -7,6 +7,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/core/thread_team.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/core/tiny_is_zero.hpp"
 #include "ljmd/forces/pair_sum.hpp"
@@ -120,14 +121,11 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
         kernel(pair, task, energy ? &sums[t] : nullptr);
     };
     const auto count = static_cast<Index>(tiles.size());
-    const Index workers = std::min<Index>(thread_count(), count);
-    workspaces_.resize(static_cast<std::size_t>(workers));
+    workspaces_.resize(static_cast<std::size_t>(thread_count()));
     guest_forces_.resize(tiles.size());
-    for_each_block(workers, 1, [&](Index worker, Index) {
+    for_each_block(count, 1, [&](Index tile, Index) {
         const TinyIsZero tiny_is_zero;
-        for (Index tile = worker * count / workers; tile < (worker + 1) * count / workers; ++tile) {
-            sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(worker)]);
-        }
+        sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(number_in_team())]);
     });
     add_guest_forces(list, state);
     Evaluation total;

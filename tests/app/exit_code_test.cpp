@@ -6,6 +6,7 @@
 #include "app/app_fixtures.hpp"
 #include "ljmd/app/interruption.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/thread_team.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -42,6 +43,8 @@ TEST_CASE("every kind of error has its exit code and one message") {
     CHECK(report(PhysicsError("the run")).code == 5);
     CHECK(report(PhysicsError("the run")).text == "error: the run\n");
     CHECK(report(CheckpointError("damaged")).code == 6);
+    CHECK(report(ThreadsError("1 thread")).code == 7);
+    CHECK(report(ThreadsError("1 thread")).text == "error: 1 thread\n");
     CHECK(report(InUseError("another")).code == 9);
     CHECK(report(Interrupted("stopped", 143)).code == 143);
     CHECK(report(Interrupted("stopped", 143)).text == "stopped\n");

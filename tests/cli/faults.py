@@ -4,7 +4,7 @@ import os
 import re
 import resource
 
-from harness import STARS, Case, Skip, snapshot
+from harness import STARS, Case, Skip, clean_environment, snapshot
 
 HOT = [("density = 0.8442", "density = 0.5"), ("temperature = 1.0", "temperature = 20.0"),
        ("time_step = 0.004\nsteps = 20", "time_step = 0.05\nsteps = 2000"),
@@ -151,6 +151,19 @@ def file_size_limit(t):
         t.check(re.match(r"(warning: .*\n)*error: cannot write '", result.err), f"limit {limit}: {result.err}")
 
 
+def threads_that_cannot_be_had(t):
+    """Found out before anything is written."""
+    t.deck()
+    before = t.files()
+    result = t.run("run", "deck.toml", "--out", "out", "--threads", "4096",
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30)))
+    t.contains(t.expect(7, result).err, "error: 4096 threads are asked for, and the system allows no more than ")
+    result = t.run("run", "deck.toml", "--out", "out", env={**clean_environment(), "OMP_NUM_THREADS": "100000"})
+    t.equal(t.expect(2, result).err,
+            "error: OMP_NUM_THREADS is '100000': allowed is a number of threads from 1 to 4096\n", "the error")
+    t.equal(t.files(), before, "files")
+
+
 def another_run_survives(t):
     """Nothing that fails here touches a run beside it."""
     t.deck()
@@ -168,4 +181,5 @@ def cases():
                          explosion_of_few_bodies, late_lists_are_told_of, slow_heating, a_sound_run_is_left_alone,
                          failed_run_is_replaced,
                          overlap_in_a_start, too_dense_to_relax, output_below_a_file, read_only_directory,
-                         an_output_that_cannot_be_removed, file_size_limit, another_run_survives)]
+                         an_output_that_cannot_be_removed, file_size_limit, threads_that_cannot_be_had,
+                         another_run_survives)]

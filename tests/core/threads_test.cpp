@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "core/environment_guard.hpp"
 #include "core/thread_guard.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;
+using Catch::Contains;
 
 TEST_CASE("blocks cover every index once, for any number of threads") {
     const test::ThreadGuard threads(GENERATE(1, 2, 3, 8));
@@ -101,4 +103,31 @@ TEST_CASE("a number of threads below one is refused") {
     CHECK(thread_count() >= 1);
     CHECK(default_thread_count() >= 1);
     CHECK(available_processors() >= 1);
+}
+
+TEST_CASE("loops go on with another number of threads") {
+    const test::ThreadGuard guard(1);
+    for (const int threads : {2, 1, 8, 3, 3, 1}) {
+        set_thread_count(threads);
+        CHECK(thread_count() == threads);
+        CHECK(sum_over(5000, Index{0}, [](Index i) { return i; }) == 5000 * 4999 / 2);
+    }
+}
+
+TEST_CASE("OMP_NUM_THREADS says how many threads there are by default") {
+    const auto count_for = [](const std::string& text) {
+        const test::EnvironmentGuard variable("OMP_NUM_THREADS", text);
+        return default_thread_count();
+    };
+    CHECK(count_for("") == 1);
+    CHECK(count_for("1") == 1);
+    CHECK(count_for("3") == 3);
+    CHECK(count_for("4,2") == 4);
+    CHECK(count_for("4096") == most_threads);
+    for (const char* wrong : {"0", "-2", "4097", "100000", "99999999999", "two", "2 threads", ",2"}) {
+        const test::EnvironmentGuard variable("OMP_NUM_THREADS", wrong);
+        CHECK_THROWS_WITH(default_thread_count(),
+                          Contains("'" + std::string(wrong) + "'") && Contains("from 1 to 4096"));
+        CHECK_THROWS_AS(default_thread_count(), InputError);
+    }
 }

@@ -86,9 +86,6 @@ struct AnalyzeOptions {
 /// @param walltime  stop after that much time, "2h"; empty: no limit
 void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime = "");
 
-/// The threads that a run goes on with: those wanted, or as many as it had.
-[[nodiscard]] int resume_threads(const ResumeOptions& options);
-
 /// ljmd resume RUNDIR: go on with a run from its last checkpoint.
 void resume_command(const ResumeOptions& options);
 
