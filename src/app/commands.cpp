@@ -182,7 +182,7 @@ void run_fluid(const Deck& deck, Start start, const DeckOptions& options, const 
 void run_bodies(const Deck& deck, const DeckOptions& options, const RunControl& control) {
     check_directory(deck, options.force);
     FewBodySystem system = make_few_body_system(deck);
-    Progress progress(system.state.count(), deck.total_steps(), options.quiet);
+    Progress progress(std::nullopt, deck.total_steps(), options.quiet);
     heed_signals();
     make_directory(deck.directory);
     const DirectoryLock lock(deck.directory);
@@ -192,7 +192,7 @@ void run_bodies(const Deck& deck, const DeckOptions& options, const RunControl& 
 }
 
 void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
-    Progress progress(static_cast<Index>(1), deck.total_steps(), options.quiet);
+    Progress progress(std::nullopt, deck.total_steps(), options.quiet);
     const GslComparison comparison = compare_with_gsl(deck, progress);
     if (!out.empty()) {
         write_comparison(comparison, deck, out);
@@ -260,7 +260,9 @@ void resume_command(const ResumeOptions& options) {
     EarlierParts earlier = run.earlier;
     const Index atoms = point->head.atoms;
     const Vec3 edges = point->head.edges;
-    Progress progress(atoms, run.deck.total_steps(), options.quiet, point->head.step);
+    const bool bodies = run.deck.kind == DeckKind::few_body;
+    Progress progress(bodies ? std::nullopt : std::optional(atoms), run.deck.total_steps(), options.quiet,
+                      point->head.step);
     for (const std::string& warning : point->warnings) {
         progress.warning(warning);
     }
@@ -269,7 +271,7 @@ void resume_command(const ResumeOptions& options) {
         talk(fmt::format("going on after step {} of {}\n", point->head.step, run.deck.total_steps()));
     }
     control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
-    if (run.deck.kind == DeckKind::few_body) {
+    if (bodies) {
         FewBodySystem system = make_few_body_system(run.deck);
         const FewBodyResult result = run_few_body(run.deck, system, progress, control);
         print_result(options.json ? few_body_results_json(run.deck, result) + "\n"

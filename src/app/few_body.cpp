@@ -14,7 +14,8 @@ Vec3 padded(const std::vector<double>& components) {
 
 }  // namespace
 
-State few_body_start(const std::vector<Section>& bodies) {
+State few_body_start(const std::vector<Section>& bodies, const FewBodyForceMethod& force,
+                     const Section& force_section) {
     State state(static_cast<Index>(bodies.size()));
     auto r = state.write_positions();
     auto v = state.write_velocities();
@@ -22,14 +23,15 @@ State few_body_start(const std::vector<Section>& bodies) {
         const auto i = static_cast<Index>(k);
         r.col(i) = padded(bodies[k].vector("position"));
         v.col(i) = padded(bodies[k].vector("velocity"));
-        state.write_masses()[k] = bodies[k].number("mass");
+        const double mass = bodies[k].number("mass");
+        state.write_masses()[k] = force.inertia ? force.inertia(force_section, mass) : mass;
     }
     return state;
 }
 
 FewBodySystem make_few_body_system(const Deck& deck) {
     const FewBodyForceMethod force = find_few_body_force(deck.force().text("type"));
-    FewBodySystem system{few_body_start(deck.bodies()),
+    FewBodySystem system{few_body_start(deck.bodies(), force, deck.force()),
                          static_cast<int>(deck.bodies().front().vector("position").size()),
                          force,
                          force.make(deck.force()),

@@ -103,7 +103,7 @@ class FewBodyRun : private StepObserver {
     }
 
     void started(const Evaluation& evaluation) override {
-        add_angle();
+        add_angle(system_.state);
         record(evaluation);
         files_->write_frame(system_.state, angle_);
     }
@@ -113,11 +113,13 @@ class FewBodyRun : private StepObserver {
         const State& state = system_.state;
         if (stage.sample && !sampling_) {  // the sampled stages are one piece, see check_few_body_sense()
             sampling_ = true;
-            sample_analyses();
+            sample_analyses(state);
         }
         if (stage.reverse) {
-            sense_of_angle_ = -sense_of_angle_;
-            add_angle();
+            sense_of_angle_ = -sense_of_angle_;  // the velocities are turned round after this
+            if (angle_) {
+                angle_ = quadrature_.turn_round();
+            }
         }
         drift_ = {};
         stages_.push_back({stage.name,
@@ -138,16 +140,27 @@ class FewBodyRun : private StepObserver {
         return thermo_every_.due(step) || step == deck_.total_steps();
     }
 
+    [[nodiscard]] bool looks_within_steps(const Stage& stage) const override {
+        return system_.force.angular_velocity || (stage.sample && !system_.analyses.empty());
+    }
+
+    void within_step(const Stage& stage, const State& moment) override {
+        add_angle(moment);
+        if (stage.sample) {
+            sample_analyses(moment);
+        }
+    }
+
     void moved(Index) override {}
 
     void step_done(const Stage& stage, const Evaluation& evaluation) override {
         const State& state = system_.state;
-        add_angle();
+        add_angle(state);
         if (wants_energy(state.step)) {
             record(evaluation);
         }
         if (stage.sample) {
-            sample_analyses();
+            sample_analyses(state);
         }
         if (deck_.trajectory && state.step % deck_.trajectory->every == 0) {
             files_->write_frame(state, angle_);
@@ -175,16 +188,16 @@ class FewBodyRun : private StepObserver {
         }
     }
 
-    void add_angle() {
-        if (const auto& rate = system_.force.angular_velocity) {
-            angle_ = quadrature_.add(system_.state.time,
-                                     sense_of_angle_ * rate(deck_.force(), system_.state.positions()(0, 0)));
+    void add_angle(const State& state) {
+        if (const auto& velocity = system_.force.angular_velocity) {
+            const auto [rate, slope] = velocity(deck_.force(), state.positions()(0, 0), state.velocities()(0, 0));
+            angle_ = quadrature_.add(state.time, sense_of_angle_ * rate, sense_of_angle_ * slope);
         }
     }
 
-    void sample_analyses() {
+    void sample_analyses(const State& state) {
         for (const auto& [name, analysis] : system_.analyses) {
-            analysis->sample({system_.state, angle_});
+            analysis->sample({state, angle_});
         }
     }
 

@@ -145,7 +145,7 @@ void check_few_body_sense(const Section& root, Diagnostics& diagnostics) {
         return;
     }
     const std::vector<Section>& bodies = root.sections("body");
-    const State start = few_body_start(bodies);
+    const State start = few_body_start(bodies, force, root.section("force"));
     if (const auto problem = force.check(root.section("force"), start)) {
         diagnostics.error(bodies[static_cast<std::size_t>(problem->body)].location("position"), problem->message);
     }

@@ -27,7 +27,7 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(Index atoms, Index total_steps, bool quiet, Index first_step)
+Progress::Progress(std::optional<Index> atoms, Index total_steps, bool quiet, Index first_step)
     : atoms_(atoms), total_steps_(total_steps), quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
     window_.push_back({Clock::now(), first_step});
     while (step_of_tenth(next_tenth_) <= first_step && next_tenth_ <= 10) {
@@ -43,7 +43,8 @@ void Progress::stage_begins(const Stage& stage) {
     stage_ = stage.name;
     if (!quiet_) {
         clear_line();
-        talk(fmt::format("stage '{}': {} steps of {:.6g} tau\n", stage.name, stage.steps, stage.time_step));
+        talk(fmt::format("stage '{}': {} steps of {:.6g}{}\n", stage.name, stage.steps, stage.time_step,
+                         atoms_ ? " tau" : ""));
     }
 }
 
@@ -85,8 +86,10 @@ double Progress::windowed_rate(const Mark& now) {
 
 std::string Progress::line(Index step, double steps_per_second) const {
     const double done = total_steps_ > 0 ? static_cast<double>(step) / static_cast<double>(total_steps_) : 1.0;
-    return fmt::format("[{}] {:3.0f} % step {}/{}  {:.3g} steps/s  {:.3g} atom-steps/s  ETA {}", stage_, 100.0 * done,
-                       step, total_steps_, steps_per_second, steps_per_second * static_cast<double>(atoms_),
+    const std::string of_atoms =
+        atoms_ ? fmt::format("  {:.3g} atom-steps/s", steps_per_second * static_cast<double>(*atoms_)) : "";
+    return fmt::format("[{}] {:3.0f} % step {}/{}  {:.3g} steps/s{}  ETA {}", stage_, 100.0 * done, step, total_steps_,
+                       steps_per_second, of_atoms,
                        duration(static_cast<double>(total_steps_ - step) / steps_per_second));
 }
 

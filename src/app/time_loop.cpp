@@ -140,11 +140,13 @@ class TimeLoop {
         if (parts.thermostat) {
             parts.thermostat->before_step(state_);
         }
+        const double end = position_.first_time + static_cast<double>(n) * stage.time_step;
         const Evaluation evaluation = parts.integrator.step(
             state_, force_field_,
-            {.energy = pressure_wanted || observer_.wants_energy(step_), .order_independent = false});
+            {.energy = pressure_wanted || observer_.wants_energy(step_), .order_independent = false},
+            watch_within(stage, end));
         state_.step = step_;
-        state_.time = position_.first_time + static_cast<double>(n) * stage.time_step;
+        state_.time = end;
         position_.seconds.steps += watch.lap();
         observer_.moved(n);
         watch.lap();
@@ -156,6 +158,19 @@ class TimeLoop {
         if (pressure_wanted) {
             parts.barostat->apply(state_, thermodynamics(state_, evaluation, interaction_->tail).pressure);
         }
+    }
+
+    /// Hands on to the observer what lies strictly between now and the end of the step, where times are rounded, too.
+    [[nodiscard]] StateWatch watch_within(const Stage& stage, double end) {
+        if (!observer_.looks_within_steps(stage)) {
+            return {};
+        }
+        return [this, &stage, end, last = state_.time](const State& moment) mutable {
+            if (moment.time > last && moment.time < end) {
+                last = moment.time;
+                observer_.within_step(stage, moment);
+            }
+        };
     }
 
     void note_seconds() { position_.seconds.all += watch_.lap(); }

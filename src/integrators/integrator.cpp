@@ -65,11 +65,11 @@ void Integrator::prepare(State& state, ForceField& force_field) const {
     state.set_phase({identity_, 0});
 }
 
-Evaluation Integrator::step(State& state, ForceField& force_field, Request request) const {
+Evaluation Integrator::step(State& state, ForceField& force_field, Request request, const StateWatch& within) const {
     prepare(state, force_field);
     const Index steps = state.phase().steps;
     const auto& operators = scheme_.cycle[static_cast<std::size_t>(steps) % scheme_.cycle.size()];
-    const Evaluation evaluation = apply(operators, state, force_field, request);
+    const Evaluation evaluation = apply(operators, state, force_field, request, within);
     state.set_phase({identity_, steps + 1});
     return evaluation;
 }

@@ -56,7 +56,8 @@ void kick_and_drift(State& state, double dt_kick, double dt_drift) {
 
 }  // namespace
 
-Evaluation apply(const std::vector<Operator>& operators, State& state, ForceField& force_field, Request request) {
+Evaluation apply(const std::vector<Operator>& operators, State& state, ForceField& force_field, Request request,
+                 const StateWatch& within) {
     const auto evaluates = [](const Operator& op) { return std::holds_alternative<Evaluate>(op); };
     const auto after_last = std::find_if(operators.rbegin(), operators.rend(), evaluates).base();
     Evaluation evaluation;
@@ -81,7 +82,7 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
         } else if (const auto* t = std::get_if<Thermalise>(&*op)) {
             t->apply(state);
         } else {
-            std::get<Solve>(*op).advance(state, force_field);
+            std::get<Solve>(*op).advance(state, force_field, within);
         }
     }
     return evaluation;

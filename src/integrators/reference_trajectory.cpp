@@ -14,6 +14,15 @@
 
 namespace ljmd {
 
+namespace {
+
+/// Parts of a step of the method at whose ends the solution is shown. A step of order 8 turns by as much as a third of
+/// a radian. One that the next may exceed by `much_longer` is short enough as it is: a start of the method is.
+constexpr int parts = 8;
+constexpr double much_longer = 4.0;
+
+}  // namespace
+
 /// y holds the positions by id, then the velocities by id: force fields may rearrange bodies in memory.
 class ReferenceTrajectory::Integration {
   public:
@@ -22,11 +31,13 @@ class ReferenceTrajectory::Integration {
           force_(force),
           size_(3 * static_cast<std::size_t>(start.count())),
           y_(2 * size_),
+          origin_(start.time),
           system_{&Integration::call, nullptr, y_.size(), this} {
         gsl_set_error_handler_off();  // errors come back as codes; GSL's own handler would abort the program
         const double any_step = 1.0;  // set_step() comes before it is used
         driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, any_step, tolerance, tolerance));
-        if (!driver_) {
+        inner_method_.reset(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, y_.size()));
+        if (!driver_ || !inner_method_) {
             throw std::bad_alloc();
         }
         for (std::size_t i = 0; i < state_.ids().size(); ++i) {
@@ -36,16 +47,16 @@ class ReferenceTrajectory::Integration {
     }
 
     const State& advance_to(double time) {
-        double reached = state_.time;
-        if (time == reached) {
-            return state_;
+        if (time != state_.time) {
+            advance(time - origin_, {});
+            state_.time = time;
         }
-        set_step(time - reached);
-        const int status = gsl_odeiv2_driver_apply(driver_.get(), &reached, time, y_.data());
-        steps_ += static_cast<Index>(driver_->n);
-        show(reached);
-        if (status != GSL_SUCCESS) {
-            report(status, time);
+        return state_;
+    }
+
+    const State& advance_by(double span, const StateWatch& within) {
+        if (span != 0.0) {
+            advance(elapsed_ + span, within);
         }
         return state_;
     }
@@ -59,6 +70,59 @@ class ReferenceTrajectory::Integration {
     struct FreeDriver {
         void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
     };
+    struct FreeStep {
+        void operator()(gsl_odeiv2_step* step) const { gsl_odeiv2_step_free(step); }
+    };
+
+    /// @param end  since the origin
+    void advance(double end, const StateWatch& within) {
+        set_step(end - elapsed_);
+        const int status = step_to(end, within);
+        show(y_, elapsed_);
+        if (status != GSL_SUCCESS) {
+            report(status, end);
+        }
+    }
+
+    /// What gsl_odeiv2_driver_apply() does, with a look at every step. @return GSL's code
+    int step_to(double end, const StateWatch& within) {
+        gsl_odeiv2_driver& driver = *driver_;
+        const double sign = std::copysign(1.0, driver.h);
+        while (sign * (end - elapsed_) > 0.0) {
+            const double begin = elapsed_;
+            if (within) {
+                before_ = y_;
+            }
+            const int status =
+                gsl_odeiv2_evolve_apply(driver.e, driver.c, driver.s, driver.sys, &elapsed_, end, &driver.h, y_.data());
+            if (status != GSL_SUCCESS) {
+                return status;
+            }
+            ++steps_;
+            if (within && std::abs(driver.h) < much_longer * std::abs(elapsed_ - begin)) {
+                look_inside(begin, within);
+            }
+            if (within && elapsed_ != end) {
+                show(y_, elapsed_);
+                within(state_);
+            }
+        }
+        return GSL_SUCCESS;
+    }
+
+    /// Show what lies inside of the step from before_ to y_. Places inside are reached by shorter steps from its
+    /// beginning; one at which the forces have no value is left out.
+    void look_inside(double begin, const StateWatch& within) {
+        for (int part = 1; part < parts; ++part) {
+            const double length = (elapsed_ - begin) * part / parts;
+            inner_ = before_;
+            if (gsl_odeiv2_step_apply(inner_method_.get(), begin, length, inner_.data(), error_.data(), nullptr,
+                                      nullptr, &system_) == GSL_SUCCESS) {
+                show(inner_, begin + length);
+                within(state_);
+            }
+        }
+    }
 
     /// Where the position of the body at index i begins in y; its velocity follows size_ later.
     [[nodiscard]] std::size_t place(std::size_t i) const { return 3 * static_cast<std::size_t>(state_.ids()[i]); }
@@ -105,16 +169,16 @@ class ReferenceTrajectory::Integration {
         }
     }
 
-    /// Make state_ what y says.
-    void show(double time) {
+    /// Make state_ what y says. @param elapsed  since the origin
+    void show(const std::vector<double>& y, double elapsed) {
         for (std::size_t i = 0; i < state_.ids().size(); ++i) {
-            state_.write_positions().col(static_cast<Index>(i)) = ConstMap(y_.data() + place(i));
-            state_.write_velocities().col(static_cast<Index>(i)) = ConstMap(y_.data() + size_ + place(i));
+            state_.write_positions().col(static_cast<Index>(i)) = ConstMap(y.data() + place(i));
+            state_.write_velocities().col(static_cast<Index>(i)) = ConstMap(y.data() + size_ + place(i));
         }
-        state_.time = time;
+        state_.time = origin_ + elapsed;
     }
 
-    [[noreturn]] void report(int status, double time) const {
+    [[noreturn]] void report(int status, double end) const {
         std::string reason = status == GSL_FAILURE ? "bodies collide, or the tolerance asks for more than doubles hold"
                                                    : gsl_strerror(status);
         try {
@@ -125,15 +189,21 @@ class ReferenceTrajectory::Integration {
             reason = error.what();
         }
         throw PhysicsError(
-            fmt::format("the reference solution ends at time {}, before {}: {}", state_.time, time, reason));
+            fmt::format("the solution ends at time {}, before {}: {}", state_.time, origin_ + end, reason));
     }
 
     State state_;
     ForceField& force_;
     std::size_t size_;  // of the positions in y
     std::vector<double> y_;
+    std::vector<double> before_ = y_;  // y at the beginning of a step that is looked into
+    std::vector<double> inner_ = y_;
+    std::vector<double> error_ = y_;
+    double origin_;         // when it began
+    double elapsed_ = 0.0;  // since then
     gsl_odeiv2_system system_;
     std::unique_ptr<gsl_odeiv2_driver, FreeDriver> driver_;
+    std::unique_ptr<gsl_odeiv2_step, FreeStep> inner_method_;
     std::exception_ptr trouble_;  // of the last evaluation
     Index steps_ = 0;
 };
@@ -155,6 +225,13 @@ const State& ReferenceTrajectory::advance_to(double time) {
         throw ContractViolation(fmt::format("a reference solution at time {}", time));
     }
     return integration_->advance_to(time);
+}
+
+const State& ReferenceTrajectory::advance_by(double span, const StateWatch& within) {
+    if (!std::isfinite(span)) {
+        throw ContractViolation(fmt::format("a reference solution over a time of {}", span));
+    }
+    return integration_->advance_by(span, within);
 }
 
 Index ReferenceTrajectory::steps_taken() const {

@@ -74,6 +74,34 @@ std::string three_stars() {
                                  "velocity = [0.2, 0.3, 0.1]\n\n[[stage]]"}});
 }
 
+/// The Pythagorean problem by the adaptive method, with frames so far apart.
+std::string pythagorean(double frame, int frames) {
+    return R"([force]
+type = "newtonian-gravity"
+gravitational_constant = 1.0
+
+[[body]]
+mass = 3.0
+position = [1.0, 3.0]
+velocity = [0.0, 0.0]
+
+[[body]]
+mass = 4.0
+position = [-2.0, -1.0]
+velocity = [0.0, 0.0]
+
+[[body]]
+mass = 5.0
+position = [1.0, -1.0]
+velocity = [0.0, 0.0]
+
+[[stage]]
+name = "fall"
+integrator = "prince-dormand"
+time_step = )" +
+           std::to_string(frame) + "\nsteps = " + std::to_string(frames) + "\n\n[analysis]\nclosest_approach = {}\n";
+}
+
 }  // namespace
 
 TEST_CASE("every tenth step of few bodies is in thermo.csv, and the end") {
@@ -101,6 +129,41 @@ TEST_CASE("the totals of two stars are those summed by hand") {
     CHECK(run.history("momentum_y").at_start == Approx(0.0).margin(1e-16));
     CHECK(run.history("angular_momentum_z").at_start == Approx(0.15).epsilon(1e-15));
     CHECK(run.result.histories.size() == 6);
+}
+
+TEST_CASE("the totals of a pendulum are those of a mass at the end of a rod") {
+    const std::string deck = R"([force]
+type = "pendulum"
+gravity = 9.81
+length = 2.0
+
+[[body]]
+mass = 1.0
+position = [1.0]
+velocity = [0.5]
+
+[[stage]]
+name = "swing"
+time_step = 0.001
+steps = 2000
+
+[analysis]
+oscillation = {}
+)";
+    const Finished run(deck);
+    CHECK(run.history("potential_energy").at_start == Approx(9.81 * 2.0 * (1.0 - std::cos(1.0))).epsilon(1e-14));
+    CHECK(run.history("potential_energy").at_start == Approx(9.0193).margin(5e-5));
+    CHECK(run.history("kinetic_energy").at_start == 0.5);  // m l^2 omega^2 / 2
+    CHECK(run.history("momentum_x").at_start == 2.0);      // m l^2 omega
+    CHECK(run.history("total_energy").at_start == Approx(9.5193).margin(5e-5));
+    CHECK(run.history("total_energy").largest_deviation < 2e-5);
+    // m g l (1 - cos a) at the turning point.
+    const double amplitude = run.finding("oscillation", "amplitude");
+    CHECK(19.62 * (1.0 - std::cos(amplitude)) == Approx(run.history("total_energy").at_start).epsilon(1e-6));
+    // With the mass doubled all are doubled, and the motion is the same.
+    const Finished heavy(deck, {"body.1.mass=2.0"});
+    CHECK(heavy.history("total_energy").at_end == Approx(2.0 * run.history("total_energy").at_end).epsilon(1e-12));
+    CHECK(heavy.finding("oscillation", "amplitude") == Approx(amplitude).epsilon(1e-12));
 }
 
 TEST_CASE("totals have as many components as there are dimensions") {
@@ -288,4 +351,82 @@ TEST_CASE("run.json of few bodies tells that the run has ended") {
     CHECK(run.result.bodies == 2);
     CHECK(run.result.dimensions == 2);
     CHECK(run.result.force == "newtonian-gravity");
+}
+
+TEST_CASE("an encounter within a step of the adaptive method is found, however long the step") {
+    // To t = 16. Frames 1e-7 apart around the encounter have 4.1382e-4 at t = 15.829920.
+    for (const auto& [frame, frames] : {std::pair{0.01, 1600}, {0.25, 64}, {16.0, 1}}) {
+        INFO(frame);
+        const Finished run(pythagorean(frame, frames));
+        CHECK(run.finding("closest_approach", "distance") == Approx(4.138e-4).epsilon(2e-4));
+        CHECK(run.finding("closest_approach", "time") == Approx(15.82992).margin(5e-6));
+        CHECK(run.finding("closest_approach", "first_body") == 2.0);
+        CHECK(run.finding("closest_approach", "second_body") == 3.0);
+        CHECK(std::ssize(run.listener.steps) == frames);
+    }
+}
+
+TEST_CASE("what is measured within steps changes no bit of the motion") {
+    const Finished with(pythagorean(0.25, 20));
+    const Finished without(changed(pythagorean(0.25, 20), {{"closest_approach = {}", ""}}));
+    CHECK(with.file("final.xyz") == without.file("final.xyz"));
+    CHECK(with.file("thermo.csv") == without.file("thermo.csv"));
+}
+
+TEST_CASE("apsides, swings and angles of the adaptive method do not depend on its frames") {
+    // Three orbits of the comet by its distance alone in 5 frames: longer than half an orbit each.
+    const Finished comet(radial_deck + "\n[analysis]\norbit = { body = 1 }\n",
+                         {"force.gravitational_parameter=1.001", "stage.out.integrator=prince-dormand",
+                          "stage.out.time_step=9.0", "stage.out.steps=5"});
+    CHECK(comet.finding("orbit", "period") == Approx(14.928269695716399).epsilon(1e-9));
+    CHECK(comet.finding("orbit", "first_apocentre") == Approx(2.562277580071175).epsilon(1e-9));
+    CHECK(comet.finding("orbit", "precession") == Approx(0.0).margin(1e-8));
+    // A pendulum let go at 170 degrees, in frames of more than one swing.
+    const Finished pendulum(R"([force]
+type = "pendulum"
+gravity = 1.0
+length = 1.0
+
+[[body]]
+mass = 1.0
+position = [2.9670597283903604]
+velocity = [0.0]
+
+[[stage]]
+name = "swing"
+integrator = "prince-dormand"
+time_step = 20.0
+steps = 4
+
+[analysis]
+oscillation = {}
+)");
+    CHECK(pendulum.finding("oscillation", "period") == Approx(15.326967999137).epsilon(1e-9));
+    CHECK(pendulum.finding("oscillation", "amplitude") == Approx(2.9670597283903604).epsilon(1e-9));
+}
+
+TEST_CASE("what ends a run within a step is told with the time of the run") {
+    // Two bodies at rest fall on each other at t = pi/8^(1/2) = 1.11072.
+    const std::string deck = R"([force]
+type = "newtonian-gravity"
+gravitational_constant = 1.0
+
+[[body]]
+mass = 0.5
+position = [-0.5]
+velocity = [0.0]
+
+[[body]]
+mass = 0.5
+position = [0.5]
+velocity = [0.0]
+
+[[stage]]
+name = "fall"
+integrator = "prince-dormand"
+time_step = 0.5
+steps = 4
+)";
+    CHECK_THROWS_WITH(Finished(deck),
+                      Contains("step 3 (stage 'fall'): the solution ends at time 1.1107") && Contains("before 1.5"));
 }

@@ -18,7 +18,7 @@ Deck springs_in(const std::string& position, const std::string& velocity) {
 
 TEST_CASE("bodies start as the deck says, in its order, without a box") {
     const Deck deck = DeckFolder(changed(stars_deck, {{"mass = 0.5", "mass = 0.25"}})).load();
-    const State state = few_body_start(deck.bodies());
+    const State state = make_few_body_system(deck).state;
     CHECK(state.count() == 2);
     CHECK_FALSE(state.has_box());
     CHECK(state.ids() == std::vector<Index>{0, 1});
@@ -30,12 +30,22 @@ TEST_CASE("bodies start as the deck says, in its order, without a box") {
 }
 
 TEST_CASE("components that a deck leaves out are zero") {
-    const State line = few_body_start(springs_in("[1.5]", "[-2.0]").bodies());
+    const State line = make_few_body_system(springs_in("[1.5]", "[-2.0]")).state;
     CHECK(Vec3(line.positions().col(0)) == Vec3(1.5, 0.0, 0.0));
     CHECK(Vec3(line.velocities().col(0)) == Vec3(-2.0, 0.0, 0.0));
-    const State space = few_body_start(springs_in("[1.5, 2.5, 3.5]", "[1, 2, 3]").bodies());
+    const State space = make_few_body_system(springs_in("[1.5, 2.5, 3.5]", "[1, 2, 3]")).state;
     CHECK(Vec3(space.positions().col(0)) == Vec3(1.5, 2.5, 3.5));
     CHECK(Vec3(space.velocities().col(0)) == Vec3(1.0, 2.0, 3.0));
+}
+
+TEST_CASE("what stands for the mass of a pendulum is its moment of inertia") {
+    const Deck deck = DeckFolder(
+                          "[force]\ntype = \"pendulum\"\ngravity = 9.81\nlength = 2.0\n\n[[body]]\nmass = 3.0\n"
+                          "position = [1.0]\nvelocity = [0.5]\n\n[[stage]]\nname = \"swing\"\n"
+                          "time_step = 0.1\nsteps = 1\n")
+                          .load();
+    CHECK(few_body_start(deck.bodies(), find_few_body_force("pendulum"), deck.force()).masses() ==
+          std::vector<double>{12.0});
 }
 
 TEST_CASE("a few-body system has the dimensions and the force of its deck") {

@@ -103,6 +103,14 @@ TEST_CASE("a line of progress has per cent, step, rates and the time that is lef
     CHECK_THAT(progress.line(24900, 1.0), EndsWith("ETA 1:40"));
 }
 
+TEST_CASE("few bodies have neither atoms nor tau") {
+    Captured captured(stderr);
+    Progress progress(std::nullopt, 25000, false);
+    progress.stage_begins(production);
+    CHECK(progress.line(10500, 4210.0) == "[production]  42 % step 10500/25000  4.21e+03 steps/s  ETA 0:04");
+    CHECK(captured.text() == "stage 'production': 100 steps of 0.004\n");
+}
+
 TEST_CASE("a time that cannot be told is a question mark") {
     CHECK_THAT(Progress(864, 100, true).line(0, 0.0), EndsWith("ETA ?"));
     CHECK_THAT(Progress(864, 0, true).line(0, 0.0), Contains("100 %") && EndsWith("ETA ?"));

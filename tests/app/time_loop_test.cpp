@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "app/app_fixtures.hpp"
 #include "integrators/oscillator.hpp"
@@ -36,9 +37,19 @@ struct Log : StepObserver {
         kinetic_when_done[state.step] = kinetic_energy(state);
     }
     void stage_ends(const Stage& stage) override { events.push_back("end " + stage.name); }
+    [[nodiscard]] bool looks_within_steps(const Stage&) const override { return looks_within; }
+    void within_step(const Stage& stage, const State& moment) override {
+        CHECK(moment.time > (times.empty() ? 0.0 : times.back()));
+        CHECK(moment.time > last_within);
+        last_within = moment.time;
+        within.insert(stage.name);
+    }
 
     const State& state;
     Index energy_every;
+    bool looks_within = false;
+    double last_within = 0.0;
+    std::set<std::string> within;  ///< the stages
     std::vector<std::string> events;
     std::vector<double> times;
     std::map<Index, double> energies;
@@ -121,6 +132,24 @@ TEST_CASE("time is the start of the stage and so many of its steps, not a sum of
     }
     for (std::size_t n = 0; n < 3; ++n) {
         CHECK(swing.log.times[10 + n] == swing.log.times[9] + static_cast<double>(n + 1) * 0.1);
+    }
+}
+
+TEST_CASE(
+    "what an adaptive method goes through is told if it is wanted, between the beginning and the end of its step") {
+    const std::string adaptive = "integrator = \"prince-dormand\"\n";
+    const Deck deck = DeckFolder(springs_deck + stage_text("one", "7", adaptive) + stage_text("two", "5") +
+                                 stage_text("three", "2", adaptive))
+                          .load();
+    for (const bool wanted : {false, true}) {
+        Oscillator springs{2.0};
+        State state = swinging(springs);
+        Log log(state);
+        log.looks_within = wanted;
+        run_stages(deck.stages, state, springs, log);
+        CHECK(log.within == (wanted ? std::set<std::string>{"one", "three"} : std::set<std::string>{}));
+        CHECK((!wanted || log.last_within < log.times.back()));
+        CHECK(log.times.size() == 14);
     }
 }
 

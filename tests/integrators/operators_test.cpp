@@ -105,8 +105,11 @@ TEST_CASE("a method that solves by itself gets the force field, and leaves the f
     test::Oscillator springs(2.0);
     State state = test::swinging(springs);
     const Eigen::Matrix3Xd before = test::positions(state);
-    const Solve solve{[](State& s, ForceField& forces) {
+    const Solve solve{[](State& s, ForceField& forces, const StateWatch& within) {
         s.write_positions() *= 2.0;
+        if (within) {
+            within(s);
+        }
         forces.evaluate(s, Request::forces);
         s.write_positions() *= 2.0;
     }};
@@ -114,6 +117,10 @@ TEST_CASE("a method that solves by itself gets the force field, and leaves the f
     apply({solve}, state, springs, energy);
     CHECK(springs.requests().size() == asked + 1);
     CHECK(test::positions(state) == 4.0 * before);
+    std::vector<Eigen::Matrix3Xd> seen;
+    apply({solve}, state, springs, energy, [&](const State& s) { seen.push_back(test::positions(s)); });
+    REQUIRE(seen.size() == 1);
+    CHECK(seen.front() == 8.0 * before);
     CHECK_FALSE(state.forces_are_current());
 }
 

@@ -307,6 +307,40 @@ TEST_CASE("a reference solution begins at the time of its start, and asking for 
     CHECK(reference.steps_taken() == more + 1);
 }
 
+TEST_CASE("a solution over a span of time is the same at any time, to the last bit") {
+    const auto force = unit_gravity();
+    State start = test::figure_eight();
+    ReferenceTrajectory early(start, *force, tight);
+    start.time = 1e6 + 0.1;
+    ReferenceTrajectory late(start, *force, tight);
+    CHECK(difference(early.advance_by(0.7), late.advance_by(0.7)) == 0.0);
+    CHECK(late.advance_by(0.0).time == 1e6 + 0.1 + 0.7);
+    ReferenceTrajectory other(test::figure_eight(), *force, tight);
+    CHECK(difference(other.advance_to(0.7), early.advance_by(0.0)) == 0.0);
+    CHECK_THROWS_AS(other.advance_by(std::numeric_limits<double>::infinity()), ContractViolation);
+}
+
+TEST_CASE(
+    "a solution is seen between its ends, in order, as exact as at its ends, and goes on as if nobody had looked") {
+    const Ellipse ellipse;
+    const auto force = Ellipse::force();
+    ReferenceTrajectory watched(Ellipse::start(), *force, tight);
+    ReferenceTrajectory alone(Ellipse::start(), *force, tight);
+    double last = 0.0;
+    Index seen = 0;
+    const State& end = watched.advance_by(20.0, [&](const State& moment) {
+        REQUIRE(moment.time > last);
+        REQUIRE(moment.time < 20.0);
+        last = moment.time;
+        ++seen;
+        REQUIRE((moment.positions().col(0) - ellipse.position(moment.time)).norm() < 1e-11);
+    });
+    CHECK(difference(end, alone.advance_by(20.0)) == 0.0);
+    CHECK(watched.steps_taken() == alone.steps_taken());
+    CHECK(seen > 6 * watched.steps_taken());
+    CHECK(seen < 8 * watched.steps_taken());
+}
+
 TEST_CASE("two bodies that fall on each other end the reference solution when they meet") {
     const State start = test::bodies_at({{-0.5, 2.0, 0.0}, {0.5, 2.0, 0.0}}, {0.5, 0.5});
     const auto force = unit_gravity();
@@ -324,7 +358,7 @@ TEST_CASE("errors of a force field come through with their type, and the solutio
     ReferenceTrajectory reference(flying(), physics, tight);
     CHECK_THROWS_AS(reference.advance_to(3.0), PhysicsError);
     CHECK_THROWS_WITH(reference.advance_to(3.0),
-                      Catch::Matches("the reference solution ends at time 0[.](5|50000000.*|49999999.*), before 3: "
+                      Catch::Matches("the solution ends at time 0[.](5|50000000.*|49999999.*), before 3: "
                                      "no force beyond 1"));
     CHECK(reference.advance_to(0.25).positions()(0, 0) == Approx(0.5).epsilon(1e-13));
 

@@ -297,6 +297,12 @@ def pythagorean(program: Program, reference: Reference) -> None:
     reference.check("pythagorean", "pair of the closest approach", "",
                     *(close.found("closest_approach", f"{which}_body") for which in ("first", "second")))
     reference.check("pythagorean", "time of the closest approach", "", close.found("closest_approach", "time"))
+    reference.check("pythagorean", "distance of the closest approach", "", close.found("closest_approach", "distance"))
+    coarse = program.run("pythagorean", 0.01, 3000, {"analysis.closest_approach": "{}"})
+    for name, error in (("distance", 1e-7), ("time", 1e-9)):  # the encounters before multiply what is rounded
+        fine = close.found("closest_approach", name)
+        reference.expect(f"pythagorean, {name} of the closest approach with frames 0.01 apart",
+                         coarse.found("closest_approach", name), fine, error)
     reference.check("pythagorean", "distance at t = 15.830", "", math.hypot(*gap))
 
 

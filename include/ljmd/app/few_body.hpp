@@ -12,9 +12,11 @@
 
 namespace ljmd {
 
-/// The bodies of a deck where they start, without a box; ids in the order of the deck.
+/// The bodies of a deck where they start, without a box; ids in the order of the deck. Their masses are what the force
+/// has for inertia.
 /// @pre position and velocity of every [[body]] have one to three components
-[[nodiscard]] State few_body_start(const std::vector<Section>& bodies);
+[[nodiscard]] State few_body_start(const std::vector<Section>& bodies, const FewBodyForceMethod& force,
+                                   const Section& force_section);
 
 /// Everything that moves and is moved in a few-body run.
 struct FewBodySystem {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <deque>
+#include <optional>
 #include <string>
 
 #include "ljmd/app/run.hpp"
@@ -13,8 +14,11 @@ namespace ljmd {
 /// every tenth of the run. Rates are over the last seconds, so that they follow the stage that is running.
 class Progress : public RunListener {
   public:
+    /// @param atoms  of a fluid, whose time is in tau. None: few bodies, whose time is in the deck's own unit, and
+    /// whose
+    ///               steps are as fast whatever they are
     /// @param quiet  say nothing but warnings
-    Progress(Index atoms, Index total_steps, bool quiet, Index first_step = 0);
+    Progress(std::optional<Index> atoms, Index total_steps, bool quiet, Index first_step = 0);
     ~Progress() override;
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -23,7 +27,8 @@ class Progress : public RunListener {
     void step_done(Index step) override;
     void warning(const std::string& text) override;
 
-    /// One line: "[production] 42 % step 10500/25000 4210 steps/s 3.64e+06 atom-steps/s ETA 0:03".
+    /// One line: "[production] 42 % step 10500/25000 4210 steps/s 3.64e+06 atom-steps/s ETA 0:03"; without the
+    /// atom-steps for few bodies.
     [[nodiscard]] std::string line(Index step, double steps_per_second) const;
 
   private:
@@ -38,7 +43,7 @@ class Progress : public RunListener {
     [[nodiscard]] Index step_of_tenth(Index tenth) const;
     void clear_line();
 
-    Index atoms_;
+    std::optional<Index> atoms_;
     Index total_steps_;
     bool quiet_;
     bool terminal_;

@@ -45,6 +45,13 @@ class StepObserver {
     /// Whether the potential energy is wanted after this step of the run.
     [[nodiscard]] virtual bool wants_energy(Index step) const = 0;
 
+    /// Whether within_step() is wanted in this stage.
+    [[nodiscard]] virtual bool looks_within_steps(const Stage& /*stage*/) const { return false; }
+
+    /// What an adaptive integrator goes through in a step that is under way; times increase from the step's beginning
+    /// to its end, both not among them. Other integrators know nothing in between.
+    virtual void within_step(const Stage& /*stage*/, const State& /*moment*/) {}
+
     /// The integrator has moved the particles; what the thermostat does after a step is still to come.
     virtual void moved(Index step_of_stage) = 0;
 

@@ -18,6 +18,12 @@ struct ProblemAtStart {
     std::string message;  ///< one line; names bodies, counted from 1
 };
 
+/// How fast a polar angle turns.
+struct AngularVelocity {
+    double rate;   ///< [rad/time]
+    double slope;  ///< of the rate, [rad/time^2]
+};
+
 /// A kind of force on a few bodies in unbounded space that decks can select. One file in src/forces/few_body each.
 ///
 /// Bodies live in the first 1, 2 or 3 components of space; the others are 0. All numbers are in the deck's own
@@ -39,7 +45,10 @@ struct FewBodyForceMethod {
     std::function<std::optional<double>(const Section&, double mass, std::optional<double> other_mass)>
         gravitational_parameter = {};
     /// Rate of the polar angle that goes with a coordinate that is a distance. Empty where there is none.
-    std::function<double(const Section&, double distance)> angular_velocity = {};
+    std::function<AngularVelocity(const Section&, double distance, double distance_rate)> angular_velocity = {};
+    /// What stands for the mass of a body whose coordinate q is not a length: the state holds it in place of the mass,
+    /// and K = inertia (dq/dt)^2 / 2, p = inertia dq/dt, d2q/dt2 = f/inertia. Empty: the mass itself.
+    std::function<double(const Section&, double mass)> inertia = {};
 };
 
 /// Every few-body force there is, in alphabetical order.

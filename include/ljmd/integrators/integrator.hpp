@@ -58,9 +58,11 @@ class Integrator {
     void prepare(State& state, ForceField& force_field) const;
 
     /// Advance by one time step; state.time and state.step are the caller's.
+    /// @param within  sees the states that an adaptive method goes through, after state.time and before the end of the
+    /// step
     /// @return what the last evaluation of the step returned, at the new positions
     /// @post forces current
-    Evaluation step(State& state, ForceField& force_field, Request request) const;
+    Evaluation step(State& state, ForceField& force_field, Request request, const StateWatch& within = {}) const;
 
     /// Turn the motion round: velocities are reversed, and the steps that follow lead back.
     void reverse(State& state, ForceField& force_field) const;

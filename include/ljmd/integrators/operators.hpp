@@ -9,6 +9,10 @@
 
 namespace ljmd {
 
+/// Looks at states that a method goes through within a time step. It sees them in order, their times are true, and
+/// their forces need not be current.
+using StateWatch = std::function<void(const State&)>;
+
 /// v += (dt/m) f. @pre forces current
 struct Kick {
     double dt;  ///< [tau]
@@ -35,9 +39,10 @@ struct Thermalise {
     std::function<void(State&)> apply;
 };
 
-/// Advance by a method that evaluates the forces as often as it needs. Leaves them stale.
+/// Advance by a method that evaluates the forces as often as it needs, in steps of its own. Leaves the forces stale.
 struct Solve {
-    std::function<void(State&, ForceField&)> advance;
+    /// @param within  may be empty; changes no bit of what comes out
+    std::function<void(State&, ForceField&, const StateWatch& within)> advance;
 };
 
 /// An integrator is a list of these. A backend may fuse neighbouring ones.
@@ -47,8 +52,10 @@ using Operator = std::variant<Kick, Drift, Evaluate, Update, Thermalise, Solve>;
 ///
 /// Shapes: positions, velocities, forces (3, N) [sigma, sigma/tau, epsilon/sigma]; masses (N) [m].
 /// @param request  whether the last Evaluate of the list is asked for the energy too
+/// @param within   sees what a Solve goes through
 /// @return what the last Evaluate returned
 /// @throws ContractViolation when a Kick or an Update meets stale forces
-Evaluation apply(const std::vector<Operator>& operators, State& state, ForceField& force_field, Request request);
+Evaluation apply(const std::vector<Operator>& operators, State& state, ForceField& force_field, Request request,
+                 const StateWatch& within = {});
 
 }  // namespace ljmd

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "ljmd/forces/force_field.hpp"
+#include "ljmd/integrators/operators.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -34,6 +35,15 @@ class ReferenceTrajectory {
     /// @throws PhysicsError when the solution ends before, as when bodies collide; says where. Later calls go on from
     ///         there.
     const State& advance_to(double time);
+
+    /// The same after a span of time, later or earlier by it; the numbers do not depend on what the time is now.
+    ///
+    /// @param within  sees the solution between now and then, in order: at the ends of the steps that the method takes,
+    /// and
+    ///                at seven places inside of those that are as long as the tolerance allows, where the solution is
+    ///                as exact as at the ends. Cubic polynomials from one to the next follow the motion.
+    /// @throws  as advance_to()
+    const State& advance_by(double span, const StateWatch& within = {});
 
     /// Steps of all calls together, without those that were tried and found too long.
     [[nodiscard]] Index steps_taken() const;

@@ -17,7 +17,7 @@ struct Approach {
     void archive(Archive& a) { a(distance, time, first, second); }
 };
 
-/// Smallest distance between any two bodies of a system without a box, sampled once a step.
+/// Smallest distance between any two bodies of a system without a box, sampled once a step of the integrator.
 ///
 /// The smallest over all samples and over the minima within steps: where r . v of a pair turns from negative to
 /// positive, r is the cubic Hermite polynomial through both samples. Exact to O(h^4) for exact samples.

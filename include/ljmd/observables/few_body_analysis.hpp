@@ -15,7 +15,8 @@
 
 namespace ljmd {
 
-/// The end of one step, as an analysis sees it; state.time is the time.
+/// The end of one step, the deck's or one that an adaptive integrator takes within it, as an analysis sees it;
+/// state.time is the time.
 struct FewBodySample {
     const State& state;
     std::optional<PolarAngle> angle;  ///< of a force that has one beside its coordinate (radial-kepler)
@@ -28,7 +29,8 @@ struct Finding {
     std::optional<double> standard_error;  ///< of a mean over orbits or swings
 };
 
-/// Something measured on a few bodies at every step of the sampled stages. Sampling never changes the state.
+/// Something measured on a few bodies at every step of the sampled stages, and at those that an adaptive integrator
+/// takes within them. Sampling never changes the state.
 class FewBodyAnalysis {
   public:
     virtual ~FewBodyAnalysis() = default;

@@ -41,8 +41,9 @@ class RadialKepler : public ForceField {
 ///
 ///     rho'' = h^2 / rho^3 - mu / rho^2,    U = sum over bodies of m (h^2 / (2 rho^2) - mu / rho)
 ///
-/// mu = G (m1 + m2); h is the angular momentum for a unit of reduced mass, which is conserved. Source: Landau and
-/// Lifshitz, Mechanics, sections 14 and 15
+/// mu = G (m1 + m2); h is the angular momentum for a unit of reduced mass, which is conserved. With the reduced mass as
+/// m energies are those of the motion of the two bodies about each other. Source: Landau and Lifshitz, Mechanics,
+/// sections 14 and 15
 FewBodyForceMethod radial_kepler() {
     return {
         .name = "radial-kepler",
@@ -66,8 +67,10 @@ FewBodyForceMethod radial_kepler() {
             return std::make_unique<RadialKepler>(section.number("gravitational_parameter"),
                                                   section.number("angular_momentum"));
         },
-        .angular_velocity = [](const Section& section,
-                               double distance) { return section.number("angular_momentum") / (distance * distance); }};
+        .angular_velocity = [](const Section& section, double distance, double distance_rate) -> AngularVelocity {
+            const double rate = section.number("angular_momentum") / (distance * distance);
+            return {rate, -2.0 * rate * distance_rate / distance};
+        }};
 }
 
 }  // namespace ljmd

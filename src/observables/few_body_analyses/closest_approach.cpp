@@ -35,21 +35,21 @@ class Closest : public FewBodyAnalysis {
 
 /// How near any two bodies came to each other, when, and which.
 FewBodyAnalysisMethod closest_approach() {
-    return {
-        .name = "closest_approach",
-        .meaning = "the smallest distance between any two bodies, when, and which; steps must resolve the encounter",
-        .keys = {},
-        .check =
-            [](const Section& section, const FewBodyTarget& target) {
-                std::vector<std::pair<std::string, std::string>> messages;
-                if (target.bodies < 2) {
-                    messages.emplace_back("", fmt::format("{} needs two bodies", section.title()));
-                }
-                return messages;
-            },
-        .make = [](const Section&, const FewBodyTarget&) -> std::unique_ptr<FewBodyAnalysis> {
-            return std::make_unique<Closest>();
-        }};
+    return {.name = "closest_approach",
+            .meaning =
+                "the smallest distance between any two bodies, when, and which; fixed steps must resolve the encounter",
+            .keys = {},
+            .check =
+                [](const Section& section, const FewBodyTarget& target) {
+                    std::vector<std::pair<std::string, std::string>> messages;
+                    if (target.bodies < 2) {
+                        messages.emplace_back("", fmt::format("{} needs two bodies", section.title()));
+                    }
+                    return messages;
+                },
+            .make = [](const Section&, const FewBodyTarget&) -> std::unique_ptr<FewBodyAnalysis> {
+                return std::make_unique<Closest>();
+            }};
 }
 
 }  // namespace ljmd

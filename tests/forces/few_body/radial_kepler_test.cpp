@@ -21,6 +21,13 @@ TEST_CASE("the radial Kepler problem at rho = 2 is what one computes by hand") {
     CHECK(evaluation.potential_energy == Approx(-5.0).epsilon(1e-15));
 }
 
+TEST_CASE("the angle of the radial Kepler problem turns by h/rho^2, and its rate changes by -2 h rho'/rho^3") {
+    const auto [rate, slope] = find_few_body_force("radial-kepler")
+                                   .angular_velocity(test::few_body_section("radial-kepler", numbers), 2.0, 0.5);
+    CHECK(rate == 0.5);
+    CHECK(slope == -0.25);
+}
+
 TEST_CASE("the radial Kepler problem rests at the radius h^2/mu of the circle") {
     State state = test::bodies_at({{4.0 / 3.0, 0.0, 0.0}}, {5.0});
     test::made_few_body_force("radial-kepler", numbers)->evaluate(state, Request::forces);
