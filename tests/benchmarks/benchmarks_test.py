@@ -20,6 +20,7 @@ import fixtures  # noqa: E402  (it says where the modules of analysis/ are)
 
 sys.path.insert(0, str(HERE))
 import gromacs_program  # noqa: E402
+import harness  # noqa: E402
 import lammps_program  # noqa: E402
 import ljmd_program  # noqa: E402
 import machine  # noqa: E402
@@ -296,6 +297,16 @@ def test_mistakes_on_the_command_line(tmp: Path) -> None:
     (tmp / "benchmark.json").write_text('{"schema": "something"}')
     refused(lambda: report.read(tmp / "benchmark.json"), "ljmd-benchmark")
     assert run("harness.py", path, "--redraw", tmp).returncode == 3
+
+
+def test_what_is_asked_for_is_run(tmp: Path) -> None:
+    """--quick is a set of defaults: it takes nothing away that was asked for."""
+    options = harness.parse(["--quick", "--sizes", "2048", "--seconds", "0.1"])
+    assert (options.sizes, options.repeats, options.seconds) == ([2048], 2, 0.1)
+    options = harness.parse(["--repeats", "7"])
+    assert (options.sizes, options.repeats, options.seconds) == (list(workload.SIZES), 7, 3.0)
+    assert scaling.parse(["--quick", "--largest", "5000"]).largest == 5000
+    assert scaling.parse(["--quick"]).largest == 40_000
 
 
 def test_systems_of_scaling(tmp: Path) -> None:

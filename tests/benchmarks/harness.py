@@ -70,8 +70,8 @@ def words(text: str) -> list[str]:
 
 def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser = command_line.parser("Time ljmd beside other programs on exactly the same work.", policy="fixed",
-                                 repeats=5, seconds=3.0, out="runs/benchmark")
-    parser.add_argument("--sizes", type=numbers, metavar="N,N", default=list(workload.SIZES), help="4 n^3 atoms each")
+                                 out="runs/benchmark", quick="two small sizes, two rounds, short runs")
+    parser.add_argument("--sizes", type=numbers, metavar="N,N", help="4 n^3 atoms each")
     parser.add_argument("--threads", type=numbers, metavar="n,n",
                         default=[count for count in (1, 2) if count <= machine.cores()])
     parser.add_argument("--peers", type=words, metavar="a,b", default=words(DEFAULT_PEERS),
@@ -79,10 +79,9 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser.add_argument("--precision", type=words, metavar="a,b", default=["double"], help="of double, mixed")
     parser.add_argument("--wait", type=float, default=0.0, metavar="SECONDS",
                         help="wait at most so long before a run until other work leaves its cores idle")
-    parser.add_argument("--quick", action="store_true", help="two small sizes, two rounds, short runs: a look")
-    options = parser.parse_args(arguments)
-    if options.quick:
-        options.sizes, options.repeats, options.seconds = [864, 4000], 2, 0.5
+    options = command_line.parse(parser, arguments,
+                                 full={"sizes": list(workload.SIZES), "repeats": 5, "seconds": 3.0},
+                                 quick={"sizes": [864, 4000], "repeats": 2, "seconds": 0.5})
     unknown = [name for name in options.peers if name not in PEERS]
     unknown += [name for name in options.precision if name not in roofline.REAL_BYTES]
     if unknown:

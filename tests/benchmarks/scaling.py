@@ -50,22 +50,19 @@ from style import plt  # noqa: E402
 SCHEMA = "ljmd-scaling"
 VERSION = 1
 OPTIONS = ("threads", "precision", "simd", "policy", "repeats", "share")  # of the record
-QUICK_LARGEST = 40_000
 # seconds for an atom and a step, without and for each neighbour, from which numbers of steps are chosen
 NOMINAL_COST = (50e-9, 3e-9)
 
 
 def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser = command_line.parser("Cost and memory of ljmd over sizes, densities, cutoffs, shapes and potentials.", policy="strict",
-                                 repeats=3, seconds=1.0, out="runs/scaling")
+                                 out="runs/scaling", quick="small sizes, one round, short runs")
     parser.add_argument("--families", type=lambda text: text.split(","), default=list(scaling_cases.FAMILIES))
-    parser.add_argument("--largest", type=int, default=1_100_000, help="atoms in the family 'size', at most 10061824")
+    parser.add_argument("--largest", type=int, help="atoms in the family 'size', at most 10061824")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--precision", choices=("double", "mixed"), default="double")
-    parser.add_argument("--quick", action="store_true", help="small sizes, one round, short runs: a look")
-    options = parser.parse_args(arguments)
-    if options.quick:
-        options.largest, options.repeats, options.seconds = QUICK_LARGEST, 1, 0.2
+    options = command_line.parse(parser, arguments, full={"largest": 1_100_000, "repeats": 3, "seconds": 1.0},
+                                 quick={"largest": 40_000, "repeats": 1, "seconds": 0.2})
     unknown = [name for name in options.families if name not in scaling_cases.FAMILIES]
     if unknown:
         parser.error(f"no family '{unknown[0]}', only {', '.join(scaling_cases.FAMILIES)}")
