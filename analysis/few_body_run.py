@@ -8,8 +8,10 @@ from typing import Optional
 
 import numpy as np
 import trajectory
-from run_directory import RunDirectoryError, Table, damaged, field, kind_of, read_json, read_table
+import unfinished_run
+from run_directory import RunDirectoryError, Table, damaged, field, has_ended, kind_of, read_json, read_table
 from trajectory import Trajectory
+from unfinished_run import System
 
 THERMO_COLUMNS = ("step", "time", "potential_energy", "kinetic_energy", "total_energy")
 
@@ -45,18 +47,28 @@ def load(path: Path) -> FewBodyRun:
     if kind_of(path) != "few-body":
         raise RunDirectoryError(f"{path}: a run of a fluid, a few-body system is needed", exit_code=2)
     record = read_json(path / "run.json")
-    results = read_json(path / "results.json")
-    system = field(path / "results.json", results, "system", dict)
+    ended = has_ended(path)
+    system = system_in_results(path / "results.json") if ended else unfinished_run.system(path)
     run = FewBodyRun(
         path=path,
         title=field(path / "run.json", record, "title", str, default=""),
-        force=field(path / "results.json", system, "force", str),
-        bodies=field(path / "results.json", system, "bodies", int),
-        dimensions=field(path / "results.json", system, "dimensions", int),
-        thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step",)),
-        trajectory=trajectory.read(path),
+        force=system.force,
+        bodies=system.bodies,
+        dimensions=system.dimensions,
+        thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step",), growing=not ended),
+        trajectory=trajectory.read(path, growing=not ended),
     )
     return run if run.trajectory is None else replace(run, trajectory=fitted(run, run.trajectory))
+
+
+def system_in_results(path: Path) -> System:
+    """The system, as results.json has it."""
+    system = field(path, read_json(path), "system", dict)
+    return System(
+        force=field(path, system, "force", str),
+        bodies=field(path, system, "bodies", int),
+        dimensions=field(path, system, "dimensions", int),
+    )
 
 
 def fitted(run: FewBodyRun, frames: Trajectory) -> Trajectory:
@@ -64,7 +76,7 @@ def fitted(run: FewBodyRun, frames: Trajectory) -> Trajectory:
     _, bodies, dimensions = frames.positions.shape
     if bodies != run.bodies or dimensions < run.dimensions:
         found = f"{bodies} bodies in {dimensions} dimensions"
-        raise damaged(run.path, f"the trajectory has {found}, results.json says {run.bodies} in {run.dimensions}")
+        raise damaged(run.path, f"the trajectory has {found}, the run has {run.bodies} in {run.dimensions}")
     velocities = None if frames.velocities is None else frames.velocities[:, :, : run.dimensions]
     return replace(frames, positions=frames.positions[:, :, : run.dimensions], velocities=velocities)
 

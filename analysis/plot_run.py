@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures of one run of ljmd.
+"""Pictures of one run of ljmd, also of one that was stopped, or of the tables of `ljmd analyze`.
 
     plot_run.py RUNDIR [--out DIR] [--format png|pdf|svg] [--relative-to K]
 
@@ -232,10 +232,16 @@ def draw_fluid(path: Path) -> dict[str, plt.Figure]:
     """The pictures of a run of a fluid, by name."""
     run = run_directory.load(path)
     figures = {"thermo": plot_thermo(run)}
-    if run.rdf is None:
+    if not run_directory.has_ended(path):
+        print(f"{path}: the run has not come to its end, there are no means and no tables yet", file=sys.stderr)
+    elif run.rdf is None:
         print(f"{run.path / 'rdf.csv'}: not there, no picture of g(r)", file=sys.stderr)
-    else:
-        figures["rdf"] = plot_rdf(run, run.rdf)
+    return figures | draw_tables(run)
+
+
+def draw_tables(run: RunDirectory) -> dict[str, plt.Figure]:
+    """The pictures of the tables of a fluid's run, or of `ljmd analyze`, by name."""
+    figures = {} if run.rdf is None else {"rdf": plot_rdf(run, run.rdf)}
     return figures | structure_pictures.pictures(run)
 
 
@@ -250,7 +256,7 @@ def draw_few_bodies(path: Path, relative_to: int) -> dict[str, plt.Figure]:
 @reports_errors
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(description="Make the pictures of one run of ljmd.")
-    parser.add_argument("rundir", type=Path, help="directory that `ljmd run` wrote")
+    parser.add_argument("rundir", type=Path, help="directory that `ljmd run` or `ljmd analyze` wrote")
     parser.add_argument("--out", type=Path, help="directory for the pictures (default: the run directory)")
     parser.add_argument("--format", choices=("png", "pdf", "svg"), default="png")
     parser.add_argument("--relative-to", type=int, metavar="K", default=1,
@@ -258,7 +264,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     options = parser.parse_args(arguments)
     out = options.out or options.rundir
     style.use()
-    if run_directory.kind_of(options.rundir) == "few-body":
+    if structure_pictures.only_tables(options.rundir):
+        figures = draw_tables(run_directory.tables_of_analysis(options.rundir))
+    elif run_directory.kind_of(options.rundir) == "few-body":
         figures = draw_few_bodies(options.rundir, options.relative_to)
     else:
         figures = draw_fluid(options.rundir)

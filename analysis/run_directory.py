@@ -111,23 +111,43 @@ def kind_of(path: Path) -> str:
     return kind
 
 
+def has_ended(path: Path) -> bool:
+    """Whether the run in `path` has come to its end, as its run.json says; else it was stopped, has failed or goes on."""
+    return field(path / "run.json", read_json(path / "run.json"), "finished", bool, default=True)
+
+
 def load(path: Path) -> RunDirectory:
-    """Read and check the directory of a run of a fluid.
+    """Read and check the directory of a run of a fluid. A run that has not ended has no observables, and its stages are
+    those of its deck.
 
     Raises RunDirectoryError, with exit code 2 when `path` is no such directory, 3 when a file is missing or damaged.
     """
     if kind_of(path) != "fluid":
         raise RunDirectoryError(f"{path}: a run of a few-body system, a fluid is needed", exit_code=2)
     record = read_json(path / "run.json")
-    observables, stages = read_results(path / "results.json")
+    ended = has_ended(path)
+    if ended:
+        observables, stages = read_results(path / "results.json")
+    else:
+        import unfinished_run  # here, as it reads with what is defined in this module
+
+        observables, stages = {}, unfinished_run.stages(path)
     return RunDirectory(
         path=path,
         title=field(path / "run.json", record, "title", str, default=""),
-        thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step", "time")),
+        thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step", "time"), growing=not ended),
         rdf=read_rdf(path / "rdf.csv"),
         observables=observables,
         stages=stages,
     )
+
+
+def tables_of_analysis(path: Path) -> RunDirectory:
+    """A directory that `ljmd analyze` wrote, as a run of which there are only tables; they have the name of the directory,
+    or of the run in which it lies, for a title."""
+    inside = path.resolve()
+    title = inside.parent.name if (inside.parent / "run.json").exists() else inside.name
+    return RunDirectory(path=path, title=title, thermo={}, rdf=read_rdf(path / "rdf.csv"), observables={}, stages=[])
 
 
 def read_text(path: Path) -> str:
@@ -142,13 +162,17 @@ def read_text(path: Path) -> str:
         raise damaged(path, f"cannot be read: {error.strerror}") from None
 
 
-def read_table(path: Path, required: tuple[str, ...], increasing: tuple[str, ...]) -> Table:
+def read_table(path: Path, required: tuple[str, ...], increasing: tuple[str, ...], growing: bool = False) -> Table:
     """A CSV file with one header row as columns of numbers; empty fields become NaN.
 
     The columns `required` must be there; those named `increasing` must have a number in every row, each above the last.
+    Of a `growing` file, which was being written, a last line without an end does not count.
     """
+    text = read_text(path)
+    if growing:
+        text = text[: text.rfind("\n") + 1]
     try:
-        rows = list(csv.reader(read_text(path).splitlines()))
+        rows = list(csv.reader(text.splitlines()))
     except csv.Error as error:
         raise damaged(path, str(error)) from None
     if not rows:

@@ -143,6 +143,12 @@ def read(path: Path, first: str, others: tuple[str, ...]) -> Table:
     return table
 
 
+def only_tables(path: Path) -> bool:
+    """Whether a directory has tables, but no run: `ljmd analyze` wrote it."""
+    of_run = any((path / name).exists() for name in ("run.json", "thermo.csv"))
+    return not of_run and any((path / f"{name}.csv").exists() for name in ("rdf", *PICTURES))
+
+
 def pictures(run: RunDirectory) -> dict[str, plt.Figure]:
     """The pictures of the tables that a run has, by their names."""
     figures = {}

@@ -29,15 +29,18 @@ class Trajectory:
     length_unit: str = ""  # sigma, nm or angstrom; empty where the deck chose the unit
 
 
-def read(directory: Path, most: Optional[int] = None) -> Optional[Trajectory]:
-    """The trajectory of a run, None without one; `most` takes only so many frames, evenly spread.
+def read(directory: Path, most: Optional[int] = None, growing: bool = False) -> Optional[Trajectory]:
+    """The trajectory of a run, None without one; `most` takes only so many frames, evenly spread. Of a `growing` text
+    file, which was being written, a last frame that is cut off does not count.
 
     Raises RunDirectoryError with exit code 3 when the file is damaged.
     """
-    readers = {"trajectory.csv": read_csv, "trajectory.h5md": read_h5md, "trajectory.xyz": read_xyz}
-    for name, reader in readers.items():
-        if (directory / name).exists():
-            return reader(directory / name, most)
+    if (directory / "trajectory.csv").exists():
+        return read_csv(directory / "trajectory.csv", most, growing)
+    if (directory / "trajectory.h5md").exists():
+        return read_h5md(directory / "trajectory.h5md", most)
+    if (directory / "trajectory.xyz").exists():
+        return read_xyz(directory / "trajectory.xyz", most, growing)
     return None
 
 
@@ -48,9 +51,9 @@ def spread(count: int, most: Optional[int]) -> np.ndarray:
     return np.linspace(0, count - 1, most).round().astype(int) if most > 1 else np.array([count - 1])
 
 
-def read_csv(path: Path, most: Optional[int] = None) -> Trajectory:
+def read_csv(path: Path, most: Optional[int] = None, growing: bool = False) -> Trajectory:
     """Columns step, time, then x1, y1, ..., vx1, ..., ax1, ..., x2, ...; angle where there is one."""
-    table = read_table(path, ("step", "time", "x1"), increasing=("step",))
+    table = read_table(path, ("step", "time", "x1"), increasing=("step",), growing=growing)
     table = {name: column[spread(column.size, most)] for name, column in table.items()}
     bodies = 1
     while f"x{bodies + 1}" in table:
@@ -103,12 +106,12 @@ def length_unit(found: str, has_box: bool) -> str:
     return found if found in ("sigma", "nm", "angstrom") and has_box else ""
 
 
-def read_xyz(path: Path, most: Optional[int] = None) -> Trajectory:
+def read_xyz(path: Path, most: Optional[int] = None, growing: bool = False) -> Trajectory:
     """Extended XYZ as ljmd writes it."""
     try:
-        count = sum(1 for _ in xyz_frames(path))
+        count = sum(1 for _ in xyz_frames(path, growing))
         chosen = set(spread(count, most).tolist())
-        frames = [parse_frame(*frame) for number, frame in enumerate(xyz_frames(path)) if number in chosen]
+        frames = [parse_frame(*frame) for number, frame in enumerate(xyz_frames(path, growing)) if number in chosen]
         if not frames:
             raise ValueError("no frames")
         comments, values = [frame[0] for frame in frames], np.array([frame[1] for frame in frames])
@@ -128,13 +131,17 @@ def read_xyz(path: Path, most: Optional[int] = None) -> Trajectory:
         raise damaged(path, f"not a trajectory of ljmd: {error}") from None
 
 
-def xyz_frames(path: Path) -> Iterator[tuple[str, list[str]]]:
-    """The comment and the lines of atoms of each frame."""
+def xyz_frames(path: Path, growing: bool) -> Iterator[tuple[str, list[str]]]:
+    """The comment and the lines of atoms of each frame; of a growing file without the last one, where it is cut off."""
     with path.open(encoding="utf-8") as file:
         for first in file:
+            if growing and not first.endswith("\n"):
+                return
             comment = file.readline()
             lines = [file.readline() for _ in range(int(first))]
-            if lines and not lines[-1].endswith("\n"):
+            if not (lines or [comment])[-1].endswith("\n"):
+                if growing:
+                    return
                 raise ValueError("the last frame is cut off")
             yield comment, lines
 

@@ -69,7 +69,7 @@ def test_runs_that_are_refused(tmp: Path) -> None:
         refused(lambda: few_body_run.body_index(run, number), f"no body {number}", exit_code=2)
     refused(lambda: run_directory.load(path), "few-body", exit_code=2)
     edit(path / "results.json", '"bodies": 3', '"bodies": 2')
-    refused(lambda: few_body_run.load(path), "3 bodies", "says 2 in 2")
+    refused(lambda: few_body_run.load(path), "3 bodies", "has 2 in 2")
     edit(path / "run.json", "few-body", "fluid")
     refused(lambda: few_body_run.load(path), "fluid", exit_code=2)
     edit(path / "run.json", "fluid", "plasma")

@@ -190,6 +190,52 @@ def test_runs_without_rdf_temperature_or_samples(tmp: Path) -> None:
     assert result.returncode == 0 and result.stderr == "", result
 
 
+DECK = """
+[[stage]]
+name = "equilibrate"
+steps = 1000
+
+[[stage]]
+name = "production"
+steps = 3000
+sample = true
+"""
+
+
+def stop(run: Path, deck: str, settings: list[str]) -> None:
+    """Make a run one that was killed: no results, and the last line of each table half written."""
+    (run / "results.json").unlink()
+    record = json.loads((run / "run.json").read_text())
+    (run / "run.json").write_text(json.dumps({**record, "finished": False, "deck": deck, "settings": settings}))
+    for path in run.glob("*.csv"):
+        path.write_text(path.read_text()[:-5])
+
+
+def test_runs_that_have_not_ended(tmp: Path) -> None:
+    run = write_run(tmp / "run")
+    (run / "rdf.csv").unlink()
+    stop(run, DECK, ["stage.production.steps=2500"])
+    result = run_script(run)
+    assert result.returncode == 0 and result.stdout.splitlines() == [str(run / "thermo.png")], result
+    assert len(result.stderr.splitlines()) == 1 and "not come to its end" in result.stderr, result.stderr
+    found = run_directory.load(run)
+    assert found.thermo["step"].size == 300 and found.observables == {}
+    assert [(one.name, one.first_step, one.last_step, one.sampled) for one in found.stages] == [
+        ("equilibrate", 0, 1000, False), ("production", 1000, 3500, True)]
+
+
+def test_tables_of_analyze(tmp: Path) -> None:
+    run = write_run(tmp / "run")
+    tables = run / "analysis"
+    tables.mkdir()
+    (run / "rdf.csv").rename(tables / "rdf.csv")
+    (tables / "msd.csv").write_text("time,msd,msd_standard_error\n0,0,0\n1,0.5,0.01\n2,1.0,0.02\n")
+    result = run_script(tables)
+    assert result.returncode == 0 and result.stderr == "", result
+    assert result.stdout.splitlines() == [str(tables / "rdf.png"), str(tables / "msd.png")], result.stdout
+    assert run_directory.tables_of_analysis(tables).title == "run"
+
+
 def test_line_ends_and_byte_order_mark(tmp: Path) -> None:
     run = write_run(tmp / "run")
     text = (run / "thermo.csv").read_text()
