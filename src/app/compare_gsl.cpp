@@ -10,6 +10,7 @@
 #include "ljmd/app/run_report.hpp"
 #include "ljmd/app/time_loop.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text_table.hpp"
 #include "ljmd/integrators/reference_trajectory.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/output_file.hpp"
@@ -24,6 +25,10 @@ constexpr Index most_rows = 1000;
 constexpr Index rows_on_screen = 20;
 constexpr double tolerance = 1e-13;
 constexpr double coarser_tolerance = 1e-12;
+
+std::string in_words(double error) {
+    return fmt::format("{:.3e}", error);
+}
 
 double largest_distance(const ConstVectorView& a, const ConstVectorView& b) {
     return (a - b).colwise().norm().maxCoeff();
@@ -130,22 +135,28 @@ GslComparison compare_with_gsl(const Deck& deck, RunListener& listener) {
 }
 
 std::string comparison_table(const GslComparison& comparison, const Deck& deck) {
-    std::string text = fmt::format(
-        "{}\nagainst GSL's adaptive Runge-Kutta method of order 8 (rk8pd)\n\n{:>12}{:>14}{:>14}"
-        "{:>14}{:>16}{:>14}\n",
-        title_line(deck), "time", "position", "velocity", "energy", "ang. momentum", "reference");
+    using Align = TextTable::Align;
+    constexpr std::size_t width = 12;
+    TextTable table({{"time", Align::right, 12},
+                     {"position", Align::right, width},
+                     {"velocity", Align::right, width},
+                     {"energy", Align::right, width},
+                     {"ang. momentum", Align::right, width},
+                     {"reference", Align::right, width}});
     const auto count = static_cast<Index>(comparison.rows.size());
     const Index stride = std::max<Index>(1, (count + rows_on_screen - 1) / rows_on_screen);
     for (Index k = 0; k < count; ++k) {
         if (k % stride == 0 || k + 1 == count) {
             const auto& row = comparison.rows[static_cast<std::size_t>(k)];
-            text +=
-                fmt::format("{:>12.6g}{:>14.3e}{:>14.3e}{:>14.3e}{:>16.3e}{:>14.1e}\n", row.time, row.position_error,
-                            row.velocity_error, row.energy_error, row.angular_momentum_error, row.reference_error);
+            table.add({fmt::format("{:.6g}", row.time), in_words(row.position_error), in_words(row.velocity_error),
+                       in_words(row.energy_error), in_words(row.angular_momentum_error),
+                       fmt::format("{:.1e}", row.reference_error)});
         }
     }
-    text += fmt::format("{:>12}{:>14.3e}{:>14}{:>14.3e}{:>16.3e}\n\n", "largest", comparison.largest_position_error, "",
-                        comparison.largest_energy_error, comparison.largest_angular_momentum_error);
+    table.add({"largest", in_words(comparison.largest_position_error), "", in_words(comparison.largest_energy_error),
+               in_words(comparison.largest_angular_momentum_error)});
+    const std::string text = fmt::format("{}\nagainst GSL's adaptive Runge-Kutta method of order 8 (rk8pd)\n\n{}\n",
+                                         title_line(deck), table.text());
     return text + fmt::format(
                       "errors are absolute, in the deck's units; reference: distance between two references of "
                       "tolerances {:.0e} and {:.0e}\nthe reference conserves its energy to {:.1e} (at most {:.0e})\n",

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/run_report.hpp"
+#include "ljmd/core/text_table.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/output_file.hpp"
@@ -17,6 +17,7 @@ namespace ljmd {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Align = TextTable::Align;
 
 std::string path_line(const Crosscheck& found) {
     return fmt::format("{}, {}, {} precision, {} thread{}", found.search, found.simd, found.precision, thread_count(),
@@ -24,26 +25,28 @@ std::string path_line(const Crosscheck& found) {
 }
 
 std::string check_lines(const std::vector<Check>& checks) {
-    std::size_t width = 0;
+    TextTable table({{"check", Align::left}, {"found", Align::right, 12}, {"allowed", Align::right, 10}, {""}});
     for (const Check& check : checks) {
-        width = std::max(width, check.name.size());
+        table.add({check.name, fmt::format("{:.2e}", check.value), fmt::format("{:.1e}", check.tolerance),
+                   check.passed() ? "" : "FAILED"});
     }
-    std::string text = fmt::format("{:<{}}{:>14}{:>12}\n", "check", width, "found", "allowed");
-    for (const Check& check : checks) {
-        text += fmt::format("{:<{}}{:>14.2e}{:>12.1e}{}\n", check.name, width, check.value, check.tolerance,
-                            check.passed() ? "" : "  FAILED");
-    }
-    return text;
+    return table.text();
 }
 
 std::string average_lines(const EnsembleComparison& ensemble, const std::string& peer) {
-    std::string text = fmt::format("{:<20}{:>12}{:>12}{:>12}{:>12}{:>9}\n", "average, no tail", "ljmd", "error", peer,
-                                   "error", "sigmas");
+    constexpr std::size_t width = 10;
+    TextTable table({{"average, no tail", Align::left, 20},
+                     {"ljmd", Align::right, width},
+                     {"error", Align::right, width},
+                     {peer, Align::right, width},
+                     {"error", Align::right, width},
+                     {"sigmas", Align::right, 7}});
     for (const auto& row : ensemble.rows) {
-        text += fmt::format("{:<20}{:>12.6f}{:>12.6f}{:>12.6f}{:>12.6f}{:>9.2f}\n", row.name, row.ours.mean,
-                            row.ours.standard_error, row.theirs.mean, row.theirs.standard_error, row.sigmas());
+        table.add({row.name, fmt::format("{:.6f}", row.ours.mean), fmt::format("{:.6f}", row.ours.standard_error),
+                   fmt::format("{:.6f}", row.theirs.mean), fmt::format("{:.6f}", row.theirs.standard_error),
+                   fmt::format("{:.2f}", row.sigmas())});
     }
-    return text;
+    return table.text();
 }
 
 Json checks_json(const std::vector<Check>& checks) {

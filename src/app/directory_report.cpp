@@ -12,6 +12,7 @@
 #include "ljmd/app/recorded_run.hpp"
 #include "ljmd/app/run_checkpoints.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text_table.hpp"
 #include "ljmd/io/directory_lock.hpp"
 
 namespace ljmd {
@@ -84,9 +85,11 @@ std::string directory_report(const fs::path& directory) {
     for (const std::string& line : contents.damaged) {
         text += fmt::format("damaged       {}\n", line);
     }
+    TextTable files({{"", TextTable::Align::left, 18}, {"", TextTable::Align::right, 10}}, 2);
     for (const auto& [name, bytes] : contents.files) {
-        text += fmt::format("  {:<18}{:>12}\n", name, size_in_words(bytes));
+        files.add({name, size_in_words(bytes)});
     }
+    text += files.text();
     if (contents.point && !contents.running) {
         text += contents.run.finished ? fmt::format("longer: ljmd resume {} --steps +N\n", directory.string())
                                       : fmt::format("to go on: ljmd resume {}\n", directory.string());

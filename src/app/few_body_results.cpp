@@ -6,12 +6,14 @@
 #include "ljmd/app/few_body_run.hpp"
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/run_report.hpp"
+#include "ljmd/core/text_table.hpp"
 
 namespace ljmd {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Align = TextTable::Align;
 
 /// The numbers follow from the deck without chance: a mean over the rows has no standard error, only a mean over
 /// orbits.
@@ -62,18 +64,24 @@ std::string few_body_results_table(const Deck& deck, const FewBodyResult& result
     std::string text = fmt::format("{}\n{} {} in {} dimension{}, force {}\n\n", title_line(deck), result.bodies,
                                    result.bodies == 1 ? "body" : "bodies", result.dimensions,
                                    result.dimensions == 1 ? "" : "s", result.force);
-    text += fmt::format("  {:<22}{:>24}{:>24}{:>22}\n", "total", "at the start", "at the end", "largest deviation");
+    TextTable totals({{"total", Align::left, 20},
+                      {"at the start", Align::right, 22},
+                      {"at the end", Align::right, 22},
+                      {"largest deviation", Align::right, 20}},
+                     2);
     for (const FewBodyHistory& history : result.histories) {
-        text += fmt::format("  {:<22}{:>24.15g}{:>24.15g}{:>22.6g}\n", history.name, history.at_start, history.at_end,
-                            history.largest_deviation);
+        totals.add({history.name, fmt::format("{:.15g}", history.at_start), fmt::format("{:.15g}", history.at_end),
+                    fmt::format("{:.6g}", history.largest_deviation)});
     }
+    text += totals.text();
     for (const auto& [analysis, found] : result.findings) {
-        text += fmt::format("\n  {}\n", analysis);
+        TextTable findings({{"", Align::left, 30}, {"", Align::right, 22}, {"", Align::left}}, 4);
         for (const Finding& finding : found) {
             const double deviation = finding.standard_error.value_or(std::nan(""));  // NaN for a single interval too
-            const std::string error = std::isfinite(deviation) ? fmt::format(" +- {:.2g}", deviation) : "";
-            text += fmt::format("    {:<32}{:>22.13g}{}\n", finding.name, finding.value, error);
+            findings.add({finding.name, fmt::format("{:.13g}", finding.value),
+                          std::isfinite(deviation) ? fmt::format("+- {:.2g}", deviation) : ""});
         }
+        text += fmt::format("\n  {}\n{}", analysis, findings.text());
     }
     text += '\n' + stage_lines(result.stages, "per unit of time");
     return text + fmt::format("\nfiles: {}\n", deck.directory.string());

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "ljmd/core/text_table.hpp"
 #include "ljmd/io/csv_text.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 
@@ -113,17 +114,19 @@ std::string remark_of(const ReproducedRow& row) {
 }
 
 std::string reproduction_table(const std::vector<ReproducedRow>& rows) {
-    std::string text;
-    for (std::size_t k = 0; k < columns().size(); ++k) {
-        text += fmt::format("{:>{}}", columns()[k].name, k < 2 ? 8 : 12);
+    std::vector<TextTable::Column> headings;
+    for (const auto& column : columns()) {
+        headings.push_back({column.name, TextTable::Align::right, headings.size() < 2 ? 6u : 10u});
     }
-    text += '\n';
+    TextTable table(std::move(headings), 2);
     for (const ReproducedRow& row : rows) {
-        for (std::size_t k = 0; k < columns().size(); ++k) {
-            text += fmt::format("{:>{}}", columns()[k].text(row), k < 2 ? 8 : 12);
+        std::vector<std::string> entries;
+        for (const auto& column : columns()) {
+            entries.push_back(column.text(row));
         }
-        text += '\n';
+        table.add(entries);
     }
+    std::string text = table.text();
     text += fmt::format("\n{}\n{}\n", legend, chi_square_line(rows));
     for (const ReproducedRow& row : rows) {
         if (const std::string remark = remark_of(row); !remark.empty()) {

@@ -10,6 +10,7 @@
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/run_report.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
 
 namespace ljmd {
 
@@ -104,20 +105,26 @@ class Footnotes {
     std::vector<std::string> remarks_;
 };
 
-std::string table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units,
-                       Footnotes& footnotes) {
+/// One line of the table: name, symbol, value, mark, unit, samples, value and unit in SI.
+std::vector<std::string> table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units,
+                                    Footnotes& footnotes) {
     const std::string mark = footnotes.mark(average.remark);
     if (!average.estimate) {
-        return fmt::format("  {:<26}{:<6}{:>22} {}\n", average.name, average.symbol, "no value", mark);
+        return {average.name, average.symbol, "no value", mark};
     }
     const Estimate& e = *average.estimate;
-    std::string line = fmt::format(
-        "  {:<26}{:<6}{:>22} {:<4}{:<20}{:>8}", average.name, average.symbol, with_error(e.mean, e.standard_error),
-        mark, average.unit, std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-");
+    std::vector<std::string> line{
+        average.name,
+        average.symbol,
+        with_error(e.mean, e.standard_error),
+        mark,
+        average.unit,
+        std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-"};
     if (const auto si = si_unit(average.unit, units)) {
-        line += fmt::format("{:>26} {}", with_error(e.mean * si->factor, e.standard_error * si->factor), si->name);
+        line.push_back(with_error(e.mean * si->factor, e.standard_error * si->factor));
+        line.push_back(si->name);
     }
-    return line + '\n';
+    return line;
 }
 
 /// Fewer independent samples than this do not carry an error bar.
@@ -139,15 +146,23 @@ Json observables_json(const std::vector<ObservableAverage>& averages, const std:
 
 std::string observables_table(const std::vector<ObservableAverage>& averages,
                               const std::optional<SubstanceUnits>& units) {
+    using Align = TextTable::Align;
     Footnotes footnotes;
-    std::string text = fmt::format("  {:<26}{:<6}{:>22}     {:<20}{:>8}{:>26}\n", "observable", "",
-                                   "mean +- standard error", "unit", "samples*", units ? "SI" : "");
+    TextTable table({{"observable", Align::left},
+                     {"", Align::left},
+                     {"mean +- standard error"},
+                     {"", Align::left},
+                     {"unit", Align::left},
+                     {"samples*"},
+                     {units ? "SI" : ""},
+                     {"", Align::left}},
+                    2);
     for (const ObservableAverage& average : averages) {
         if (is_in_table(average.name)) {
-            text += table_line(average, units, footnotes);
+            table.add(table_line(average, units, footnotes));
         }
     }
-    return text + footnotes.text();
+    return table.text() + footnotes.text();
 }
 
 std::string samples_footnote() {

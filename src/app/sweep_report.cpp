@@ -10,6 +10,7 @@
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/sweep_points.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
 #include "ljmd/io/csv_text.hpp"
 
 namespace ljmd {
@@ -94,34 +95,23 @@ std::vector<ObservedMean> observed_means(const std::filesystem::path& results) {
 }
 
 std::string sweep_table(const SweptPoints& swept) {
-    constexpr std::size_t gap = 2;
-    constexpr int width = 23;
-    std::vector<std::string> lines(swept.points.size() + 1);
-    const std::vector<std::string> headings = short_keys(swept.keys);
-    for (std::size_t k = 0; k < swept.keys.size(); ++k) {
-        std::size_t longest = headings[k].size();
-        for (const SweptPoint& point : swept.points) {
-            longest = std::max(longest, printable_characters(point.values[k]).size());
-        }
-        lines[0] += fmt::format("{:>{}}", headings[k], longest + gap);
-        for (std::size_t row = 0; row < swept.points.size(); ++row) {
-            lines[row + 1] += fmt::format("{:>{}}", printable(swept.points[row].values[k], longest), longest + gap);
-        }
+    std::vector<TextTable::Column> columns;
+    for (const std::string& heading : short_keys(swept.keys)) {
+        columns.push_back({heading});
     }
     const bool fluid = std::any_of(swept.points.begin(), swept.points.end(), has_temperature);
     for (const auto& [observable, heading] : columns_for(fluid)) {
-        lines[0] += fmt::format("{:>{}}", heading, width);
-        for (std::size_t row = 0; row < swept.points.size(); ++row) {
-            const SweptPoint& point = swept.points[row];
-            lines[row + 1] +=
-                fmt::format("{:>{}}", point.failure.empty() ? in_words(find_mean(point, observable)) : "failed", width);
+        columns.push_back({heading, TextTable::Align::right, 21});
+    }
+    TextTable table(std::move(columns), 2);
+    for (const SweptPoint& point : swept.points) {
+        std::vector<std::string> entries = point.values;
+        for (const auto& [observable, heading] : columns_for(fluid)) {
+            entries.push_back(point.failure.empty() ? in_words(find_mean(point, observable)) : "failed");
         }
+        table.add(entries);
     }
-    std::string text;
-    for (const std::string& line : lines) {
-        text += line + '\n';
-    }
-    return text;
+    return table.text();
 }
 
 std::string sweep_csv(const SweptPoints& swept) {

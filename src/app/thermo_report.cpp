@@ -13,6 +13,7 @@
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 
 namespace ljmd {
@@ -20,6 +21,7 @@ namespace ljmd {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Align = TextTable::Align;
 
 constexpr Index most_starts = 100;  // of a series that are tried
 constexpr std::array<const char*, 4> reported{"temperature", "potential_energy", "total_energy", "pressure"};
@@ -113,18 +115,23 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
 std::string thermo_table(const ThermoReport& report) {
     std::string text = fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n", report.rows,
                                    report.first_step, report.last_step, report.interval);
-    text += fmt::format("  {:<18}{:>20}{:>18}{:>14}{:>26}\n", "observable", "equilibrated at step", "correlation time",
-                        "independent", "mean +- standard error");
+    TextTable table({{"observable", Align::left, 16},
+                     {"equilibrated at step", Align::right, 20},
+                     {"correlation time", Align::right, 16},
+                     {"independent", Align::right, 12},
+                     {"mean +- standard error", Align::right, 24}},
+                    2);
     for (const ThermoReport::Column& column : report.columns) {
         const Equilibration& found = column.found;
         if (!std::isfinite(found.inefficiency)) {
-            text += fmt::format("  {:<18}not defined\n", column.name);
+            table.add({column.name, "not defined"});
             continue;
         }
-        text += fmt::format("  {:<18}{:>20}{:>14.3g} tau{:>14.0f}{:>26}\n", column.name,
-                            step_of_row(report, found.start), correlation_time(report, found),
-                            found.independent_samples, with_error(found.mean, found.standard_error));
+        table.add({column.name, fmt::format("{}", step_of_row(report, found.start)),
+                   fmt::format("{:.3g} tau", correlation_time(report, found)),
+                   fmt::format("{:.0f}", found.independent_samples), with_error(found.mean, found.standard_error)});
     }
+    text += table.text();
     if (report.heat_capacity) {
         text += fmt::format("  heat capacity c_v of all rows, from their fluctuations: {} k_B\n",
                             with_error(report.heat_capacity->mean, report.heat_capacity->standard_error));

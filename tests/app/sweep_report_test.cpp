@@ -50,6 +50,12 @@ TEST_CASE("the table has keys and main observables in columns, and says what has
     CHECK(point_line(fluids().points[0]) == "T 1.250 +- 0.012, U/N -6, p 0.100 +- 0.020, Z -");
 }
 
+TEST_CASE("a mean of many digits does not touch the value before it") {
+    const SweptPoints swept{{"stage.production.steps"},
+                            {{"steps=2000", {"2000"}, "runs/x", {{"temperature", -6.626360956, 1.2e-8}}, ""}}};
+    CHECK_THAT(sweep_table(swept), Contains("2000  -6.626360956 +- 0.000000012  "));
+}
+
 TEST_CASE("a table of few bodies has their energies") {
     const SweptPoints swept{{"stage.orbits.time_step"},
                             {{"time_step=0.1", {"0.1"}, "runs/x", {{"total_energy", -0.375, unknown}}, ""}}};

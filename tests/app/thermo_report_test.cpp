@@ -102,7 +102,7 @@ TEST_CASE("a column without numbers is not defined") {
     ThermoReport report{5, 1, 5, 0.1, 1, {}};
     const std::vector<double> unknown(5, std::nan(""));
     report.columns.push_back({"temperature", detect_equilibration(unknown, 1), std::nan(""), {}});
-    CHECK_THAT(thermo_table(report), Contains("temperature       not defined"));
+    CHECK_THAT(thermo_table(report), Contains("temperature                not defined"));
     CHECK(Json::parse(thermo_json(report)).at("observables").at("temperature").at("mean").is_null());
 }
 

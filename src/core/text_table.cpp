@@ -1,0 +1,68 @@
+#include "ljmd/core/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::size_t gap = 2;  // spaces between columns
+
+}  // namespace
+
+TextTable::TextTable(std::vector<Column> columns, std::size_t indent) : indent_(indent) {
+    std::vector<std::string> headings;
+    for (Column& column : columns) {
+        aligned_.push_back(column.align);
+        widths_.push_back(column.width);
+        headings.push_back(std::move(column.heading));
+    }
+    add(headings);
+}
+
+TextTable::Entry TextTable::entry_of(const std::string& text) {
+    const std::vector<std::string> characters = printable_characters(text);
+    Entry entry{"", characters.size()};
+    for (const std::string& character : characters) {
+        entry.shown += character;
+    }
+    return entry;
+}
+
+void TextTable::add(const std::vector<std::string>& entries) {
+    if (entries.size() > widths_.size()) {
+        throw ContractViolation(fmt::format("{} entries in a table of {} columns", entries.size(), widths_.size()));
+    }
+    std::vector<Entry> row;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        row.push_back(entry_of(entries[k]));
+        widths_[k] = std::max(widths_[k], row.back().characters);
+    }
+    rows_.push_back(std::move(row));
+}
+
+std::string TextTable::text() const {
+    const bool headed = std::ranges::any_of(rows_.front(), [](const Entry& entry) { return !entry.shown.empty(); });
+    std::string text;
+    for (std::size_t row = headed ? 0 : 1; row < rows_.size(); ++row) {
+        std::string line(indent_, ' ');
+        for (std::size_t k = 0; k < rows_[row].size(); ++k) {
+            if (widths_[k] > 0) {
+                const Entry& entry = rows_[row][k];
+                const std::string blanks(widths_[k] - entry.characters, ' ');
+                line +=
+                    (aligned_[k] == Align::right ? blanks + entry.shown : entry.shown + blanks) + std::string(gap, ' ');
+            }
+        }
+        line.resize(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
+}
+
+}  // namespace ljmd

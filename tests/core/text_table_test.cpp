@@ -1,0 +1,58 @@
+#include "ljmd/core/text_table.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using Align = TextTable::Align;
+
+TEST_CASE("a column is as wide as its longest entry and never touches the next one") {
+    TextTable table({{"steps"}, {"U/N", Align::right, 12}, {"unit", Align::left}});
+    table.add({"2000", "-6.626360956 +- 0.000000012", "epsilon"});
+    table.add({"20", "1", "epsilon tau/sigma^3"});
+    CHECK(table.text() ==
+          "steps                          U/N  unit\n"
+          " 2000  -6.626360956 +- 0.000000012  epsilon\n"
+          "   20                            1  epsilon tau/sigma^3\n");
+}
+
+TEST_CASE("short entries get the width that was asked for") {
+    TextTable table({{"name", Align::left, 8}, {"T", Align::right, 6}}, 2);
+    table.add({"a", "1.5"});
+    CHECK(table.text() ==
+          "  name           T\n"
+          "  a            1.5\n");
+}
+
+TEST_CASE("a table without headings begins with its rows; missing entries leave no blanks at the end of a line") {
+    TextTable table({{""}, {"", Align::left}, {""}});
+    table.add({"1", "one"});
+    table.add({"10", "", "x"});
+    CHECK(table.text() ==
+          " 1  one\n"
+          "10       x\n");
+    CHECK(TextTable({{""}}).text().empty());
+}
+
+TEST_CASE("a column of nothing takes no room") {
+    TextTable table({{"a"}, {""}, {"b"}});
+    table.add({"1", "", "2"});
+    CHECK(table.text() ==
+          "a  b\n"
+          "1  2\n");
+}
+
+TEST_CASE("widths count characters, and what a terminal would obey is a question mark") {
+    TextTable table({{"", Align::left}, {"", Align::left}});
+    table.add({"\xC3\xA9t\xC3\xA9", "|"});
+    table.add({"a\x1B[1m", "|"});
+    CHECK(table.text() ==
+          "\xC3\xA9t\xC3\xA9    |\n"
+          "a?[1m  |\n");
+}
+
+TEST_CASE("a row has no more entries than there are columns") {
+    TextTable table({{"one"}});
+    CHECK_THROWS_AS(table.add({"1", "2"}), ContractViolation);
+}
