@@ -36,6 +36,40 @@ struct Export {
     [[nodiscard]] std::string in_directory() const { return fmt::format("cd '{}'", directory.string()); }
 };
 
+/// What of the deck has no place in the files for another program, which get a configuration, a potential and the time
+/// step of one stage.
+/// @param to_come  whether the configuration is from before the first stage, else from after the last one
+std::vector<std::string> left_out(const Deck& deck, bool to_come) {
+    const Stage& exported = exported_stage(deck);
+    std::vector<std::string> words;
+    std::vector<std::string> others;
+    for (const Stage& stage : deck.stages) {
+        if (&stage != &exported && stage.steps > 0) {
+            others.push_back(stage.name);
+        }
+    }
+    if (to_come && !others.empty()) {
+        words.push_back(fmt::format("left out: stage{} '{}'; the motion exported is that of '{}'",
+                                    others.size() == 1 ? "" : "s", fmt::join(others, "', '"), exported.name));
+    }
+    for (const char* held : {"thermostat", "barostat"}) {
+        if (exported.section.has(held)) {
+            words.push_back(fmt::format("the {} '{}' of stage '{}' is left out: the exported motion is at constant {}",
+                                        held, exported.section.section(held).text("type"), exported.name,
+                                        std::string_view(held) == "barostat" ? "volume" : "energy"));
+        }
+    }
+    if (exported.integrator != "velocity-verlet") {
+        words.push_back(fmt::format("stage '{}' moves the atoms by '{}', the exported motion is velocity Verlet's",
+                                    exported.name, exported.integrator));
+    }
+    if (exported.reverse) {
+        words.push_back(
+            fmt::format("stage '{}' turns the motion round, the exported motion goes forward", exported.name));
+    }
+    return words;
+}
+
 /// What follows upon an export: how to use it, and what to know.
 struct Notes {
     std::string usage;
@@ -51,7 +85,7 @@ Notes export_lammps(const Export& what) {
     make_directory(what.directory);
     write_file_atomically(what.directory / LammpsFiles::start, lammps_data(fluid));
     write_file_atomically(what.directory / "in.lammps", input);
-    Notes notes{what.in_directory() + " && lmp -in in.lammps"};
+    Notes notes{what.in_directory() + " && lmp -in in.lammps", left_out(what.deck, what.state.step == 0)};
     if (fluid.tail && !lammps_has_tail(fluid.potential)) {
         notes.warnings.push_back(
             fmt::format("LAMMPS has no tail corrections for '{}' with truncation '{}': its energy and "
@@ -71,7 +105,8 @@ Notes export_openmm(const Export& what) {
         "in Python: system, state, integrator = "
         "[openmm.XmlSerializer.deserialize(open(name).read()) for name in\n"
         "               (\"system.xml\", \"state.xml\", \"integrator.xml\")]\n"
-        "           context = openmm.Context(system, integrator); context.setState(state)"};
+        "           context = openmm.Context(system, integrator); context.setState(state)",
+        left_out(what.deck, what.state.step == 0)};
 }
 
 Notes export_extxyz(const Export& what) {

@@ -95,6 +95,31 @@ TEST_CASE("OpenMM gets its XML, from a build that has it") {
     CHECK(content_of(written.files[2]) == xml.integrator);
 }
 
+TEST_CASE("what an export leaves out of a deck is told") {
+    const std::string held =
+        "steps = 40\nthermostat = { type = \"langevin\", time = 1.0 }\n"
+        "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5, compressibility = 0.1, "
+        "time = 1.0 }";
+    const DeckFolder folder(changed(small_deck, {{"steps = 40", held}}));
+    const Deck deck = folder.load();
+    State start = simulation_of(deck).state;
+    REQUIRE(start.step == 0);
+    const auto words = export_configuration(deck, start, "lammps", folder / "start").warnings;
+    REQUIRE(words.size() == 3);
+    CHECK_THAT(words[0], Contains("left out: stage 'equilibrate'; the motion exported is that of 'production'"));
+    CHECK_THAT(words[1], Contains("thermostat 'langevin' of stage 'production'") && Contains("constant energy"));
+    CHECK_THAT(words[2], Contains("barostat 'stochastic-cell-rescaling'") && Contains("constant volume"));
+    start.step = 60;  // the first stage is past
+    CHECK(export_configuration(deck, start, "lammps", folder / "end").warnings.size() == 2);
+
+    const DeckFolder leapfrog(changed(small_deck, {{"steps = 40", "steps = 40\nintegrator = \"leapfrog\""}}));
+    const Deck other = leapfrog.load();
+    const auto moved = export_configuration(other, travelled(other), "lammps", leapfrog / "end").warnings;
+    REQUIRE(moved.size() == 1);
+    CHECK_THAT(moved[0], Contains("'leapfrog'") && Contains("velocity Verlet"));
+    CHECK(export_configuration(other, travelled(other), "extxyz", leapfrog / "xyz").warnings.empty());
+}
+
 TEST_CASE("a tail that LAMMPS does not have is warned of") {
     const DeckFolder folder(
         changed(small_deck, {{"\"force-shifted\"", "\"switched\"\nswitch_start = 1.75\ntail = true"}}));
