@@ -36,21 +36,24 @@ Job start(const ChildRun& run) {
     return job;
 }
 
-/// What a log says of how its process ended: the last line that tells of an error, else the last line.
-std::string last_words(const fs::path& log) {
-    constexpr std::size_t longest = 400;
-    if (!why_unreadable(log).empty()) {
-        return "";
+struct LastLines {
+    std::string error;  ///< the last one that tells of an error
+    std::string any;
+};
+
+LastLines last_lines(const fs::path& log) {
+    LastLines last;
+    if (why_unreadable(log).empty()) {
+        std::ifstream file(log);
+        for (std::string line; std::getline(file, line);) {
+            last.error = line.starts_with("error: ") ? line : last.error;
+            last.any = line.empty() ? last.any : line;
+        }
     }
-    std::ifstream file(log);
-    std::string last;
-    std::string error;
-    for (std::string line; std::getline(file, line);) {
-        error = line.starts_with("error: ") ? line : error;
-        last = line.empty() ? last : line;
-    }
-    return printable(error.empty() ? last : error, longest);
+    return last;
 }
+
+constexpr std::size_t longest_words = 400;  // of a log in a message
 
 }  // namespace
 
@@ -84,7 +87,13 @@ Job longer(const ChildRun& run, Index more_steps) {
 }
 
 std::string failure_of(const ChildRun& run, int exit_status) {
-    return fmt::format("{}: exit code {}: {}", run.name, exit_status, last_words(run.log));
+    const LastLines last = last_lines(run.log);
+    return fmt::format("{}: exit code {}: {}", run.name, exit_status,
+                       printable(last.error.empty() ? last.any : last.error, longest_words));
+}
+
+std::string error_in_log(const fs::path& log) {
+    return printable(last_lines(log).error, longest_words);
 }
 
 }  // namespace ljmd

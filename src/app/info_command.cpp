@@ -7,6 +7,7 @@
 #include "ljmd/app/deck_schema.hpp"
 #include "ljmd/app/directory_report.hpp"
 #include "ljmd/app/streams.hpp"
+#include "ljmd/app/study_report.hpp"
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
@@ -107,7 +108,11 @@ std::string info_json() {
 
 void info_command(const std::string& directory, bool keys, bool json) {
     if (!directory.empty()) {
-        print_result(json ? directory_json(directory) : directory_report(directory));
+        if (holds_study(directory)) {
+            print_result(json ? study_json(directory) : study_report(directory));
+        } else {
+            print_result(json ? directory_json(directory) : directory_report(directory));
+        }
         return;
     }
     print_result(keys ? deck_reference_page() : json ? info_json() : info_text());

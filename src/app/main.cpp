@@ -246,8 +246,11 @@ int main(int argc, char** argv) {
     CLI::App& analyze = *app.add_subcommand(
         "analyze", "where a run has come to equilibrium; structure and transport from the frames of a trajectory");
     add_analyze_options(analyze, analyzed);
-    CLI::App& info = *app.add_subcommand("info", "version, build and what decks can select; of a run, how far it got");
-    CLI::Option* of_run = info.add_option("directory", resumed.directory, "directory of a run")->type_name("RUNDIR");
+    CLI::App& info =
+        *app.add_subcommand("info", "version, build and what decks can select; of a run or sweep, how far it got");
+    CLI::Option* of_run =
+        info.add_option("directory", resumed.directory, "directory of a run, a sweep or a reproduced table")
+            ->type_name("RUNDIR");
     CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
     page->excludes(of_run);
     info.add_flag("--json", json, "print it as JSON")->excludes(page);

@@ -29,27 +29,6 @@ std::string record_json(const SweepPlan& plan) {
     return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// The sweep that a directory holds; nothing when it holds none.
-std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
-    const fs::path path = directory / "sweep.json";
-    if (std::error_code error; !fs::exists(fs::symlink_status(path, error))) {
-        return std::nullopt;
-    }
-    return read_json(path, "the record of a sweep", [](const nlohmann::ordered_json& record) {
-        SweepPlan plan{record.at("deck_file").get<std::string>(),
-                       record.at("deck").get<std::string>(),
-                       record.at("settings").get<std::vector<std::string>>(),
-                       {record.at("keys").get<std::vector<std::string>>(), {}}};
-        for (const auto& point : record.at("points")) {
-            plan.points.values.push_back(point.at("values").get<std::vector<std::string>>());
-            if (plan.points.values.back().size() != plan.points.keys.size()) {
-                throw WrongJson("a point has not a value for each key");
-            }
-        }
-        return plan;
-    });
-}
-
 /// What the sweep in a directory has and this one has not; empty when they are the same.
 std::string difference(const SweepPlan& recorded, const SweepPlan& plan) {
     return recorded.deck != plan.deck           ? "another deck"
@@ -101,6 +80,26 @@ std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const fs::path& director
         runs.push_back(std::move(run));
     }
     return runs;
+}
+
+std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
+    const fs::path path = directory / "sweep.json";
+    if (std::error_code error; !fs::exists(fs::symlink_status(path, error))) {
+        return std::nullopt;
+    }
+    return read_json(path, "the record of a sweep", [](const nlohmann::ordered_json& record) {
+        SweepPlan plan{record.at("deck_file").get<std::string>(),
+                       record.at("deck").get<std::string>(),
+                       record.at("settings").get<std::vector<std::string>>(),
+                       {record.at("keys").get<std::vector<std::string>>(), {}}};
+        for (const auto& point : record.at("points")) {
+            plan.points.values.push_back(point.at("values").get<std::vector<std::string>>());
+            if (plan.points.values.back().size() != plan.points.keys.size()) {
+                throw WrongJson("a point has not a value for each key");
+            }
+        }
+        return plan;
+    });
 }
 
 void prepare_sweep(const SweepPlan& plan, const fs::path& directory, bool force) {

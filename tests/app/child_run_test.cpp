@@ -99,6 +99,10 @@ TEST_CASE("a failure is told by the last error in the log, or its last line, as 
     CHECK(failure_of(run, 137) == "hot: exit code 137: killed ?[31m");
     std::ofstream(run.log) << "error: a\nerror: blown up\n  the configuration is in failed.xyz\n";
     CHECK(failure_of(run, 5) == "hot: exit code 5: error: blown up");
+    CHECK(error_in_log(run.log) == "error: blown up");
+    std::ofstream(run.log) << "stopped after step 3\n";
+    CHECK(error_in_log(run.log).empty());
+    CHECK(error_in_log(folder / "no log").empty());
 }
 
 TEST_CASE("each line is told of when it is at its end, and lines with nothing to do at once") {

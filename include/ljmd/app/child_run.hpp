@@ -38,6 +38,9 @@ void check_log(const ChildRun& run);
 /// "NAME: exit code 5: error: the run has blown up": the last error in its log, or its last line.
 [[nodiscard]] std::string failure_of(const ChildRun& run, int exit_status);
 
+/// The last line in a log that tells of an error; empty without one, and without a log.
+[[nodiscard]] std::string error_in_log(const std::filesystem::path& log);
+
 /// Run lines of jobs of this program to their ends, several lines at a time.
 ///
 /// @tparam Line  has begin(), the first job or nothing when there is nothing to do, and after(exit_status), the next

@@ -125,7 +125,7 @@ void sweep_command(const SweepOptions& options);
 void analyze_command(const AnalyzeOptions& options);
 
 /// ljmd info, ljmd info RUNDIR
-/// @param directory  of a run to tell of; empty: tell of the program
+/// @param directory  of a run or a study to tell of; empty: tell of the program
 /// @param keys       print the reference page of all deck keys instead
 /// @param json       print it as JSON
 void info_command(const std::string& directory, bool keys, bool json);

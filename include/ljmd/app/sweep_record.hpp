@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct SweepPlan {
 /// The runs of a sweep in its directory, one a point. All begin from `points/deck.toml`, a copy of the deck, so that
 /// nothing depends on what becomes of the deck while they run.
 [[nodiscard]] std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const std::filesystem::path& directory);
+
+/// The sweep that a directory holds; nothing when it holds none.
+/// @throws DataError  its sweep.json is damaged
+[[nodiscard]] std::optional<SweepPlan> recorded_sweep(const std::filesystem::path& directory);
 
 /// Make a directory ready for a sweep: refuse what was not written by this one, or with `force` remove what another
 /// sweep has written, runs that both have in common excepted; then write sweep.json and the copy of the deck.
