@@ -268,7 +268,12 @@ void resume_command(const ResumeOptions& options) {
     }
     earlier.resumed_at_steps.push_back(point->head.step);
     if (!options.quiet) {
-        talk(fmt::format("going on after step {} of {}\n", point->head.step, run.deck.total_steps()));
+        const bool nothing_left = run.finished && point->head.step == run.deck.total_steps();
+        talk(nothing_left
+                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
+                               "ljmd resume {} --steps +N\n",
+                               point->head.step, options.directory)
+                 : fmt::format("going on after step {} of {}\n", point->head.step, run.deck.total_steps()));
     }
     control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
     if (bodies) {

@@ -181,7 +181,9 @@ def finished(t):
     t.run_well("run", "deck.toml", "--out", "out", "--quiet")
     before = run_outputs(t.dir / "out")
     result = t.run_well("resume", "out")
-    t.contains(result.err, "going on after step 60 of 60\n")
+    t.contains(result.err, "the run was finished after step 60, its results are written anew; to make it longer: "
+                           "ljmd resume out --steps +N\n")
+    t.check("going on" not in result.err, "a finished run goes on")
     t.equal(run_outputs(t.dir / "out"), before, "files")
 
 

@@ -16,8 +16,8 @@ namespace ljmd {
 /// virial are in results.json only.
 [[nodiscard]] bool is_in_table(const std::string& observable);
 
-/// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for a
-/// substance, and remark where there is one.
+/// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for
+/// a substance, and remark where there is one.
 [[nodiscard]] nlohmann::ordered_json observables_json(const std::vector<ObservableAverage>& averages,
                                                       const std::optional<SubstanceUnits>& units);
 
