@@ -46,7 +46,9 @@ std::string average_lines(const EnsembleComparison& ensemble, const std::string&
                    fmt::format("{:.6f}", row.theirs.mean), fmt::format("{:.6f}", row.theirs.standard_error),
                    fmt::format("{:.2f}", row.sigmas())});
     }
-    return table.text();
+    return table.text() +
+           "pressures are (2 K + W)/(3 V), as LAMMPS prints them: a convention; rho T + W/(3 V), as a run of ljmd has "
+           "them, is larger by T/V\n";
 }
 
 Json checks_json(const std::vector<Check>& checks) {
@@ -142,6 +144,7 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
         {"steps_before", found.steps_before},
         {"path",
          {{"search", found.search}, {"simd", found.simd}, {"precision", found.precision}, {"threads", thread_count()}}},
+        {"pressure_convention", "(2 K + W)/(3 V)"},
         {"checks", checks_json(found.checks)},
         {"passed", found.passed()}};
     if (!found.trajectory.rows.empty()) {

@@ -109,7 +109,7 @@ class Footnotes {
 std::vector<std::string> table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units,
                                     Footnotes& footnotes) {
     const std::string mark = footnotes.mark(average.remark);
-    if (!average.estimate) {
+    if (!average.estimate || !std::isfinite(average.estimate->mean)) {
         return {average.name, average.symbol, "no value", mark};
     }
     const Estimate& e = *average.estimate;

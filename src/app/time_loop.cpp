@@ -156,7 +156,7 @@ class TimeLoop {
         }
         observer_.step_done(stage, evaluation);
         if (pressure_wanted) {
-            parts.barostat->apply(state_, thermodynamics(state_, evaluation, interaction_->tail).pressure);
+            parts.barostat->apply(state_, virial_pressure(state_, evaluation, interaction_->tail));
         }
     }
 

@@ -38,7 +38,8 @@ class Side {
     [[nodiscard]] EnsembleAverages averages() const {
         return {{series_.estimate(0), series_.estimate(1), series_.estimate(2)},
                 rdf_.samples() > 0 ? rdf_.tables().front() : DataTable{},
-                rdf_.samples()};
+                rdf_.samples(),
+                freedom_ > 0.0};
     }
 
   private:
@@ -112,6 +113,9 @@ EnsembleComparison compare_ensembles(const EnsembleAverages& ours, const Ensembl
     constexpr std::array<std::array<const char*, 2>, 3> observables{
         {{"temperature", "T"}, {"potential_energy", "U/N"}, {"pressure", "p"}}};
     for (std::size_t k = 0; k < observables.size(); ++k) {
+        if (k == 0 && !ours.has_temperature) {
+            continue;
+        }
         const auto& [name, symbol] = observables[k];
         comparison.rows.push_back({name, symbol, ours.estimates[k], theirs.estimates[k]});
     }

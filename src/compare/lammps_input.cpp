@@ -194,7 +194,11 @@ std::string lammps_user_input(const Fluid& fluid, double time_step, Index steps,
                 : "# Tail corrections are wanted, but LAMMPS has none for this pair style: pe and press are without.\n";
     }
     text += fmt::format(
-        "thermo_style custom step time temp pe ke etotal press\n"
+        "# By LAMMPS' convention press is (2 K + W)/(3 V). With rho T in place of the motion of 3 N - 3 degrees of "
+        "freedom,\n"
+        "# as ljmd has the pressure, it is larger by T/V: v_p.\n"
+        "variable p equal press+temp/vol\n"
+        "thermo_style custom step time temp pe ke etotal press v_p\n"
         "thermo_modify norm yes format float %.17g\n"
         "fix integrate all nve\n"
         "timestep {}\n"

@@ -73,7 +73,7 @@ std::string to_csv(const DataTable& table) {
     for (const auto& row : table.rows) {
         for (std::size_t k = 0; k < row.size(); ++k) {
             text += k == 0 ? "" : ",";
-            text += std::isnan(row[k]) ? "" : fmt::format("{}", row[k]);
+            text += std::isfinite(row[k]) ? fmt::format("{}", row[k]) : "";
         }
         text += '\n';
     }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace ljmd {
 
 namespace {
@@ -37,10 +39,12 @@ ThermoCsv::ThermoCsv(const std::filesystem::path& path, const Extra& extra, std:
 }
 
 void ThermoCsv::write(Index step, double time, const Thermodynamics& row, const Values& values) {
-    const Mat3& p = row.pressure_tensor;
-    std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", step, time, field(row.temperature),
-                                   row.potential_energy, row.kinetic_energy, row.total_energy, row.pressure, p(0, 0),
-                                   p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2));
+    std::string line = fmt::format("{},{},{},{},{},{},{}", step, time, field(row.temperature), row.potential_energy,
+                                   row.kinetic_energy, row.total_energy, field(row.pressure));
+    constexpr std::array<std::array<int, 2>, 6> elements{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+    for (const auto& [a, b] : elements) {
+        line += ',' + field(row.pressure_tensor ? std::optional((*row.pressure_tensor)(a, b)) : std::nullopt);
+    }
     if (extra_.density) {
         line += ',' + field(row.density);
     }
@@ -52,10 +56,11 @@ void ThermoCsv::write(Index step, double time, const Thermodynamics& row, const 
     }
     if (units_) {
         const auto kelvin = row.temperature ? std::optional(*row.temperature * units_->kelvin()) : std::nullopt;
+        const auto bar = row.pressure ? std::optional(*row.pressure * units_->bar()) : std::nullopt;
         const double kilojoule = units_->kilojoule_per_mole();
         line += fmt::format(",{},{},{},{},{},{}", time * units_->picosecond(), field(kelvin),
                             row.potential_energy * kilojoule, row.kinetic_energy * kilojoule,
-                            row.total_energy * kilojoule, row.pressure * units_->bar());
+                            row.total_energy * kilojoule, field(bar));
     }
     file_.write(line + '\n');
 }

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double lattice_sum = 2.837297;  // of a cubic box
 
-std::optional<Estimate> find(const std::vector<ObservableAverage>& averages, const std::string& name) {
+const ObservableAverage* find(const std::vector<ObservableAverage>& averages, const std::string& name) {
     const auto found = std::ranges::find(averages, name, &ObservableAverage::name);
-    return found == averages.end() ? std::nullopt : found->estimate;
+    return found == averages.end() ? nullptr : &*found;
 }
 
 bool is_cubic(const Box& box) {
@@ -23,11 +23,19 @@ bool is_cubic(const Box& box) {
 
 std::optional<ObservableAverage> diffusion_in_infinite_system(const std::vector<ObservableAverage>& averages,
                                                               const Box& box) {
-    const auto diffusion = find(averages, "diffusion");
-    const auto viscosity = find(averages, "viscosity");
-    const auto temperature = find(averages, "temperature");
-    if (!diffusion || !viscosity || !temperature || !is_cubic(box)) {
+    const ObservableAverage* const found = find(averages, "diffusion");
+    const ObservableAverage* const resistance = find(averages, "viscosity");
+    const ObservableAverage* const motion = find(averages, "temperature");
+    if (found == nullptr || resistance == nullptr || motion == nullptr || !is_cubic(box)) {
         return std::nullopt;
+    }
+    ObservableAverage result{"diffusion_infinite_system", "D_inf", "sigma^2/tau", std::nullopt};
+    const std::optional<Estimate>& diffusion = found->estimate;
+    const std::optional<Estimate>& viscosity = resistance->estimate;
+    const std::optional<Estimate>& temperature = motion->estimate;
+    if (!diffusion || !viscosity || !temperature || !(viscosity->mean > 0.0)) {
+        result.remark = "it takes diffusion, a viscosity above zero and temperature together";
+        return result;
     }
     const double correction =
         lattice_sum * temperature->mean / (6.0 * std::numbers::pi * viscosity->mean * box.edges()[0]);
@@ -36,7 +44,8 @@ std::optional<ObservableAverage> diffusion_in_infinite_system(const std::vector<
     infinite.standard_error =
         std::hypot(diffusion->standard_error, correction * viscosity->standard_error / viscosity->mean);
     infinite.converged = diffusion->converged && viscosity->converged;
-    return ObservableAverage{"diffusion_infinite_system", "D_inf", "sigma^2/tau", infinite};
+    result.estimate = infinite;
+    return result;
 }
 
 }  // namespace ljmd

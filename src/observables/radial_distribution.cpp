@@ -55,12 +55,12 @@ void RadialDistribution::sample(const State& state, const Evaluation& /*evaluati
         const auto count = 2.0 * static_cast<double>(counts[static_cast<std::size_t>(k)]);  // ordered pairs
         const double inner = width() * static_cast<double>(k);
         const double shell = sphere(inner + width()) - sphere(inner);
-        g[k] = ideal_pairs_per_volume > 0.0 ? count / (shell * ideal_pairs_per_volume) : 0.0;
+        g[k] = count / (shell * ideal_pairs_per_volume);  // NaN for a single atom, which has no pairs
         pairs += count;
         coordination[k] = pairs / atoms;
     }
     Eigen::VectorXd found(means_.width());
-    found << g, coordination, structure_factor(g, atoms / volume);
+    found << g, coordination, structure_factor(g, (atoms - 1.0) / volume);  // S - 1 is a sum over the other atoms
     means_.add(found);
 }
 
@@ -92,7 +92,7 @@ std::vector<ObservableAverage> RadialDistribution::observables() const {
     const Index twice = 2 * peak + 1;  // the bin that holds twice the middle of the peak's
     // Around its minimum g is flat: of single bins the lowest would be one of many, by chance.
     const auto reach = static_cast<Index>(smoothing / width());
-    if (g[peak] == 0.0 || twice + reach >= bins_) {
+    if (!(g[peak] > 0.0) || twice + reach >= bins_) {
         return {};
     }
     Index minimum = peak;

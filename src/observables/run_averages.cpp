@@ -18,6 +18,7 @@ constexpr Index temperature_column = 0;
 constexpr Index potential_energy_column = 1;
 constexpr Index pressure_column = 4;
 constexpr Index density_column = 5;
+constexpr Index virial_column = 12;
 constexpr std::array<Column, 13> columns{{{"temperature", "T", "epsilon/k_B"},
                                           {"potential_energy", "U/N", "epsilon"},
                                           {"kinetic_energy", "K/N", "epsilon"},
@@ -45,11 +46,12 @@ RunAverages::RunAverages(Index atoms, Ensemble ensemble)
       series_(squared_energy_column + 1, Covariance::full) {}
 
 void RunAverages::add(const Thermodynamics& s) {
-    const Mat3& p = s.pressure_tensor;
+    const Mat3 p = s.pressure_tensor.value_or(Mat3::Zero());
     const double t = s.temperature.value_or(0.0);
     Eigen::VectorXd row(series_.width());
-    row << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure, s.density, p(0, 0), p(1, 1), p(2, 2),
-        p(0, 1), p(0, 2), p(1, 2), s.virial, t > 0.0 ? 1.0 / t : 0.0, s.potential_energy * s.potential_energy;
+    row << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure.value_or(0.0), s.density, p(0, 0),
+        p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial, t > 0.0 ? 1.0 / t : 0.0,
+        s.potential_energy * s.potential_energy;
     series_.add(row);
 }
 
@@ -58,7 +60,7 @@ std::optional<Estimate> RunAverages::compressibility_factor() const {
     const double t = mean[temperature_column];
     const double p = mean[pressure_column];
     const double density = mean[density_column];
-    if (degrees_of_freedom_ == 0.0 || !(t > 0.0)) {
+    if (!is_above_zero(t)) {
         return std::nullopt;
     }
     const double z = p / (density * t);
@@ -69,18 +71,21 @@ std::optional<Estimate> RunAverages::compressibility_factor() const {
     return series_.estimate(z, gradient);
 }
 
-std::optional<Estimate> RunAverages::heat_capacity() const {
-    if (degrees_of_freedom_ == 0.0 || !(series_.mean()[temperature_column] > 0.0)) {
+std::optional<ObservableAverage> RunAverages::heat_capacity() const {
+    const bool at_constant_energy = ensemble_ == Ensemble::constant_energy;
+    if (!at_constant_energy && ensemble_ != Ensemble::canonical) {
         return std::nullopt;
     }
-    switch (ensemble_) {
-        case Ensemble::constant_energy:
-            return heat_capacity_at_constant_energy();
-        case Ensemble::canonical:
-            return heat_capacity_at_constant_temperature();
-        default:
-            return std::nullopt;
+    ObservableAverage c{"heat_capacity_cv", "c_v", "k_B", std::nullopt};
+    if (!is_above_zero(series_.mean()[temperature_column])) {
+        c.remark = no_temperature;
+        return c;
     }
+    c.estimate = at_constant_energy ? heat_capacity_at_constant_energy() : heat_capacity_at_constant_temperature();
+    if (!c.estimate) {
+        c.remark = "the temperature fluctuates more than any heat capacity allows: the run is too short";
+    }
+    return c;
 }
 
 std::optional<Estimate> RunAverages::heat_capacity_at_constant_energy() const {
@@ -123,13 +128,19 @@ std::vector<ObservableAverage> RunAverages::averages() const {
         if (k == density_column && ensemble_ != Ensemble::constant_pressure) {
             continue;
         }
-        const bool defined = k != temperature_column || degrees_of_freedom_ > 0.0;
-        result.push_back(
-            {column.name, column.symbol, column.unit, defined ? std::optional(series_.estimate(k)) : std::nullopt});
+        const bool is_pressure = k == pressure_column || (k > density_column && k < virial_column);
+        ObservableAverage average{column.name, column.symbol, column.unit, std::nullopt};
+        if (degrees_of_freedom_ == 0.0 && (k == temperature_column || is_pressure)) {
+            average.remark = "a single atom has no motion about the centre of mass: no temperature and no pressure";
+        } else {
+            average.estimate = series_.estimate(k);
+        }
+        result.push_back(average);
         if (k == pressure_column) {
-            result.push_back({"compressibility_factor", "Z", "1", compressibility_factor()});
+            const auto z = compressibility_factor();
+            result.push_back({"compressibility_factor", "Z", "1", z, z ? "" : no_temperature});
             if (const auto c = heat_capacity()) {
-                result.push_back({"heat_capacity_cv", "c_v", "k_B", c});
+                result.push_back(*c);
             }
         }
     }

@@ -1,7 +1,10 @@
 #include "ljmd/observables/stress_autocorrelation.hpp"
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
@@ -29,10 +32,9 @@ StressAutocorrelation::StressAutocorrelation(const Box& box, const LagTimes& lag
 
 void StressAutocorrelation::sample(const State& state, const Evaluation& evaluation) {
     ++samples_;
-    const Thermodynamics now = thermodynamics(state, evaluation, TailCorrection());
     ++in_window_;
-    temperature_sum_ += now.temperature.value_or(0.0);
-    const std::optional<Eigen::VectorXd> sum = window_.add(shear_part(now.pressure_tensor));
+    temperature_sum_ += temperature(state).value_or(0.0);
+    const std::optional<Eigen::VectorXd> sum = window_.add(shear_part(mechanical_stress(state, evaluation)));
     if (!sum) {
         return;
     }
@@ -52,6 +54,11 @@ void StressAutocorrelation::interrupt() {
     temperature_sum_ = 0.0;
 }
 
+double StressAutocorrelation::to_viscosity() const {
+    const double temperature = means_.mean()[means_.width() - 1];
+    return is_above_zero(temperature) ? volume_ / temperature : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::vector<DataTable> StressAutocorrelation::tables() const {
     if (means_.samples() == 0) {
         return {};
@@ -61,7 +68,7 @@ std::vector<DataTable> StressAutocorrelation::tables() const {
                      "viscosity_standard_error"},
                     {}};
     const Index times = lags_.count + 1;
-    const double factor = volume_ / means_.mean()[2 * times];
+    const double factor = to_viscosity();
     for (Index k = 0; k < times; ++k) {
         const Estimate c = means_.estimate(k);
         const Estimate integral = means_.estimate(times + k);
@@ -75,7 +82,10 @@ std::vector<ObservableAverage> StressAutocorrelation::observables() const {
     if (means_.samples() == 0) {
         return {};
     }
-    const double factor = volume_ / means_.mean()[means_.width() - 1];
+    const double factor = to_viscosity();
+    if (std::isnan(factor)) {
+        return {{"viscosity", "eta", "epsilon tau/sigma^3", std::nullopt, no_temperature}};
+    }
     Estimate viscosity = means_.estimate(2 * lags_.count + 1);
     viscosity.mean *= factor;
     viscosity.standard_error *= factor;

@@ -5,6 +5,7 @@
 
 #include "ljmd/core/threads.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
@@ -48,7 +49,7 @@ double WidomInsertion::mean_weight(const State& state, double temperature) {
 
 void WidomInsertion::sample(const State& state, const Evaluation& /*evaluation*/) {
     const double t = held_temperature_ ? *held_temperature_ : temperature(state).value_or(0.0);
-    const double weight = t > 0.0 ? mean_weight(state, t) : 0.0;
+    const double weight = is_above_zero(t) ? mean_weight(state, t) : 0.0;
     Eigen::VectorXd found(2);
     found << (held_temperature_ ? weight : std::pow(t, 1.5) * weight), t;
     means_.add(found);
@@ -61,13 +62,13 @@ std::vector<ObservableAverage> WidomInsertion::observables() const {
     const Eigen::VectorXd mean = means_.mean();
     const double t = mean[1];
     std::optional<Estimate> estimate;
-    if (mean[0] > 0.0 && t > 0.0) {
+    if (mean[0] > 0.0 && is_above_zero(t)) {
         const double power = held_temperature_ ? 0.0 : 1.5;
         const double logarithm = std::log(mean[0]) - power * std::log(t);
         const Eigen::Vector2d gradient(-t / mean[0], power - logarithm);
         estimate = means_.estimate(-t * logarithm, gradient);
     }
-    return {{"excess_chemical_potential", "mu_ex", "epsilon", estimate}};
+    return {{"excess_chemical_potential", "mu_ex", "epsilon", estimate, is_above_zero(t) ? "" : no_temperature}};
 }
 
 }  // namespace ljmd

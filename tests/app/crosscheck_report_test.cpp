@@ -53,6 +53,7 @@ TEST_CASE("the table of a comparison tells who was compared, what was found, and
           "potential energy      1.00e-15     1.0e-13\n", "pressure              2.00e-12     1.0e-12  FAILED\n",
           "400 steps of leapfrog, 40 configurations for g(r)\n",
           "temperature             0.700000    0.030000    0.800000    0.040000     2.00\n",
+          "pressures are (2 K + W)/(3 V), as LAMMPS prints them: a convention",
           "speed: ljmd 5, OpenMM 7.7 (CPU, 1 thread) 1 million atom-steps/s, ratio 5.00\n", "1 of 2 checks FAILED\n"}) {
         CHECK_THAT(table, Contains(part));
     }
@@ -71,6 +72,7 @@ TEST_CASE("the JSON of a comparison holds every number") {
           Json({{"name", "potential energy"}, {"value", 1e-15}, {"tolerance", 1e-13}, {"passed", true}}));
     CHECK(json["checks"][1]["passed"] == false);
     CHECK(json["with"] == "openmm");
+    CHECK(json["pressure_convention"] == "(2 K + W)/(3 V)");
     CHECK(json["path"]["simd"] == "x86-64-v3");
     CHECK(json["trajectory"]["pairings"][1] == Json({{"ours", "velocity-verlet"}, {"theirs", "kick-drift-kick"}}));
     CHECK(json["trajectory"]["rows"][1]["distances"] == Json({1e-14, 2e-15}));

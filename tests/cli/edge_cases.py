@@ -1,6 +1,7 @@
 """Decks at the edge of what is allowed: these must run, and give finite results."""
 
 import math
+import re
 
 from harness import DECK, Case
 
@@ -24,13 +25,34 @@ sample = true
 """
 
 
+#: All analyses, for runs of 400 steps of 0.004 tau.
+ANALYSES = """
+[analysis]
+rdf = { bins = 10, every = 5 }
+structure_factor = { k_max = 6.0, every = 20 }
+msd = { max_time = 0.2, every = 5, fit_start = 0.1 }
+vacf = { max_time = 0.2 }
+viscosity = { max_time = 0.2 }
+chemical_potential = { insertions = 10, every = 20 }
+"""
+
+
 def observables(t, directory="runs/deck"):
-    """The observables of a run; every number in them is finite or null."""
+    """The observables of a run; every number in them is finite or null, and where there is none it is said why."""
     found = t.json(f"{directory}/results.json")["observables"]
     for name, values in found.items():
         for key in ("mean", "standard_error", "independent_samples"):
             t.check(values[key] is None or math.isfinite(values[key]), f"{name} {key} is {values[key]}")
+        t.check(values["mean"] is not None or values.get("remark"), f"{name} has no value, and nobody says why")
     return found
+
+
+def nothing_undefined(t, directory):
+    """No table, no results.txt of a run shows a number that is none."""
+    for path in (t.dir / directory).iterdir():
+        if path.suffix in (".csv", ".txt"):
+            words = re.split(r"[\s,]+", path.read_text().lower())
+            t.check(not {"nan", "-nan", "inf", "-inf"} & set(words), f"{path.name} shows a number that is none")
 
 
 def run_deck(t, *replacements, text=DECK, force=False):
@@ -44,7 +66,37 @@ def one_atom(t):
     t.equal(found["temperature"]["mean"], None, "temperature of one atom")
     t.equal(found["potential_energy"]["mean"], 0.0, "potential energy")
     t.equal(found["kinetic_energy"]["mean"], 0.0, "kinetic energy: one atom is its own centre of mass")
-    t.check(all(v is None for v in t.columns("runs/deck/thermo.csv")["temperature"]), "thermo.csv has a temperature")
+    for name in ("pressure", "compressibility_factor", "pressure_xx", "pressure_yz"):
+        t.equal(found[name]["mean"], None, f"{name} of one atom")
+    columns = t.columns("runs/deck/thermo.csv")
+    for name in ("temperature", "pressure", "pressure_xx", "pressure_xy"):
+        t.check(all(v is None for v in columns[name]), f"thermo.csv has a {name}")
+    t.check(re.search(r"temperature +T +no value", (t.dir / "runs/deck/results.txt").read_text()),
+            "results.txt has a temperature")
+
+
+def one_atom_in_every_analysis(t):
+    for name, thermostat in (("nve", ""), ("langevin", 'thermostat = { type = "langevin" }')):
+        t.deck(("steps = 50", "steps = 400"), ("sample = true", f"sample = true\n{thermostat}\n{ANALYSES}"), text=LONE)
+        t.run_well("run", "deck.toml", "--quiet", "--out", name)
+        found = observables(t, name)
+        for observable in ("viscosity", "diffusion_infinite_system", "heat_capacity_cv"):
+            t.equal(found[observable]["mean"], None, f"{observable} of one atom")
+        nothing_undefined(t, name)
+        t.run_well("analyze", name)
+
+
+def atoms_at_rest(t):
+    """What is divided by the temperature has no value where that is zero but for rounding."""
+    t.deck(("temperature = 1.0", "temperature = 0.0"), ("steps = 40", "steps = 400"), text=DECK + ANALYSES)
+    t.run_well("run", "deck.toml", "--quiet")
+    found = observables(t)
+    for observable in ("compressibility_factor", "heat_capacity_cv", "viscosity", "diffusion_infinite_system",
+                       "excess_chemical_potential"):
+        t.equal(found[observable]["mean"], None, f"{observable} of atoms at rest")
+    t.check(math.isfinite(found["pressure"]["mean"]), "pressure of a crystal at rest")
+    nothing_undefined(t, "runs/deck")
+    t.run_well("analyze", "runs/deck")
 
 
 def two_atoms(t):
@@ -155,6 +207,6 @@ def settings(t):
 
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (one_atom, two_atoms, zero_temperature, minus_zero, no_steps, no_steps_in_one_stage, largest_cutoff,
+            for test in (one_atom, one_atom_in_every_analysis, two_atoms, zero_temperature, atoms_at_rest, minus_zero, no_steps, no_steps_in_one_stage, largest_cutoff,
                          all_searches_agree, no_skin, largest_seed, simple_cubic, atoms_instead_of_cells, no_sample,
                          units_in_the_deck, text_variants, settings)]

@@ -86,6 +86,14 @@ TEST_CASE("means are compared in standard errors of their difference") {
     CHECK_FALSE(checks_of(compare_ensembles(averages(1.0, NAN), averages(1.1, 0.0)), fluid)[0].passed());
 }
 
+TEST_CASE("a single atom has no temperature that could be compared") {
+    EnsembleAverages one = averages(1.0, 0.1);
+    one.has_temperature = false;
+    const EnsembleComparison found = compare_ensembles(one, one);
+    REQUIRE(found.rows.size() == 2);
+    CHECK(found.rows[0].name == "potential_energy");
+}
+
 TEST_CASE("g(r) is compared bin by bin, and few configurations may differ by more") {
     const Fluid fluid = warm_crystal();
     EnsembleAverages a = averages(1.0, 1.0);

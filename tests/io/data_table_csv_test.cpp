@@ -34,6 +34,8 @@ TEST_CASE("numbers are read back to the last bit") {
 TEST_CASE("a number that is not known is an empty field, wherever it stands") {
     CHECK(to_csv({"t", {"a", "b", "c"}, {{1.0, unknown, 3.0}, {unknown, 2.0, 3.0}, {1.0, 2.0, unknown}}}) ==
           "a,b,c\n1,,3\n,2,3\n1,2,\n");
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    CHECK(to_csv({"t", {"a", "b"}, {{infinite, 1.0}, {1.0, -infinite}}}) == "a,b\n,1\n1,\n");
 }
 
 TEST_CASE("a table without rows is its header") {

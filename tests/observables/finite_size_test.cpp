@@ -39,3 +39,16 @@ TEST_CASE("the correction is as sure as what it is made of, and needs all of it 
     CHECK_FALSE(
         diffusion_in_infinite_system({temperature, diffusion, viscosity}, Box(Vec3(8.0, 8.0, 8.1))).has_value());
 }
+
+TEST_CASE("without a viscosity above zero the correction has no value, and it says why") {
+    const auto temperature = average("temperature", 1.5, 0.1);
+    const auto diffusion = average("diffusion", 0.03, 0.002);
+    const ObservableAverage unknown{"viscosity", "", "", std::nullopt, "atoms at rest"};
+    for (const ObservableAverage& viscosity :
+         {unknown, average("viscosity", 0.0, 0.5), average("viscosity", -2.5, 3.0)}) {
+        const auto found = diffusion_in_infinite_system({temperature, diffusion, viscosity}, cube);
+        REQUIRE(found.has_value());
+        CHECK_FALSE(found->estimate.has_value());
+        CHECK_FALSE(found->remark.empty());
+    }
+}

@@ -188,7 +188,7 @@ TEST_CASE("the table names its columns, and one atom has nobody around it") {
                                                     "coordination_number_standard_error"});
     for (const auto& row : table.rows) {
         REQUIRE(row.size() == 5);
-        CHECK(row[g_column] == 0.0);
+        CHECK(std::isnan(row[g_column]));  // there are no pairs
         CHECK(row[coordination_column] == 0.0);
         CHECK(std::isnan(row[error_column]));
     }
@@ -210,6 +210,7 @@ TEST_CASE("the structure factor from g is its sine transform") {
     REQUIRE(tables.size() == 2);
     CHECK(tables[1].name == "sk_from_rdf");
     REQUIRE(tables[1].rows.size() == 60);
+    const double others = static_cast<double>(state.count() - 1) / state.box().volume();
     for (std::size_t m = 0; m < 60; ++m) {
         const double k = std::numbers::pi * static_cast<double>(m + 1) / 12.0;
         double integral = 0.0;
@@ -217,7 +218,7 @@ TEST_CASE("the structure factor from g is its sine transform") {
             integral += 0.05 * row[r_column] * (row[g_column] - 1.0) * std::sin(k * row[r_column]) / k;
         }
         CHECK(tables[1].rows[m][0] == Approx(k).epsilon(1e-13));
-        CHECK(tables[1].rows[m][1] == Approx(1.0 + 4.0 * std::numbers::pi * 0.8442 * integral).epsilon(1e-10));
+        CHECK(tables[1].rows[m][1] == Approx(1.0 + 4.0 * std::numbers::pi * others * integral).epsilon(1e-10));
     }
 }
 

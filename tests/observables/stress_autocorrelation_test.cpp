@@ -104,6 +104,21 @@ TEST_CASE("a constant shear stress gives its square, and a constant pressure not
     CHECK(stress.observables().at(0).estimate->mean == Approx(120.0 / 1.5 * expected * 0.4).margin(1e-11));
 }
 
+TEST_CASE("atoms at rest, and what rounding leaves of it, have no viscosity, and it says why") {
+    for (const double speed : {0.0, 1e-15}) {
+        StressAutocorrelation stress(box, {.every = 5, .count = 4, .spacing = 0.1}, 9);
+        const State state = two_atoms(speed);
+        for (int t = 0; t < 9; ++t) {
+            stress.sample(state, evaluation_for(state, Mat3::Constant(1e-14)));
+        }
+        CHECK_FALSE(stress.observables().at(0).estimate.has_value());
+        CHECK_THAT(stress.observables().at(0).remark, Catch::Contains("divided by the temperature"));
+        const DataTable table = stress.tables().at(0);
+        CHECK(std::isfinite(table.rows[2][1]));
+        CHECK(std::isnan(table.rows[2][3]));
+    }
+}
+
 TEST_CASE("stresses that decay exponentially have the viscosity that belongs to it") {
     constexpr double rate = 2.0;
     const LagTimes lags{.every = 1, .count = 80, .spacing = 0.02};

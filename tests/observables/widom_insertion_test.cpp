@@ -95,6 +95,7 @@ TEST_CASE("where no place has room, or nothing moves, there is no chemical poten
     WidomInsertion cold(run_with(20, false, std::nullopt), 5, Every(1));
     cold.sample(state_at(20, 1, 0.0), {});
     CHECK_FALSE(cold.observables()[0].estimate.has_value());
+    CHECK_THAT(cold.observables()[0].remark, Catch::Contains("divided by the temperature"));
 }
 
 TEST_CASE("threads and the order of atoms in memory do not matter, steps do") {

@@ -28,6 +28,7 @@ struct EnsembleAverages {
     std::array<Estimate, 3> estimates;  ///< temperature, potential energy an atom, pressure; without tails
     DataTable rdf;                      ///< columns as RadialDistribution has them; empty without configurations
     Index frames = 0;
+    bool has_temperature = true;  ///< a single atom has none
 };
 
 /// @pre options.steps >= options.every > 0
@@ -52,7 +53,7 @@ struct EnsembleComparison {
         double theirs;
         double their_error;
     };
-    std::vector<Row> rows;  ///< temperature, potential energy an atom, pressure
+    std::vector<Row> rows;  ///< temperature where there is one, potential energy an atom, pressure
     std::vector<Bin> rdf;
     Index frames = 0;  ///< configurations behind g(r)
     [[nodiscard]] double largest_rdf_difference() const;

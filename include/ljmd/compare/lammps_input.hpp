@@ -51,7 +51,8 @@ struct LammpsFiles {
                                               Index frame_every);
 
 /// What a user goes on from: energies (per atom) and pressure of the start, tail included where LAMMPS has it, then
-/// velocity Verlet. The number of steps is the variable `steps`, which `lmp -var steps N` sets.
+/// velocity Verlet. The pressure by LAMMPS' convention, (2 K + W)/(3 V), and by ours, rho T + W/(3 V), as `v_p`. The
+/// number of steps is the variable `steps`, which `lmp -var steps N` sets.
 /// @param title  of the comment that it begins with, one line
 [[nodiscard]] std::string lammps_user_input(const Fluid& fluid, double time_step, Index steps,
                                             const std::string& title);

@@ -11,7 +11,8 @@ namespace ljmd {
 /// A configuration as ljmd evaluates it.
 [[nodiscard]] PeerPoint point_of(const Fluid& fluid, ForceField& force_field);
 
-/// Pressure without tail: (2 K + W)/3V [epsilon/sigma^3].
+/// Pressure without tail by the convention that both sides are held to: (2 K + W)/3V, as LAMMPS prints it, in place of
+/// rho T + W/3V [epsilon/sigma^3].
 [[nodiscard]] double pressure(const Totals& totals, const Fluid& fluid);
 
 /// Energy, forces, pressure, and the tail corrections that both know.

@@ -18,8 +18,7 @@ struct PressureBath {
     double shortest_edge;  ///< that the box may have [sigma]
 };
 
-/// Changes the box, and positions and velocities with it, to hold a pressure. Nothing is carried along from one time to
-/// the next.
+/// Changes the box, and the positions with it, to hold a pressure. Nothing is carried along from one time to the next.
 class Barostat {
   public:
     virtual ~Barostat() = default;
@@ -28,9 +27,9 @@ class Barostat {
     [[nodiscard]] virtual bool due(Index step_of_stage) const = 0;
 
     /// Act between two steps. Forces become stale when the box changes.
-    /// @param pressure  of the state, tail included [epsilon/sigma^3]
+    /// @param virial_pressure  W/(3 V) of the state, tail included [epsilon/sigma^3]
     /// @throws PhysicsError when the pressure is too far from what is to be held, or the box becomes too small
-    virtual void apply(State& state, double pressure) const = 0;
+    virtual void apply(State& state, double virial_pressure) const = 0;
 
   protected:
     Barostat() = default;

@@ -10,7 +10,7 @@ namespace ljmd {
 /// Radial distribution function by a histogram of pair distances, and what follows from it.
 ///
 ///     g(r_k) = <n_k> / (N (N - 1)/V * shell_k),  shell_k = (4 pi/3) (r_{k+1}^3 - r_k^3)
-///     S(k)   = 1 + 4 pi rho integral from 0 to R of r^2 (g(r) - 1) sin(k r)/(k r) dr
+///     S(k)   = 1 + 4 pi ((N - 1)/V) integral from 0 to R of r^2 (g(r) - 1) sin(k r)/(k r) dr
 ///
 /// n_k: ordered pairs with distance in [r_k, r_{k+1}). N (N - 1), not N^2, makes g of an ideal gas 1 for every N. The
 /// integral is a sine transform by the midpoint rule; what g does beyond R is missing, which makes ripples of wave

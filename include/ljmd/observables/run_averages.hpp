@@ -40,14 +40,15 @@ class RunAverages {
 
     /// temperature, potential_energy, kinetic_energy, total_energy, pressure, compressibility_factor, heat_capacity_cv
     /// where fluctuations tell it, density where it fluctuates, pressure_xx ... pressure_yz, virial; empty without
-    /// samples.
+    /// samples. What has no value, as temperature and pressure of a single atom, has a remark instead.
     [[nodiscard]] std::vector<ObservableAverage> averages() const;
 
     void archive(Archive& a) { a(series_); }
 
   private:
     [[nodiscard]] std::optional<Estimate> compressibility_factor() const;
-    [[nodiscard]] std::optional<Estimate> heat_capacity() const;
+    /// Nothing where no fluctuation tells it; without estimate, but with a remark, where it has no value.
+    [[nodiscard]] std::optional<ObservableAverage> heat_capacity() const;
     [[nodiscard]] std::optional<Estimate> heat_capacity_at_constant_energy() const;
     [[nodiscard]] std::optional<Estimate> heat_capacity_at_constant_temperature() const;
 

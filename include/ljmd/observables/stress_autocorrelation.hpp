@@ -8,7 +8,7 @@
 namespace ljmd {
 
 /// Stress autocorrelation and shear viscosity by Green and Kubo's relation, from all components of the traceless,
-/// symmetric part of the pressure tensor:
+/// symmetric part of the stress P, here the mechanical_stress():
 ///
 ///     P'_ab  = (P_ab + P_ba)/2 - delta_ab tr P/3
 ///     C(t)   = <sum_ab P'_ab(0) P'_ab(t)>/10
@@ -35,6 +35,9 @@ class StressAutocorrelation : public Analysis {
     void archive(Archive& a) override { a(samples_, window_, in_window_, temperature_sum_, means_); }
 
   private:
+    /// V/T; NaN where there is no temperature.
+    [[nodiscard]] double to_viscosity() const;
+
     double volume_;
     LagTimes lags_;
     Every every_;

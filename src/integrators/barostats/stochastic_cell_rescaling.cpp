@@ -5,7 +5,6 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
 #include "ljmd/core/schedule.hpp"
-#include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/barostat.hpp"
 
 namespace ljmd {
@@ -26,8 +25,9 @@ class StochasticCellRescaling : public Barostat {
 
     [[nodiscard]] bool due(Index step_of_stage) const override { return every_.due(step_of_stage); }
 
-    void apply(State& state, double pressure) const override {
+    void apply(State& state, double virial_pressure) const override {
         const double volume = state.box().volume();
+        const double pressure = static_cast<double>(state.count()) * bath_.temperature / volume + virial_pressure;
         const double root = std::sqrt(volume);
         const double drift = -0.5 * mobility_ * root * (pressure_ - pressure - 0.5 * bath_.temperature / volume);
         const double noise = std::sqrt(0.5 * mobility_ * bath_.temperature) * random_.normal(state.step, 0)[0];
@@ -51,8 +51,6 @@ class StochasticCellRescaling : public Barostat {
                             box.shortest_edge()));
         }
         state.rescale_to(box);
-        auto velocities = state.write_velocities();
-        for_each_index(state.count(), [&](Index i) { velocities.col(i) /= factor; });
     }
 
     double pressure_;
@@ -68,15 +66,20 @@ class StochasticCellRescaling : public Barostat {
 ///
 ///     dV = -(beta V/tau_p) (p_0 - p - T/V) dt + sqrt(2 T beta V/tau_p) dW
 ///
-/// p the instantaneous pressure from kinetic energy and virial. Every n steps lambda = sqrt(V), for which the noise is
-/// the same at all volumes, makes a step of n dt,
+/// p = N T/V + W/(3 V) with the temperature T that the thermostat holds. Every n steps lambda = sqrt(V), for which the
+/// noise is the same at all volumes, makes a step of n dt,
 ///
 ///     d lambda = -(beta lambda/2 tau_p) (p_0 - p - T/(2 V)) dt + sqrt(T beta/(2 tau_p)) dW,
 ///
-/// and positions are scaled by (V'/V)^(1/3), velocities by its inverse. With a canonical thermostat beside it, it
-/// samples the isothermal-isobaric ensemble. The compressibility beta need only be roughly known: where it is the true
-/// one, the volume is forgotten after tau_p.
-/// Source: Bernetti and Bussi (2020), doi:10.1063/5.0020514
+/// and positions are scaled by (V'/V)^(1/3). Velocities stay as they are: at constant temperature their distribution
+/// does not depend on the volume. This has the stationary density V^N exp(-(U + p_0 V)/T) of positions in units of the
+/// edges and of V, under every canonical thermostat: the isothermal-isobaric ensemble, in which the mean of p is p_0.
+/// The kinetic energy is kept out of p because its own mean is (3 N - 3) T/2 where momentum is conserved, and because
+/// the errors of a step in the velocities are not in the positions (Langevin's).
+///
+/// The compressibility beta need only be roughly known: where it is the true one, the volume is forgotten after tau_p.
+/// Source: Bernetti and Bussi (2020), doi:10.1063/5.0020514, who scale velocities by the inverse and take the kinetic
+/// energy of the moment for 3 N T/2.
 BarostatMethod stochastic_cell_rescaling() {
     return {.name = "stochastic-cell-rescaling",
             .meaning =
@@ -85,7 +88,7 @@ BarostatMethod stochastic_cell_rescaling() {
             .keys = {Key::number("pressure")
                          .dimension(Dimension::pressure)
                          .unit("epsilon/sigma^3")
-                         .meaning("to be held; that of virial and kinetic energy, with tail where the deck has it"),
+                         .meaning("to be held; rho T + W/(3 V), with tail where the deck has it"),
                      Key::number("time")
                          .dimension(Dimension::time)
                          .unit("tau")
