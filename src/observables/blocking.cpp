@@ -12,13 +12,26 @@
 namespace ljmd {
 namespace {
 
-constexpr Index converged_blocks = 16;  // below, the scatter of the error (18 %) hides whether the curve is flat
+constexpr Index many_blocks = 16;  // below, the scatter of the error (18 %) hides whether the curve is flat
 constexpr Index fallback_blocks = 4;
+constexpr double few_samples = 16.0;    // independent ones; fewer do not carry an error bar
+constexpr double growth_of_flat = 1.3;  // of the error, where blocks become twice as long; sqrt(2) where they are short
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool blocks_are_long_enough(const BlockLevel& level, double samples, double shortest_error) {
     const double length = static_cast<double>(level.length);
-    return length * length * length > 2.0 * samples * std::pow(level.standard_error / shortest_error, 4);
+    // Errors below that of independent samples are scatter of few blocks, mostly.
+    const double growth = std::max(1.0, level.standard_error / shortest_error);
+    return length * length * length > 2.0 * samples * std::pow(growth, 4);
+}
+
+/// Whether the error still grows where blocks are as long as many of them can be.
+bool still_grows(const std::vector<BlockLevel>& curve) {
+    const auto few =
+        std::find_if(curve.begin(), curve.end(), [](const BlockLevel& level) { return level.blocks < many_blocks; });
+    const auto levels = few - curve.begin();
+    return levels >= 2 && curve[static_cast<std::size_t>(levels - 1)].standard_error >
+                              growth_of_flat * curve[static_cast<std::size_t>(levels - 2)].standard_error;
 }
 
 Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>& curve) {
@@ -31,17 +44,18 @@ Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>&
         return {mean, 0.0, n, samples, true};
     }
     const auto chosen = std::find_if(curve.begin(), curve.end(), [&](const BlockLevel& level) {
-        return level.blocks >= converged_blocks && blocks_are_long_enough(level, n, shortest_error);
+        return level.blocks >= many_blocks && blocks_are_long_enough(level, n, shortest_error);
     });
-    const bool converged = chosen != curve.end();
-    double error = converged ? chosen->standard_error : 0.0;
-    if (!converged) {
+    const bool long_enough = chosen != curve.end();
+    double error = long_enough ? chosen->standard_error : 0.0;
+    if (!long_enough) {
         for (const BlockLevel& level : curve) {
             error = level.blocks >= fallback_blocks ? std::max(error, level.standard_error) : error;
         }
     }
     const double ratio = shortest_error / error;  // infinite when blocks of an alternating series are all equal
-    return {mean, error, n * std::min(1.0, ratio * ratio), samples, converged};
+    const double independent = n * std::min(1.0, ratio * ratio);
+    return {mean, error, independent, samples, long_enough || (independent >= few_samples && !still_grows(curve))};
 }
 
 }  // namespace

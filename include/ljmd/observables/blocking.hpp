@@ -37,10 +37,16 @@ enum class Covariance { diagonal, full };
 ///     e_k = s_k sqrt(B / n)
 ///
 /// It grows with k until blocks are longer than the correlation time. The error reported is e_k of the shortest blocks
-/// with B^3 > 2 n (e_k / e_0)^4, which balances what short blocks miss against the scatter of few blocks, among the
-/// levels with at least 16 blocks (the error is then known to 18 %). When none satisfies it, `converged` is false and
-/// the error is the largest e_k of the levels with at least 4 blocks (known to 41 %). A constant series has the error
-/// 0.
+/// with B^3 > 2 n max(1, e_k/e_0)^4, which balances what short blocks miss against the scatter of few blocks, among
+/// the levels with at least 16 blocks (the error is then known to 18 %); that takes about a hundred independent
+/// samples. When none satisfies it, the error is the largest e_k of the levels with at least 4 blocks, and `converged`
+/// says whether it can be relied upon: at least 16 independent samples have been found, and where blocks become as long
+/// as 16 of them can be, e_k no longer grows by more than a factor 1.3 (by sqrt(2) where blocks are shorter than
+/// correlations). A constant series has the error 0.
+///
+/// Over many autoregressive series, white to a correlation time of 100 samples, the scatter of the means is 0.85 to 1.2
+/// times the converged errors wherever there are more than 16 independent samples; with 50 of them 99 % of the series
+/// are called converged, with 10 of them one of five, with 5 one of twenty.
 ///
 /// Memory: O(width log n), or O(width^2 log n) with Covariance::full. Means are pairwise sums: their round-off grows
 /// like log n. A sample that is not finite makes mean and error of its component NaN. Sources: Flyvbjerg and Petersen
