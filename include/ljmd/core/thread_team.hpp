@@ -2,13 +2,31 @@
 
 #include <atomic>
 #include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/threads.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
+
+/// A reference to something that can be called with (first, last); it must outlive the call.
+class BlockFunction {
+  public:
+    template <class F, class = std::enable_if_t<!std::is_same_v<std::remove_cvref_t<F>, BlockFunction>>>
+    BlockFunction(F&& function)  // NOLINT(*-explicit-*): made from lambdas at calls of for_each_block
+        : object_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
+          call_([](void* object, Index first, Index last) {
+              (*static_cast<std::remove_reference_t<F>*>(object))(first, last);
+          }) {}
+
+    void operator()(Index first, Index last) const { call_(object_, first, last); }
+
+  private:
+    void* object_;
+    void (*call_)(void*, Index, Index);
+};
 
 /// The system refuses a thread. The text tells how many it allows.
 class ThreadsError : public Error {

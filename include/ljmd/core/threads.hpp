@@ -1,10 +1,8 @@
 #pragma once
 
-#include <memory>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
+#include "ljmd/core/thread_team.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
@@ -12,41 +10,24 @@ namespace ljmd {
 /// How many threads loops over atoms are shared among. No result depends on it: work is cut into blocks of fixed
 /// length, and what blocks yield is put together in their order.
 
-/// Nobody has use for more.
+/// No machine has use for more.
 constexpr int most_threads = 4096;
 
 /// Processors that this process may run on, at least 1.
 [[nodiscard]] int available_processors();
 
-/// As many as the environment variable OMP_NUM_THREADS says, 1 without it. On a machine that others use too, more
-/// threads than free processors are slower than one, so nobody gets them who has not asked.
+/// As many as the environment variable OMP_NUM_THREADS says (the first number of a list); 1 without it.
+/// @throws InputError if it says something else than a number from 1 to most_threads
 [[nodiscard]] int default_thread_count();
 
-/// In use: 1 until set. @throws ContractViolation if count < 1
+/// Number of threads in the team of this process, which all loops here use: 1 until set.
 [[nodiscard]] int thread_count();
+
+/// Make a new team, unless that is its size already. @pre no loop is at work
+/// @throws ContractViolation if count < 1, ThreadsError as ThreadTeam: the team is then the calling thread alone
 void set_thread_count(int count);
 
-/// A reference to something that can be called with (first, last); it must outlive the call.
-class BlockFunction {
-  public:
-    template <class F, class = std::enable_if_t<!std::is_same_v<std::remove_cvref_t<F>, BlockFunction>>>
-    BlockFunction(F&& function)  // NOLINT(*-explicit-*): made from lambdas at calls of for_each_block
-        : object_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
-          call_([](void* object, Index first, Index last) {
-              (*static_cast<std::remove_reference_t<F>*>(object))(first, last);
-          }) {}
-
-    void operator()(Index first, Index last) const { call_(object_, first, last); }
-
-  private:
-    void* object_;
-    void (*call_)(void*, Index, Index);
-};
-
-/// Call function(first, last) for [0, L), [L, 2 L), ... up to `count`, L = block_length, by all threads; consecutive
-/// blocks go to one thread. Returns when all are done.
-/// @pre blocks do not write what other blocks read or write; block_length > 0
-/// @throws what the first block that threw has thrown; later blocks may not have been called
+/// ThreadTeam::for_each_block of the team of this process.
 void for_each_block(Index count, Index block_length, BlockFunction function);
 
 /// Atoms a block of loops that sum nothing up: so few that also the threads of a small system move the atoms whose
