@@ -62,7 +62,9 @@ def as_the_run(t, directory, result, tables=TABLES, observables=OBSERVABLES):
     t.equal(sorted(found), sorted(observables), "observables")
     for name in observables:
         for key in ("mean", "standard_error"):
-            t.check(math.isclose(found[name][key], expected[name][key], rel_tol=1e-9), f"{name}: {found[name]}")
+            ours, theirs = found[name][key], expected[name][key]
+            t.equal(ours is None, theirs is None, f"{name} has a {key}")
+            t.check(ours is None or math.isclose(ours, theirs, rel_tol=1e-9), f"{name}: {found[name]}")
 
 
 def frames_of_a_run(*settings):

@@ -129,6 +129,28 @@ TEST_CASE("velocities that decay exponentially give the diffusion and the spectr
           Approx(6.0 * found[0].estimate->mean / (std::numbers::pi * correlation.rows[0][vacf_column])).epsilon(1e-12));
 }
 
+TEST_CASE("configurations that are too far apart have no diffusion, and no spectrum") {
+    // exp(-1.5) is left from one to the next: the trapezoidal rule gives 0.39 where 1/3 is right.
+    constexpr double friction = 3.0;
+    const LagTimes times{.every = 1, .count = 6, .spacing = 0.5};
+    VelocityAutocorrelation vacf(200, times, 12);
+    Bath bath(200, friction, times.spacing, 11);
+    for (int t = 0; t < 12 * 40; ++t) {
+        vacf.sample(bath.next(), {});
+    }
+    const ObservableAverage found = vacf.observables().at(0);
+    CHECK(found.name == "diffusion_green_kubo");
+    CHECK_FALSE(found.estimate.has_value());
+    CHECK_FALSE(found.remark.empty());
+    const auto tables = vacf.tables();
+    REQUIRE(tables.size() == 1);
+    for (const auto& row : tables[0].rows) {
+        CHECK(std::abs(row[vacf_column] - 3.0 * std::exp(-friction * row[time_column])) < 4.0 * row[error_column]);
+        CHECK(std::isnan(row[diffusion_column]));
+        CHECK(std::isnan(row[diffusion_column + 1]));
+    }
+}
+
 TEST_CASE("an oscillation is a line in the spectrum") {
     const LagTimes times{.every = 1, .count = 100, .spacing = 0.05};
     VelocityAutocorrelation vacf(2, times, 200);

@@ -17,7 +17,8 @@ namespace ljmd {
 /// largest time, over all time origins; standard errors by blocking over windows.
 /// Tables: `vacf`: time [tau], vacf [epsilon/m], its error, vacf_normalized C(t)/C(0), diffusion D(t) [sigma^2/tau],
 /// its error. `vibrational_spectrum`: angular_frequency [1/tau], spectrum [tau], its error. Observable:
-/// diffusion_green_kubo. What C has left beyond max_time is missing in D, and makes ripples in I. Sources: Rahman
+/// diffusion_green_kubo. Where configurations are too far apart (see green_kubo.hpp) it has no value, nor has D(t), and
+/// there is no spectrum. What C has left beyond max_time is missing in D, and makes ripples in I. Sources: Rahman
 /// (1964), doi:10.1103/PhysRev.136.A405; Kubo (1966), doi:10.1088/0034-4885/29/1/306
 class VelocityAutocorrelation : public Analysis {
   public:
@@ -33,13 +34,16 @@ class VelocityAutocorrelation : public Analysis {
     void archive(Archive& a) override { a(samples_, window_, means_); }
 
   private:
+    [[nodiscard]] Estimate diffusion() const;
+    [[nodiscard]] double change_of_diffusion() const;  ///< with every second configuration
+
     Index atoms_;
     LagTimes lags_;
     Every every_;
     CosineTransform cosines_;
     Index samples_ = 0;
     CorrelationWindows window_;
-    BlockingAccumulator means_;  ///< C, D, and the integrals of C cos(w t), one behind the other
+    BlockingAccumulator means_;  ///< C, D, the integrals of C cos(w t); last, the change of D at twice the spacing
 };
 
 }  // namespace ljmd
