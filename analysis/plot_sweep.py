@@ -5,7 +5,12 @@
 
 DIR is where `ljmd sweep` wrote. NAME is a column of sweep.csv, pressure by default (of few bodies total_energy); KEY is a varied key or
 the last part of its name, the last key by default. One line for each value, or set of values, of the other keys. Points that have
-failed are left out. Draws FILE (.png, .pdf or .svg), DIR/NAME.png by default, and prints its path.
+failed are left out.
+
+A temperature that was asked for is not always the one that a run has. Against a temperature points are drawn where it was measured,
+with its error; open circles show where it was asked. In the legend a temperature that was missed by more than three errors has
+what was found beside it.
+ Draws FILE (.png, .pdf or .svg), DIR/NAME.png by default, and prints its path.
 Exit codes: 0 ok, 2 usage, 3 a file is missing or damaged, 4 the picture cannot be written.
 """
 
@@ -98,6 +103,29 @@ def shortened(text: str) -> str:
     return text if math.isnan(value) else f"{value:.6g} {unit}".rstrip()
 
 
+def is_temperature(key: str) -> bool:
+    return key.rpartition(".")[2] == "temperature"
+
+
+def missed(asked: np.ndarray, found: np.ndarray, error: np.ndarray) -> np.ndarray:
+    """Where a measured temperature is off the one that was asked by more than three errors."""
+    return np.isfinite(found) & (np.abs(found - asked) > 3.0 * np.nan_to_num(error))
+
+
+def label_of(key: str, value: str, rows: Sequence[int], sweep: Sweep) -> str:
+    """What a line has of one of the keys that are not on the axis."""
+    label = f"{key.rpartition('.')[2]} = {shortened(value)}"
+    asked, unit = split_unit(value)
+    found = sweep.observables.get("temperature")
+    if not is_temperature(key) or unit or found is None:
+        return label
+    error = sweep.observables.get("temperature" + ERROR, np.zeros(len(found)))
+    if not missed(asked, found[rows], error[rows]).any():
+        return label
+    least, most = f"{found[rows].min():.3g}", f"{found[rows].max():.3g}"
+    return f"{label} (found {least})" if least == most else f"{label} (found {least} to {most})"
+
+
 def plot(sweep: Sweep, observable: str, against: str) -> plt.Figure:
     texts = sweep.keys[against]
     values, units = zip(*map(split_unit, texts))
@@ -106,6 +134,15 @@ def plot(sweep: Sweep, observable: str, against: str) -> plt.Figure:
     x = np.array(values if numeric else [ticks.index(text) for text in texts], float)
     y = sweep.observables[observable]
     error = sweep.observables.get(observable + ERROR, np.full(len(y), math.nan))
+    name = against.rpartition(".")[2]
+    label_of_x = f"{name} / {units[0]}" if numeric and units[0] else style.LABELS.get(name, style.plain(name))
+    asked = x_error = None
+    if is_temperature(against) and observable != "temperature" and "temperature" in sweep.observables:
+        asked = x if numeric and not units[0] else None  # one in kelvin has no place on an axis in reduced units
+        x = sweep.observables["temperature"]
+        x_error = np.nan_to_num(sweep.observables.get("temperature" + ERROR, np.zeros(len(x))))
+        numeric = True
+        label_of_x = style.LABELS["temperature"] + ", measured"
 
     lines: dict[tuple[str, ...], list[int]] = {}
     others = [key for key in sweep.keys if key != against]
@@ -114,17 +151,19 @@ def plot(sweep: Sweep, observable: str, against: str) -> plt.Figure:
     figure, axes = plt.subplots(figsize=(7.0, 4.8), constrained_layout=True)
     shades = plt.get_cmap("viridis")(np.linspace(0.0, 0.9, len(lines)))
     for number, (others_values, rows) in enumerate(lines.items()):
-        label = ", ".join(f"{key.rpartition('.')[2]} = {shortened(value)}" for key, value in zip(others, others_values))
         rows = sorted(rows, key=lambda k: x[k])
+        label = ", ".join(label_of(key, value, rows, sweep) for key, value in zip(others, others_values))
         colour = style.colour(number) if len(lines) <= len(style.CYCLE) else shades[number]
-        axes.errorbar(x[rows], y[rows], yerr=np.nan_to_num(error[rows]), fmt="o-", markersize=3.5, elinewidth=0.9, capsize=2,
-                      color=colour, label=style.plain(label))
-    name = against.rpartition(".")[2]
+        axes.errorbar(x[rows], y[rows], yerr=np.nan_to_num(error[rows]), xerr=None if x_error is None else x_error[rows],
+                      fmt="o-", markersize=3.5, elinewidth=0.9, capsize=2, color=colour, label=style.plain(label))
+        if asked is not None:
+            axes.plot(asked[rows], y[rows], "o", markersize=6.5, fillstyle="none", markeredgewidth=0.9, color=colour, alpha=0.6,
+                      label="open: temperature asked" if number == len(lines) - 1 else None)
     if not numeric:
         axes.set_xticks(range(len(ticks)), [style.plain(text) for text in ticks])
-    axes.set_xlabel(f"{name} / {units[0]}" if numeric and units[0] else style.LABELS.get(name, style.plain(name)))
+    axes.set_xlabel(label_of_x)
     axes.set_ylabel(style.LABELS.get(observable, style.plain(observable)))
-    if others and lines:
+    if lines and (others or asked is not None):
         axes.legend(ncols=1 + (len(lines) - 1) // 12)
     return figure
 

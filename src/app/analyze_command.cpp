@@ -167,6 +167,11 @@ void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
     if (!options.deck.empty()) {
         throw InputError("--deck is for a trajectory alone; a run has its own deck");
     }
+    if (wanted.analyses.empty() && (!options.settings.empty() || !options.out.empty() || options.time_step)) {
+        throw InputError(
+            "--set, --out and --time-step go with an analysis of frames, such as rdf; thermo of a run looks at its "
+            "thermo.csv and writes nothing");
+    }
     const RecordedRun run = recorded_run(options.path);
     std::optional<ThermoReport> report;
     if (wanted.thermo || wanted.analyses.empty()) {

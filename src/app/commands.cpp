@@ -19,6 +19,7 @@
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/start_sense.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/simd.hpp"
@@ -54,7 +55,7 @@ Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& d
     Start start = find_start(deck);
     set_thread_count(options.threads > 0 ? options.threads : default_thread_count());
     if (start.configuration) {  // only now is the box known
-        check_box(deck.root, start.atoms, start.box, diagnostics);
+        check_start(deck, start, diagnostics);
         diagnostics.throw_if_errors();
     }
     if (!options.quiet) {
@@ -179,6 +180,13 @@ void run_fluid(const Deck& deck, Start start, const DeckOptions& options, const 
     print_result(options.json ? results_json(deck, result) + "\n" : results_table(deck, result));
 }
 
+/// A few-body deck is known whole when it is read: what is to be warned of is said then.
+void talk_of_bodies(const DeckOptions& options, const Diagnostics& diagnostics) {
+    if (!options.quiet) {
+        talk_of_warnings(diagnostics);
+    }
+}
+
 void run_bodies(const Deck& deck, const DeckOptions& options, const RunControl& control) {
     check_directory(deck, options.force);
     FewBodySystem system = make_few_body_system(deck);
@@ -227,6 +235,22 @@ void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, co
     }
 }
 
+/// Refuse options that would have no effect.
+void check_compare_options(const CrosscheckOptions& compared) {
+    const CrosscheckOptions usual{.with = compared.with};
+    const bool follows = compared.steps == usual.steps && compared.frames == usual.frames;
+    if (compared.platform != usual.platform && compared.with != "openmm") {
+        throw InputError(fmt::format("--platform is OpenMM's: '{}' has none", compared.with));
+    }
+    if (compared.with == "gsl" && !(follows && compared.parts.empty())) {
+        throw InputError(
+            "--steps, --frames and --parts are for a fluid: few bodies are compared over the deck's steps");
+    }
+    if (!compared.wants("trajectory") && !follows) {
+        throw InputError("--steps and --frames are those of the trajectory, which --parts leaves out");
+    }
+}
+
 }  // namespace
 
 void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
@@ -237,6 +261,7 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
         deck.directory = out;
     }
     if (deck.kind == DeckKind::few_body) {
+        talk_of_bodies(options, diagnostics);
         run_bodies(deck, options, control);
     } else {
         run_fluid(deck, checked_start(deck, options, diagnostics), options, control);
@@ -292,6 +317,7 @@ void check_command(const DeckOptions& options) {
     Diagnostics diagnostics;
     const Deck deck = load(options, diagnostics);
     if (deck.kind == DeckKind::few_body) {
+        talk_of_bodies(options, diagnostics);
         print_result(options.json ? few_body_check_json(deck) : few_body_check_report(deck));
         return;
     }
@@ -306,6 +332,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
         throw InputError(
             fmt::format("unknown program '{}' to compare with, allowed: {}", compared.with, fmt::join(programs, ", ")));
     }
+    check_compare_options(compared);
     if (!out.empty()) {
         check_comparison(out, compared.with, options.force);
     }

@@ -178,6 +178,10 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
                       const std::function<void(const std::string&)>& say) {
     const std::size_t compared = compared_stage(deck);
     const Stage& stage = deck.stages[compared];
+    if (stage.section.has("thermostat")) {
+        say(fmt::format("stage '{}' is compared at constant energy: its {} out", stage.name,
+                        stage.section.has("barostat") ? "thermostat and its barostat are left" : "thermostat is left"));
+    }
     const auto fluid_now = [&] {
         return fluid_of(simulation.state, simulation.force_field.potential(), wants_tail(deck));
     };

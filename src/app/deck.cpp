@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "ljmd/app/deck_sense.hpp"
+#include "ljmd/app/effect_sense.hpp"
 #include "ljmd/app/few_body_sense.hpp"
 #include "ljmd/app/stage_sense.hpp"
+#include "ljmd/app/start_sense.hpp"
 #include "ljmd/io/deck_file.hpp"
 #include "ljmd/io/deck_setting.hpp"
 
@@ -177,6 +179,14 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
     }
     if (diagnostics.has_errors()) {
         return std::nullopt;
+    }
+    if (kind == DeckKind::few_body) {
+        check_few_body_effects(root, diagnostics);
+    } else {
+        check_effects(root, diagnostics);
+        if (root.section("system").has("lattice")) {  // else the file decides, see check_start
+            check_start_effects(root, false, diagnostics);
+        }
     }
     return to_deck(kind, path, file, settings, units, root);
 }

@@ -183,10 +183,6 @@ void check_stages(const Section& root, bool force, Diagnostics& diagnostics) {
                      "0.004 is usual", diagnostics);
         }
         check_temperature(stage, force, diagnostics);
-        if (stage.has("temperature") && !stage.has("thermostat")) {
-            diagnostics.warning(stage.location("temperature"),
-                                "'temperature' in [[stage]] has no effect without a thermostat");
-        }
         check_baths(stage, root, diagnostics);
     }
 }

@@ -27,8 +27,11 @@ void warn(const std::string& doubt) {
 }  // namespace
 
 void eos_command(const EosOptions& options) {
-    const EquationOfState equation = equation_of_state(options.model);
+    const EquationOfState equation = equation_of_state(options.model.empty() ? "thol2016" : options.model);
     if (!options.temperature) {
+        if (!options.model.empty()) {
+            throw InputError("--model wants a --temperature; without one all equations are listed");
+        }
         if (options.density) {
             throw InputError("--density wants a --temperature");
         }

@@ -7,6 +7,7 @@
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/exit_code.hpp"
 #include "ljmd/app/export.hpp"
+#include "ljmd/app/reduced_number.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/diagnostics.hpp"
@@ -17,6 +18,11 @@
 namespace {
 
 constexpr int most_steps_compared = 1'000'000;
+
+/// For options that take a number in reduced units: tells what to write instead of "120 K".
+CLI::Validator reduced(const std::string& unit, ljmd::Dimension dimension) {
+    return {[=](const std::string& text) { return ljmd::not_reduced(text, unit, dimension); }, ""};
+}
 
 void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_is_required = true) {
     command.add_option("deck", options.deck, "deck (TOML); all keys: ljmd info --keys")
@@ -97,11 +103,14 @@ void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
         .add_option("--deck", options.deck,
                     "of a trajectory: interaction, [analysis], and [argon] for files in SI units")
         ->type_name("DECK");
-    command.add_option("--from", options.from, "leave out what is before this time, in tau")->type_name("T");
+    command.add_option("--from", options.from, "leave out what is before this time, in tau")
+        ->type_name("T")
+        ->check(reduced("tau", ljmd::Dimension::time));
     command
         .add_option("--time-step", options.time_step,
                     "time between steps in tau, for trajectories that do not tell; that of the deck by default")
-        ->type_name("DT");
+        ->type_name("DT")
+        ->check(reduced("tau", ljmd::Dimension::time));
     command
         .add_option("--group", options.group, "of an H5MD file with several groups of particles, the one to measure")
         ->type_name("NAME");
@@ -219,8 +228,12 @@ int main(int argc, char** argv) {
     ljmd::EosOptions state;
     CLI::App& eos = *app.add_subcommand(
         "eos", "what equations of state say of the Lennard-Jones fluid; of coexistence, without a density");
-    eos.add_option("--temperature", state.temperature, "in epsilon/k_B")->type_name("T");
-    eos.add_option("--density", state.density, "atoms per sigma^3")->type_name("RHO");
+    eos.add_option("--temperature", state.temperature, "in epsilon/k_B")
+        ->type_name("T")
+        ->check(reduced("epsilon/k_B", ljmd::Dimension::temperature));
+    eos.add_option("--density", state.density, "atoms per sigma^3")
+        ->type_name("RHO")
+        ->check(reduced("atoms per sigma^3", ljmd::Dimension::density));
     eos.add_option("--model", state.model, "one that `ljmd eos` lists, thol2016 by default")->type_name("NAME");
     eos.add_flag("--json", state.json, "print it as JSON");
     ljmd::ReproduceOptions table{.what = "", .out = "runs/verlet1967"};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ljmd/app/at_temperature.hpp"
 #include "ljmd/app/deck.hpp"
 #include "ljmd/app/json_file.hpp"
 #include "ljmd/io/data_table_csv.hpp"
@@ -62,18 +63,11 @@ SampledStage sampled_stage(const fs::path& results) {
 
 /// Z and U at the nominal temperature, from those at the one that was measured.
 void estimate_at(ReproducedRow& row, const BlockingAccumulator& series) {
-    const double rho = row.verlet.density;
-    const EquationOfState thol = equation_of_state("thol2016");
-    const Eigen::VectorXd mean = series.mean();
-    const double t = mean[0];
-    const double u = mean[1];
-    const double p = mean[2];
-    const FluidProperties there = properties(thol, t, rho);
-    const double z_slope = there.pressure_temperature_slope / (rho * t) - there.pressure / (rho * t * t);
-    const double u_slope = there.heat_capacity_cv - 1.5;
-    row.z = series.estimate(p / (rho * t) + row.thol.z - there.compressibility_factor,
-                            Eigen::Vector3d(-p / (rho * t * t) - z_slope, 0.0, 1.0 / (rho * t)));
-    row.u = series.estimate(u + row.thol.u - there.potential_energy, Eigen::Vector3d(-u_slope, 1.0, 0.0));
+    const AtTemperature nominal =
+        at_temperature(equation_of_state("thol2016"), row.verlet.density, row.verlet.temperature, series.mean(),
+                       [&](double value, const Vec3& gradient) { return series.estimate(value, gradient); });
+    row.z = nominal.compressibility_factor;
+    row.u = nominal.potential_energy;
 }
 
 bool is_sound(const std::optional<Printed>& printed) {

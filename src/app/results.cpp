@@ -127,6 +127,25 @@ std::vector<std::string> table_line(const ObservableAverage& average, const std:
     return line;
 }
 
+Json at_asked_json(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
+    if (!there) {
+        return nullptr;
+    }
+    return {{"temperature", there->temperature},
+            {"equation_of_state", there->equation},
+            {"observables", observables_json(there->observables, units)}};
+}
+
+/// Below the table: what the run has at the temperature that was asked for.
+std::string at_asked_lines(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
+    if (!there) {
+        return "";
+    }
+    return fmt::format("\n  brought to T = {:.6g}, which was asked, by the equation of state {}:\n", there->temperature,
+                       there->equation) +
+           observables_table(there->observables, units);
+}
+
 /// Fewer independent samples than this do not carry an error bar.
 constexpr double few_samples = 16.0;
 
@@ -198,6 +217,8 @@ std::string results_json(const Deck& deck, const RunResult& result) {
                    {"density", result.density},
                    {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
                  {"observables", observables_json(result.averages, deck.units)},
+                 {"asked_temperature", number_or_null(result.asked_temperature)},
+                 {"at_asked_temperature", at_asked_json(result.at_asked, deck.units)},
                  {"translational_order_at_sampling", number_or_null(result.order_at_sampling)},
                  {"stages", stages},
                  {"neighbor_list_rebuilds", result.search.rebuilds},
@@ -219,6 +240,7 @@ std::string results_table(const Deck& deck, const RunResult& result) {
     text +=
         fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
     text += observables_table(result.averages, deck.units);
+    text += at_asked_lines(result.at_asked, deck.units);
     text += stage_lines(result.stages, "epsilon per atom and tau");
     text += samples_footnote();
     text += fmt::format("\nfiles: {}\n", deck.directory.string());

@@ -10,6 +10,7 @@
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/run_report.hpp"
 #include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/stability.hpp"
 #include "ljmd/app/time_loop.hpp"
@@ -253,6 +254,8 @@ class FluidRun : private StepObserver {
                          density(),
                          state.box().edges(),
                          averages_.averages(),
+                         asked_temperature(deck_),
+                         {},
                          order_at_sampling_,
                          stages_,
                          {},
@@ -261,6 +264,8 @@ class FluidRun : private StepObserver {
                          phases(loop),
                          first_,
                          last_};
+        judge_drifts(result);
+        compare_with_asked_temperature(result);
         for (const auto& analysis : simulation_.analyses) {
             std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
             std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
@@ -274,6 +279,26 @@ class FluidRun : private StepObserver {
         }
         files_->finish(state, result);
         return result;
+    }
+
+    static void judge_drifts(RunResult& result) {
+        const auto kinetic = std::ranges::find(result.averages, "kinetic_energy", &ObservableAverage::name);
+        for (StageResult& stage : result.stages) {
+            if (stage.sampled && kinetic != result.averages.end() && kinetic->estimate) {
+                stage.drift_remark = drift_remark(stage, kinetic->estimate->mean);
+            }
+        }
+    }
+
+    void compare_with_asked_temperature(RunResult& result) const {
+        for (ObservableAverage& average : result.averages) {
+            if (average.name == "temperature" && average.estimate) {
+                average.remark = temperature_remark(deck_, average.estimate);
+            }
+        }
+        if (averages_.samples() > 0) {
+            result.at_asked = at_asked_temperature(deck_, density(), averages_);
+        }
     }
 
     /// What a reader of the results should know before trusting them.
@@ -297,6 +322,11 @@ class FluidRun : private StepObserver {
                 "and pairs within the cutoff may have been missed. Take a larger skin or a smaller `every`, "
                 "or leave `every` out",
                 late, result.search.rebuilds));
+        }
+        for (const StageResult& stage : result.stages) {
+            if (!stage.drift_remark.empty()) {
+                doubts.push_back(fmt::format("the energy drifts in stage '{}': {}", stage.name, stage.drift_remark));
+            }
         }
         if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
             doubts.push_back(fmt::format("the run is too short for the error bars of {}: they are guesses", unsure));

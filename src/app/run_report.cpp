@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/json_number.hpp"
@@ -16,29 +17,55 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_title = 200;
 
+/// Of the kinetic energy. A plain cut of 256 atoms, whose energy makes a random walk, reaches 0.1 % in 200 tau with the
+/// usual time step; with one of 0.019 tau, where velocity Verlet begins to be unstable, 0.6 % are there after 60 tau.
+constexpr double large_drift = 0.003;
+
+/// In a short stage the slope is mostly chance, and a plain cut answers every change of structure: only more than that
+/// tells of the time step.
+constexpr double short_stage = 5.0;  // [tau]
+constexpr double large_drift_of_short_stage = 0.02;
+
 }  // namespace
 
+std::string drift_remark(const StageResult& stage, double kinetic_energy) {
+    const double length = static_cast<double>(stage.last_step - stage.first_step) * stage.time_step;
+    const double change = stage.energy_drift.value_or(0.0) * length;
+    const double limit = length < short_stage ? large_drift_of_short_stage : large_drift;
+    if (!(std::abs(change) > limit * kinetic_energy)) {
+        return "";
+    }
+    return fmt::format(
+        "in all {:.2g} epsilon per atom, {:.2g} % of the kinetic energy: too much; a smaller time step, "
+        "or a potential that is smooth at its cutoff, conserves it better",
+        change, 100.0 * std::abs(change) / kinetic_energy);
+}
+
 nlohmann::ordered_json stage_json(const StageResult& stage) {
-    return {{"name", stage.name},
-            {"integrator", stage.integrator},
-            {"first_step", stage.first_step},
-            {"last_step", stage.last_step},
-            {"steps", stage.last_step - stage.first_step},
-            {"time_step", stage.time_step},
-            {"sampled", stage.sampled},
-            {"thermostat", stage.thermostatted},
-            {"reversed", stage.reversed},
-            {"energy_drift", number_or_null(stage.energy_drift)},
-            {"checksum_at_start", stage.checksum_at_start},
-            {"checksum_at_end", stage.checksum_at_end}};
+    nlohmann::ordered_json json = {{"name", stage.name},
+                                   {"integrator", stage.integrator},
+                                   {"first_step", stage.first_step},
+                                   {"last_step", stage.last_step},
+                                   {"steps", stage.last_step - stage.first_step},
+                                   {"time_step", stage.time_step},
+                                   {"sampled", stage.sampled},
+                                   {"thermostat", stage.thermostatted},
+                                   {"reversed", stage.reversed},
+                                   {"energy_drift", number_or_null(stage.energy_drift)},
+                                   {"checksum_at_start", stage.checksum_at_start},
+                                   {"checksum_at_end", stage.checksum_at_end}};
+    if (!stage.drift_remark.empty()) {
+        json["energy_drift_remark"] = stage.drift_remark;
+    }
+    return json;
 }
 
 std::string stage_lines(const std::vector<StageResult>& stages, const std::string& drift_unit) {
     std::string text;
     for (const StageResult& stage : stages) {
         if (stage.energy_drift) {
-            text +=
-                fmt::format("  energy drift in stage '{}': {:.2g} {}\n", stage.name, *stage.energy_drift, drift_unit);
+            text += fmt::format("  energy drift in stage '{}': {:.2g} {}{}\n", stage.name, *stage.energy_drift,
+                                drift_unit, stage.drift_remark.empty() ? "" : ",\n    " + stage.drift_remark);
         }
     }
     const auto reversed = std::find_if(stages.begin(), stages.end(), [](const auto& stage) { return stage.reversed; });

@@ -54,21 +54,17 @@ void place(State& state, const std::vector<Vec3>& positions) {
 void set_velocities(State& state, const Deck& deck, const Start& start,
                     const std::function<void(const std::string&)>& warn) {
     const Section& system = deck.system();
-    const bool file_has_them = start.configuration && !start.configuration->velocities.empty();
-    const std::string wanted = system.has("velocities") ? system.text("velocities")
-                               : file_has_them          ? "file"
-                                                        : "maxwell";
-    if (wanted == "file") {
-        if (!file_has_them) {
-            throw DataError(fmt::format("{} has no velocities; set velocities = \"maxwell\" and a temperature",
-                                        system.text("file")));
-        }
+    if (keeps_velocities(system, start)) {
         const double drift = (total_momentum(state) / static_cast<double>(state.count())).norm();
         if (drift > noticeable_drift) {
             warn(fmt::format("the centre of mass moved with {:.3g} sigma/tau; its motion was removed", drift));
         }
         remove_momentum(state);
         return;
+    }
+    if (system.has("velocities") && system.text("velocities") == "file") {
+        throw DataError(
+            fmt::format("{} has no velocities; set velocities = \"maxwell\" and a temperature", system.text("file")));
     }
     if (!system.has("temperature")) {
         throw DataError(
@@ -82,6 +78,11 @@ void set_velocities(State& state, const Deck& deck, const Start& start,
 std::filesystem::path configuration_file(const std::string& file) {
     const std::filesystem::path path(file);
     return std::filesystem::is_directory(path) ? path / "final.xyz" : path;
+}
+
+bool keeps_velocities(const Section& system, const Start& start) {
+    const bool file_has_them = start.configuration && !start.configuration->velocities.empty();
+    return file_has_them && !(system.has("velocities") && system.text("velocities") == "maxwell");
 }
 
 Start find_start(const Deck& deck) {

@@ -7,8 +7,7 @@
 #include <map>
 
 #include "ljmd/app/deck.hpp"
-#include "ljmd/app/deck_sense.hpp"
-#include "ljmd/app/simulation.hpp"
+#include "ljmd/app/start_sense.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd {
@@ -24,7 +23,7 @@ Diagnostics look_at(const Source& deck, const std::vector<std::string>& settings
     if (loaded && loaded->kind == DeckKind::fluid && loaded->system().has("file")) {
         try {
             const Start start = find_start(*loaded);
-            check_box(loaded->root, start.atoms, start.box, found);
+            check_start(*loaded, start, found);
         } catch (const DataError& error) {
             found.error({}, error.what());
         }

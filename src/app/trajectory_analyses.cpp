@@ -64,6 +64,9 @@ Table with_settings(Table tables, const std::vector<std::string>& settings, cons
         const bool meant = std::ranges::any_of(names, [&](const std::string& name) {
             return setting.starts_with(fmt::format("{}.{}.", analysis_table, name));
         });
+        if (names.empty()) {
+            throw InputError(fmt::format("--set {}: thermo has no settings", setting));
+        }
         if (!meant) {
             throw InputError(fmt::format("--set {}: only settings of what is measured can be given, {}.{}.KEY=VALUE",
                                          setting, analysis_table,

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,33 +18,48 @@ namespace {
 
 constexpr std::size_t max_keys = 32;
 
-/// A value and all its parts stand at one place.
-void relocate(Value& value, const Location& where) {
-    value.location = where;
+constexpr std::string_view setting_source = "--set ";
+constexpr std::string_view value_lead = "value = ";  // makes TOML of a value
+
+/// A value and all its parts stand in the setting, in a column each, so that a key that is given differs in its place
+/// from one that is left to its default.
+void relocate(Value& value, const Location& setting, int shift) {
+    const auto place = [&](const Location& found) { return Location{setting.source, 0, found.column + shift}; };
+    value.location = place(value.location);
     if (auto* array = std::get_if<Array>(&value.data)) {
-        for (Value& element : *array) relocate(element, where);
+        for (Value& element : *array) relocate(element, setting, shift);
     } else if (auto* table = std::get_if<Table>(&value.data)) {
         for (Entry& entry : *table) {
-            entry.key_location = where;
-            relocate(entry.value, where);
+            entry.key_location = place(entry.key_location);
+            relocate(entry.value, setting, shift);
         }
     }
 }
 
 /// The value of a setting: TOML, or else the text itself. Empty, with an error, where TOML was meant but cannot be
 /// used.
-std::optional<Value> read_value(const std::string& text, const Location& where, Diagnostics& diagnostics) {
+/// @param column  at which it begins
+std::optional<Value> read_value(const std::string& text, const Location& setting, int column,
+                                Diagnostics& diagnostics) {
     Diagnostics mistakes;
-    auto table = parse_toml(std::make_shared<const Source>(Source{"", "value = " + text}), mistakes);
+    auto table = parse_toml(std::make_shared<const Source>(Source{"", std::string(value_lead) + text}), mistakes);
     if (table && table->size() == 1) {
-        relocate(table->front().value, where);
+        relocate(table->front().value, setting, column - static_cast<int>(value_lead.size()) - 1);
         return std::move(table->front().value);
     }
     if (!table && !mistakes.entries().front().message.starts_with("not valid TOML")) {
-        diagnostics.error(where, mistakes.entries().front().message);
+        diagnostics.error(setting, mistakes.entries().front().message);
         return std::nullopt;
     }
-    return Value{text, where};
+    return Value{text, {setting.source, 0, column}};
+}
+
+/// A value that an earlier setting has given counts for nothing.
+void warn_of_earlier_setting(const Entry& entry, const Location& setting, Diagnostics& diagnostics) {
+    const Location& earlier = entry.key_location;
+    if (earlier.source && earlier.source->name.starts_with(setting_source)) {
+        diagnostics.warning(earlier, fmt::format("has no effect: {} comes after it", setting.source->name));
+    }
 }
 
 /// The tables of an array, and those of them that have a name.
@@ -157,7 +173,7 @@ std::vector<std::string> setting_key(const std::string& text) {
 }
 
 void apply_setting(Table& table, const std::string& assignment, Diagnostics& diagnostics) {
-    const Location where{std::make_shared<const Source>(Source{"--set " + assignment, assignment})};
+    const Location where{std::make_shared<const Source>(Source{std::string(setting_source) + assignment, assignment})};
     if (find_invalid_utf8(assignment) != std::string::npos) {
         diagnostics.error(where, "invalid UTF-8");
         return;
@@ -172,11 +188,12 @@ void apply_setting(Table& table, const std::string& assignment, Diagnostics& dia
         diagnostics.error(where, keys.empty() ? "the key, or a part of it, is empty" : "the key has too many parts");
         return;
     }
-    auto value = read_value(assignment.substr(equals + 1), where, diagnostics);
+    auto value = read_value(assignment.substr(equals + 1), where, static_cast<int>(equals) + 2, diagnostics);
     if (!value) return;
     Table* holder = descend(table, keys, where, diagnostics);
     if (!holder) return;
     if (Entry* entry = find(*holder, keys.back())) {
+        warn_of_earlier_setting(*entry, where, diagnostics);
         *entry = {keys.back(), where, std::move(*value)};
     } else {
         holder->push_back({keys.back(), where, std::move(*value)});

@@ -55,6 +55,19 @@ void RunAverages::add(const Thermodynamics& s) {
     series_.add(row);
 }
 
+Vec3 RunAverages::means_of_state() const {
+    const Eigen::VectorXd mean = series_.mean();
+    return {mean[temperature_column], mean[potential_energy_column], mean[pressure_column]};
+}
+
+Estimate RunAverages::estimate(double value, const Vec3& gradient) const {
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(series_.width());
+    whole[temperature_column] = gradient[0];
+    whole[potential_energy_column] = gradient[1];
+    whole[pressure_column] = gradient[2];
+    return series_.estimate(value, whole);
+}
+
 std::optional<Estimate> RunAverages::compressibility_factor() const {
     const Eigen::VectorXd mean = series_.mean();
     const double t = mean[temperature_column];

@@ -31,7 +31,7 @@ def drawn(sweep: plot_sweep.Sweep, observable: str, against: str) -> dict[str, n
     axes = plot_sweep.plot(sweep, observable, against).axes[0]
     lines = {}
     for container in axes.containers:
-        line, _, (bars,) = container.lines
+        line, _, (*_, bars) = container.lines  # those of y are the last
         lines[container.get_label()] = np.array([(x, y, 0.5 * (top - bottom)) for (x, y), ((_, bottom), (_, top))
                                                  in zip(line.get_xydata(), bars.get_segments())])
     return lines
@@ -51,12 +51,32 @@ def test_a_line_for_each_value_of_the_other_key(tmp: Path) -> None:
     style.use()
     sweep = plot_sweep.load(write_sweep(tmp))
     lines = drawn(sweep, "pressure", "system.density")
-    assert list(lines) == ["temperature = 1", "temperature = 2"], lines
-    assert np.allclose(lines["temperature = 1"], [(0.1, 0.5, 0.01), (0.5, 2.5, 0.05), (0.9, 5.5, 0.11)]), lines
-    assert np.allclose(lines["temperature = 2"], [(0.1, 1.5, 0.02), (0.9, 7.5, 0.0)]), lines  # one failed, one without error
+    cold, hot = "temperature = 1 (found 1.1 to 1.2)", "temperature = 2 (found 2.1 to 2.3)"
+    assert list(lines) == [cold, hot], lines
+    assert np.allclose(lines[cold], [(0.1, 0.5, 0.01), (0.5, 2.5, 0.05), (0.9, 5.5, 0.11)]), lines
+    assert np.allclose(lines[hot], [(0.1, 1.5, 0.02), (0.9, 7.5, 0.0)]), lines  # one failed, one without error
     lines = drawn(sweep, "pressure", "system.temperature")
     assert list(lines) == ["density = 0.1", "density = 0.9", "density = 0.5"], lines
-    assert np.allclose(lines["density = 0.1"], [(1.0, 0.5, 0.01), (2.0, 1.5, 0.02)]), lines
+    assert np.allclose(lines["density = 0.1"], [(1.1, 0.5, 0.01), (2.1, 1.5, 0.02)]), lines
+
+
+def test_temperatures_are_those_that_were_measured(tmp: Path) -> None:
+    """Against a temperature points stand where it was measured, open circles where it was asked."""
+    style.use()
+    sweep = plot_sweep.load(write_sweep(tmp))
+    axes = plot_sweep.plot(sweep, "pressure", "system.temperature").axes[0]
+    assert axes.get_xlabel().endswith("measured"), axes.get_xlabel()
+    _, _, (across, _) = axes.containers[0].lines
+    assert np.allclose([segment[:, 0] for segment in across.get_segments()], [(1.08, 1.12), (2.07, 2.13)])
+    circles = [line for line in axes.get_lines() if line.get_fillstyle() == "none"]
+    assert np.allclose(circles[0].get_xydata(), [(1.0, 0.5), (2.0, 1.5)]), circles[0].get_xydata()
+    assert [text.get_text() for text in axes.get_legend().get_texts()].count("open: temperature asked") == 1
+    # The temperature itself is drawn against the one that was asked.
+    axes = plot_sweep.plot(sweep, "temperature", "system.temperature").axes[0]
+    assert np.allclose(axes.containers[0].lines[0].get_xydata(), [(1.0, 1.1), (2.0, 2.1)])
+    # One that was hit has nothing beside it.
+    hit = [row.replace("1.1,0.02", "1.04,0.02").replace("1.2,", "1.03,0.02").replace("1.15,", "0.97,") for row in ROWS[:3]]
+    assert list(drawn(plot_sweep.load(write_sweep(tmp / "hit", rows=hit)), "pressure", "system.density")) == ["temperature = 1"]
 
 
 def test_one_key_has_one_line(tmp: Path) -> None:

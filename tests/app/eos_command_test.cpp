@@ -43,4 +43,5 @@ TEST_CASE("eos refuses what is no temperature, no density, no equation") {
     }
     CHECK_THROWS_AS(eos_command({.density = 0.5}), InputError);
     CHECK_THROWS_AS(eos_command({.model = "ideal"}), InputError);
+    CHECK_THROWS_AS(eos_command({.model = "thol2015"}), InputError);  // all are listed, whatever it says
 }

@@ -29,6 +29,8 @@ RunResult some_result() {
                          average("potential_energy", "epsilon", -6.08712, 0.00123),
                          average("pressure", "epsilon/sigma^3", 0.5, 0.25),
                          average("compressibility_factor", "1", 0.9, unknown, unknown)},
+            .asked_temperature = 0.722,
+            .at_asked = std::nullopt,
             .order_at_sampling = 0.0125,
             .stages = {{"equilibrate", "velocity-verlet", 0, 5000, 0.004, false, true, false, std::nullopt, "a", "b"},
                        {"production", "velocity-verlet", 5000, 25000, 0.004, true, false, false, -1.5e-7, "b", "c"}},
@@ -87,6 +89,26 @@ TEST_CASE("results.json has the keys that scripts rely on") {
     CHECK_FALSE(json.at("system").contains("density_g_per_cm3"));
     CHECK(json.at("translational_order_at_sampling") == 0.0125);
     CHECK(json.at("warnings") == Json({"a doubt"}));
+}
+
+TEST_CASE("what a run has at the temperature that was asked stands in results.json and below the table") {
+    RunResult result = some_result();
+    const Json found = Json::parse(results_json(deck_with(""), result));
+    CHECK(found.at("asked_temperature") == 0.722);
+    CHECK(found.at("at_asked_temperature").is_null());
+    CHECK_THAT(results_table(deck_with(""), result), !Contains("brought to"));
+    result.at_asked = AtAskedTemperature{0.73, "thol2016", {average("pressure", "epsilon/sigma^3", 0.52, 0.011)}};
+    const Json there = Json::parse(results_json(deck_with(""), result)).at("at_asked_temperature");
+    CHECK(there.at("temperature") == 0.73);
+    CHECK(there.at("equation_of_state") == "thol2016");
+    CHECK(there.at("observables").at("pressure").at("mean") == 0.52);
+    CHECK(there.at("observables").at("pressure").at("standard_error") == 0.011);
+    const std::string table = results_table(deck_with(""), result);
+    const std::size_t line = table.find("  brought to T = 0.73, which was asked, by the equation of state thol2016:\n");
+    REQUIRE(line != std::string::npos);
+    CHECK_THAT(table.substr(line), Contains("pressure") && Contains("0.520 +- 0.011"));
+    result.asked_temperature.reset();
+    CHECK(Json::parse(results_json(deck_with(""), result)).at("asked_temperature").is_null());
 }
 
 TEST_CASE("what is not known is null in results.json") {

@@ -49,8 +49,33 @@ TEST_CASE("a stage in results.json has everything that is known of it") {
     CHECK(json.at("energy_drift").is_null());
 }
 
+TEST_CASE("a drift is too large when it adds up to more than 0.3 % of the kinetic energy") {
+    const auto remark = [](std::optional<double> drift) {
+        StageResult stage = there;  // 40 steps
+        stage.time_step = 0.2;
+        stage.energy_drift = drift;
+        return drift_remark(stage, 1.5);
+    };
+    const double limit = 0.003 * 1.5 / 8.0;
+    CHECK(remark(std::nullopt).empty());
+    CHECK(remark(0.99 * limit).empty());
+    CHECK(remark(-0.99 * limit).empty());
+    CHECK_THAT(remark(2.0 * limit), Contains("in all 0.009 epsilon per atom, 0.6 % of the kinetic energy: too much"));
+    CHECK_THAT(remark(-2.0 * limit), Contains("in all -0.009") && Contains("0.6 %"));
+    // In a short stage, here of 0.16 tau, more is left to chance.
+    StageResult brief = there;
+    brief.energy_drift = 0.99 * 0.02 * 1.5 / 0.16;
+    CHECK(drift_remark(brief, 1.5).empty());
+    brief.energy_drift = 1.01 * 0.02 * 1.5 / 0.16;
+    CHECK_THAT(drift_remark(brief, 1.5), Contains("2 % of the kinetic energy"));
+}
+
 TEST_CASE("the table tells of drifts, and of checksums when the motion was turned round") {
     CHECK(stage_lines({there}, "per hour") == "  energy drift in stage 'there': -1.5e-07 per hour\n");
+    StageResult hot = there;
+    hot.drift_remark = "too much";
+    CHECK(stage_lines({hot}, "per hour") == "  energy drift in stage 'there': -1.5e-07 per hour,\n    too much\n");
+    CHECK(stage_json(hot).at("energy_drift_remark") == "too much");
     StageResult forth = back;
     forth.reversed = false;
     CHECK(stage_lines({forth}, "per hour").empty());

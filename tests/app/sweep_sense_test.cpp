@@ -27,7 +27,7 @@ Values mistakes_of(const std::vector<std::string>& grids, const std::string& dec
 }  // namespace
 
 TEST_CASE("points of a good deck have no mistakes") {
-    CHECK(mistakes_of({"system.temperature=1.2:2.0:5,system.density=0.1:0.8:8,stage.production.steps=0|40"}).empty());
+    CHECK(mistakes_of({"system.temperature=1.2:2.0:5,system.density=0.1:0.8:8,stage.production.steps=20|40"}).empty());
     CHECK(mistakes_of({"body.1.mass=0.5:1:3"}, stars_deck).empty());
 }
 

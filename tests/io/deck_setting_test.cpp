@@ -89,6 +89,28 @@ TEST_CASE("a setting replaces or adds a value") {
     CHECK(std::get<std::string>(at(lines, "units").data) == "[1, 2");
 }
 
+TEST_CASE("what is set has the place of its value, so that it differs from a table that is made for it") {
+    const Table table = with_settings({"output.thermo.every=5", "system.lattice={ type = \"sc\", cells = 2 }"});
+    const Entry& thermo = *find(inner(table, "output"), "thermo");
+    CHECK(thermo.value.location.column == 0);
+    CHECK(at(inner(inner(table, "output"), "thermo"), "every").location.column == 21);
+    CHECK(at(inner(table, "system"), "lattice").location.column == 16);
+    CHECK(at(inner(inner(table, "system"), "lattice"), "cells").location.column == 39);
+    CHECK(at(inner(inner(table, "system"), "lattice"), "cells").location.line == 0);
+}
+
+TEST_CASE("a setting whose key comes again is told to have no effect") {
+    Table table = parsed(good_deck);
+    Diagnostics diagnostics;
+    for (const char* setting : {"system.density=0.5", "stage.production.steps=7", "system.density=0.6"}) {
+        apply_setting(table, setting, diagnostics);
+    }
+    REQUIRE(diagnostics.entries().size() == 1);
+    CHECK(format(diagnostics.entries().front()) ==
+          "warning: --set system.density=0.5: has no effect: --set system.density=0.6 comes after it");
+    CHECK(std::get<double>(at(inner(table, "system"), "density").data) == 0.6);
+}
+
 TEST_CASE("a table without a name is reached by its number") {
     const Table table = with_settings(
         {"body.2.mass=0.5", "body.2.position=[1.0, 0, -2e-3]", "body.1.label=sun", "body.\"1\".spin.axis=[0, 1]"});

@@ -33,7 +33,7 @@ struct ResumeOptions {
 
 /// What `ljmd eos` takes.
 struct EosOptions {
-    std::string model = "thol2016";
+    std::string model{};  ///< empty: thol2016
     std::optional<double> temperature{};
     std::optional<double> density{};
     bool json = false;

@@ -44,12 +44,8 @@ struct ZAndU {
 
 /// What a run says of a row.
 ///
-/// A run at constant energy has the temperature it turns out to have. Z and U are given at Verlet's temperature T_0:
-/// with Z_m and U_m those of an equation of state,
-///
-///     Z(T_0) = <p>/(rho <T>) + Z_m(T_0) - Z_m(<T>),    U(T_0) = <u> + U_m(T_0) - U_m(<T>)
-///
-/// with errors by blocking of the series of p, u and T together (delta method).
+/// A run at constant energy has the temperature it turns out to have. Z and U are given at Verlet's temperature T_0,
+/// see at_temperature().
 struct ReproducedRow {
     VerletRow verlet;
     Index steps;           ///< of production

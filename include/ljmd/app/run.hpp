@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/app/asked_temperature.hpp"
 #include "ljmd/app/interruption.hpp"
 #include "ljmd/app/phase_seconds.hpp"
 #include "ljmd/app/run_checkpoints.hpp"
@@ -26,6 +27,7 @@ struct StageResult {
     std::optional<double> energy_drift;  ///< least-squares slope of the conserved energy per atom [epsilon/tau]
     std::string checksum_at_start;       ///< of the positions, see checksum()
     std::string checksum_at_end;
+    std::string drift_remark = {};  ///< why the drift is too large; of a run that is done
 
     void archive(Archive& a) {
         a(name, integrator, first_step, last_step, time_step, sampled, thermostatted, reversed, energy_drift,
@@ -42,7 +44,9 @@ struct RunResult {
     double density;  ///< [sigma^-3]
     Vec3 edges;      ///< [sigma]
     std::vector<ObservableAverage> averages;
-    std::optional<double> order_at_sampling;  ///< translational order when sampling began
+    std::optional<double> asked_temperature;     ///< see asked_temperature()
+    std::optional<AtAskedTemperature> at_asked;  ///< where it was not found, but can be reckoned with
+    std::optional<double> order_at_sampling;     ///< translational order when sampling began
     std::vector<StageResult> stages;
     std::vector<DataTable> tables;      ///< of the analyses
     std::vector<std::string> warnings;  ///< about the results

@@ -13,6 +13,12 @@ namespace ljmd {
 /// The title of a deck, or its path, fit for one line of the screen.
 [[nodiscard]] std::string title_line(const Deck& deck);
 
+/// What is wrong with the drift of the energy in a stage of a fluid; empty where it is small, or where there is none.
+/// It is large when it adds up to more than 0.3 % of the kinetic energy (2 % in less than 5 tau): then what is measured
+/// belongs to no one energy, and a time step that heats the fluid so much falsifies temperature and pressure as well.
+/// @param kinetic_energy  per atom, mean over the sampled stages
+[[nodiscard]] std::string drift_remark(const StageResult& stage, double kinetic_energy);
+
 /// A stage as it stands in results.json.
 [[nodiscard]] nlohmann::ordered_json stage_json(const StageResult& stage);
 

@@ -27,6 +27,9 @@ struct Start {
 /// @throws DataError when the file cannot be used
 [[nodiscard]] Start find_start(const Deck& deck);
 
+/// Whether a run begins with the velocities of the file that it starts from; else they are drawn.
+[[nodiscard]] bool keeps_velocities(const Section& system, const Start& start);
+
 /// Give a state the positions and, where there are any, the velocities of a file. Positions may lie anywhere; edges
 /// crossed are counted, so that displacements continue from there.
 /// @pre the state has as many atoms, and the file's box

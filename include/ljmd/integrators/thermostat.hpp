@@ -51,6 +51,7 @@ struct ThermostatMethod {
     bool canonical;           ///< what is sampled under it is the canonical ensemble (of a fluid; temperature above 0)
     bool conserves_momentum;  ///< if not, the centre of mass moves as any particle of its mass does
     bool every_step;          ///< acts within or around every step: a part of velocity Verlet's, and of no other scheme
+    bool deterministic;       ///< draws no random numbers
     std::vector<Key> keys;    ///< beside `type`
     std::function<std::unique_ptr<Thermostat>(const Section&, const HeatBath&)> make;
 };

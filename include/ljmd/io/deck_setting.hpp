@@ -16,8 +16,9 @@ namespace ljmd {
 /// of a key that holds a dot stands in quotes. The value is read as TOML, "body.2.position=[1.0, 0.0]"; what is no TOML
 /// is taken as a string, so that "potential.truncation=cut" and "system.temperature=86 K" need no quotes.
 ///
-/// What was set is located in a source named "--set system.density=0.8". A setting that cannot be applied gives one
-/// error and leaves the table as it was.
+/// What was set is located in a source named "--set system.density=0.8", in line 0 and the column of the value. Where
+/// an earlier setting has given the same key, a warning tells that it has no effect. A setting that cannot be applied
+/// gives one error and leaves the table as it was.
 void apply_setting(Table& table, const std::string& assignment, Diagnostics& diagnostics);
 
 /// The parts of the key of a setting, "stage", "production" and "steps"; quotes and blanks around them are left out.

@@ -79,6 +79,7 @@ struct AnalysisMethod {
     std::vector<std::string> files;  ///< names of its tables
     bool follows_time = false;       ///< it compares configurations at different times
     AnalysisNeeds needs = {};
+    bool is_random = false;  ///< it draws random numbers
     std::vector<Key> keys;
     /// Reasons why the values in the section do not fit the run: (key, message). Empty when all is well.
     std::function<std::vector<std::pair<std::string, std::string>>(const Section&, const SampledRun&)> check;

@@ -43,6 +43,12 @@ class RunAverages {
     /// samples. What has no value, as temperature and pressure of a single atom, has a remark instead.
     [[nodiscard]] std::vector<ObservableAverage> averages() const;
 
+    /// Means of temperature, potential energy per atom and pressure, in this order. @pre samples() > 0
+    [[nodiscard]] Vec3 means_of_state() const;
+
+    /// A value that is computed from these three, with its error. @param gradient  of the value with respect to them
+    [[nodiscard]] Estimate estimate(double value, const Vec3& gradient) const;
+
     void archive(Archive& a) { a(series_); }
 
   private:

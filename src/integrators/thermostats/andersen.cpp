@@ -44,6 +44,7 @@ ThermostatMethod andersen() {
             .canonical = true,
             .conserves_momentum = false,
             .every_step = true,
+            .deterministic = false,
             .keys = {relaxation_time(1.0, "mean time between two collisions of an atom")},
             .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
                 return std::make_unique<Andersen>(section.number("time"), bath);

@@ -45,6 +45,7 @@ ThermostatMethod langevin() {
             .canonical = true,
             .conserves_momentum = false,
             .every_step = true,
+            .deterministic = false,
             .keys = {relaxation_time(1.0, "friction makes velocities forgotten after it")},
             .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
                 return std::make_unique<Langevin>(section.number("time"), bath);

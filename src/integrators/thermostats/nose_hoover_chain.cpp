@@ -113,6 +113,7 @@ ThermostatMethod nose_hoover_chain() {
             .canonical = true,
             .conserves_momentum = true,
             .every_step = true,
+            .deterministic = true,
             .keys = {relaxation_time(0.5, "the temperature oscillates about its mean in some of it"),
                      Key::integer("length")
                          .at_least(1)

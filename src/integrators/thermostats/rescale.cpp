@@ -35,6 +35,7 @@ ThermostatMethod rescale() {
         .canonical = false,
         .conserves_momentum = true,
         .every_step = false,
+        .deterministic = true,
         .keys = {Key::integer("every").at_least(1).meaning("steps between rescalings").defaults_to(std::int64_t{20})},
         .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
             return std::make_unique<Rescale>(Every(section.integer("every")), bath.temperature);

@@ -58,6 +58,7 @@ ThermostatMethod stochastic_rescaling() {
             .canonical = true,
             .conserves_momentum = true,
             .every_step = true,
+            .deterministic = false,
             .keys = {relaxation_time(0.5, "the kinetic energy is forgotten after it")},
             .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
                 return std::make_unique<StochasticRescaling>(section.number("time"), bath);

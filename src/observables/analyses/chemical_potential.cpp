@@ -10,6 +10,7 @@ AnalysisMethod chemical_potential() {
         .files = {},
         .follows_time = false,
         .needs = {.velocities = true, .interaction = true},
+        .is_random = true,
         .keys =
             {Key::integer("every").at_least(1).defaults_to(std::int64_t{200}).meaning("steps between configurations"),
              Key::integer("insertions")
