@@ -34,6 +34,7 @@ from style import plt  # noqa: E402
 
 USUAL = ("pressure", "total_energy")
 ERROR = "_standard_error"
+REMARKS = "remarks"  # the column that is no number
 
 
 @dataclass(frozen=True)
@@ -62,7 +63,8 @@ def load(directory: Path) -> Sweep:
             raise damaged(path, f"line {number}: {len(row)} fields, the header has {len(header)}")
     columns = {name: [row[k] for row in body] for k, name in enumerate(header)}
     try:
-        observables = {name: np.array([float(text or "nan") for text in columns[name]]) for name in header[len(keys):]}
+        observables = {name: np.array([float(text or "nan") for text in columns[name]]) for name in header[len(keys):]
+                       if name != REMARKS}
     except ValueError as error:
         raise damaged(path, str(error)) from None
     return Sweep({key: columns[key] for key in keys}, observables)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/footnotes.hpp"
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/run_report.hpp"
 #include "ljmd/core/text.hpp"
@@ -71,44 +72,16 @@ Json estimate_json(const ObservableAverage& average, const std::optional<Substan
 
 Json observable_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
     Json json = estimate_json(average, units);
-    if (!average.remark.empty()) {
-        json["remark"] = average.remark;
+    if (const std::string remark = remark_of(average); !remark.empty()) {
+        json["remark"] = remark;
     }
     return json;
 }
 
-/// Remarks on lines of a table, each told once below it.
-class Footnotes {
-  public:
-    /// What stands beside the number that the remark is about, such as "[1]"; nothing for an empty remark.
-    [[nodiscard]] std::string mark(const std::string& remark) {
-        if (remark.empty()) {
-            return "";
-        }
-        const auto found = std::ranges::find(remarks_, remark);
-        const auto number = found - remarks_.begin() + 1;
-        if (found == remarks_.end()) {
-            remarks_.push_back(remark);
-        }
-        return fmt::format("[{}]", number);
-    }
-
-    [[nodiscard]] std::string text() const {
-        std::string text;
-        for (std::size_t k = 0; k < remarks_.size(); ++k) {
-            text += fmt::format("  [{}] {}\n", k + 1, remarks_[k]);
-        }
-        return text;
-    }
-
-  private:
-    std::vector<std::string> remarks_;
-};
-
 /// One line of the table: name, symbol, value, mark, unit, samples, value and unit in SI.
 std::vector<std::string> table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units,
                                     Footnotes& footnotes) {
-    const std::string mark = footnotes.mark(average.remark);
+    const std::string mark = footnotes.mark(remark_of(average));
     if (!average.estimate || !std::isfinite(average.estimate->mean)) {
         return {average.name, average.symbol, "no value", mark};
     }
@@ -145,9 +118,6 @@ std::string at_asked_lines(const std::optional<AtAskedTemperature>& there, const
                        there->equation) +
            observables_table(there->observables, units);
 }
-
-/// Fewer independent samples than this do not carry an error bar.
-constexpr double few_samples = 16.0;
 
 }  // namespace
 
@@ -188,6 +158,15 @@ std::string samples_footnote() {
     return "  * independent samples: variance of the series over the squared standard error\n";
 }
 
+std::string remark_of(const ObservableAverage& average) {
+    const bool guessed =
+        average.estimate && !average.estimate->converged && !std::isnan(average.estimate->standard_error);
+    if (!guessed) {
+        return average.remark;
+    }
+    return average.remark.empty() ? std::string(guessed_error) : fmt::format("{}; {}", average.remark, guessed_error);
+}
+
 std::string unsure_of(const std::vector<ObservableAverage>& averages) {
     std::string unsure;
     bool all_unsure = true;
@@ -195,9 +174,7 @@ std::string unsure_of(const std::vector<ObservableAverage>& averages) {
         if (!is_in_table(average.name)) {
             continue;
         }
-        const bool known =
-            average.estimate && average.estimate->converged &&
-            (average.estimate->independent_samples >= few_samples || average.estimate->standard_error == 0.0);
+        const bool known = average.estimate && average.estimate->converged;
         if (average.estimate && !known) {
             unsure += (unsure.empty() ? "" : ", ") + average.name;
         }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ljmd/app/footnotes.hpp"
 #include "ljmd/app/json_file.hpp"
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/sweep_points.hpp"
@@ -48,6 +49,22 @@ std::string in_words(const ObservedMean* found) {
     return found == nullptr || std::isnan(found->mean) ? "-" : with_error(found->mean, found->standard_error);
 }
 
+/// As in_words, with the mark of its remark.
+std::string in_marked_words(const ObservedMean* found, Footnotes& footnotes) {
+    const std::string mark = found == nullptr ? "" : footnotes.mark(found->remark);
+    return in_words(found) + (mark.empty() ? "" : " " + mark);
+}
+
+std::string remarks_of(const SweptPoint& point) {
+    std::string text;
+    for (const ObservedMean& one : point.found) {
+        if (!one.remark.empty()) {
+            text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", one.name, one.remark);
+        }
+    }
+    return text;
+}
+
 double number_of(const Json& value) {
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
@@ -81,7 +98,8 @@ std::vector<ObservedMean> observed_means(const std::filesystem::path& results) {
     return read_json(results, "the result of a run", [](const Json& json) {
         std::vector<ObservedMean> found;
         for (const auto& [name, entry] : json.at("observables").items()) {
-            found.push_back({name, number_of(entry.at("mean")), number_of(entry.at("standard_error"))});
+            found.push_back(
+                {name, number_of(entry.at("mean")), number_of(entry.at("standard_error")), entry.value("remark", "")});
         }
         const Json analyses = json.value("analysis", Json::object());
         for (const auto& [analysis, findings] : analyses.items()) {
@@ -103,15 +121,17 @@ std::string sweep_table(const SweptPoints& swept) {
     for (const auto& [observable, heading] : columns_for(fluid)) {
         columns.push_back({heading, TextTable::Align::right, 21});
     }
+    Footnotes footnotes;
     TextTable table(std::move(columns), 2);
     for (const SweptPoint& point : swept.points) {
         std::vector<std::string> entries = point.values;
         for (const auto& [observable, heading] : columns_for(fluid)) {
-            entries.push_back(point.failure.empty() ? in_words(find_mean(point, observable)) : "failed");
+            entries.push_back(point.failure.empty() ? in_marked_words(find_mean(point, observable), footnotes)
+                                                    : "failed");
         }
         table.add(entries);
     }
-    return table.text();
+    return table.text() + footnotes.text();
 }
 
 std::string sweep_csv(const SweptPoints& swept) {
@@ -123,6 +143,7 @@ std::string sweep_csv(const SweptPoints& swept) {
     for (const std::string& name : observables) {
         text += fmt::format(",{0},{0}_standard_error", name);
     }
+    text += ",remarks";
     for (const SweptPoint& point : swept.points) {
         std::string line;
         for (const std::string& value : point.values) {
@@ -134,7 +155,7 @@ std::string sweep_csv(const SweptPoints& swept) {
                                      : fmt::format(",{},{}", number_or_nothing(found->mean),
                                                    number_or_nothing(found->standard_error));
         }
-        text += '\n' + line;
+        text += '\n' + line + ',' + csv_field(remarks_of(point));
     }
     return text + '\n';
 }
@@ -147,8 +168,11 @@ std::string sweep_json(const SweptPoints& swept) {
             values[swept.keys[k]] = value_json(point.values[k]);
         }
         Json observables = Json::object();
-        for (const auto& [name, mean, error] : point.found) {
+        for (const auto& [name, mean, error, remark] : point.found) {
             observables[name] = {{"mean", number_or_null(mean)}, {"standard_error", number_or_null(error)}};
+            if (!remark.empty()) {
+                observables[name]["remark"] = remark;
+            }
         }
         points.push_back({{"name", point.name},
                           {"directory", point.directory.string()},

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ljmd/app/footnotes.hpp"
 #include "ljmd/app/json_number.hpp"
+#include "ljmd/app/results.hpp"
 #include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/sampled_steps.hpp"
 #include "ljmd/app/simulation.hpp"
@@ -44,7 +46,7 @@ std::optional<Index> atoms_of(const Deck& deck) {
 }
 
 /// From the fluctuations of temperature and potential energy.
-std::optional<Estimate> heat_capacity(const DataTable& table, const Deck& deck) {
+std::optional<ObservableAverage> heat_capacity(const DataTable& table, const Deck& deck) {
     const auto atoms = atoms_of(deck);
     if (!atoms) {
         return std::nullopt;
@@ -60,10 +62,22 @@ std::optional<Estimate> heat_capacity(const DataTable& table, const Deck& deck) 
     }
     for (const ObservableAverage& average : averages.averages()) {
         if (average.name == "heat_capacity_cv") {
-            return average.estimate;
+            return average;
         }
     }
     return std::nullopt;
+}
+
+/// Fewer independent rows than this do not carry an error bar, see BlockingAccumulator.
+constexpr double few_samples = 16.0;
+
+std::string remark_on(const Equilibration& found) {
+    return found.independent_samples < few_samples ? std::string(guessed_error) : "";
+}
+
+/// Behind a number; nothing for an empty mark.
+std::string spaced(const std::string& mark) {
+    return mark.empty() ? "" : " " + mark;
 }
 
 /// (g - 1)/2 rows as a time.
@@ -113,13 +127,15 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
 }
 
 std::string thermo_table(const ThermoReport& report) {
+    Footnotes footnotes;
     std::string text = fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n", report.rows,
                                    report.first_step, report.last_step, report.interval);
     TextTable table({{"observable", Align::left, 16},
                      {"equilibrated at step", Align::right, 20},
                      {"correlation time", Align::right, 16},
                      {"independent", Align::right, 12},
-                     {"mean +- standard error", Align::right, 24}},
+                     {"mean +- standard error", Align::right, 24},
+                     {"", Align::left}},
                     2);
     for (const ThermoReport::Column& column : report.columns) {
         const Equilibration& found = column.found;
@@ -129,21 +145,25 @@ std::string thermo_table(const ThermoReport& report) {
         }
         table.add({column.name, fmt::format("{}", step_of_row(report, found.start)),
                    fmt::format("{:.3g} tau", correlation_time(report, found)),
-                   fmt::format("{:.0f}", found.independent_samples), with_error(found.mean, found.standard_error)});
+                   fmt::format("{:.0f}", found.independent_samples), with_error(found.mean, found.standard_error),
+                   footnotes.mark(remark_on(found))});
     }
     text += table.text();
     if (report.heat_capacity) {
-        text += fmt::format("  heat capacity c_v of all rows, from their fluctuations: {} k_B\n",
-                            with_error(report.heat_capacity->mean, report.heat_capacity->standard_error));
+        const auto& [name, symbol, unit, estimate, remark] = *report.heat_capacity;
+        const std::string value =
+            estimate ? with_error(estimate->mean, estimate->standard_error) + " " + unit : "no value";
+        text += fmt::format("  heat capacity {} of all rows, from their fluctuations: {}{}\n", symbol, value,
+                            spaced(footnotes.mark(remark)));
     }
-    return text;
+    return text + footnotes.text();
 }
 
 std::string thermo_json(const ThermoReport& report) {
     Json observables = Json::object();
     for (const ThermoReport::Column& column : report.columns) {
         const Equilibration& found = column.found;
-        observables[column.name] = {
+        Json& json = observables[column.name] = {
             {"equilibrated_at_row", found.start},
             {"equilibrated_at_step", step_of_row(report, found.start)},
             {"statistical_inefficiency", number_or_null(found.inefficiency)},
@@ -154,12 +174,14 @@ std::string thermo_json(const ThermoReport& report) {
             {"statistical_inefficiency_of_all", number_or_null(column.whole_inefficiency)},
             {"mean_of_all", number_or_null(column.by_blocking.mean)},
             {"blocking_standard_error_of_all", number_or_null(column.by_blocking.standard_error)}};
+        if (const std::string remark = remark_on(found); !remark.empty()) {
+            json["remark"] = remark;
+        }
     }
     Json json = {{"rows", report.rows},         {"first_step", report.first_step}, {"last_step", report.last_step},
                  {"interval", report.interval}, {"stride", report.stride},         {"observables", observables}};
     if (report.heat_capacity) {
-        json["heat_capacity_cv"] = {{"mean", number_or_null(report.heat_capacity->mean)},
-                                    {"standard_error", number_or_null(report.heat_capacity->standard_error)}};
+        json["heat_capacity_cv"] = observables_json({*report.heat_capacity}, std::nullopt).at("heat_capacity_cv");
     }
     return json.dump(2) + "\n";
 }

@@ -1,8 +1,8 @@
 #include "ljmd/observables/radial_distribution.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "ljmd/observables/pair_histogram.hpp"
 
@@ -13,8 +13,6 @@ namespace {
 /// g - 1 is transformed as zero up to so many times R: wave numbers lie that much closer.
 constexpr Index padding = 4;
 
-constexpr double smoothing = 0.1;  // [sigma], to each side
-
 double sphere(double r) {
     return 4.0 / 3.0 * std::numbers::pi * r * r * r;
 }
@@ -22,7 +20,13 @@ double sphere(double r) {
 }  // namespace
 
 RadialDistribution::RadialDistribution(Index bins, double radius, Every every)
-    : bins_(bins), radius_(radius), every_(every), sines_(padding * bins), means_(3 * bins, Covariance::diagonal) {}
+    : bins_(bins),
+      radius_(radius),
+      every_(every),
+      sines_(padding * bins),
+      division_(CoordinationNumber::division(bins, radius)),
+      means_(3 * bins, Covariance::diagonal),
+      neighbors_(division_) {}
 
 double RadialDistribution::wave_number(Index m) const {
     return std::numbers::pi * static_cast<double>(m) / (static_cast<double>(padding) * radius_);
@@ -44,7 +48,8 @@ Eigen::VectorXd RadialDistribution::structure_factor(const Eigen::VectorXd& g, d
 }
 
 void RadialDistribution::sample(const State& state, const Evaluation& /*evaluation*/) {
-    const std::vector<Index> counts = pair_histogram(state, radius_, bins_);
+    const std::vector<Index> counts = pair_histogram(state, radius_, bins_ * division_.parts);
+    neighbors_.add(counts, state.count());
     const auto atoms = static_cast<double>(state.count());
     const double volume = state.box().volume();
     const double ideal_pairs_per_volume = atoms * (atoms - 1.0) / volume;
@@ -52,7 +57,9 @@ void RadialDistribution::sample(const State& state, const Evaluation& /*evaluati
     Eigen::VectorXd coordination(bins_);
     double pairs = 0.0;
     for (Index k = 0; k < bins_; ++k) {
-        const auto count = 2.0 * static_cast<double>(counts[static_cast<std::size_t>(k)]);  // ordered pairs
+        const auto begin = counts.begin() + k * division_.parts;
+        const auto count =
+            2.0 * static_cast<double>(std::accumulate(begin, begin + division_.parts, Index{0}));  // ordered pairs
         const double inner = width() * static_cast<double>(k);
         const double shell = sphere(inner + width()) - sphere(inner);
         g[k] = count / (shell * ideal_pairs_per_volume);  // NaN for a single atom, which has no pairs
@@ -86,25 +93,7 @@ std::vector<ObservableAverage> RadialDistribution::observables() const {
     if (samples() == 0) {
         return {};
     }
-    const Eigen::VectorXd g = means_.mean().head(bins_);
-    Index peak = 0;
-    g.maxCoeff(&peak);
-    const Index twice = 2 * peak + 1;  // the bin that holds twice the middle of the peak's
-    // Around its minimum g is flat: of single bins the lowest would be one of many, by chance.
-    const auto reach = static_cast<Index>(smoothing / width());
-    if (!(g[peak] > 0.0) || twice + reach >= bins_) {
-        return {};
-    }
-    Index minimum = peak;
-    double lowest = g[peak];
-    for (Index k = peak + 1; k <= twice; ++k) {
-        const double smooth = g.segment(std::max(k - reach, Index{0}), 2 * reach + 1).mean();
-        if (smooth < lowest) {
-            lowest = smooth;
-            minimum = k;
-        }
-    }
-    return {{"coordination_number", "n_c", "1", means_.estimate(bins_ + minimum)}};
+    return {neighbors_.observable()};
 }
 
 }  // namespace ljmd

@@ -1,6 +1,10 @@
 #include "ljmd/observables/run_averages.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "ljmd/model/velocities.hpp"
 
@@ -97,8 +101,26 @@ std::optional<ObservableAverage> RunAverages::heat_capacity() const {
     c.estimate = at_constant_energy ? heat_capacity_at_constant_energy() : heat_capacity_at_constant_temperature();
     if (!c.estimate) {
         c.remark = "the temperature fluctuates more than any heat capacity allows: the run is too short";
+        return c;
     }
+    const Estimate fluctuating = series_.estimate(at_constant_energy ? temperature_column : potential_energy_column);
+    if (!c.estimate->converged || !fluctuating.converged) {
+        c.estimate.reset();
+        c.remark = fmt::format("the run is too short to tell how its {} fluctuates",
+                               at_constant_energy ? "temperature" : "energy");
+        return c;
+    }
+    c.estimate->standard_error = std::hypot(c.estimate->standard_error,
+                                            heat_capacity_missed(c.estimate->mean) / fluctuating.independent_samples);
     return c;
+}
+
+double RunAverages::heat_capacity_missed(double c) const {
+    if (ensemble_ == Ensemble::canonical) {
+        return c - 1.5;
+    }
+    const double of_motion = c - 1.5 / atoms_;
+    return of_motion * std::abs(2.0 * atoms_ * of_motion / degrees_of_freedom_ - 1.0);
 }
 
 std::optional<Estimate> RunAverages::heat_capacity_at_constant_energy() const {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/green_kubo.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
@@ -28,7 +29,7 @@ StressAutocorrelation::StressAutocorrelation(const Box& box, const LagTimes& lag
       lags_(lags),
       every_(lags.every),
       window_(6, lags.count, window),
-      means_(2 * (lags.count + 1) + 1, Covariance::diagonal) {}
+      means_(2 * (lags.count + 1) + 2, Covariance::diagonal) {}
 
 void StressAutocorrelation::sample(const State& state, const Evaluation& evaluation) {
     ++samples_;
@@ -43,6 +44,7 @@ void StressAutocorrelation::sample(const State& state, const Evaluation& evaluat
     found.head(times) = *sum / 10.0;
     found.segment(times, times) = running_integral(found.head(times), lags_.spacing);
     found[2 * times] = temperature_sum_ / static_cast<double>(in_window_);
+    found[2 * times + 1] = change_at_double_spacing(found.head(times), lags_.spacing);
     means_.add(found);
     in_window_ = 0;
     temperature_sum_ = 0.0;
@@ -54,9 +56,20 @@ void StressAutocorrelation::interrupt() {
     temperature_sum_ = 0.0;
 }
 
-double StressAutocorrelation::to_viscosity() const {
-    const double temperature = means_.mean()[means_.width() - 1];
+double StressAutocorrelation::viscosity_per_integral() const {
+    const double temperature = means_.mean()[2 * (lags_.count + 1)];
     return is_above_zero(temperature) ? volume_ / temperature : std::numeric_limits<double>::quiet_NaN();
+}
+
+Estimate StressAutocorrelation::viscosity() const {
+    Estimate viscosity = means_.estimate(2 * lags_.count + 1);
+    viscosity.mean *= viscosity_per_integral();
+    viscosity.standard_error *= viscosity_per_integral();
+    return viscosity;
+}
+
+double StressAutocorrelation::change_of_viscosity() const {
+    return viscosity_per_integral() * means_.mean()[means_.width() - 1];
 }
 
 std::vector<DataTable> StressAutocorrelation::tables() const {
@@ -68,7 +81,8 @@ std::vector<DataTable> StressAutocorrelation::tables() const {
                      "viscosity_standard_error"},
                     {}};
     const Index times = lags_.count + 1;
-    const double factor = to_viscosity();
+    const bool has_integrals = frames_are_close(viscosity(), change_of_viscosity());
+    const double factor = has_integrals ? viscosity_per_integral() : std::numeric_limits<double>::quiet_NaN();
     for (Index k = 0; k < times; ++k) {
         const Estimate c = means_.estimate(k);
         const Estimate integral = means_.estimate(times + k);
@@ -82,14 +96,10 @@ std::vector<ObservableAverage> StressAutocorrelation::observables() const {
     if (means_.samples() == 0) {
         return {};
     }
-    const double factor = to_viscosity();
-    if (std::isnan(factor)) {
+    if (std::isnan(viscosity_per_integral())) {
         return {{"viscosity", "eta", "epsilon tau/sigma^3", std::nullopt, no_temperature}};
     }
-    Estimate viscosity = means_.estimate(2 * lags_.count + 1);
-    viscosity.mean *= factor;
-    viscosity.standard_error *= factor;
-    return {{"viscosity", "eta", "epsilon tau/sigma^3", viscosity}};
+    return {green_kubo_integral({"viscosity", "eta", "epsilon tau/sigma^3", viscosity()}, change_of_viscosity())};
 }
 
 }  // namespace ljmd

@@ -10,15 +10,24 @@
 
 namespace ljmd {
 
+namespace {
+
+enum Column : Index { weight_column, temperature_column, weighted_energy_column, atom_energy_column, columns };
+
+constexpr double largest_error = 0.25;      // [T]
+constexpr double largest_energy_gap = 1.0;  // [T]
+
+}  // namespace
+
 WidomInsertion::WidomInsertion(const SampledRun& run, Index insertions, Every every)
     : interaction_(run.interaction.value()),
       held_temperature_(run.held_temperature),
       random_(run.seed, RandomStream::insertions),
       insertions_(insertions),
       every_(every),
-      means_(2, Covariance::full) {}
+      means_(columns, Covariance::full) {}
 
-double WidomInsertion::mean_weight(const State& state, double temperature) {
+WidomInsertion::Weights WidomInsertion::mean_weights(const State& state, double temperature) {
     // The grid sorts and wraps atoms, which must not happen to the running state.
     State scratch(state.count(), state.box());
     scratch.write_positions() = state.positions();
@@ -29,10 +38,10 @@ double WidomInsertion::mean_weight(const State& state, double temperature) {
     const ConstVectorView points = std::as_const(scratch).positions_and_ghosts();
     const double tail = 2.0 * interaction_.tail.energy(static_cast<double>(state.count()) / box.volume());
 
-    const double sum = interaction_.potential.visit([&](const auto& pair) {
-        return sum_over(insertions_, 0.0, [&](Index place) {
+    const Eigen::Vector2d sum = interaction_.potential.visit([&](const auto& pair) {
+        return sum_over(insertions_, Eigen::Vector2d(Eigen::Vector2d::Zero()), [&](Index place) -> Eigen::Vector2d {
             const Vec3 r = random_.uniform(state.step, place).cwiseProduct(box.edges());
-            double energy = tail;
+            double energy = 0.0;
             grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {
                 for (std::int32_t k = run.first; k < run.last; ++k) {
                     const double r2 = (points.col(grid_.order()[static_cast<std::size_t>(k)]) - r).squaredNorm();
@@ -41,18 +50,30 @@ double WidomInsertion::mean_weight(const State& state, double temperature) {
                     }
                 }
             });
-            return std::exp(-energy / temperature);
+            const double weight = std::exp(-(energy + tail) / temperature);
+            return {weight, weight > 0.0 ? energy * weight : 0.0};
         });
     });
-    return sum / static_cast<double>(insertions_);
+    return {sum[0] / static_cast<double>(insertions_), sum[1] / static_cast<double>(insertions_)};
 }
 
-void WidomInsertion::sample(const State& state, const Evaluation& /*evaluation*/) {
+void WidomInsertion::sample(const State& state, const Evaluation& evaluation) {
     const double t = held_temperature_ ? *held_temperature_ : temperature(state).value_or(0.0);
-    const double weight = is_above_zero(t) ? mean_weight(state, t) : 0.0;
-    Eigen::VectorXd found(2);
-    found << (held_temperature_ ? weight : std::pow(t, 1.5) * weight), t;
+    const Weights weights = is_above_zero(t) ? mean_weights(state, t) : Weights();
+    const double factor = held_temperature_ ? 1.0 : std::pow(t, 1.5);
+    Eigen::VectorXd found(Index{columns});
+    found[weight_column] = factor * weights.weight;
+    found[temperature_column] = t;
+    found[weighted_energy_column] = factor * weights.weighted_energy;
+    found[atom_energy_column] = 2.0 * evaluation.potential_energy / static_cast<double>(state.count());
     means_.add(found);
+}
+
+bool WidomInsertion::tail_was_sampled(const Estimate& found) const {
+    const Eigen::VectorXd mean = means_.mean();
+    const double t = mean[temperature_column];
+    const double gap = mean[weighted_energy_column] / mean[weight_column] - mean[atom_energy_column];
+    return !(found.standard_error > largest_error * t) && gap <= largest_energy_gap * t;
 }
 
 std::vector<ObservableAverage> WidomInsertion::observables() const {
@@ -60,15 +81,27 @@ std::vector<ObservableAverage> WidomInsertion::observables() const {
         return {};
     }
     const Eigen::VectorXd mean = means_.mean();
-    const double t = mean[1];
-    std::optional<Estimate> estimate;
-    if (mean[0] > 0.0 && is_above_zero(t)) {
-        const double power = held_temperature_ ? 0.0 : 1.5;
-        const double logarithm = std::log(mean[0]) - power * std::log(t);
-        const Eigen::Vector2d gradient(-t / mean[0], power - logarithm);
-        estimate = means_.estimate(-t * logarithm, gradient);
+    const double t = mean[temperature_column];
+    ObservableAverage average{"excess_chemical_potential", "mu_ex", "epsilon", std::nullopt};
+    if (!is_above_zero(t)) {
+        average.remark = no_temperature;
+        return {average};
     }
-    return {{"excess_chemical_potential", "mu_ex", "epsilon", estimate, is_above_zero(t) ? "" : no_temperature}};
+    if (mean[weight_column] > 0.0) {
+        const double power = held_temperature_ ? 0.0 : 1.5;
+        const double logarithm = std::log(mean[weight_column]) - power * std::log(t);
+        Eigen::VectorXd gradient = Eigen::VectorXd::Zero(Index{columns});
+        gradient[weight_column] = -t / mean[weight_column];
+        gradient[temperature_column] = power - logarithm;
+        const Estimate found = means_.estimate(-t * logarithm, gradient);
+        if (tail_was_sampled(found)) {
+            average.estimate = found;
+        }
+    }
+    if (!average.estimate) {
+        average.remark = "too few of the places that count were met: try more insertions";
+    }
+    return {average};
 }
 
 }  // namespace ljmd

@@ -13,9 +13,9 @@ import plot_sweep
 import style
 from fixtures import check_error, edit, png_size, refused, run_script
 
-HEADER = "system.temperature,system.density,pressure,pressure_standard_error,temperature,temperature_standard_error"
-ROWS = ["1,0.1,0.5,0.01,1.1,0.02", "1,0.9,5.5,0.11,1.2,", "1,0.5,2.5,0.05,1.15,0.02",
-        "2,0.1,1.5,0.02,2.1,0.03", "2,0.5,,,,", "2,0.9,7.5,,2.3,0.03"]
+HEADER = "system.temperature,system.density,pressure,pressure_standard_error,temperature,temperature_standard_error,remarks"
+ROWS = ["1,0.1,0.5,0.01,1.1,0.02,", "1,0.9,5.5,0.11,1.2,,pressure: its error bar is a guess", "1,0.5,2.5,0.05,1.15,0.02,",
+        "2,0.1,1.5,0.02,2.1,0.03,", "2,0.5,,,,,", "2,0.9,7.5,,2.3,0.03,"]
 
 
 def write_sweep(directory: Path, header: str = HEADER, rows: list[str] = ROWS) -> Path:
@@ -130,7 +130,7 @@ def test_what_cannot_be_drawn(tmp: Path) -> None:
     refused(lambda: plot_sweep.choose_key(both, "steps"), "more than one", exit_code=2)
     refused(lambda: plot_sweep.load(write_sweep(tmp / "empty", rows=[])), "no rows")
     refused(lambda: plot_sweep.load(write_sweep(tmp / "short", rows=["1,2"])), "line 2", "2 fields")
-    refused(lambda: plot_sweep.load(write_sweep(tmp / "word", rows=["1,0.1,x,0.1,1,1"])), "'x'")
+    refused(lambda: plot_sweep.load(write_sweep(tmp / "word", rows=["1,0.1,x,0.1,1,1,"])), "'x'")
     edit(sweep / "sweep.csv", "system.density", "density")
     refused(lambda: plot_sweep.load(sweep), "does not begin with the keys")
     (sweep / "sweep.csv").unlink()

@@ -194,6 +194,23 @@ TEST_CASE("a remark stands where its number stands, and is told once") {
     CHECK_FALSE(observables.at("compressibility_factor").contains("remark"));
 }
 
+TEST_CASE("an error bar that is a guess is marked where it stands") {
+    RunResult result = some_result();
+    result.averages[0].estimate->converged = false;
+    result.averages[1].estimate->converged = false;
+    result.averages[1].remark = "asked for 1.0";
+    const std::string table = results_table(deck_with(""), result);
+    CHECK_THAT(line_of_table(table, result.averages[0].name), Contains("[1]"));
+    CHECK_THAT(line_of_table(table, result.averages[1].name), Contains("[2]"));
+    CHECK_THAT(table,
+               Contains("  [1] its error bar is a guess") && Contains("  [2] asked for 1.0; its error bar is a guess"));
+    const Json observables = Json::parse(results_json(deck_with(""), result)).at("observables");
+    CHECK(observables.at(result.averages[0].name).at("remark") == std::string(guessed_error));
+    // Where no error is given there is none to doubt.
+    result.averages[0].estimate->standard_error = unknown;
+    CHECK(remark_of(result.averages[0]).empty());
+}
+
 TEST_CASE("transport, heat capacity and viscosity have the units of a substance, too") {
     RunResult result = some_result();
     result.averages = {average("diffusion", "sigma^2/tau", 0.0313, 0.0004),
@@ -236,20 +253,19 @@ TEST_CASE("lengths, times and wave numbers in tables stand in nanometres and pic
 }
 
 TEST_CASE("error bars that are guesses are named, unless all are") {
-    const auto average = [](const std::string& name, bool converged, double samples) {
+    const auto average = [](const std::string& name, bool converged) {
         Estimate estimate{};
         estimate.standard_error = 0.1;
         estimate.converged = converged;
-        estimate.independent_samples = samples;
         return ObservableAverage{name, "x", "1", estimate};
     };
-    const ObservableAverage known = average("temperature", true, 100.0);
-    const ObservableAverage few = average("pressure", true, 3.0);
-    const ObservableAverage short_one = average("diffusion", false, 100.0);
+    const ObservableAverage known = average("temperature", true);
+    const ObservableAverage few = average("pressure", false);
+    const ObservableAverage short_one = average("diffusion", false);
     CHECK(unsure_of({known}).empty());
     CHECK(unsure_of({known, few, short_one}) == "pressure, diffusion");
     CHECK(unsure_of({few, short_one}) == "all observables");
     CHECK(unsure_of({}).empty());
-    CHECK(unsure_of({known, average("pressure_xx", false, 1.0)}).empty());
+    CHECK(unsure_of({known, average("pressure_xx", false)}).empty());
     CHECK(unsure_of({{"temperature", "T", "1", std::nullopt}}).empty());
 }

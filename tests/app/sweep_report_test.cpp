@@ -19,18 +19,19 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 SweptPoints fluids() {
-    return {{"system.temperature", "title"},
-            {{"temperature=1.2,title=a-b",
-              {"1.2", "a,b"},
-              "runs/x",
-              {{"temperature", 1.25, 0.0123}, {"potential_energy", -6.0, unknown}, {"pressure", 0.1, 0.02}},
-              ""},
-             {"temperature=2,title=c", {"2", "c"}, "runs/y", {}, "temperature=2,title=c: exit code 5: error: lost"},
-             {"temperature=3,title=d",
-              {"3", "d"},
-              "runs/z",
-              {{"temperature", 3.0, 0.1}, {"viscosity", 2.5, 0.25}, {"pressure", unknown, unknown}},
-              ""}}};
+    return {
+        {"system.temperature", "title"},
+        {{"temperature=1.2,title=a-b",
+          {"1.2", "a,b"},
+          "runs/x",
+          {{"temperature", 1.25, 0.0123, "a guess"}, {"potential_energy", -6.0, unknown}, {"pressure", 0.1, 0.02}},
+          ""},
+         {"temperature=2,title=c", {"2", "c"}, "runs/y", {}, "temperature=2,title=c: exit code 5: error: lost"},
+         {"temperature=3,title=d",
+          {"3", "d"},
+          "runs/z",
+          {{"temperature", 3.0, 0.1, "a guess"}, {"viscosity", 2.5, 0.25}, {"pressure", unknown, unknown, "one atom"}},
+          ""}}};
 }
 
 }  // namespace
@@ -38,22 +39,23 @@ SweptPoints fluids() {
 TEST_CASE("the table has keys and main observables in columns, and says what has failed") {
     const std::vector<std::vector<const char*>> expected{
         {"temperature", "title", "T", "U/N", "p", "Z"},
-        {"1.2", "a,b", "1.250 +- 0.012", "-6", "0.100 +- 0.020", "-"},
+        {"1.2", "a,b", "1.250 +- 0.012 [1]", "-6", "0.100 +- 0.020", "-"},
         {"2", "c", "failed", "failed", "failed", "failed"},
-        {"3", "d", "3.00 +- 0.10", "-", "-", "-"},
+        {"3", "d", "3.00 +- 0.10 [1]", "-", "- [2]", "-"},
     };
     std::string table;
     for (const auto& row : expected) {
         table += fmt::format("{:>13}{:>7}{:>23}{:>23}{:>23}{:>23}\n", row[0], row[1], row[2], row[3], row[4], row[5]);
     }
+    table += "  [1] a guess\n  [2] one atom\n";
     CHECK(sweep_table(fluids()) == table);
     CHECK(point_line(fluids().points[0]) == "T 1.250 +- 0.012, U/N -6, p 0.100 +- 0.020, Z -");
 }
 
-TEST_CASE("a mean of many digits does not touch the value before it") {
-    const SweptPoints swept{{"stage.production.steps"},
-                            {{"steps=2000", {"2000"}, "runs/x", {{"temperature", -6.626360956, 1.2e-8}}, ""}}};
-    CHECK_THAT(sweep_table(swept), Contains("2000  -6.626360956 +- 0.000000012  "));
+TEST_CASE("numbers that are long do not run together") {
+    SweptPoints swept = fluids();
+    swept.points[0].found = {{"temperature", -6.626360956, 1.23e-7, "a guess"}, {"potential_energy", 1.0, 0.1}};
+    CHECK_THAT(sweep_table(swept), Contains("a,b  -6.62636096 +- 0.00000012 [1]  "));
 }
 
 TEST_CASE("a table of few bodies has their energies") {
@@ -70,13 +72,14 @@ TEST_CASE("values that no terminal should show do not reach it") {
 }
 
 TEST_CASE("the CSV has every observable of any point, with its error, and empty fields for the rest") {
-    CHECK(sweep_csv(fluids()) ==
-          "system.temperature,title,temperature,temperature_standard_error,potential_energy,"
-          "potential_energy_standard_error,pressure,pressure_standard_error,viscosity,viscosity_standard_error\n"
-          "1.2,\"a,b\",1.25,0.0123,-6,,0.1,0.02,,\n"
-          "2,c,,,,,,,,\n"
-          "3,d,3,0.1,,,,,2.5,0.25\n");
-    CHECK(sweep_csv({{"a"}, {}}) == "a\n");
+    CHECK(
+        sweep_csv(fluids()) ==
+        "system.temperature,title,temperature,temperature_standard_error,potential_energy,"
+        "potential_energy_standard_error,pressure,pressure_standard_error,viscosity,viscosity_standard_error,remarks\n"
+        "1.2,\"a,b\",1.25,0.0123,-6,,0.1,0.02,,,temperature: a guess\n"
+        "2,c,,,,,,,,,\n"
+        "3,d,3,0.1,,,,,2.5,0.25,temperature: a guess; pressure: one atom\n");
+    CHECK(sweep_csv({{"a"}, {}}) == "a,remarks\n");
 }
 
 TEST_CASE("the JSON has values as what they are, and null for what is not known") {
@@ -90,6 +93,8 @@ TEST_CASE("the JSON has values as what they are, and null for what is not known"
     CHECK(first["directory"] == "runs/x");
     CHECK(first["failure"].is_null());
     CHECK(first["observables"]["temperature"]["mean"] == 1.25);
+    CHECK(first["observables"]["temperature"]["remark"] == "a guess");
+    CHECK_FALSE(first["observables"]["pressure"].contains("remark"));
     CHECK(first["observables"]["potential_energy"]["standard_error"].is_null());
     CHECK(json["points"][1]["failure"] == "temperature=2,title=c: exit code 5: error: lost");
     CHECK(json["points"][1]["values"]["title"] == "c");
@@ -99,7 +104,7 @@ TEST_CASE("means are read from the results of a run, in their order") {
     const TemporaryFolder folder;
     const auto path = folder / "results.json";
     std::ofstream(path) << R"({"observables": {"temperature": {"mean": 1.5, "standard_error": 0.1, "unit": ""},
-                                               "pressure": {"mean": null, "standard_error": null}},
+                                               "pressure": {"mean": null, "standard_error": null, "remark": "one atom"}},
                                "analysis": {"orbit": {"period": {"value": 3, "standard_error": null}}}})";
     const auto found = observed_means(path);
     REQUIRE(found.size() == 3);
@@ -108,6 +113,8 @@ TEST_CASE("means are read from the results of a run, in their order") {
     CHECK(found[0].standard_error == 0.1);
     CHECK(found[1].name == "pressure");
     CHECK(std::isnan(found[1].mean));
+    CHECK(found[0].remark.empty());
+    CHECK(found[1].remark == "one atom");
     CHECK(found[2].name == "orbit_period");
     CHECK(found[2].mean == 3.0);
     CHECK(std::isnan(found[2].standard_error));

@@ -53,7 +53,7 @@ def a_grid_is_its_runs(t):
         t.run_well("run", "deck.toml", "--out", "alone", "--quiet", "--force", "--set", f"system.temperature={point[0]}",
                    "--set", f"system.density={point[1]}")
         observables = t.json("alone/results.json")["observables"]
-        t.equal(len(row), 2 + 2 * len(observables), "columns")
+        t.equal(len(row), 2 + 2 * len(observables) + 1, "columns, the last one for remarks")
         for observable, value in observables.items():
             for column, key in ((observable, "mean"), (f"{observable}_standard_error", "standard_error")):
                 number = float(row[column]) if row[column] else None

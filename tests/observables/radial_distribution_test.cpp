@@ -227,18 +227,31 @@ TEST_CASE("the coordination number of a crystal is that of its first shell") {
     const State crystal = test::crystal_state(Lattice::fcc, 3, cubic_box(108, 1.0));
     RadialDistribution rdf(200, 0.5 * crystal.box().shortest_edge(), Every(1));
     CHECK(rdf.observables().empty());
-    rdf.sample(crystal, {});
+    for (int n = 0; n < 4; ++n) {
+        rdf.sample(crystal, {});
+    }
     const auto found = rdf.observables();
     REQUIRE(found.size() == 1);
     CHECK(found[0].name == "coordination_number");
     CHECK(found[0].estimate->mean == Approx(12.0).epsilon(1e-13));
 }
 
-TEST_CASE("there is no coordination number where g has no peak, or its minimum may lie further out") {
-    RadialDistribution one(20, 2.5, Every(1));
-    one.sample(test::random_state(1, Box(Vec3::Constant(5.0)), 1), {});
-    CHECK(one.observables().empty());
-    RadialDistribution near(20, 1.5, Every(1));
-    near.sample(test::crystal_state(Lattice::fcc, 3, cubic_box(108, 1.0)), {});
-    CHECK(near.observables().empty());
+TEST_CASE("there is no coordination number where g has no peak, or its minimum may lie further out, or for a gas") {
+    const auto check_none = [](const State& state, double radius) {
+        RadialDistribution rdf(20, radius, Every(1));
+        for (int n = 0; n < 4; ++n) {
+            rdf.sample(state, {});
+        }
+        const auto found = rdf.observables();
+        REQUIRE(found.size() == 1);
+        CHECK_FALSE(found[0].estimate.has_value());
+        CHECK_FALSE(found[0].remark.empty());
+    };
+    check_none(test::random_state(1, Box(Vec3::Constant(5.0)), 1), 2.5);
+    check_none(test::crystal_state(Lattice::fcc, 3, cubic_box(108, 1.0)), 1.5);
+    RadialDistribution gas(100, 3.0, Every(1));
+    for (unsigned n = 0; n < 200; ++n) {
+        gas.sample(test::random_state(50, Box(Vec3::Constant(6.0)), n), {});
+    }
+    CHECK_FALSE(gas.observables().at(0).estimate.has_value());
 }

@@ -189,10 +189,12 @@ TEST_CASE("the error of a mean is unknown with few samples, and 0 for a constant
 
 TEST_CASE("the heat capacity at constant energy is that of the fluctuations of the temperature") {
     RunAverages run(3, Ensemble::constant_energy);  // six degrees of freedom
-    for (const double t : {0.9, 1.0, 1.0, 1.1}) {
-        Thermodynamics sample;
-        sample.temperature = t;
-        run.add(sample);
+    for (int n = 0; n < 64; ++n) {
+        for (const double t : {0.9, 1.0, 1.0, 1.1}) {
+            Thermodynamics sample;
+            sample.temperature = t;
+            run.add(sample);
+        }
     }
     const double mean_inverse = (1.0 / 0.9 + 2.0 + 1.0 / 1.1) / 4.0;
     const ObservableAverage found = find(run.averages(), "heat_capacity_cv");
@@ -219,6 +221,21 @@ TEST_CASE("fluctuations that no heat capacity allows have none, and it says why"
 
 namespace {
 
+/// Normal numbers, each with a correlation of `kept` to the one before.
+class Wandering {
+  public:
+    Wandering(double kept, int seed)
+        : kept_(kept), generator_(static_cast<std::uint64_t>(seed)), value_(normal_(generator_)) {}
+
+    double next() { return value_ = kept_ * value_ + std::sqrt(1.0 - kept_ * kept_) * normal_(generator_); }
+
+  private:
+    double kept_;
+    std::mt19937_64 generator_;
+    std::normal_distribution<double> normal_;
+    double value_;
+};
+
 /// Many correlated runs with a heat capacity of 2.5: the mean that they find, and the error that they report, must be
 /// those of their scatter.
 /// @param sample_of  a normal number as a sample of the ensemble
@@ -229,13 +246,10 @@ void check_heat_capacity_of_many_runs(Index atoms, Ensemble ensemble, const Samp
     double squares = 0.0;
     double reported = 0.0;
     for (int k = 0; k < runs; ++k) {
-        std::mt19937_64 generator(static_cast<std::uint64_t>(k));
-        std::normal_distribution<double> normal;
+        Wandering memory(0.8, k);
         RunAverages run(atoms, ensemble);
-        double memory = normal(generator);
         for (int n = 0; n < 2048; ++n) {
-            memory = 0.8 * memory + 0.6 * normal(generator);
-            run.add(sample_of(memory));
+            run.add(sample_of(memory.next()));
         }
         const Estimate c = *find(run.averages(), "heat_capacity_cv").estimate;
         sum += c.mean;
@@ -268,6 +282,45 @@ TEST_CASE("the error of the heat capacity is the scatter of many runs") {
         sample.potential_energy = -3.0 + energy_width * normal;
         return sample;
     });
+}
+
+TEST_CASE("the error of the heat capacity of a short run covers what it has not seen, or there is none") {
+    // The variance of u is that of c_v = 2.5; runs hold 1 and 31 independent samples.
+    const double energy_width = std::sqrt(1.0 * 0.49 / 100.0);
+    struct Case {
+        double kept;
+        int least_with_value;
+        int most_with_value;
+    };
+    const auto c = GENERATE(Case{0.999, 0, 20}, Case{0.97, 100, 200});
+    const int runs = 200;
+    int with_value = 0;
+    double squares = 0.0;
+    double reported = 0.0;
+    for (int k = 0; k < runs; ++k) {
+        Wandering memory(c.kept, k);
+        RunAverages run(100, Ensemble::canonical);
+        for (int n = 0; n < 2048; ++n) {
+            Thermodynamics sample;
+            sample.temperature = 0.7;
+            sample.potential_energy = -3.0 + energy_width * memory.next();
+            run.add(sample);
+        }
+        const ObservableAverage found = find(run.averages(), "heat_capacity_cv");
+        CHECK(found.estimate.has_value() == found.remark.empty());
+        if (found.estimate) {
+            ++with_value;
+            squares += std::pow(found.estimate->mean - 2.5, 2);
+            reported += std::pow(found.estimate->standard_error, 2);
+        }
+    }
+    CAPTURE(c.kept, with_value, squares, reported);
+    CHECK(with_value >= c.least_with_value);
+    CHECK(with_value <= c.most_with_value);
+    if (c.least_with_value > 0) {
+        CHECK(std::sqrt(squares / reported) < 1.32);
+        CHECK(std::sqrt(squares / reported) > 0.7);
+    }
 }
 
 namespace {
@@ -317,11 +370,13 @@ TEST_CASE("the heat capacity in the canonical ensemble is the same whether or no
 
 TEST_CASE("the heat capacity in the canonical ensemble is that of the fluctuations of the potential energy") {
     RunAverages run(50, Ensemble::canonical);
-    for (const double e : {-2.9, -3.0, -3.0, -3.1}) {
-        Thermodynamics sample;
-        sample.temperature = 0.5;
-        sample.potential_energy = e;
-        run.add(sample);
+    for (int n = 0; n < 64; ++n) {
+        for (const double e : {-2.9, -3.0, -3.0, -3.1}) {
+            Thermodynamics sample;
+            sample.temperature = 0.5;
+            sample.potential_energy = e;
+            run.add(sample);
+        }
     }
     CHECK(find(run.averages(), "heat_capacity_cv").estimate->mean == Approx(50.0 * 0.005 / 0.25 + 1.5).epsilon(1e-12));
 }

@@ -138,6 +138,26 @@ TEST_CASE("stresses that decay exponentially have the viscosity that belongs to 
     CHECK(found.standard_error < 0.1 * expected);
 }
 
+TEST_CASE("configurations that are too far apart have no viscosity") {
+    const LagTimes lags{.every = 1, .count = 6, .spacing = 1.0};
+    StressAutocorrelation viscosity(box, lags, 12);
+    Stress stress(2.0, lags.spacing, 7);
+    for (int t = 0; t < 12 * 100; ++t) {
+        const State state = two_atoms(1.0);
+        viscosity.sample(state, evaluation_for(state, stress.next()));
+    }
+    const ObservableAverage found = viscosity.observables().at(0);
+    CHECK(found.name == "viscosity");
+    CHECK_FALSE(found.estimate.has_value());
+    CHECK_FALSE(found.remark.empty());
+    const DataTable table = viscosity.tables().at(0);
+    for (const auto& row : table.rows) {
+        CHECK(std::abs(row[1] - std::exp(-2.0 * row[0])) < 4.0 * row[2]);
+        CHECK(std::isnan(row[3]));
+        CHECK(std::isnan(row[4]));
+    }
+}
+
 TEST_CASE("a stress autocorrelation goes on from an archive bit for bit, and drops what was interrupted") {
     const LagTimes lags{.every = 1, .count = 5, .spacing = 0.1};
     const auto sampled = [&lags](int interrupted_at, int archived_at) {

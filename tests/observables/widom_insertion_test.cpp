@@ -96,6 +96,27 @@ TEST_CASE("where no place has room, or nothing moves, there is no chemical poten
     cold.sample(state_at(20, 1, 0.0), {});
     CHECK_FALSE(cold.observables()[0].estimate.has_value());
     CHECK_THAT(cold.observables()[0].remark, Catch::Contains("divided by the temperature"));
+    CHECK_FALSE(full.observables()[0].remark.empty());
+}
+
+TEST_CASE("where the places that count were not met there is no chemical potential, but a remark") {
+    const auto found = [](Index atoms, double energy_of_an_atom) {
+        WidomInsertion widom(run_with(atoms, false, 1.6), 20, Every(1));
+        Evaluation evaluation;
+        evaluation.potential_energy = 0.5 * energy_of_an_atom * static_cast<double>(atoms);
+        for (int k = 0; k < 64; ++k) {
+            widom.sample(state_at(atoms, k, 1.6), evaluation);
+        }
+        return widom.observables().at(0);
+    };
+    // Inserted particles have an energy of -1 by their weights: so may atoms have, but not one that is 1.6 lower.
+    CHECK(found(20, -1.0).estimate.has_value());
+    CHECK(found(20, -1.0).remark.empty());
+    CHECK_FALSE(found(20, -4.0).estimate.has_value());
+    CHECK_FALSE(found(20, -4.0).remark.empty());
+    // Among 400 atoms that lie anywhere a few places carry the mean.
+    CHECK_FALSE(found(400, 0.0).estimate.has_value());
+    CHECK_FALSE(found(400, 0.0).remark.empty());
 }
 
 TEST_CASE("threads and the order of atoms in memory do not matter, steps do") {

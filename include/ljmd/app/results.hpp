@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "ljmd/app/run.hpp"
 
@@ -15,6 +16,13 @@ namespace ljmd {
 /// Whether the table that a run ends with has a line for an observable; components of the pressure tensor and the
 /// virial are in results.json only.
 [[nodiscard]] bool is_in_table(const std::string& observable);
+
+/// The remark on a number whose error bar is a guess (Estimate::converged).
+inline constexpr std::string_view guessed_error =
+    "its error bar is a guess: the series is too short for its correlations";
+
+/// What a reader has to know of an observable: its remark, and whether its error bar is a guess.
+[[nodiscard]] std::string remark_of(const ObservableAverage& average);
 
 /// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for
 /// a substance, and remark where there is one.

@@ -12,6 +12,7 @@ struct ObservedMean {
     std::string name;
     double mean;
     double standard_error;
+    std::string remark = {};  ///< as in results.json
 };
 
 /// The observables in a run's results.json, in its order; of few bodies also what analyses found, "orbit_period".
@@ -35,10 +36,12 @@ struct SweptPoints {
 
 // The table of `ljmd sweep`, in three forms.
 
-/// For people, as it ends on the screen: values of the keys, and T, U, p and Z, or of few bodies their energies.
+/// For people, as it ends on the screen: values of the keys, and T, U, p and Z, or of few bodies their energies; below
+/// them the remarks that numbers are marked with.
 [[nodiscard]] std::string sweep_table(const SweptPoints& swept);
 
-/// sweep.csv: the varied keys, then each observable and its `_standard_error`; empty where there is none.
+/// sweep.csv: the varied keys, then each observable and its `_standard_error`; empty where there is none. Last,
+/// `remarks`: "NAME: remark", separated by "; ".
 [[nodiscard]] std::string sweep_csv(const SweptPoints& swept);
 
 [[nodiscard]] std::string sweep_json(const SweptPoints& swept);

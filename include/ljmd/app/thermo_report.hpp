@@ -7,6 +7,7 @@
 #include "ljmd/app/recorded_run.hpp"
 #include "ljmd/observables/blocking.hpp"
 #include "ljmd/observables/equilibration.hpp"
+#include "ljmd/observables/observable_average.hpp"
 
 namespace ljmd {
 
@@ -26,7 +27,7 @@ struct ThermoReport {
     double interval;  ///< between rows [tau]
     Index stride;     ///< rows between the starts that were tried
     std::vector<Column> columns;
-    std::optional<Estimate> heat_capacity = {};  ///< c_v from the fluctuations of all rows, see RunAverages [k_B]
+    std::optional<ObservableAverage> heat_capacity = {};  ///< c_v from the fluctuations of all rows, see RunAverages
 };
 
 /// @param run   of a fluid; may still be going on
@@ -35,13 +36,14 @@ struct ThermoReport {
 /// @throws DataError   its thermo.csv cannot be used, or has fewer than two rows to look at
 [[nodiscard]] ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from = std::nullopt);
 
-/// For people: one line a column, steps and times since the first row.
+/// For people: one line a column, steps and times since the first row; below them the remarks that numbers are marked
+/// with.
 [[nodiscard]] std::string thermo_table(const ThermoReport& report);
 
 /// rows, first_step, last_step, interval, stride; observables, by name: equilibrated_at_row, equilibrated_at_step,
 /// statistical_inefficiency, correlation_time, independent_samples, mean, standard_error; of all rows:
 /// statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all. Where the
-/// ensemble has one, heat_capacity_cv: mean, standard_error.
+/// ensemble has one, heat_capacity_cv: mean, standard_error. Remarks, where there are any.
 [[nodiscard]] std::string thermo_json(const ThermoReport& report);
 
 }  // namespace ljmd

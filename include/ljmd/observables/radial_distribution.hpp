@@ -4,6 +4,7 @@
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/observables/analysis.hpp"
 #include "ljmd/observables/blocking.hpp"
+#include "ljmd/observables/coordination_number.hpp"
 
 namespace ljmd {
 
@@ -18,9 +19,8 @@ namespace ljmd {
 /// Standard errors by blocking over the sampled configurations.
 /// Table `rdf`: r (middle of the bin) [sigma], g, g_standard_error, coordination_number (atoms closer than the bin's
 /// end), its error. Table `sk_from_rdf`: k [1/sigma], S, its error, for k = pi m/(4 R), m = 1 ... bins.
-/// Observable: coordination_number, of the atoms closer than the minimum of g, smoothed over 0.1 sigma to each side,
-/// between its highest peak and twice that distance; only where that is within R. The error does not hold that of this
-/// place. Source: Allen and Tildesley, 2nd ed., section 8.2; Verlet (1968), doi:10.1103/PhysRev.165.201
+/// Observable: coordination_number, of the atoms within the first minimum of g, see coordination_number.hpp.
+/// Source: Allen and Tildesley, 2nd ed., section 8.2; Verlet (1968), doi:10.1103/PhysRev.165.201
 class RadialDistribution : public Analysis {
   public:
     /// @param bins    at least 1
@@ -32,7 +32,7 @@ class RadialDistribution : public Analysis {
     [[nodiscard]] Index samples() const override { return means_.samples(); }
     [[nodiscard]] std::vector<DataTable> tables() const override;
     [[nodiscard]] std::vector<ObservableAverage> observables() const override;
-    void archive(Archive& a) override { a(means_); }
+    void archive(Archive& a) override { a(means_, neighbors_); }
 
   private:
     [[nodiscard]] Eigen::VectorXd structure_factor(const Eigen::VectorXd& g, double density) const;
@@ -43,7 +43,9 @@ class RadialDistribution : public Analysis {
     double radius_;
     Every every_;
     SineTransform sines_;
+    CoordinationNumber::Division division_;
     BlockingAccumulator means_;  ///< g, coordination number and S of each bin, one behind the other
+    CoordinationNumber neighbors_;
 };
 
 }  // namespace ljmd

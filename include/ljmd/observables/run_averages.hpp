@@ -29,6 +29,9 @@ enum class Ensemble {
 ///
 /// The first is exact for f degrees of freedom of the motion, and 3/(2 N) that of the centre of mass; the second does
 /// not depend on whether the thermostat conserves momentum.
+/// A run that is short beside the correlations of what fluctuates sees too little of it: variances are low by one part
+/// in as many as there are independent samples. That is part of the error; where these are too few, or the error is a
+/// guess, there is no value.
 /// Source of the first: Pearson, Halicioglu and Tiller (1985), doi:10.1103/PhysRevA.32.3030
 class RunAverages {
   public:
@@ -55,6 +58,8 @@ class RunAverages {
     [[nodiscard]] std::optional<Estimate> compressibility_factor() const;
     /// Nothing where no fluctuation tells it; without estimate, but with a remark, where it has no value.
     [[nodiscard]] std::optional<ObservableAverage> heat_capacity() const;
+    /// What the heat capacity loses when the variance that it follows from is low by all of itself, to first order.
+    [[nodiscard]] double heat_capacity_missed(double c) const;
     [[nodiscard]] std::optional<Estimate> heat_capacity_at_constant_energy() const;
     [[nodiscard]] std::optional<Estimate> heat_capacity_at_constant_temperature() const;
 

@@ -18,7 +18,8 @@ namespace ljmd {
 /// windows of twice the largest time; standard errors by blocking over windows; T is the mean of the sampled
 /// configurations. Tail corrections have no part in it.
 /// Table `stress_autocorrelation`: time [tau], stress_autocorrelation [epsilon^2/sigma^6], its error, viscosity eta(t)
-/// [epsilon tau/sigma^3], its error. Observable: viscosity.
+/// [epsilon tau/sigma^3], its error. Observable: viscosity. Where configurations are too far
+/// apart (see green_kubo.hpp) it has no value, nor has eta(t).
 /// Source: Daivis and Evans (1994), doi:10.1063/1.466970; Allen and Tildesley, 2nd ed., section 8.4
 class StressAutocorrelation : public Analysis {
   public:
@@ -36,7 +37,9 @@ class StressAutocorrelation : public Analysis {
 
   private:
     /// V/T; NaN where there is no temperature.
-    [[nodiscard]] double to_viscosity() const;
+    [[nodiscard]] double viscosity_per_integral() const;
+    [[nodiscard]] Estimate viscosity() const;
+    [[nodiscard]] double change_of_viscosity() const;  ///< with every second configuration
 
     double volume_;
     LagTimes lags_;
@@ -45,7 +48,7 @@ class StressAutocorrelation : public Analysis {
     CorrelationWindows window_;
     Index in_window_ = 0;           ///< configurations in the window that has begun
     double temperature_sum_ = 0.0;  ///< over them
-    BlockingAccumulator means_;     ///< C, its integral, T
+    BlockingAccumulator means_;     ///< C, its integral, T, the change of the integral at twice the spacing
 };
 
 }  // namespace ljmd

@@ -14,9 +14,19 @@ namespace ljmd {
 ///     mu_ex = -T ln <exp(-psi/T)>                                       at a temperature that is held
 ///     mu_ex = -<T> ln(<T^(3/2) exp(-psi/T)>/<T>^(3/2))                  at constant energy, T that of the moment
 ///
-/// The mean is that of a few lucky places: in a dense liquid one of 10^5 or fewer counts, and errors are known only
-/// when many of these were met. Standard errors by blocking over configurations. Observable: excess_chemical_potential
-/// [epsilon]. Sources: Widom (1963), doi:10.1063/1.1734110; Frenkel and Smit, section 7.2.3
+/// The mean is that of a few lucky places: in a dense liquid one of 10^5 or fewer counts. Where too few of these were
+/// met, the error is too small: the places that count most are missing. Two signs tell, and leave no value:
+///
+///  - An error above T/4: fewer than 16 places or configurations carry the mean.
+///  - An energy of the inserted particles that is more than T above that of an atom. By the weights of the mean these
+///    are the same, <psi exp(-psi/T)>/<exp(-psi/T)> = 2 <U>/N, as an inserted particle is an atom like the others
+///    (Shing and Gubbins (1982), doi:10.1080/00268978200100841, compare the distributions). Too high a psi: deep places
+///    are missing.
+///
+/// For weights with a log-normal distribution (width of ln w from 1 to 3.5, 10 to 30000 places, 300 to 1500 trials
+/// each), what is left has a mean deviation of at most 0.6 errors and a scatter of 0.5 to 1.15 errors about the right
+/// value; without the second sign, up to 8 errors. Standard errors by blocking over configurations. Observable:
+/// excess_chemical_potential [epsilon]. Sources: Widom (1963), doi:10.1063/1.1734110; Frenkel and Smit, section 7.2.3
 class WidomInsertion : public Analysis {
   public:
     /// @param insertions  places in each configuration, at least 1
@@ -24,6 +34,7 @@ class WidomInsertion : public Analysis {
     WidomInsertion(const SampledRun& run, Index insertions, Every every);
 
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
+    [[nodiscard]] bool needs_energy() const override { return true; }
     void sample(const State& state, const Evaluation& evaluation) override;
     [[nodiscard]] Index samples() const override { return means_.samples(); }
     [[nodiscard]] std::vector<DataTable> tables() const override { return {}; }
@@ -31,8 +42,13 @@ class WidomInsertion : public Analysis {
     void archive(Archive& a) override { a(means_); }
 
   private:
-    /// Mean of exp(-psi/T) over the places of a configuration.
-    [[nodiscard]] double mean_weight(const State& state, double temperature);
+    /// Means over the places of a configuration.
+    struct Weights {
+        double weight = 0.0;           ///< exp(-psi/T)
+        double weighted_energy = 0.0;  ///< psi exp(-psi/T), without the tail
+    };
+    [[nodiscard]] Weights mean_weights(const State& state, double temperature);
+    [[nodiscard]] bool tail_was_sampled(const Estimate& found) const;
 
     Interaction interaction_;
     std::optional<double> held_temperature_;
@@ -41,7 +57,7 @@ class WidomInsertion : public Analysis {
     Every every_;
     CellGrid grid_;
     GhostExchange ghosts_;
-    BlockingAccumulator means_;  ///< T^(3/2) exp(-psi/T), T; exp(-psi/T), T where T is held
+    BlockingAccumulator means_;  ///< w = T^(3/2) exp(-psi/T), exp(-psi/T) where T is held; T; psi w; energy of an atom
 };
 
 }  // namespace ljmd
