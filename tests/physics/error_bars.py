@@ -16,6 +16,7 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from figures import check, exit_code  # noqa: E402
+from same_bits import compute_same_bits_everywhere  # noqa: E402
 
 SEEDS = 60
 LEAST, MOST = 0.7, 1.32
@@ -66,6 +67,7 @@ def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--ljmd", required=True)
     arguments = parser.parse_args()
+    compute_same_bits_everywhere()
     runs = []
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(1, SEEDS + 1):
