@@ -56,7 +56,7 @@ TEST_CASE("of a sweep its directory tells how far each run got, in words and as 
     CHECK(json["runs"][3]["step"].is_null());
 }
 
-TEST_CASE("a reproduced table is a study, too; a run and an empty directory are none") {
+TEST_CASE("a reproduced table is a study, too, a run or an empty directory is none") {
     const TemporaryFolder folder;
     const fs::path out = folder / "";
     CHECK_FALSE(holds_study(out));

@@ -25,7 +25,7 @@ TEST_CASE("short entries get the width that was asked for") {
           "  a            1.5\n");
 }
 
-TEST_CASE("a table without headings begins with its rows; missing entries leave no blanks at the end of a line") {
+TEST_CASE("a table without headings begins with its rows, and missing entries leave no blanks at the end of a line") {
     TextTable table({{""}, {"", Align::left}, {""}});
     table.add({"1", "one"});
     table.add({"10", "", "x"});
