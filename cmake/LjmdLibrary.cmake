@@ -26,7 +26,8 @@ target_include_directories(ljmd_library SYSTEM PRIVATE ${RANDOM123_INCLUDE_DIR})
 target_link_libraries(ljmd_library
     PUBLIC Eigen3::Eigen
     PRIVATE $<BUILD_INTERFACE:ljmd_options> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
-            fmt::fmt Threads::Threads GSL::gsl PkgConfig::fftw3 PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5)
+            fmt::fmt Threads::Threads GSL::gsl PkgConfig::fftw3 PkgConfig::tomlplusplus PkgConfig::xxhash hdf5::hdf5
+            ZLIB::ZLIB)
 if(OpenMM_FOUND)
     target_link_libraries(ljmd_library PRIVATE OpenMM::OpenMM)
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/compare/openmm/openmm_platforms.cpp

@@ -97,8 +97,10 @@ std::optional<Positions> said_positions(const AnalyzeOptions& options) {
 std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
                     const AnalyzeOptions& options, const fs::path& directory) {
     set_thread_count(default_thread_count());
-    AnalyzedTrajectory trajectory{path, deck, {}, {}, options.group, wanted.thermo && !is_run};  // a run has thermo.csv
-    trajectory.summary = summarize(path, trajectory.units(), options.group, said_positions(options));
+    // A run has its thermo.csv.
+    AnalyzedTrajectory trajectory{path, deck, {}, {}, options.group, wanted.thermo && !is_run, options.xyz_comment};
+    trajectory.summary =
+        summarize(path, trajectory.units(), options.group, said_positions(options), options.xyz_comment);
     std::optional<double> time_step = options.time_step;
     if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
         time_step = sampled_run(deck->root, trajectory.summary.atoms, Box(trajectory.summary.edges)).time_step;
@@ -171,6 +173,9 @@ void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
         throw InputError(
             "--set, --out and --time-step go with an analysis of frames, such as rdf; thermo of a run looks at its "
             "thermo.csv and writes nothing");
+    }
+    if (!options.xyz_comment.empty()) {
+        throw InputError("--xyz-comment is for a trajectory alone; that of a run says all");
     }
     const RecordedRun run = recorded_run(options.path);
     std::optional<ThermoReport> report;

@@ -49,9 +49,12 @@ Schema system_schema() {
         {Key::table("lattice", lattice_schema()).optional("start from `file`").meaning("positions to start from"),
          Key::text("file")
              .optional("start from `lattice`")
-             .meaning("file to start from (extended XYZ, LAMMPS data or NIST configuration, recognised by content), or "
-                      "the directory of a "
-                      "finished run"),
+             .meaning("file to start from (extended XYZ, H5MD, LAMMPS data or NIST configuration, recognised by "
+                      "content), or the directory of a finished run"),
+         Key::text("xyz_comment")
+             .optional("the comment lines of `file` say all")
+             .meaning("keys that the comment lines of an XYZ `file` lack: "
+                      "'Lattice=\"20 0 0 0 20 0 0 0 20\" units=si'"),
          Key::number("density")
              .dimension(Dimension::density)
              .unit("sigma^-3")

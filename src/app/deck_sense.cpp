@@ -7,6 +7,7 @@
 
 #include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/stage_sense.hpp"
+#include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
 
@@ -93,6 +94,10 @@ void check_system(const Section& system, bool force, Diagnostics& diagnostics) {
                 diagnostics.error(system.location(), fmt::format("missing key '{}' in [system]", key),
                                   "a start from a lattice needs it");
             }
+        }
+        if (system.has("xyz_comment")) {
+            diagnostics.error(system.location("xyz_comment"),
+                              "'xyz_comment' in [system] belongs to a 'file', but there is none", "remove it");
         }
         if (system.has("velocities") && system.text("velocities") == "file") {
             diagnostics.error(system.location("velocities"), "'velocities' in [system] is 'file', but there is no file",
@@ -239,7 +244,10 @@ void check_sense(const Section& root, bool has_units, bool force, Diagnostics& d
     check_stages(root, force, diagnostics);
     check_output(root.section("output"), has_units, diagnostics);
     if (const auto atoms = root.sound("system") ? lattice_start(system) : std::nullopt) {
-        check_box(root, *atoms, cubic_box(*atoms, system.number("density")), diagnostics);
+        const Section& potential = root.section("potential");
+        const Box box = cubic_box(*atoms, system.number("density"));
+        check_box(root, *atoms, given(potential, "cutoff") ? box_for_cutoff(box, potential.number("cutoff")) : box,
+                  diagnostics);
     }
 }
 

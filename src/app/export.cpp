@@ -142,7 +142,7 @@ Notes export_h5md(const Export& what) {
         throw FileError(fmt::format("cannot write '{}': {}", path.string(), error.message()));
     }
     sync_folder_of(path);
-    return {"read it with MDAnalysis, VMD or h5py"};
+    return {fmt::format("in a deck: [system] file = \"{}\"; it opens with MDAnalysis, VMD and h5py", path.string())};
 }
 
 struct Target {

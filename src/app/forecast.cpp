@@ -111,12 +111,14 @@ double disk(const Deck& deck, const Start& start) {
     const auto atoms = static_cast<double>(start.atoms);
     double bytes = (1.0 + steps / static_cast<double>(deck.thermo_every)) * (deck.units ? thermo_row_si : thermo_row);
     const double text_atom = 3.0 * 20.0 + 10.0;
+    const double text_vectors = 3.0;  // position, velocity, momentum
     if (deck.trajectory) {
-        const double vectors = deck.trajectory->velocities ? 2.0 : 1.0;
-        const double atom = deck.trajectory->format == "h5md" ? 24.0 * vectors : text_atom * vectors;
+        const bool velocities = deck.trajectory->velocities;
+        const double atom = deck.trajectory->format == "h5md" ? (velocities ? 48.0 : 24.0)
+                                                              : text_atom * (velocities ? text_vectors : 1.0);
         bytes += (1.0 + steps / static_cast<double>(deck.trajectory->every)) * atoms * atom;
     }
-    return bytes + atoms * 2.0 * text_atom;  // final.xyz
+    return bytes + atoms * text_vectors * text_atom;  // final.xyz
 }
 
 std::string bytes(double n) {

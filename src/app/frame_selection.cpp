@@ -95,11 +95,16 @@ FrameSelection select_frames(const TrajectorySummary& trajectory, std::optional<
     }
     FrameSelection selection{};
     std::map<std::size_t, Index> in_part;
+    std::size_t breaks = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(trajectory.frames); ++k) {
         const bool early = from && is_before(times[k], *from);
         std::optional<std::size_t> part = 0;
         if (stages != nullptr && !trajectory.steps.empty()) {
             part = SampledSteps(*stages).stage_of(trajectory.steps[k]);
+        }
+        breaks += std::ranges::binary_search(trajectory.breaks, k) ? 1U : 0U;
+        if (part) {
+            *part += breaks * (stages != nullptr ? stages->size() : 1);
         }
         selection.parts.push_back(early ? std::nullopt : part);
         if (selection.parts.back()) {

@@ -120,6 +120,10 @@ void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
                     "the atoms tells")
         ->type_name("HOW")
         ->check(CLI::IsMember({"wrapped", "unwrapped"}));
+    command
+        .add_option("--xyz-comment", options.xyz_comment,
+                    "what the comment lines of an XYZ file lack, e.g. 'Lattice=\"20 0 0 0 20 0 0 0 20\" units=si'")
+        ->type_name("KEY=VALUE...");
     command.add_option("--set", options.settings, "e.g. --set analysis.rdf.bins=100; `every` counts frames")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);

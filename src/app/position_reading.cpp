@@ -44,7 +44,8 @@ PositionReading as_said(const FrameMotion& motion, Positions said) {
 }  // namespace
 
 void FrameMotionMeter::add(const Configuration& frame) {
-    if (before_.empty() && !frame.positions.empty()) {
+    if (!has_frames_ && !frame.positions.empty()) {
+        has_frames_ = true;
         lowest_ = highest_ = frame.positions[0].cwiseQuotient(frame.edges);
     }
     for (std::size_t k = 0; k < frame.positions.size(); ++k) {

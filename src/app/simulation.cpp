@@ -8,6 +8,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/relaxation.hpp"
 #include "ljmd/io/configuration_reader.hpp"
+#include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/model/velocities.hpp"
 
@@ -31,7 +32,8 @@ Index lattice_cells(const Section& lattice) {
 }
 
 Start start_from_file(const Section& system, const std::optional<SubstanceUnits>& units) {
-    Configuration configuration = read_configuration(configuration_file(system.text("file")), units);
+    const std::string comment = system.has("xyz_comment") ? system.text("xyz_comment") : "";
+    Configuration configuration = read_configuration(configuration_file(system.text("file")), units, comment);
     const auto atoms = static_cast<Index>(configuration.positions.size());
     Vec3 edges = configuration.edges;
     if (system.has("density")) {
@@ -42,6 +44,13 @@ Start start_from_file(const Section& system, const std::optional<SubstanceUnits>
         }
     }
     return {atoms, Box(edges), std::move(configuration)};
+}
+
+Start start_from_lattice(const Section& system) {
+    const Section& lattice = system.section("lattice");
+    const Index atoms =
+        is_random(lattice) ? lattice.integer("atoms") : lattice_atoms(lattice_type(lattice), lattice_cells(lattice));
+    return {atoms, cubic_box(atoms, system.number("density")), std::nullopt};
 }
 
 void place(State& state, const std::vector<Vec3>& positions) {
@@ -87,13 +96,9 @@ bool keeps_velocities(const Section& system, const Start& start) {
 
 Start find_start(const Deck& deck) {
     const Section& system = deck.system();
-    if (system.has("file")) {
-        return start_from_file(system, deck.units);
-    }
-    const Section& lattice = system.section("lattice");
-    const Index atoms =
-        is_random(lattice) ? lattice.integer("atoms") : lattice_atoms(lattice_type(lattice), lattice_cells(lattice));
-    return {atoms, cubic_box(atoms, system.number("density")), std::nullopt};
+    Start start = system.has("file") ? start_from_file(system, deck.units) : start_from_lattice(system);
+    start.box = box_for_cutoff(start.box, deck.potential().number("cutoff"));
+    return start;
 }
 
 bool wants_tail(const Deck& deck) {

@@ -12,6 +12,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/deck_file.hpp"
 #include "ljmd/io/deck_setting.hpp"
+#include "ljmd/model/box_for_cutoff.hpp"
 
 namespace ljmd {
 
@@ -80,7 +81,10 @@ Table with_settings(Table tables, const std::vector<std::string>& settings, cons
 
 /// The run that the trajectory stands for, its steps being frames.
 SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection) {
-    const Box box(trajectory.smallest_edges);
+    Box box(trajectory.smallest_edges);
+    if (deck != nullptr) {
+        box = box_for_cutoff(box, deck->potential().number("cutoff"));
+    }
     SampledRun run = deck != nullptr ? sampled_run(deck->root, trajectory.atoms, box)
                                      : SampledRun{trajectory.atoms, box, 1.0, 0, 1, std::nullopt, std::nullopt};
     run.time_step = selection.spacing.value_or(1.0);

@@ -14,6 +14,7 @@
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/frame_unwrapper.hpp"
+#include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/observables/finite_size.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
@@ -40,7 +41,8 @@ class Pass {
           tail_(trajectory.thermo ? interaction_of(*trajectory.deck).tail : TailCorrection()) {}
 
     void run() {
-        const auto reader = open_trajectory(trajectory_.path, trajectory_.units(), trajectory_.group);
+        const auto reader =
+            open_trajectory(trajectory_.path, trajectory_.units(), trajectory_.group, trajectory_.xyz_comment);
         const auto frames = static_cast<std::size_t>(trajectory_.summary.frames);
         Frame frame;
         for (std::size_t k = 0; k < frames; ++k) {
@@ -87,8 +89,13 @@ class Pass {
         }
     }
 
+    [[nodiscard]] Box box_of(const Configuration& configuration) const {
+        const Box box(configuration.edges);
+        return trajectory_.deck == nullptr ? box : box_for_cutoff(box, trajectory_.deck->potential().number("cutoff"));
+    }
+
     void sample(Index number, std::size_t k, const Configuration& configuration) {
-        State state(trajectory_.summary.atoms, Box(configuration.edges));
+        State state(trajectory_.summary.atoms, box_of(configuration));
         place_configuration(state, configuration);
         state.time = configuration.time;
         state.step = configuration.step;  // random numbers go by it
@@ -152,9 +159,7 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
     Pass pass(trajectory, analyses);
     pass.run();
     TrajectoryResult result;
-    if (!trajectory.summary.warning.empty()) {
-        result.warnings.push_back(trajectory.summary.warning);
-    }
+    result.warnings = trajectory.summary.warnings;
     result.used_displacements =
         std::ranges::any_of(analyses, [](const auto& each) { return each.method.needs.unwrapped_positions; });
     if (result.used_displacements && !trajectory.summary.positions.doubt.empty()) {

@@ -22,6 +22,10 @@ class Summarizer {
             summary_.smallest_edges = found.edges;
             summary_.has_velocities = true;
         }
+        if (frame.begins_anew) {
+            summary_.breaks.push_back(static_cast<std::size_t>(summary_.frames));
+            meter_.begin_anew();
+        }
         ++summary_.frames;
         if (!found.velocities.empty()) {
             any_velocities_ = true;
@@ -67,8 +71,9 @@ class Summarizer {
 }  // namespace
 
 TrajectorySummary summarize(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
-                            const std::string& group, std::optional<Positions> positions) {
-    const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path, units, group);
+                            const std::string& group, std::optional<Positions> positions,
+                            const std::string& xyz_comment) {
+    const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path, units, group, xyz_comment);
     Summarizer summarizer;
     Frame frame;
     while (reader->next(frame)) {
@@ -78,7 +83,7 @@ TrajectorySummary summarize(const std::filesystem::path& path, const std::option
         throw DataError(fmt::format("{}: the file has no frame", path.string()));
     }
     TrajectorySummary summary = summarizer.finish(positions, reader->unused_velocities());
-    summary.warning = reader->warning();
+    summary.warnings = reader->warnings();
     return summary;
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "ase_units.hpp"
 #include "ljmd/io/atom_rows.hpp"
 #include "ljmd/io/extended_xyz_header.hpp"
 
@@ -15,6 +16,13 @@ struct FileUnits {
     double length = 1.0;
     double time = 1.0;
     double mass = 1.0;
+    double ase_velocity = 1.0;
+};
+
+/// How a file is to be read.
+struct Reading {
+    const std::optional<SubstanceUnits>& units;
+    std::string_view comment;
 };
 
 /// A frame line by line.
@@ -43,14 +51,25 @@ FileUnits units_of(const TextFile& file, const ExtendedXyzHeader& header, std::o
             "the file is in SI units (units=si), which takes a substance: a deck with [argon] is needed (analyze: "
             "--deck)");
     constexpr double angstrom_per_nanometre = 10.0;
-    return {units->nanometre() * angstrom_per_nanometre, units->picosecond(), units->dalton()};
+    const double length = units->nanometre() * angstrom_per_nanometre;
+    return {length, units->picosecond(), units->dalton(), length / units->picosecond() / ase_velocity};
 }
 
 void reserve(RawFrame& frame, std::size_t size) {
     frame.positions.reserve(size);
     if (frame.header.columns.id) frame.ids.reserve(size);
-    if (frame.header.columns.velocity) frame.velocities.reserve(size);
+    if (frame.header.columns.velocity || frame.header.columns.momentum) frame.velocities.reserve(size);
     if (frame.header.columns.mass) frame.masses.reserve(size);
+}
+
+/// The mass that belongs to a momentum of ASE [u]: that of the file, else the one that ASE takes for the species.
+double mass_of_momentum(const TextFile& file, const std::vector<std::string_view>& fields,
+                        const ExtendedXyzColumns& columns) {
+    if (columns.mass) return file.number(fields[*columns.mass], "the mass");
+    const auto species = columns.kinds.find("species");
+    const auto mass = species != columns.kinds.end() ? ase_mass(fields[species->second]) : std::nullopt;
+    if (!mass) file.fail("momenta take a mass: a column masses:R:1, or a species that is an element or X");
+    return *mass;
 }
 
 void read_atom(const TextFile& file, const std::vector<std::string_view>& fields, RawFrame& frame, OneKind& kind) {
@@ -65,6 +84,9 @@ void read_atom(const TextFile& file, const std::vector<std::string_view>& fields
     if (columns.velocity) {
         const double unit = frame.units.length / frame.units.time;
         frame.velocities.push_back(read_vector(file, fields, *columns.velocity) / unit);
+    } else if (columns.momentum) {
+        const double unit = frame.units.ase_velocity * mass_of_momentum(file, fields, columns);
+        frame.velocities.push_back(read_vector(file, fields, *columns.momentum) / unit);
     }
     if (columns.id) frame.ids.push_back(file.integer(fields[*columns.id], "the id"));
     if (columns.mass) frame.masses.push_back(file.number(fields[*columns.mass], "the mass") / frame.units.mass);
@@ -72,14 +94,14 @@ void read_atom(const TextFile& file, const std::vector<std::string_view>& fields
 
 /// Read one frame. The file stands at the line with its number of atoms, whose only field is given.
 /// @param wanted  number of atoms; 0: any
-RawFrame read_frame(TextFile& file, std::string_view count_field, Index wanted,
-                    const std::optional<SubstanceUnits>& units, ExtendedXyzPremises& premises) {
+RawFrame read_frame(TextFile& file, std::string_view count_field, Index wanted, const Reading& how,
+                    ExtendedXyzPremises& premises) {
     const Index count = read_atom_count(file, count_field, wanted);
     file.next_line();  // the comment line; there is one, or the count would have been refused
     RawFrame frame;
     frame.header_line = file.line_number();
-    frame.header = parse_extended_xyz_header(file);
-    frame.units = units_of(file, frame.header, premises.si, units);
+    frame.header = parse_extended_xyz_header(file, how.comment);
+    frame.units = units_of(file, frame.header, premises.si, how.units);
     reserve(frame, expected_atoms(file, count));
     std::vector<std::string_view> fields;
     for (Index row = 0; row < count; ++row) {
@@ -110,8 +132,8 @@ AtomOrder order_of(const TextFile& file, const RawFrame& frame) {
 
 /// The next frame; nothing behind the last one.
 /// @param number  of the frame, from 1
-std::optional<RawFrame> next_frame(TextFile& file, Index number, Index wanted,
-                                   const std::optional<SubstanceUnits>& units, ExtendedXyzPremises& premises) {
+std::optional<RawFrame> next_frame(TextFile& file, Index number, Index wanted, const Reading& how,
+                                   ExtendedXyzPremises& premises) {
     std::vector<std::string_view> fields;
     while (file.next_line()) {
         split_fields(file.line(), fields);
@@ -120,17 +142,18 @@ std::optional<RawFrame> next_frame(TextFile& file, Index number, Index wanted,
         if (fields.size() != 1) {
             file.fail(fmt::format("expected the number of atoms, found {}", shown(file.line())));
         }
-        return read_frame(file, fields[0], wanted, units, premises);
+        return read_frame(file, fields[0], wanted, how, premises);
     }
     return std::nullopt;
 }
 
 }  // namespace
 
-Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units) {
+Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units, std::string_view comment) {
+    const Reading how{units, comment};
     std::optional<RawFrame> last;
     ExtendedXyzPremises premises;
-    for (Index number = 1; auto frame = next_frame(file, number, 0, units, premises); ++number) {
+    for (Index number = 1; auto frame = next_frame(file, number, 0, how, premises); ++number) {
         last = std::move(frame);
     }
     if (!last) file.fail("the file has no frame");
@@ -141,17 +164,13 @@ Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUni
 }
 
 bool ExtendedXyzTrajectory::read(Frame& frame) {
-    const std::optional<RawFrame> raw = next_frame(file_, frames() + 1, atoms(), units_, premises_);
+    const std::optional<RawFrame> raw = next_frame(file_, frames() + 1, atoms(), {units_, comment_}, premises_);
     if (!raw) return false;
     if (frames() > 0 && is_cut()) file_.fail("the last line has no end");
     const ExtendedXyzHeader& header = raw->header;
-    const bool has_ids = header.columns.id.has_value();
-    if (premises_.has_ids.value_or(has_ids) != has_ids) {
-        file_.fail(has_ids ? "ids, which frame 1 has not" : "no ids, which frame 1 has");
-    }
-    premises_.has_ids = has_ids;
     const AtomOrder order = order_of(file_, *raw);
-    frame = {to_configuration(*raw, order), header.step.has_value(), header.time.has_value(), header.tells_unwrapped};
+    frame = {to_configuration(*raw, order), header.step.has_value(), header.time.has_value(), header.tells_unwrapped,
+             order.ids};
     check_frame(file_, frame.configuration, order, raw->header_line);
     return true;
 }

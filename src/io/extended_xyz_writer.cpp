@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ase_units.hpp"
 #include "ljmd/core/errors.hpp"
 #include "unit_scale.hpp"
 
@@ -23,8 +24,8 @@ std::string header(const State& state, bool velocities, bool si, const UnitScale
     }
     text +=
         fmt::format("Properties=species:S:1:pos:R:3{}:id:I:1 pbc=\"{}\" Time={} step={} units={} positions=unwrapped\n",
-                    velocities ? ":velo:R:3" : "", state.has_box() ? "T T T" : "F F F", scale.time * state.time,
-                    state.step, si ? "si" : "reduced");
+                    velocities ? ":velo:R:3:momenta:R:3" : "", state.has_box() ? "T T T" : "F F F",
+                    scale.time * state.time, state.step, si ? "si" : "reduced");
     return text;
 }
 
@@ -35,6 +36,7 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocit
     const UnitScale scale = unit_scale(si, angstrom_per_nanometre);
     file.write(header(state, velocities, si.has_value(), scale));
     const char* species = si ? "Ar" : "X";
+    const double momentum = ase_mass(species).value() / (si ? ase_velocity : 1.0);
     const std::vector<Index> index_of = state.index_of();
     std::string line;
     for (std::size_t id = 0; id < index_of.size(); ++id) {
@@ -45,6 +47,8 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocit
         if (velocities) {
             const Vec3 v = scale.velocity * state.velocities().col(i);
             fmt::format_to(std::back_inserter(line), " {} {} {}", v[0], v[1], v[2]);
+            const Vec3 p = momentum * v;
+            fmt::format_to(std::back_inserter(line), " {} {} {}", p[0], p[1], p[2]);
         }
         fmt::format_to(std::back_inserter(line), " {}\n", id + 1);
         file.write(line);

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/atom_rows.hpp"
 #include "ljmd/io/configuration_check.hpp"
 
 namespace ljmd {
@@ -251,15 +250,14 @@ Vec3 H5mdReader::edges_of(Index frame) const {
         return Vec3(numbers[0], numbers[1], numbers[2]);
     }
     const Mat3 matrix(numbers.data());
-    const Vec3 edges = matrix.diagonal();
-    if (!(matrix - Mat3(edges.asDiagonal())).isZero(0.0)) {
+    if (!is_orthogonal(matrix)) {
         fail("the box is tilted; only orthogonal boxes can be read");
     }
-    return edges;
+    return matrix.diagonal();
 }
 
-/// Where the file has each atom, by id; empty for a file without ids.
-std::vector<Index> H5mdReader::order_of(Index frame) const {
+/// Where the file has each atom, by id, and these ids; empty for a file without ids.
+AtomOrder H5mdReader::order_of(Index frame) const {
     if (id_.value.empty()) {
         return {};
     }
@@ -278,7 +276,7 @@ std::vector<Index> H5mdReader::order_of(Index frame) const {
     if (same != order.end()) {
         fail(fmt::format("id {} occurs twice", id(*same)));
     }
-    return order;
+    return {arranged(ids, order), order};
 }
 
 std::vector<Vec3> H5mdReader::vectors_of(const Element& element, Index frame, double unit) const {
@@ -317,14 +315,15 @@ bool H5mdReader::read(Frame& frame) {
     if (mass_) {
         found.masses.assign(found.positions.size(), *mass_);
     }
-    if (const std::vector<Index> order = order_of(k); !order.empty()) {
-        found.positions = arranged(found.positions, order);
-        found.velocities = arranged(found.velocities, order);
+    const AtomOrder order = order_of(k);
+    if (!order.ids.empty()) {
+        found.positions = arranged(found.positions, order.rows);
+        found.velocities = arranged(found.velocities, order.rows);
     }
     if (const auto fault = find_fault(found)) {
-        fail(fault->atom ? fmt::format("atom {} {}", *fault->atom + 1, fault->message) : fault->message);
+        fail(fault->atom ? fmt::format("atom {} {}", order.id(*fault->atom), fault->message) : fault->message);
     }
-    frame = {std::move(found), !steps_.empty(), !times_.empty(), is_ljmd_ || !image_.value.empty()};
+    frame = {std::move(found), !steps_.empty(), !times_.empty(), is_ljmd_ || !image_.value.empty(), order.ids};
     return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include "h5md_units.hpp"
 #include "hdf5_input.hpp"
+#include "ljmd/io/atom_rows.hpp"
 #include "ljmd/io/one_kind.hpp"
 #include "ljmd/io/trajectory_reader.hpp"
 
@@ -52,7 +53,7 @@ class H5mdReader : public TrajectoryReader {
     void check_kind() const;
     [[nodiscard]] std::vector<double> series(const std::string& array, Index entries) const;
     [[nodiscard]] Vec3 edges_of(Index frame) const;
-    [[nodiscard]] std::vector<Index> order_of(Index frame) const;
+    [[nodiscard]] AtomOrder order_of(Index frame) const;
     [[nodiscard]] std::vector<Vec3> vectors_of(const Element& element, Index frame, double unit) const;
 
     Hdf5Input file_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
 
@@ -10,6 +12,12 @@
 namespace ljmd {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* utf_16 = "is a text in UTF-16; UTF-8 is read: iconv -f UTF-16 -t UTF-8 OLD > NEW";
+
+}  // namespace
 
 std::string why_unreadable(const fs::path& path) {
     std::error_code code;
@@ -43,6 +51,38 @@ std::ifstream open_input(const fs::path& path) {
         throw DataError(fmt::format("{}: {}", path.string(), complaint));
     }
     return file;
+}
+
+std::string why_no_text(std::string_view beginning) {
+    using namespace std::string_view_literals;
+    struct Kind {
+        std::string_view first_bytes;
+        const char* name;
+    };
+    constexpr std::array<Kind, 9> kinds{{{"\x89HDF\r\n\x1a\n"sv, "is an HDF5 file, not a text"},
+                                         {"\x1f\x8b"sv, "is compressed with gzip; unpack it first"},
+                                         {"\xFD"
+                                          "7zXZ\0"sv,
+                                          "is compressed with xz; unpack it first"},
+                                         {"\x28\xB5\x2F\xFD"sv, "is compressed with zstd; unpack it first"},
+                                         {"BZh"sv, "is compressed with bzip2; unpack it first"},
+                                         {"PK\x03\x04"sv, "is a zip archive; unpack it first"},
+                                         {"\xFF\xFE"sv, utf_16},
+                                         {"\xFE\xFF"sv, utf_16},
+                                         {"CDF\x01"sv, "is a NetCDF file, not a text"}}};
+    const auto* const kind =
+        std::ranges::find_if(kinds, [&](const Kind& each) { return beginning.starts_with(each.first_bytes); });
+    if (kind != kinds.end()) {
+        return kind->name;
+    }
+    if (beginning.size() >= 4 && (beginning[0] == '\0') != (beginning[1] == '\0') &&
+        (beginning[0] == '\0') == (beginning[2] == '\0') && (beginning[1] == '\0') == (beginning[3] == '\0')) {
+        return utf_16;  // without a mark: of each two bytes one is zero
+    }
+    if (beginning.find('\r') != std::string_view::npos && beginning.find('\n') == std::string_view::npos) {
+        return "has lines that end in CR alone, as on old Macs; LF is read: tr '\\r' '\\n' < OLD > NEW";
+    }
+    return {};
 }
 
 }  // namespace ljmd

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ljmd/io/atom_rows.hpp"
+#include "ljmd/io/configuration_check.hpp"
 
 namespace ljmd {
 namespace {
@@ -64,10 +65,12 @@ class Reader {
 
     void read_header_line() {
         const std::string_view last = fields_.back();
-        if (last == "yz" || last == "avec" || last == "bvec" || last == "cvec") {
-            file_.fail("the box is tilted; only orthogonal boxes can be read");
+        if (last == "avec" || last == "bvec" || last == "cvec") {
+            file_.fail("the box is given by three vectors; only orthogonal boxes by their bounds can be read");
         }
-        if (fields_.size() == 2 && last == "atoms") {
+        if (last == "yz") {
+            read_tilt();
+        } else if (fields_.size() == 2 && last == "atoms") {
             if (count_ != 0) file_.fail("the number of atoms is given twice");
             count_ = read_atom_count(file_, fields_[0]);
         } else if (fields_.size() == 3 && fields_[1] == "atom" && last == "types") {
@@ -93,10 +96,24 @@ class Reader {
         }
     }
 
+    /// xy xz yz: of the second vector along x, of the third along x and y.
+    void read_tilt() {
+        if (fields_.size() != 6) file_.fail(fmt::format("expected 'xy xz yz xy xz yz', found {}", shown(file_.line())));
+        tilt_(1, 0) = file_.number(fields_[0], "a tilt factor");
+        tilt_(2, 0) = file_.number(fields_[1], "a tilt factor");
+        tilt_(2, 1) = file_.number(fields_[2], "a tilt factor");
+        tilt_line_ = file_.line_number();
+    }
+
     void check_header() const {
         if (count_ == 0) file_.fail("the header does not give the number of atoms");
         if ((configuration_.edges.array() <= 0.0).any()) {
             file_.fail("the header must give the box: lines with 'xlo xhi', 'ylo yhi' and 'zlo zhi'");
+        }
+        Mat3 vectors = tilt_;
+        vectors.diagonal() = configuration_.edges;
+        if (!is_orthogonal(vectors)) {
+            file_.fail_at(tilt_line_, "the box is tilted; only orthogonal boxes can be read");
         }
     }
 
@@ -180,7 +197,7 @@ class Reader {
             if (fields_.size() != 4) file_.fail(fmt::format("expected 'id vx vy vz', found {}", shown(file_.line())));
             return read_vector(file_, fields_, 1);
         });
-        if (order.first_id != order_.first_id) {
+        if (order.ids != order_.ids) {
             file_.fail_at(order.first_line, "the ids of section Velocities are not those of section Atoms");
         }
         configuration_.velocities = arranged(velocities, order.rows);
@@ -216,6 +233,8 @@ class Reader {
     Index count_ = 0;
     Vec3 low_ = Vec3::Zero();
     Index box_line_ = 0;
+    Mat3 tilt_ = Mat3::Zero();
+    Index tilt_line_ = 0;
     std::optional<double> mass_;
     AtomOrder order_;
     Configuration configuration_;
@@ -231,6 +250,12 @@ bool is_lammps_atom_count(std::string_view line) {
     Fields fields;
     split_uncommented(line, fields);
     return fields.size() == 2 && fields[1] == "atoms" && is_number(fields[0]);
+}
+
+bool is_lammps_box_bound(std::string_view line) {
+    Fields fields;
+    split_uncommented(line, fields);
+    return fields.size() == 4 && fields[2] == "xlo" && fields[3] == "xhi" && is_number(fields[0]);
 }
 
 }  // namespace ljmd

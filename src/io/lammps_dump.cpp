@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ljmd/io/configuration_check.hpp"
+
 namespace ljmd {
 
 namespace {
@@ -28,6 +30,7 @@ constexpr std::array<VectorColumns, 4> all_positions{{{{"xu", "yu", "zu"}, false
                                                       {{"xs", "ys", "zs"}, true, false}}};
 constexpr std::array<const char*, 3> velocity_names{"vx", "vy", "vz"};
 constexpr std::array<const char*, 3> image_names{"ix", "iy", "iz"};
+constexpr std::array<std::string_view, 3> tilt_names{"xy", "xz", "yz"};
 
 bool has_all(const LammpsDump& dump, const std::array<const char*, 3>& names) {
     return std::ranges::all_of(names, [&](const char* name) { return dump.has(name); });
@@ -95,23 +98,33 @@ void LammpsDump::read_bounds(std::string_view boundaries) {
     box_line_ = file_.line_number();
     std::vector<std::string_view> fields;
     split_fields(boundaries, fields);
-    if (fields.size() > 3) {
-        file_.fail("the box is tilted; only orthogonal boxes can be read");
+    const bool has_tilt = fields.size() >= 3 && std::equal(tilt_names.begin(), tilt_names.end(), fields.begin());
+    fields.erase(fields.begin(), fields.begin() + (has_tilt ? 3 : 0));
+    tells_boundaries_ = !fields.empty();
+    if (tells_boundaries_ && fields != std::vector<std::string_view>(3, "pp")) {
+        file_.fail(fmt::format("the box must be periodic and along the axes, 'ITEM: BOX BOUNDS pp pp pp', found {}",
+                               shown(boundaries)));
     }
-    if (fields != std::vector<std::string_view>(3, "pp")) {
-        file_.fail("the box must be periodic, 'ITEM: BOX BOUNDS pp pp pp'");
-    }
+    Mat3 vectors = Mat3::Zero();
     for (int axis = 0; axis < 3; ++axis) {
         require_line("the bounds of the box");
         split_fields(file_.line(), fields);
-        if (fields.size() != 2) {
-            file_.fail(fmt::format("two bounds of the box were expected, found {}", shown(file_.line())));
+        if (fields.size() != (has_tilt ? 3U : 2U)) {
+            file_.fail(fmt::format("two bounds of the box{} were expected, found {}",
+                                   has_tilt ? " and a tilt factor" : "", shown(file_.line())));
         }
         low_[axis] = file_.number(fields[0], "a bound of the box");
         edges_[axis] = file_.number(fields[1], "a bound of the box") - low_[axis];
         if (!(edges_[axis] > 0.0)) {
             file_.fail("the upper bound of the box must be above the lower one");
         }
+        vectors(axis, axis) = edges_[axis];
+        if (has_tilt) {
+            vectors(axis == 0 ? 1 : 2, axis == 2 ? 1 : 0) = file_.number(fields[2], "a tilt factor");  // xy, xz, yz
+        }
+    }
+    if (!is_orthogonal(vectors)) {
+        file_.fail_at(box_line_, "the box is tilted; only orthogonal boxes can be read");
     }
 }
 
@@ -221,7 +234,11 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
         }
     }
     check_frame(dump_.file(), configuration, dump_.order(), dump_.box_line());
-    frame = {std::move(configuration), true, dump_.time().has_value(), found->unwrapped || has_images};
+    frame = {std::move(configuration), true, dump_.time().has_value(), found->unwrapped || has_images,
+             dump_.order().ids};
+    if (!dump_.tells_boundaries()) {
+        warn("'ITEM: BOX BOUNDS' does not tell the boundaries: the box is taken as periodic");
+    }
     return true;
 }
 

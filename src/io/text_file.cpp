@@ -7,6 +7,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "gzip_input.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/input_file.hpp"
 
@@ -16,6 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr Index largest_compression = 100;  // of a text; deflate itself reaches 1032
+constexpr Index usual_text = Index{1} << 24;
 
 bool separates(char c) {
     return c == ' ' || c == '\t';
@@ -28,26 +31,72 @@ std::string_view without_plus(std::string_view field) {
 }
 
 template <class T>
-std::errc parse(std::string_view field, T& value) {
-    const std::string_view digits = without_plus(field);
+std::errc parse_digits(std::string_view digits, T& value) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return end == digits.data() + digits.size() ? error : std::errc::invalid_argument;
+}
+
+std::errc parse(std::string_view field, Index& value) {
+    return parse_digits(without_plus(field), value);
+}
+
+/// Fortran writes the exponents of double precision with a D, which from_chars does not know.
+std::errc parse(std::string_view field, double& value) {
+    const std::string_view digits = without_plus(field);
+    const std::errc error = parse_digits(digits, value);
+    const std::size_t exponent = digits.find_first_of("dD");
+    const bool is_fortran = error == std::errc::invalid_argument && exponent != std::string_view::npos &&
+                            digits.substr(0, exponent).find_first_not_of("+-.0123456789") == std::string_view::npos;
+    if (!is_fortran) {
+        return error;
+    }
+    std::string with_e(digits);
+    with_e[exponent] = 'e';
+    return parse_digits(with_e, value);
+}
+
+/// The first bytes of a text; the stream is left behind them.
+std::string beginning_of(std::istream& stream) {
+    constexpr std::size_t enough = 4096;
+    std::string bytes(enough, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    return bytes;
 }
 
 }  // namespace
 
 TextFile::TextFile(const fs::path& path) : name_(path.string()), buffer_(longest_line + 1) {
-    stream_ = open_input(path);
+    file_ = open_input(path);
     std::error_code code;
     size_ = static_cast<Index>(fs::file_size(path, code));
     if (code) fail_at(0, "cannot be opened: " + code.message());
-    bytes_left_ = size_;
+    const bool is_packed = is_gzip(beginning_of(file_));
+    file_.clear();
+    file_.seekg(0);
+    if (is_packed) {
+        size_ = largest_compression * size_ + usual_text;
+        gzip_ = std::make_unique<GzipInput>(file_, size_);
+    }
+    stream_.rdbuf(is_packed ? static_cast<std::streambuf*>(gzip_.get()) : file_.rdbuf());
+    const std::string beginning = beginning_of(stream_);
+    no_text_ = why_no_text(beginning);
+    if (no_text_.empty() && beginning.find('\0') != std::string::npos) no_text_ = "is a binary file, not a text";
+    rewind();
+}
+
+TextFile::~TextFile() = default;
+
+bool TextFile::is_cut() const {
+    return stream_.eof() && (!gzip_ || gzip_->fault().empty() || gzip_->is_cut());
 }
 
 bool TextFile::next_line() {
+    if (!no_text_.empty()) fail_at(0, no_text_);
     stream_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     const auto taken = static_cast<Index>(stream_.gcount());
     if (stream_.bad()) fail("cannot be read to its end");
+    if (gzip_ && stream_.eof() && !gzip_->fault().empty()) fail(gzip_->fault());
     if (taken == 0 && stream_.eof()) return false;
     ++line_number_;
     if (stream_.fail()) fail(fmt::format("the line is longer than {} bytes", longest_line));
@@ -62,7 +111,11 @@ bool TextFile::next_line() {
 
 void TextFile::rewind() {
     stream_.clear();
-    stream_.seekg(0);
+    if (gzip_) {
+        gzip_->rewind();
+    } else {
+        stream_.seekg(0);
+    }
     line_ = {};
     line_number_ = 0;
     bytes_left_ = size_;

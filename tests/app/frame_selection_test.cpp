@@ -97,3 +97,14 @@ TEST_CASE("what lies between two parts does not make frames unevenly spaced") {
         select_frames(trajectory({10, 20, 30, 40}, {0.04, 0.08, 9.0, 9.04}), std::nullopt, &deck.stages, std::nullopt);
     CHECK(found.spacing.value() == Approx(0.04));
 }
+
+TEST_CASE("what lies between two places where a file was joined is a part of its own") {
+    TrajectorySummary joined = trajectory({0, 10, 20, 30, 40}, {0.0, 0.1, 0.2, 0.3, 0.4});
+    joined.breaks = {2};
+    const FrameSelection all = select(joined);
+    CHECK(all.parts[0] == all.parts[1]);
+    CHECK(all.parts[1] != all.parts[2]);
+    CHECK(all.parts[2] == all.parts[4]);
+    CHECK(all.longest_part == 3);
+    CHECK(all.spacing.value() == Approx(0.1));
+}

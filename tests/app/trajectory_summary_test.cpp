@@ -33,7 +33,7 @@ TEST_CASE("a summary tells what all frames have") {
     CHECK(all.times == std::vector<double>{0.5, 0.75});
     CHECK_FALSE(all.has_velocities);
     CHECK_FALSE(all.box_changes.has_value());
-    CHECK(all.warning.empty());
+    CHECK(all.warnings.empty());
     const TrajectorySummary some = summary_of(frame("step=5", 1.0) + frame("step=9", 2.0));
     CHECK(some.steps.size() == 2);
     CHECK(some.times.empty());
@@ -75,10 +75,19 @@ TEST_CASE("displacements tell whether positions are wrapped, and a file does whe
     CHECK(said.motion.largest_step == Approx(0.3));
 }
 
+TEST_CASE("a summary tells where a file was joined from runs that do not go on from each other") {
+    const TrajectorySummary all = summary_of(frame("step=0", 1.0) + frame("step=1", 1.1) + frame("step=1", 3.1) +
+                                             frame("step=2", 3.0) + frame("step=3", 2.9));
+    CHECK(all.steps == std::vector<Index>{0, 1, 2, 3});
+    CHECK(all.breaks == std::vector<std::size_t>{2});
+    CHECK(all.warnings.size() == 1);
+}
+
 TEST_CASE("what the reader has to tell is passed on") {
     const std::string text = frame("", 1.0);
     const TrajectorySummary cut = summary_of(text + text.substr(0, 20));
     CHECK(cut.frames == 1);
-    CHECK_THAT(cut.warning, Contains("frame 2: ") && Contains("the 1 frame before it is used"));
+    REQUIRE(cut.warnings.size() == 1);
+    CHECK_THAT(cut.warnings[0], Contains("frame 2: ") && Contains("the 1 frame before it is used"));
     CHECK_THAT(data_error([] { static_cast<void>(summary_of("\n")); }), Contains("unknown format"));
 }

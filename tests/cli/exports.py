@@ -41,7 +41,7 @@ def every_configuration_can_be_started_from(t):
     t.deck()
     t.run_well("run", "deck.toml", "--quiet", "--out", "out")
     ends = []
-    for target, file in (("extxyz", "start.xyz"), ("lammps", "start.data")):
+    for target, file in (("extxyz", "start.xyz"), ("lammps", "start.data"), ("h5md", "start.h5md")):
         t.run_well("export", "out", "--to", target)
         ends.append(next_deck(t, f"out-{target}/{file}"))
     wanted = float(t.read("out/thermo.csv").splitlines()[-1].split(",")[3])

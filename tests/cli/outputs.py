@@ -133,10 +133,10 @@ def final_xyz(t):
     run_all(t)
     lines = t.read("out/final.xyz").splitlines()
     t.equal(lines[0], "108", "first line")
-    t.contains(lines[1], "Properties=species:S:1:pos:R:3:velo:R:3:id:I:1")
+    t.contains(lines[1], "Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3:id:I:1")
     t.contains(lines[1], 'pbc="T T T"')
     t.contains(lines[1], "step=60")
-    t.equal([int(line.split()[7]) for line in lines[2:]], list(range(1, 109)), "ids")
+    t.equal([int(line.split()[10]) for line in lines[2:]], list(range(1, 109)), "ids")
 
 
 def trajectory_xyz(t):

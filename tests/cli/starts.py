@@ -1,10 +1,12 @@
 """Where a run may start: lattices, random places, files of other programs, other runs."""
 
 import csv
+import gzip
 import math
+import resource
 from pathlib import Path
 
-from harness import DECK, Case, Failure
+from harness import ARGON, DECK, Case, Failure
 
 DATA = Path(__file__).resolve().parents[1] / "data"
 LATTICE = 'lattice = { type = "fcc", cells = 3 }\n'
@@ -31,6 +33,8 @@ XYZ = """\
 Lattice="6 0 0 0 6 0 0 0 6" Properties=species:S:1:pos:R:3 pbc="T T T"
 {atoms}
 """
+
+HALVED = (5.04, 6.06, 6.6, 10.01, 10.26)  # edges of a box
 
 PAIR = DECK.replace(LATTICE, 'file = "pair.xyz"\n').replace("density = 0.8442\n", "")
 
@@ -146,7 +150,7 @@ def two_atoms_by_hand(t):
 def bad_start(name, content, deck=PAIR):
     def test(t):
         if content is not None:
-            (t.dir / "pair.xyz").write_text(content)
+            (t.dir / "pair.xyz").write_bytes(content if isinstance(content, bytes) else content.encode())
         t.deck(text=deck)
         before = t.files()
         result = t.expect(3, t.run("run", "deck.toml"))
@@ -172,19 +176,84 @@ def moving_centre(t):
     t.contains(result.err, "warning: the centre of mass moved with 1 sigma/tau; its motion was removed\n")
 
 
+def compressed(t):
+    """What gzip has compressed starts as it is."""
+    text = XYZ.format(count=2, atoms="Ar 0.1 0 0\nAr 4.6 0 0")
+    t.deck(("steps = 20", "steps = 0"), ("steps = 40", "steps = 0"), text=PAIR)
+    energies = []
+    for content in (text.encode(), gzip.compress(text.encode())):
+        (t.dir / "pair.xyz").write_bytes(content)
+        t.run_well("run", "deck.toml", "--quiet", "--force")
+        energies.append(t.json("runs/deck/results.json")["observables"]["potential_energy"]["mean"])
+    t.equal(energies[1], energies[0], "energy")
+
+
+def decompression_bomb(t):
+    """1 GB of atoms in 1 MB: refused, in little memory."""
+    atoms = b"Ar 0 0 0\n" * 600_000
+    with open(t.dir / "pair.xyz", "wb") as file:
+        file.write(gzip.compress(f'1000000000\nLattice="9 0 0 0 9 0 0 0 9"\n'.encode()))
+        member = gzip.compress(atoms)
+        for _ in range(200):
+            file.write(member)
+    t.deck(text=PAIR)
+    t.contains(t.expect(3, t.run("run", "deck.toml")).err, "pair.xyz:")
+    t.contains(t.run("run", "deck.toml").err, "the gzip file unpacks to more than")
+    taken = 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+    t.check(taken < 5e8, f"{taken / 1e6:.0f} MB of memory taken")
+
+
+def comment_beside_the_file(t):
+    """Positions of CP2K, in angstrom."""
+    (t.dir / "pair.xyz").write_text("2\n i = 1, time = 0.500, E = -12.5\nAr 0 0 0\nAr 5.1075 0 0\n")
+    deck = PAIR.replace('file = "pair.xyz"\n',
+                        """file = "pair.xyz"\nxyz_comment = 'Lattice="20.43 0 0 0 20.43 0 0 0 20.43" units=si'\n""")
+    t.deck(("steps = 20", "steps = 0"), ("steps = 40", "steps = 0"), ("tail = true", "tail = false"), text=deck + ARGON)
+    t.run_well("run", "deck.toml", "--quiet")
+    found = t.json("runs/deck/results.json")["observables"]
+    t.check(abs(2 * found["potential_energy"]["mean"] - 4 * (1.5**-12 - 1.5**-6)) < 1e-12, "U")
+    t.deck(('density = 0.8442\n', 'density = 0.8442\nxyz_comment = "units=si"\n'))
+    refused = t.expect(2, t.run("check", "deck.toml")).err
+    t.deck(text=deck + ARGON)
+    (t.dir / "pair.xyz").write_text(XYZ.format(count=2, atoms="Ar 0 0 0\nAr 1.5 0 0"))
+    refused += t.expect(3, t.run("run", "deck.toml")).err
+    t.golden(refused)
+
+
+def cutoff_of_half_an_edge(t):
+    """Typed as half of an edge that the grid of the box rounds down, or that is a difference of bounds."""
+    data = "\n\n2 atoms\n1 atom types\n0.1 10.36 xlo xhi\n0.1 10.36 ylo yhi\n0.1 10.36 zlo zhi\n\nAtoms\n\n1 1 1 1 1\n2 1 2.5 1 1\n"
+    lattice = XYZ.format(count=2, atoms="Ar 0 0 0\nAr 1.5 0 0")
+    for content, cutoff in ((lattice.replace("6 0 0 0 6 0 0 0 6", "EDGE 0 0 0 EDGE 0 0 0 EDGE".replace("EDGE", str(edge))), edge / 2)
+                            for edge in HALVED):
+        (t.dir / "pair.xyz").write_text(content)
+        t.deck(("cutoff = 2.5", f"cutoff = {cutoff!r}"), text=PAIR)
+        t.run_well("run", "deck.toml", "--quiet", "--force")
+    (t.dir / "pair.xyz").write_text(data)
+    t.deck(("cutoff = 2.5", "cutoff = 5.13"), text=PAIR)
+    t.run_well("run", "deck.toml", "--quiet", "--force")
+    t.deck(("cutoff = 2.5", "cutoff = 5.1300001"), text=PAIR)
+    t.contains(t.expect(2, t.run("run", "deck.toml", "--force")).err, "more than half the box")
+
+
 def cases():
     if len(published()) != 8:
         raise Failure("published.csv does not hold 8 rows")
     result = [Case(f"NIST configuration {row['config']}, rc = {row['rc']}", nist(row)) for row in published()]
     result += [Case(test.__name__.replace("_", " "), test)
                for test in (from_final_xyz, from_a_run_directory, from_a_trajectory, new_density, new_velocities, random_start,
-                            wca, morse, two_atoms_by_hand, cutoff_and_box_of_a_file, moving_centre)]
+                            wca, morse, compressed, decompression_bomb, comment_beside_the_file, cutoff_of_half_an_edge,
+                            two_atoms_by_hand, cutoff_and_box_of_a_file, moving_centre)]
     good = "Ar 0 0 0\nAr 1.5 0 0"
     return result + [
         bad_start("missing start file", None),
         bad_start("start from a directory without a run", None, PAIR.replace("pair.xyz", ".")),
         bad_start("start from an empty file", ""),
         bad_start("start from a text", "dear diary\n"),
+        bad_start("start in UTF-16", XYZ.format(count=2, atoms=good).encode("utf-16")),
+        bad_start("start with lines that end in CR", XYZ.format(count=2, atoms=good).replace("\n", "\r")),
+        bad_start("start from a damaged HDF5 file", b"\x89HDF\r\n\x1a\n"),
+        bad_start("start with a tilted box", XYZ.format(count=2, atoms=good).replace("0 0 0 6\"", "0 0 0.1 6\"")),
         bad_start("start with an atom too few", XYZ.format(count=3, atoms=good)),
         bad_start("start with a nan", XYZ.format(count=2, atoms="Ar 0 0 0\nAr nan 0 0")),
         bad_start("start with coincident atoms", XYZ.format(count=2, atoms="Ar 1 1 1\nAr 1 1 1")),

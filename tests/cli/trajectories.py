@@ -4,6 +4,7 @@ and what cannot be analyzed is refused.
 Files by h5py, MDAnalysis and ASE are read by tests/io/foreign_trajectories.py.
 """
 
+import gzip
 import json
 import math
 import random
@@ -84,7 +85,7 @@ def read_xyz(text):
         count = int(lines[0])
         lattice = [float(x) for x in re.search(r'Lattice="([^"]*)"', lines[1])[1].split()]
         rows = [line.split() for line in lines[2:2 + count]]
-        atoms = [(int(row[7]), [float(x) for x in row[1:4]], row[4:7]) for row in rows]
+        atoms = [(int(row[10]), [float(x) for x in row[1:4]], row[4:7]) for row in rows]
         yield int(re.search(r"step=(\d+)", lines[1])[1]), lattice[::4], atoms
         lines = lines[2 + count:]
 
@@ -134,6 +135,72 @@ def frames_in_a_foreign_place(t):
     run(t, "output.trajectory.format=h5md")
     (t.dir / "a.bin").write_bytes((t.dir / "out/trajectory.h5md").read_bytes())
     as_the_run(t, "a-analysis", t.run_well("analyze", "a.bin", *ALL, "--deck", "deck.toml", *SAMPLED, "--json"))
+
+
+def a_compressed_dump(t):
+    run(t)
+    name = write_dump(t, images=True)
+    text = (t.dir / name).read_bytes()
+    (t.dir / name).write_bytes(gzip.compress(text[:5000]) + gzip.compress(text[5000:]))
+    as_the_run(t, "dump-analysis", t.run_well("analyze", name, *ALL, "--deck", "deck.toml", *SAMPLED, "--json"))
+
+
+def a_box_whose_tilt_factors_are_zero(t):
+    run(t)
+    name = write_dump(t, images=True)
+    text = t.read(name).replace("BOX BOUNDS pp", "BOX BOUNDS xy xz yz pp")
+    (t.dir / name).write_text(re.sub(r"^(-1\.5 [\d.]+)$", r"\1 1e-15", text, flags=re.M))
+    as_the_run(t, "dump-analysis", t.run_well("analyze", name, *ALL, "--deck", "deck.toml", *SAMPLED, "--json"))
+
+
+def the_dump_of_a_group(t):
+    """Each third atom alone: its ids have gaps, and it moves as it does with ids that have none."""
+    run(t)
+    for name, first, apart in (("group.xyz", 1, 3), ("dense.xyz", 1, 1)):
+        frames = []
+        for step, edges, atoms in read_xyz(t.read("out/trajectory.xyz")):
+            rows = [f"{first + apart * k} {r[0]!r} {r[1]!r} {r[2]!r}\n" for k, (_, r, _) in enumerate(atoms[::3])]
+            frames.append(f'{len(rows)}\nLattice="{edges[0]} 0 0 0 {edges[1]} 0 0 0 {edges[2]}" '
+                          f"Properties=id:I:1:pos:R:3 step={step} units=reduced\n" + "".join(reversed(rows)))
+        (t.dir / name).write_text("".join(frames))
+        found = json.loads(t.run_well("analyze", name, "msd", "rdf", "--time-step", "0.004", "--json").out)
+        t.equal(found["atoms"], 36, "atoms")
+    for table in ("msd", "rdf"):
+        t.equal(t.read(f"group-analysis/{table}.csv"), t.read(f"dense-analysis/{table}.csv"), table)
+
+
+def a_dump_that_was_appended_to(t):
+    """Frames that come again are counted once, whether the last one comes again or the run went back to a restart file."""
+    run(t)
+    name = write_dump(t, images=True)
+    frames = ["ITEM: TIMESTEP" + frame for frame in t.read(name).split("ITEM: TIMESTEP")[1:]]
+    for again, words in ((1, "1 frame, frame 41, repeats a step"), (5, "5 frames, the first of them frame 41, repeat steps")):
+        (t.dir / name).write_text("".join(frames[:40] + frames[40 - again:]))
+        result = t.run_well("analyze", name, *ALL, "--deck", "deck.toml", *SAMPLED, "--json", "--force")
+        as_the_run(t, "dump-analysis", result)
+        t.contains(result.err, words)
+        t.check("gap" not in result.err, result.err)
+    moved = [re.sub(r"^(1 \S+ \S+ \S+) (-?\d+)", lambda m: f"{m[1]} {int(m[2]) + 1}", frame, flags=re.M) for frame in frames]
+    (t.dir / name).write_text("".join(frames[:40] + moved[35:]))
+    result = t.run_well("analyze", name, "msd", "--deck", "deck.toml", "--json", "--force")
+    t.contains(result.err, "nothing is compared in time across the gap")
+    msd = t.columns("dump-analysis/msd.csv")["msd"]
+    t.check(max(msd) < 1, f"the jump of an edge between two runs is in the displacements: {max(msd)}")
+
+
+def positions_of_cp2k(t):
+    """Its comment lines are no key=value: box and units are told beside the file."""
+    t.deck(text=DECK + ARGON)
+    lines = [f"Ar {3.405 * x + 0.1} {3.405 * y} {3.405 * z}\n" for x in range(3) for y in range(3) for z in range(3)]
+    (t.dir / "pos.xyz").write_text("".join(f"27\n i = {k}, time = {k}.500, E = -12.5\n{''.join(lines)}" for k in range(4)))
+    comment = 'Lattice="20.43 0 0 0 20.43 0 0 0 20.43" units=si'
+    result = t.run_well("analyze", "pos.xyz", "rdf", "msd", "--deck", "deck.toml", "--time-step", "0.5", "--json",
+                        "--xyz-comment", comment)
+    found = json.loads(result.out)
+    t.check(all(abs(edge - 6) < 1e-12 for edge in found["box_edges"]), f"edges {found['box_edges']}")
+    t.equal((found["frames"], found["spacing"]), (4, 0.5), "frames")
+    t.golden(t.expect(3, t.run("analyze", "pos.xyz")).err +
+             t.expect(3, t.run("analyze", "pos.xyz", "--xyz-comment", comment)).err)
 
 
 def thermodynamics_of_frames(t):
@@ -217,11 +284,11 @@ def timed(*times, **options):
 WITH_VELOCITIES = {"columns": ":velo:R:3", "values": " 0 0 1"}
 
 
-def refused(code, text, *arguments):
+def refused(code, text, *arguments, encoding="utf-8"):
     """A trajectory that is not analyzed: a golden message, and nothing is written."""
     def test(t):
         t.deck()
-        (t.dir / "a.xyz").write_text(text)
+        (t.dir / "a.xyz").write_bytes(text.encode(encoding))
         result = t.expect(code, t.run("analyze", "a.xyz", *arguments))
         t.equal(result.out, "", "stdout")
         t.equal(t.files(), ["a.xyz", "deck.toml"], "files")
@@ -403,7 +470,8 @@ def velocities_at_other_steps(t):
 
 
 def cases():
-    named = (a_lammps_dump_with_image_flags, thermodynamics_of_frames, a_wrapped_lammps_dump, frames_in_a_foreign_place, without_names,
+    named = (a_compressed_dump, a_box_whose_tilt_factors_are_zero, the_dump_of_a_group, a_dump_that_was_appended_to,
+             positions_of_cp2k, a_lammps_dump_with_image_flags, thermodynamics_of_frames, a_wrapped_lammps_dump, frames_in_a_foreign_place, without_names,
              settings_count_frames, thermo_and_more, cut_off, in_si_units, tables_that_are_there, without_a_trajectory,
              a_few_bodies, a_box_that_changes, without_times, positions_through_the_walls, positions_that_nothing_tells,
              a_deck_that_the_frames_contradict, units_of_the_first_frame, two_kinds_of_atoms, velocities_at_other_steps)
@@ -430,6 +498,10 @@ def cases():
         Case("a time step that is none", refused(2, frame(), "--time-step", "0")),
         Case("a deck that is not there", refused(2, timed(0, 1), "--deck", "nowhere.toml")),
         Case("no trajectory at all", refused(3, "hello\n")),
+        Case("a trajectory in UTF-16", refused(3, "\ufeff" + timed(0, 1), encoding="utf-16-le")),
+        Case("a trajectory with lines that end in CR", refused(3, timed(0, 1).replace("\n", "\r"))),
+        Case("a trajectory of XTC", refused(3, "\0\0\x07\xcb\0\0", encoding="latin-1")),
+        Case("a comment for a dump", refused(3, "ITEM: TIMESTEP\n", "--xyz-comment", "units=si")),
         Case("a damaged trajectory", refused(3, timed(0, 1).replace("X 2.2", "X 2.2.2"))),
         Case("atoms that overlap", refused(3, timed(0, 1, 2, **WITH_VELOCITIES).replace("X 2.2", "X 1"), "viscosity",
                                            "--deck", "deck.toml")),

@@ -15,6 +15,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         fuzz::check_promises(read_configuration(path, units));
     } catch (const DataError&) {
     }
+    try {
+        fuzz::check_promises(read_configuration(path, units, "Lattice={6 0 0 0 6 0 0 0 6}"));
+    } catch (const DataError&) {
+    }
     fuzz::check_trajectory(path, units);
     return 0;
 }

@@ -24,7 +24,7 @@ std::string complaint(Change&& change) {
     const TextFile file(written.path());
     Configuration configuration = two_atoms();
     change(configuration);
-    return data_error([&] { check_configuration(file, configuration, AtomOrder{1, {1, 0}, 8}, 3); });
+    return data_error([&] { check_configuration(file, configuration, AtomOrder{{1, 2}, {1, 0}, 8}, 3); });
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ TEST_CASE("without ids atoms stand in the order of the file") {
     CHECK(order.line(2) == 12);
 }
 
-TEST_CASE("with ids atoms stand in their order, whether they count from 1 or from 0") {
+TEST_CASE("with ids atoms stand in their order, whether they count from 1, from 0 or with gaps") {
     const WrittenFile written("");
     const TextFile file(written.path());
     const AtomOrder from_one = order_by_id(file, {3, 1, 2}, 10);
@@ -98,14 +98,16 @@ TEST_CASE("with ids atoms stand in their order, whether they count from 1 or fro
     const AtomOrder from_zero = order_by_id(file, {2, 0, 1}, 10);
     CHECK(from_zero.rows == std::vector<Index>{1, 2, 0});
     CHECK(from_zero.id(0) == 0);
+    const AtomOrder sparse = order_by_id(file, {900, 5, std::numeric_limits<Index>::max()}, 10);
+    CHECK(sparse.rows == std::vector<Index>{1, 0, 2});
+    CHECK(sparse.ids == std::vector<Index>{5, 900, std::numeric_limits<Index>::max()});
+    CHECK(sparse.line(0) == 11);
     const auto error = [&](const std::vector<Index>& ids) {
         return data_error([&] { (void)order_by_id(file, ids, 10); });
     };
     CHECK_THAT(error({1, 2, 2}), Contains(":12: id 2 occurs twice, first in line 11"));
-    CHECK_THAT(error({1, 2, 4}), Contains(":12: id 4 is not among the ids of 3 atoms, 1 to 3"));
-    CHECK_THAT(error({0, 1, 3}), Contains(":12: id 3 is not among the ids of 3 atoms, 0 to 2"));
-    CHECK_THAT(error({-1, 1, 2}), Contains(":10: id -1"));
-    CHECK_THAT(error({std::numeric_limits<Index>::max(), 0, 1}), Contains(":10: id 9223372036854775807"));
+    CHECK_THAT(error({7, 2, 7, 1}), Contains(":12: id 7 occurs twice, first in line 10"));
+    CHECK_THAT(error({1, -1, 2}), Contains(":11: id -1: ids must not be negative"));
 }
 
 TEST_CASE("a configuration is checked as a whole, and atoms are named by their ids and lines") {

@@ -23,6 +23,25 @@ TEST_CASE("nothing is wrong with a good configuration") {
     CHECK_FALSE(find_fault(bare).has_value());
 }
 
+TEST_CASE("atoms at the same place modulo the box are found, and none that are apart") {
+    CHECK_FALSE(find_coincident_atoms(two_atoms()).has_value());
+    Configuration same = two_atoms();
+    same.positions[1] = same.positions[0] + Vec3(same.edges[0], 0.0, -2.0 * same.edges[2]);
+    CHECK(find_coincident_atoms(same) == std::pair<Index, Index>(0, 1));
+}
+
+TEST_CASE("tilts of zero, or of rounding, are an orthogonal box, and no others are") {
+    Mat3 vectors = Mat3(Vec3(34.0, 5.0, 60.0).asDiagonal());
+    CHECK(is_orthogonal(vectors));
+    vectors(1, 0) = -0.0;
+    vectors(2, 1) = 60.0 * 6.1e-17;  // 60 cos(90 degrees)
+    vectors(2, 0) = 4e-16 * 34.0;
+    CHECK(is_orthogonal(vectors));
+    vectors(2, 0) = 1e-9;
+    CHECK_FALSE(is_orthogonal(vectors));
+    CHECK_FALSE(is_orthogonal(vectors.transpose()));
+}
+
 TEST_CASE("what cannot be computed with is found, and in which atom") {
     const auto fault = [](auto change) {
         Configuration configuration = two_atoms();

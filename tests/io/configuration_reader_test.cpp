@@ -6,10 +6,13 @@
 #include <functional>
 #include <random>
 
+#include "io/gzipped.hpp"
 #include "io/written_file.hpp"
+#include "ljmd/io/trajectory_writer.hpp"
 
 using namespace ljmd;
 using ljmd::test::data_error;
+using ljmd::test::gzipped;
 using ljmd::test::WrittenFile;
 
 namespace {
@@ -82,22 +85,59 @@ TEST_CASE("formats are recognised by content, whatever the name") {
         }
     }
     CHECK(read(WrittenFile("three words " + lammps).path()).positions.size() == 3);
+    for (const std::string title : {"864\n", "2026 11 25\n", "10 10\n"}) {  // the first line of LAMMPS data
+        CHECK(read(WrittenFile(title + lammps.substr(lammps.find('\n') + 1)).path()).velocities.size() == 3);
+    }
+    for (const std::string comment : {"864 atoms", "864", "0 10 20"}) {  // the second line of extended XYZ
+        const WrittenFile written("3\n" + comment + " " + xyz.substr(2));
+        CHECK(read(written.path()).positions.size() == 3);
+    }
+    CHECK(read(WrittenFile(gzipped(xyz_with_ids)).path()).velocities.size() == 3);
     CHECK(read(LJMD_TEST_DATA "/nist/lj_sample_config_periodic4.txt").positions.size() == 30);
 }
 
+TEST_CASE("the last frame of an H5MD file is a start, if the file is whole and its atoms are apart") {
+    const WrittenFile written("");
+    State state(2, Box(Vec3(4, 5, 6)));
+    state.write_positions().col(0) = Vec3(1, 2, 3);
+    const auto write = [&](double x) {
+        const auto writer = make_trajectory_writer("h5md", state, {.path = written.path(), .velocities = true});
+        writer->write(state);
+        state.step = 9;
+        state.write_positions().col(1) = Vec3(x, 2, 3);
+        state.write_velocities().col(1) = Vec3(0.5, 0, 0);
+        writer->write(state);
+        writer->close();
+        state.step = 0;
+    };
+    write(2.0);
+    const Configuration last = read(written.path());
+    CHECK(last.step == 9);
+    CHECK(last.edges == Vec3(4, 5, 6));
+    CHECK(last.positions == std::vector<Vec3>{{1, 2, 3}, {2, 2, 3}});
+    CHECK(last.velocities[1] == Vec3(0.5, 0, 0));
+    std::filesystem::remove(written.path());
+    write(5.0);
+    CHECK_THAT(data_error([&] { (void)read(written.path()); }), Catch::Contains("atoms 1 and 2 are at the same place"));
+}
+
 TEST_CASE("unknown content is refused with the formats that can be read") {
-    const std::string binary("\x89HDF\r\n\x1a\n\0\0\0\0", 12);
+    for (const std::string text : {"\n", "hello\nworld\n", "1 2\n"}) {
+        CAPTURE(text);
+        const std::string message = data_error([&] { (void)read(WrittenFile(text).path()); });
+        CHECK_THAT(message, Catch::Contains("unknown format") && Catch::Contains("NIST") &&
+                                Catch::Contains("extended XYZ") && Catch::Contains("LAMMPS data") &&
+                                Catch::Contains("H5MD"));
+    }
     const std::string wide(
         "\xff\xfe"
         "3\0\n\0",
         6);
-    for (const std::string& text :
-         {std::string("\n"), std::string("hello\nworld\n"), std::string("1 2\n"), binary, wide}) {
-        CAPTURE(text);
-        const std::string message = data_error([&] { (void)read(WrittenFile(text).path()); });
-        CHECK_THAT(message, Catch::Contains("unknown format") && Catch::Contains("NIST") &&
-                                Catch::Contains("extended XYZ") && Catch::Contains("LAMMPS data"));
-    }
+    CHECK_THAT(data_error([&] { (void)read(WrittenFile(wide).path()); }), Catch::Contains("UTF-16"));
+    const std::string binary("\x89HDF\r\n\x1a\n\0\0\0\0", 12);
+    CHECK_THAT(data_error([&] { (void)read(WrittenFile(binary).path()); }), Catch::Contains("HDF5 cannot open it"));
+    CHECK_THAT(data_error([&] { (void)read_configuration(WrittenFile(lammps).path(), std::nullopt, "units=si"); }),
+               Catch::Contains("is no extended XYZ file, but 'xyz_comment' is given"));
     CHECK_THAT(data_error([&] { (void)read(WrittenFile("").path()); }),
                Catch::Contains("start.txt: the file is empty"));
 }

@@ -80,6 +80,46 @@ TEST_CASE("an extended XYZ file in SI units is converted through the substance")
                Catch::Contains("start.txt:2: frame 1: ") && Catch::Contains("a deck with [argon] is needed"));
 }
 
+TEST_CASE("momenta of ASE are velocities times the mass of the file, or the one that ASE takes for the species") {
+    const auto velocity = [](const std::string& columns, const std::string& atom, const auto& units) {
+        return read_text("1\n" + lattice + columns + "\n" + atom + "\n", units).velocities.at(0);
+    };
+    const std::optional<SubstanceUnits> none;
+    CHECK(velocity("Properties=species:S:1:pos:R:3:momenta:R:3", "X 1 2 3 0.5 -1 2", none) == Vec3(0.5, -1, 2));
+    CHECK(velocity("Properties=species:S:1:pos:R:3:momenta:R:3", "ar 1 2 3 39.948 0 0", none) == Vec3(1, 0, 0));
+    CHECK(velocity("Properties=pos:R:3:masses:R:1:momenta:R:3", "1 2 3 4 8 0 0", none) == Vec3(2, 0, 0));
+    CHECK(velocity("Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3", "Ar 1 2 3 7 8 9 1 1 1", none) ==
+          Vec3(7, 8, 9));
+
+    const double dalton = 1.66053906660e-27;
+    const double electron_volt = 1.602176634e-19;
+    const SubstanceUnits argon(3.405e-10, 119.8 * 1.380649e-23, 39.948 * dalton);
+    const Vec3 found =
+        velocity("Properties=species:S:1:pos:R:3:momenta:R:3 units=si", "Ar 1 2 3 39.948 0 0", std::optional(argon));
+    const double sigma_per_tau = std::sqrt(119.8 * 1.380649e-23 / (39.948 * dalton));  // [m/s]
+    CHECK(found[0] == Approx(std::sqrt(electron_volt / dalton) / sigma_per_tau).epsilon(1e-13));
+}
+
+TEST_CASE("what the comment lines lack is told beside the file") {
+    const std::string cp2k = "2\n i = 1, time = 0.500, E = -12.5\nAr 1 0 0\nAr 2 0 0\n";
+    const WrittenFile written(cp2k + cp2k);
+    TextFile file(written.path());
+    CHECK(read_extended_xyz(file, std::nullopt, lattice).edges == Vec3(4, 5, 6));
+    ExtendedXyzTrajectory reader(written.path(), std::nullopt, lattice);
+    Frame found;
+    REQUIRE(reader.next(found));
+    CHECK_FALSE((found.has_step || found.has_time));
+    REQUIRE(reader.next(found));
+    CHECK(found.configuration.edges == Vec3(4, 5, 6));
+    CHECK_FALSE(reader.next(found));
+}
+
+TEST_CASE("ids of atoms may have gaps") {
+    const Configuration found =
+        read_text("2\n" + lattice + "Properties=species:S:1:pos:R:3:id:I:1\nX 1 0 0 90\nX 2 0 0 7\n");
+    CHECK(found.positions == std::vector<Vec3>{{2, 0, 0}, {1, 0, 0}});
+}
+
 TEST_CASE("a configuration that ljmd wrote is read back to the last bit") {
     State state(50, Box(Vec3(7.1, 8.2, 9.3)));
     std::mt19937_64 random(3);
@@ -126,9 +166,8 @@ TEST_CASE("malformed extended XYZ files are refused with line and frame") {
         {3, "frame 1: a coordinate must be a finite number, found 'nan'", "1\n" + lattice + "\nX 1 nan 0\n"},
         {4, "frame 1: species 'Y' beside 'X', but ljmd has one kind of atom", "2\n" + lattice + "\nX 1 0 0\nY 2 0 0\n"},
         {4, "frame 1: id 1 occurs twice, first in line 3", ids + "X 1 0 0 1\nX 2 0 0 1\n"},
-        {4, "frame 1: id 3 is not among the ids of 2 atoms, 1 to 2", ids + "X 1 0 0 1\nX 2 0 0 3\n"},
-        {4, "frame 1: id 2 is not among the ids of 2 atoms, 0 to 1", ids + "X 1 0 0 0\nX 2 0 0 2\n"},
-        {3, "frame 1: id -7 is not among", ids + "X 1 0 0 -7\nX 2 0 0 2\n"},
+        {3, "frame 1: id -7: ids must not be negative", ids + "X 1 0 0 -7\nX 2 0 0 2\n"},
+        {3, "frame 1: momenta take a mass", "1\n" + lattice + "Properties=pos:R:3:momenta:R:3\n1 0 0 1 1 1\n"},
         {8, "frame 2: atoms 1 and 2 are at the same place", frame + "2\n" + lattice + "\nX 1 0 0\nX 5 0 0\n"},
         {3, "frame 1: atom 1 has the mass -1; masses must be positive",
          "1\n" + lattice + "Properties=pos:R:3:mass:R:1\n1 0 0 -1\n"}};

@@ -45,11 +45,11 @@ TEST_CASE("an extended XYZ frame is written to the letter, atoms by id and unwra
     write_configuration(folder / "final.xyz", sample(), true);
     CHECK(content_of(folder / "final.xyz") ==
           "3\n"
-          "Lattice=\"4 0 0 0 5 0 0 0 6.5\" Properties=species:S:1:pos:R:3:velo:R:3:id:I:1 pbc=\"T T T\" Time=0.3 "
-          "step=75 units=reduced positions=unwrapped\n"
-          "X 0.5 1 1.5 1 0 -1 1\n"
-          "X -1.25 5.5 13.75 0.1 0.2 0.3 2\n"
-          "X 3 3.25 3.5 1e-05 -25000000000 0 3\n");
+          "Lattice=\"4 0 0 0 5 0 0 0 6.5\" Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3:id:I:1 pbc=\"T T T\" "
+          "Time=0.3 step=75 units=reduced positions=unwrapped\n"
+          "X 0.5 1 1.5 1 0 -1 1 0 -1 1\n"
+          "X -1.25 5.5 13.75 0.1 0.2 0.3 0.1 0.2 0.3 2\n"
+          "X 3 3.25 3.5 1e-05 -25000000000 0 1e-05 -25000000000 0 3\n");
 }
 
 TEST_CASE("velocities are optional, and without a box there is no lattice") {
@@ -79,7 +79,8 @@ TEST_CASE("numbers read back to the same double") {
         std::string species;
         Vec3 r;
         Vec3 v;
-        text >> species >> r[0] >> r[1] >> r[2] >> v[0] >> v[1] >> v[2] >> line;
+        text >> species >> r[0] >> r[1] >> r[2] >> v[0] >> v[1] >> v[2];
+        std::getline(text, line);
         CHECK(r == Vec3(state.positions().col(i)));
         CHECK(v == Vec3(state.velocities().col(i)));
     }
@@ -148,10 +149,13 @@ TEST_CASE("SI frames are argon in angstrom, angstrom per picosecond and picoseco
     double x = 0.0;
     double skipped = 0.0;
     double vx = 0.0;
-    text >> species >> x >> skipped >> skipped >> vx;
+    double px = 0.0;
+    text >> species >> x >> skipped >> skipped >> vx >> skipped >> skipped >> px;
     CHECK(species == "Ar");
     CHECK(x == Approx(0.5 * 3.405).epsilon(1e-14));
     CHECK(vx == Approx(1.0 * 3.405 / tau).epsilon(1e-14));
+    const double ase_velocity = std::sqrt(1.602176634e-19 / 1.66053906660e-27);  // sqrt(eV/u) [m/s]
+    CHECK(px == Approx(39.948 * 100.0 * vx / ase_velocity).epsilon(1e-13));      // 1 angstrom/ps = 100 m/s
 }
 
 TEST_CASE("a trajectory holds one frame after the other, each in the file when write returns") {

@@ -20,6 +20,7 @@ import numpy as np
 warnings.filterwarnings("ignore")  # other people's deprecations
 import ase  # noqa: E402
 import ase.io  # noqa: E402
+import ase.units  # noqa: E402
 import MDAnalysis  # noqa: E402
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
@@ -202,11 +203,26 @@ def extended_xyz_by_ase(ljmd, run):
     as_the_run(ljmd, "ase.xyz", {"rdf": 0.05, "structure_factor": 1e-6, "msd": 1e-6}, "--time-step", "0.02", *settings)
 
 
+def extended_xyz_by_ase_with_momenta(ljmd, run):
+    """Velocities that were set in ASE are those that are read: of argon in its units, and of argon in reduced ones."""
+    sigma, tau = 3.405, math.sqrt(39.948 * 1.66053906660e-27 / (119.8 * 1.380649e-23)) * 3.405e-10 / 1e-12
+    for name, length, velocity, info in (("ase-si.xyz", sigma, sigma / tau / (1000 * ase.units.fs), {"units": "si"}),
+                                         ("ase-reduced.xyz", 1.0, 1.0, {})):
+        frames = []
+        for r, v in zip(run.positions, run.velocities):
+            atoms = ase.Atoms(["Ar"] * len(r), positions=length * r, cell=length * run.edges, pbc=True, info=info)
+            atoms.set_velocities(velocity * v)
+            frames.append(atoms)
+        ase.io.write(name, frames, format="extxyz")
+        settings = ("--set", "analysis.msd.every=2", "--set", "analysis.vacf.every=1")
+        as_the_run(ljmd, name, {"msd": 1e-6, "vacf": 1e-6}, "--time-step", "0.02", *settings)
+
+
 def main():
     ljmd = pathlib.Path(sys.argv[1]).resolve()
     compute_same_bits_everywhere()  # how many distances rounding takes to another bin depends on the trajectory
     tests = (h5md_with_images_ids_and_increments, h5md_with_a_matrix_in_each_frame, h5md_in_other_units, h5md_by_mdanalysis,
-             extended_xyz_by_ase)
+             extended_xyz_by_ase, extended_xyz_by_ase_with_momenta)
     failed = 0
     with tempfile.TemporaryDirectory(prefix="ljmd-foreign-") as folder:
         os.chdir(folder)

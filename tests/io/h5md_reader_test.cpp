@@ -168,7 +168,7 @@ Read read_all(const std::filesystem::path& path, const std::optional<SubstanceUn
     while (reader.next(frame)) {
         all.frames.push_back(frame);
     }
-    all.warning = reader.warning();
+    all.warning = reader.warnings().empty() ? "" : reader.warnings()[0];
     all.unused_velocities = reader.unused_velocities();
     return all;
 }
@@ -330,8 +330,11 @@ TEST_CASE("of several groups of particles in an H5MD file one is chosen") {
 TEST_CASE("H5MD files that cannot be used are refused, with the reason") {
     CHECK_THAT(complaint({.boundary = {"periodic", "none", "periodic"}}), Contains("must be periodic"));
     CHECK_THAT(complaint({.edges_entry = {3, 3}, .tilt = 0.5}), Contains("frame 1: the box is tilted"));
+    CHECK(read({.edges_entry = {3, 3}, .tilt = 1.6e-15}).frames.at(0).configuration.edges == Vec3(4, 5, 6));
     CHECK_THAT(complaint({.edges_entry = {2}}), Contains("neither a vector nor a matrix"));
     CHECK_THAT(complaint({.ids = {3, 3}}), Contains("frame 1: id 3 occurs twice"));
+    CHECK_THAT(complaint({.all_ids = {1, 2, 2, 1, 1, 7}}),
+               Contains("frame 3: other atoms than in frame 1: id 7, where that has id 2"));
     CHECK_THAT(complaint({.ids = {3, -1}}), Contains("frame 1: id -1: an atom is missing"));
     CHECK_THAT(complaint({.ids = {1, 2, 3}}), Contains("frame 1: 3 ids, but 2 atoms"));
     CHECK_THAT(complaint({.first_step = -10}), Contains("frame 1: the step must be an integer of at least 0"));

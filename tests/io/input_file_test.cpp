@@ -9,6 +9,7 @@
 
 using namespace ljmd;
 using namespace ljmd::test;
+using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 TEST_CASE("only regular files are read, and links to them") {
@@ -36,4 +37,28 @@ TEST_CASE("only regular files are read, and links to them") {
 
 TEST_CASE("what is not read is named") {
     CHECK(data_error([] { static_cast<void>(open_input("no/such.file")); }) == "no/such.file: no such file");
+}
+
+TEST_CASE("what a file is that does not begin as a text does, is told") {
+    using namespace std::string_view_literals;
+    CHECK(why_no_text("").empty());
+    CHECK(why_no_text("864\r\nLattice").empty());
+    CHECK(why_no_text("a line without end").empty());
+    CHECK(why_no_text("\xEF\xBB\xBF"
+                      "864\n")
+              .empty());
+    CHECK_THAT(why_no_text("\x89HDF\r\n\x1a\n"sv), Contains("is an HDF5 file"));
+    for (const std::string_view wide : {"\xFF\xFE\x38\0"sv, "\xFE\xFF\0\x38"sv, "8\0006\0"sv, "\0008\0006"sv}) {
+        CHECK_THAT(why_no_text(wide), Contains("UTF-16"));
+    }
+    CHECK_THAT(why_no_text("864\rLattice\r"), Contains("CR alone"));
+    CHECK_THAT(why_no_text("\x1f\x8b\x08"), Contains("gzip"));
+    CHECK_THAT(why_no_text("\xFD"
+                           "7zXZ\0"sv),
+               Contains("xz"));
+    CHECK_THAT(why_no_text("BZh91AY&SY"), Contains("bzip2"));
+    CHECK_THAT(why_no_text("\x28\xB5\x2F\xFD"sv), Contains("zstd"));
+    CHECK_THAT(why_no_text("PK\x03\x04"sv), Contains("zip"));
+    CHECK_THAT(why_no_text("CDF\x01"sv), Contains("NetCDF"));
+    CHECK(why_no_text("some\0thing"sv).empty());
 }

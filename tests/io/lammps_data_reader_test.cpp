@@ -44,6 +44,22 @@ TEST_CASE("a LAMMPS data file needs neither masses, hint, images nor velocities"
     CHECK(configuration.masses.empty());
 }
 
+TEST_CASE("tilt factors of zero, or of rounding, are an orthogonal box in LAMMPS data") {
+    const std::string atoms = "\nAtoms\n\n1 1 1 0 1\n2 1 2 0 1\n";
+    for (const std::string tilt : {"0 0 0", "0.0 -0.0 0.0", "4e-16 0 -1e-15", "0.0D+00 0 0"}) {
+        CAPTURE(tilt);
+        CHECK(read_text(head + tilt + " xy xz yz\n" + atoms).edges == Vec3(4, 5, 6));
+        CHECK(read_text(title + tilt + " xy xz yz\n2 atoms\n" + box + atoms).edges == Vec3(4, 5, 6));
+    }
+}
+
+TEST_CASE("ids may have gaps, as when atoms were deleted") {
+    const Configuration configuration =
+        read_text(head + "Atoms\n\n900 1 2 0 1\n7 1 1 0 1\n\nVelocities\n\n7 1 0 0\n900 2 0 0\n");
+    CHECK(configuration.positions == std::vector<Vec3>{{1, 1, 0}, {2, 1, 0}});
+    CHECK(configuration.velocities == std::vector<Vec3>{{1, 0, 0}, {2, 0, 0}});
+}
+
 TEST_CASE("sections may stand in the order in which LAMMPS accepts them, with CRLF") {
     const Configuration configuration = read_text(
         "\r\n2 atoms\r\n0 4 xlo xhi\r\n0 4 ylo yhi\r\n0 4 zlo zhi\r\n\r\nAtoms\r\n\r\n1 1 1 0 0\r\n2 1 2 0 0\r\n\r\n"
@@ -71,7 +87,10 @@ TEST_CASE("malformed LAMMPS data files are refused with the line") {
         {3, "xlo must be a finite number", title + "2 atoms\n-inf 4 xlo xhi\n" + atoms},
         {5, "edges of the box must be positive and finite, found inf",
          title + "2 atoms\n-1e308 1e308 xlo xhi\n-1 4 ylo yhi\n1 7 zlo zhi\n" + atoms},
-        {7, "the box is tilted", head + "0 0 0 xy xz yz\n" + atoms},
+        {7, "the box is tilted", head + "0 1e-9 0 xy xz yz\n" + atoms},
+        {7, "a tilt factor must be a finite number", head + "0 nan 0 xy xz yz\n" + atoms},
+        {7, "expected 'xy xz yz xy xz yz'", head + "0 0 xy xz yz\n" + atoms},
+        {7, "the box is given by three vectors", head + "4 0 0 avec\n" + atoms},
         {7, "atom style 'full' cannot be read; the allowed style is 'atomic'",
          head + "Atoms # full\n\n1 1 1 0 0 0 0\n"},
         {9, "6 columns, but atom style 'atomic' has 5", head + "Atoms\n\n1 1 0.5 1 0 1\n2 1 0.5 2 0 1\n"},
@@ -83,7 +102,7 @@ TEST_CASE("malformed LAMMPS data files are refused with the line") {
         {9, "an image flag must be an integer, found '0.5'", head + "Atoms\n\n1 1 1 0 1 0 0 0.5\n2 1 2 0 1 0 0 0\n"},
         {9, "atom 1 is more than 1000000 edges away", head + "Atoms\n\n1 1 1 0 1 0 0 2000000000000\n2 1 2 0 1 0 0 0\n"},
         {10, "id 1 occurs twice, first in line 9", head + "Atoms\n\n1 1 1 0 1\n1 1 2 0 1\n"},
-        {9, "id 3 is not among the ids of 2 atoms, 1 to 2", head + "Atoms\n\n3 1 1 0 1\n1 1 2 0 1\n"},
+        {9, "id -3: ids must not be negative", head + "Atoms\n\n-3 1 1 0 1\n1 1 2 0 1\n"},
         {10, "atoms 1 and 2 are at the same place", head + "Atoms\n\n1 1 1 0 1\n2 1 5 0 1\n"},
         {9, "the file ends after 1 of 2 atoms", head + "Atoms\n\n1 1 1 0 1.000000000000000\n"},
         {8, "the file ends before the lines of section Atoms", head + "Atoms\n\n"},

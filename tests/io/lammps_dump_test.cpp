@@ -1,5 +1,6 @@
 #include "ljmd/io/lammps_dump.hpp"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "io/written_file.hpp"
@@ -23,6 +24,16 @@ Frame read_text(const std::string& text) {
     const bool there = reader.next(found);
     REQUIRE(there);
     return found;
+}
+
+/// The frame with tilt factors xy, xz, yz.
+std::string tilted(const std::string& factors) {
+    std::vector<std::string_view> f;
+    split_fields(factors, f);
+    return fmt::format(
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n-1 3 {}\n0 5 {}\n2 8 {}\n"
+        "ITEM: ATOMS id xu yu zu\n1 0 2 5\n2 5 -3 6\n",
+        f[0], f[1], f[2]);
 }
 
 std::string with(std::string text, const std::string& part, const std::string& instead) {
@@ -80,6 +91,43 @@ TEST_CASE("a dump may tell its units, its times and velocities") {
     CHECK(read_text(frame).configuration.velocities.empty());
 }
 
+TEST_CASE("a dump whose tilt factors are zero, or of rounding, has an orthogonal box") {
+    for (const std::string factors : {"0 0 0", "-0.0 0.0 0", "1.6e-15 0 -2e-15"}) {
+        CAPTURE(factors);
+        const Frame found = read_text(tilted(factors));
+        CHECK(found.configuration.edges == Vec3(4, 5, 6));
+        CHECK(found.configuration.positions == std::vector<Vec3>{{1, 2, 3}, {6, -3, 4}});
+    }
+}
+
+TEST_CASE("a box whose boundaries are not told is taken as periodic, with a word") {
+    const WrittenFile written(with(frame, " pp pp pp", "") + with(with(frame, "\n7\n", "\n8\n"), " pp pp pp", ""));
+    LammpsDumpTrajectory reader(written.path());
+    Frame found;
+    REQUIRE(reader.next(found));
+    REQUIRE(reader.next(found));
+    CHECK(found.configuration.edges == Vec3(4, 5, 6));
+    REQUIRE(reader.warnings().size() == 1);
+    CHECK_THAT(reader.warnings()[0], Contains("does not tell the boundaries: the box is taken as periodic"));
+}
+
+TEST_CASE("the dump of a group has ids with gaps, the same in all frames") {
+    const std::string group = head + "ITEM: ATOMS id xu yu zu\n900 1 2 3\n7 0 1 3\n";
+    const std::string next = with(group, "\n7\n", "\n8\n");
+    const WrittenFile written(group + next);
+    LammpsDumpTrajectory reader(written.path());
+    Frame found;
+    REQUIRE(reader.next(found));
+    CHECK(found.ids == std::vector<Index>{7, 900});
+    CHECK(found.configuration.positions == std::vector<Vec3>{{1, 1, 1}, {2, 2, 1}});
+    REQUIRE(reader.next(found));
+    const WrittenFile others(group + with(next, "900", "901"));
+    LammpsDumpTrajectory other(others.path());
+    REQUIRE(other.next(found));
+    CHECK_THAT(data_error([&] { static_cast<void>(other.next(found)); }),
+               Contains("start.txt:22: frame 2: other atoms than in frame 1: id 901, where that has id 900"));
+}
+
 TEST_CASE("a dump that cannot be used is refused, with its line") {
     const std::vector<Malformed> cases{
         {2, "the step must be an integer", with(frame, "\n7\n", "\nx\n")},
@@ -87,8 +135,10 @@ TEST_CASE("a dump that cannot be used is refused, with its line") {
         {4, "the number of atoms must be at least 1", with(frame, "\n2\nITEM", "\n0\nITEM")},
         {4, "the file announces 3000 atoms", with(frame, "\n2\nITEM", "\n3000\nITEM")},
         {5, "the box must be periodic", with(frame, "pp pp pp", "pp ff pp")},
-        {5, "the box is tilted", with(frame, "pp pp pp", "xy xz yz pp pp pp")},
-        {5, "the box must be periodic", with(frame, " pp pp pp", "")},
+        {6, "two bounds of the box and a tilt factor were expected", with(frame, "pp pp pp", "xy xz yz pp pp pp")},
+        {5, "the box is tilted", tilted("0 1e-9 0")},
+        {6, "a tilt factor must be a finite number", tilted("nan 0 0")},
+        {5, "found ' abc origin pp pp pp'", with(frame, "pp pp pp", "abc origin pp pp pp")},
         {7, "two bounds of the box were expected", with(frame, "\n0 5\n", "\n0 5 1\n")},
         {7, "the upper bound of the box must be above", with(frame, "\n0 5\n", "\n5 5\n")},
         {7, "a bound of the box must be a finite number", with(frame, "\n0 5\n", "\n0 inf\n")},
@@ -97,7 +147,7 @@ TEST_CASE("a dump that cannot be used is refused, with its line") {
         {10, "3 columns, but 'ITEM: ATOMS' names 4", with(frame, "2 1 2 3", "2 1 2")},
         {10, "xu must be a finite number", with(frame, "2 1 2 3", "2 nan 2 3")},
         {11, "id 2 occurs twice", with(frame, "\n1 0.25", "\n2 0.25")},
-        {11, "id 5 is not among the ids", with(frame, "\n1 0.25", "\n5 0.25")},
+        {11, "id -5: ids must not be negative", with(frame, "\n1 0.25", "\n-5 0.25")},
         {10, "the file ends after 1 of 2 atoms", with(frame, "1 0.25 -1 2e-3\n", "")},
         {10, "is more than 1000000 edges away", with(frame, "2 1 2 3", "2 1e9 2 3")},
         {1, "unknown item 'GRID'", with(frame, "TIMESTEP", "GRID")},

@@ -5,6 +5,7 @@ usage: readers_test.py PROGRAM FOLDER     runs PROGRAM FOLDER, then reads what i
 
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import traceback
@@ -15,6 +16,7 @@ import numpy as np
 
 warnings.filterwarnings("ignore")  # other people's deprecations
 import ase.io  # noqa: E402
+import ase.units  # noqa: E402
 import MDAnalysis  # noqa: E402
 
 ATOMS, FRAMES = 5, 4
@@ -213,6 +215,29 @@ def mdanalysis_reads_xyz():
             close(frame.positions, scale * positions(first + f), 1e-6)
 
 
+def from_the_documentation(first_words, name, sample):
+    """The universe that a block of Python in docs/files.md makes of a sample, under the name that stands there."""
+    text = (pathlib.Path(__file__).resolve().parents[2] / "docs/files.md").read_text(encoding="utf-8")
+    blocks = [block for block in re.findall(r"^```python\n(.*?)^```$", text, re.M | re.S) if block.startswith(first_words)]
+    assert len(blocks) == 1, f"docs/files.md has {len(blocks)} blocks that begin with {first_words!r}"
+    names = {}
+    exec(blocks[0].replace(f'"{name}"', repr(str(folder / sample))), names)
+    return names["universe"]
+
+
+def mdanalysis_opens_reduced_files_by_the_lines_of_the_documentation():
+    h5md = from_the_documentation("import h5py\n", "trajectory.h5md", "reduced.h5md")
+    xyz = from_the_documentation("import re\n", "trajectory.xyz", "reduced.xyz")
+    for system in (h5md, xyz):
+        assert system.trajectory.n_frames == FRAMES
+        for f in (*range(FRAMES), 1):  # also back
+            frame = system.trajectory[f]
+            close(frame.positions, positions(f), 1e-6)
+            close(frame.dimensions, [*edges(f), 90, 90, 90], 1e-6)
+            close(frame.time, TIMES[f])
+    close(h5md.trajectory[2].velocities, velocities(2), 1e-6)
+
+
 # ---- ASE: extended XYZ with all its keys; double precision
 
 
@@ -225,6 +250,9 @@ def ase_reads_every_frame():
             assert atoms.get_chemical_symbols() == ["Ar" if units == "si" else "X"] * ATOMS
             close(atoms.positions, length * positions(f), tolerance)
             close(atoms.arrays["velo"], length / time * velocities(f), tolerance)
+            # In a reduced file sigma/tau; else in ASE's unit, from which ASE's fs leads to angstrom/ps.
+            unit = 1000 * ase.units.fs if units == "si" else 1.0
+            close(atoms.get_velocities() * unit, length / time * velocities(f), 1e-8 if units == "si" else 0.0)
             same(atoms.arrays["id"], 1 + np.arange(ATOMS))
             close(atoms.cell.array, length * np.diag(edges(f)), tolerance)
             assert atoms.pbc.all()
@@ -234,7 +262,7 @@ def ase_reads_every_frame():
 
 def ase_reads_files_without_velocities_and_without_a_box():
     atoms = ase.io.read(folder / "positions.xyz", index=1)
-    assert "velo" not in atoms.arrays
+    assert "velo" not in atoms.arrays and not atoms.has("momenta")
     close(atoms.positions, 10 * NANOMETRE * positions(1))
     atoms = ase.io.read(folder / "unbounded.xyz", index=1)
     assert not atoms.pbc.any() and atoms.cell.rank == 0
@@ -245,6 +273,7 @@ def ase_reads_the_final_configuration_exactly():
     atoms = ase.io.read(folder / "final.xyz")
     same(atoms.positions, positions(FRAMES - 1))
     same(atoms.arrays["velo"], velocities(FRAMES - 1))
+    same(atoms.get_velocities(), velocities(FRAMES - 1))
     same(atoms.cell.array, np.diag(edges(FRAMES - 1)))
     assert atoms.info["units"] == "reduced" and atoms.info["step"] == STEPS[-1]
 
@@ -263,6 +292,7 @@ TESTS = [
     mdanalysis_reads_h5md_without_velocities_and_at_random,
     mdanalysis_gets_the_displacements_right,
     mdanalysis_reads_xyz,
+    mdanalysis_opens_reduced_files_by_the_lines_of_the_documentation,
     ase_reads_every_frame,
     ase_reads_files_without_velocities_and_without_a_box,
     ase_reads_the_final_configuration_exactly,

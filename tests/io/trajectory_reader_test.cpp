@@ -1,7 +1,9 @@
 #include "ljmd/io/trajectory_reader.hpp"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include "io/gzipped.hpp"
 #include "io/written_file.hpp"
 #include "ljmd/io/trajectory_writer.hpp"
 
@@ -9,6 +11,7 @@ using namespace ljmd;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using ljmd::test::data_error;
+using ljmd::test::gzipped;
 using ljmd::test::WrittenFile;
 
 namespace {
@@ -21,7 +24,9 @@ const std::string dump =
 /// All frames of a file.
 struct Read {
     std::vector<Frame> frames;
-    std::string warning;
+    Index read = 0;
+    std::vector<std::string> warnings;
+    std::string warning;  ///< the first
 };
 Read read_all(const std::filesystem::path& path) {
     const auto reader = open_trajectory(path, std::nullopt);
@@ -30,9 +35,28 @@ Read read_all(const std::filesystem::path& path) {
     while (reader->next(frame)) {
         all.frames.push_back(frame);
     }
-    CHECK(reader->frames() == std::ssize(all.frames));
-    all.warning = reader->warning();
+    all.read = reader->frames();
+    all.warnings = reader->warnings();
+    all.warning = all.warnings.empty() ? "" : all.warnings[0];
     return all;
+}
+
+/// A frame at another step than 7, moved along x.
+std::string later(const std::string& frame, int step, double moved = 0.0) {
+    const auto with = [&](std::string text, const std::string& part, const std::string& instead) {
+        return text.replace(text.find(part), part.size(), instead);
+    };
+    const std::string shifted = with(frame, "1 2 3", fmt::format("{} 2 3", 1.0 + moved));
+    return frame == xyz ? with(shifted, "step=7", fmt::format("step={}", step))
+                        : with(shifted, "\n7\n", fmt::format("\n{}\n", step));
+}
+
+std::vector<Index> steps_of(const Read& read) {
+    std::vector<Index> steps;
+    for (const Frame& frame : read.frames) {
+        steps.push_back(frame.configuration.step);
+    }
+    return steps;
 }
 
 std::string complaint(const std::string& text) {
@@ -89,7 +113,7 @@ TEST_CASE("the number of atoms stays the same in a trajectory, and steps and tim
 
 TEST_CASE("frames need not all have velocities") {
     const std::string with_velocities =
-        "2\nLattice=\"4 0 0 0 5 0 0 0 6\" step=7 Properties=species:S:1:pos:R:3:velo:R:3\nX 1 2 3 0 0 0\nX 2 2 3 0 0 "
+        "2\nLattice=\"4 0 0 0 5 0 0 0 6\" step=8 Properties=species:S:1:pos:R:3:velo:R:3\nX 1 2 3 0 0 0\nX 2 2 3 0 0 "
         "0\n";
     const WrittenFile written(xyz + with_velocities);
     const Read all = read_all(written.path());
@@ -108,15 +132,63 @@ TEST_CASE("of a text that was cut off anywhere the whole frames are read, with a
     for (const std::string& frame : {xyz, dump}) {
         for (std::size_t kept = 1; kept < frame.size(); ++kept) {
             CAPTURE(kept);
-            const WrittenFile written(frame + frame + frame.substr(0, kept));
+            const WrittenFile written(frame + later(frame, 8) + later(frame, 9).substr(0, kept));
             const Read all = read_all(written.path());
             CHECK(all.frames.size() == 2);
             CHECK_THAT(all.warning, Contains("frame 3: ") && EndsWith("; the 2 frames before it are used"));
         }
-        const WrittenFile whole(frame + frame);
+        const WrittenFile whole(frame + later(frame, 8));
         CHECK(read_all(whole.path()).frames.size() == 2);
         CHECK(read_all(whole.path()).warning.empty());
     }
+}
+
+TEST_CASE("where a run was appended to another one, each step is counted once") {
+    for (const std::string& frame : {xyz, dump}) {
+        const std::string first = later(frame, 0, 0.0) + later(frame, 10, 0.5) + later(frame, 20, 1.0);
+        const WrittenFile repeated(first + later(frame, 20, 1.0) + later(frame, 30, 1.5));
+        const Read one = read_all(repeated.path());
+        CHECK(steps_of(one) == std::vector<Index>{0, 10, 20, 30});
+        CHECK(one.read == 5);
+        CHECK_FALSE(one.frames[3].begins_anew);  // the repeated frame is the one before it
+        REQUIRE(one.warnings.size() == 1);
+        CHECK_THAT(one.warning, Contains("1 frame, frame 4, repeats a step") && Contains("counted once"));
+
+        const WrittenFile back(first + later(frame, 10, 0.5) + later(frame, 20, 1.3) + later(frame, 30, 1.5));
+        const Read other = read_all(back.path());
+        CHECK(steps_of(other) == std::vector<Index>{0, 10, 20, 30});
+        CHECK(other.frames[3].begins_anew);  // another trajectory from the same step
+        CHECK_THAT(other.warning, Contains("2 frames, the first of them frame 4, repeat steps") && Contains("gap"));
+    }
+}
+
+TEST_CASE("without steps times tell which frames come again, and without both none do") {
+    const auto timed = [](double time) {
+        return fmt::format("2\nLattice=\"4 0 0 0 5 0 0 0 6\" Time={}\nX 1 2 3\nX 2 2 3\n", time);
+    };
+    const WrittenFile times(timed(0) + timed(0.5) + timed(0.5) + timed(1));
+    CHECK(read_all(times.path()).frames.size() == 3);
+    const std::string plain = "2\nLattice=\"4 0 0 0 5 0 0 0 6\"\nX 1 2 3\nX 2 2 3\n";
+    const WrittenFile untold(plain + plain);
+    CHECK(read_all(untold.path()).frames.size() == 2);
+}
+
+TEST_CASE("a compressed trajectory is read like any other, and as far as it goes when it was cut off") {
+    for (const std::string& frame : {xyz, dump}) {
+        const std::string packed = gzipped(frame) + gzipped(later(frame, 8));
+        const WrittenFile whole(packed);
+        CHECK(steps_of(read_all(whole.path())) == std::vector<Index>{7, 8});
+        const WrittenFile cut(packed.substr(0, packed.size() - 20));
+        const Read found = read_all(cut.path());
+        CHECK(steps_of(found) == std::vector<Index>{7});
+        CHECK_THAT(found.warning, Contains("the gzip file is cut off") && EndsWith("the 1 frame before it is used"));
+    }
+}
+
+TEST_CASE("a comment beside the file is for extended XYZ alone") {
+    const WrittenFile written(dump);
+    CHECK_THAT(data_error([&] { static_cast<void>(open_trajectory(written.path(), std::nullopt, "", "units=si")); }),
+               Contains("is no extended XYZ file, but --xyz-comment is given"));
 }
 
 TEST_CASE("a file that ends within its first frame holds nothing") {
@@ -133,6 +205,7 @@ TEST_CASE("damage within a trajectory is an error, not an end") {
     damaged.replace(damaged.find("X 2"), 3, "X nan");
     CHECK_THAT(complaint(xyz + damaged + xyz), Contains("start.txt:8: frame 2: a coordinate must be a finite number"));
     CHECK_THAT(complaint(xyz + damaged), Contains("start.txt:8: frame 2: "));
+    CHECK_THAT(complaint(gzipped(xyz + damaged)), Contains("start.txt:8: frame 2: "));
     CHECK_THAT(complaint(dump + "ITEM: TIMESTEP\n" + dump), Contains("start.txt:13: frame 2: the step must be"));
     CHECK_THAT(complaint(xyz + "rubbish here\n" + xyz), Contains("start.txt:5: frame 2: expected the number of atoms"));
 }

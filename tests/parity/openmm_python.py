@@ -129,10 +129,10 @@ class Folder:
     def final(self, name: str) -> tuple[np.ndarray, np.ndarray]:
         """Positions and velocities at the end of a run, by id."""
         lines = (self.path / name / "final.xyz").read_text().splitlines()
-        if "pos:R:3:velo:R:3:id:I:1" not in lines[1]:
+        if "pos:R:3:velo:R:3:momenta:R:3:id:I:1" not in lines[1]:
             raise ValueError(f"final.xyz of {name} has other columns: {lines[1]}")
         rows = np.array([line.split()[1:] for line in lines[2:]], float)
-        rows = rows[np.argsort(rows[:, 6])]
+        rows = rows[np.argsort(rows[:, 9])]
         return rows[:, :3], rows[:, 3:6]
 
 

@@ -74,6 +74,7 @@ struct AnalyzeOptions {
     std::optional<double> time_step{};    ///< for frames without times [tau]
     std::string group{};                  ///< of particles in an H5MD file; empty: the only one
     std::string positions{};              ///< "wrapped", "unwrapped"; empty: the file or the displacements tell
+    std::string xyz_comment{};            ///< what the comment lines of an extended XYZ file lack
     std::string out{};                    ///< directory for the tables
     bool force = false;
     bool json = false;

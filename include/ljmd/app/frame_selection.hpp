@@ -11,8 +11,8 @@ namespace ljmd {
 
 /// Which frames of a trajectory are measured, and how far apart in time they are.
 struct FrameSelection {
-    /// For each frame the part that it belongs to, a stage of a run; nothing for those that are left out. What
-    /// compares configurations in time does so within a part.
+    /// For each frame the part that it belongs to: a stage of a run, what lies between two places where a file was
+    /// joined; nothing for those that are left out. What compares configurations in time does so within a part.
     std::vector<std::optional<std::size_t>> parts;
     std::vector<Index> numbers;        ///< of the frames: those whose number `every` divides are measured; one apart
     Index used;                        ///< frames

@@ -21,13 +21,17 @@ class FrameMotionMeter {
     /// @pre as many atoms in every frame
     void add(const Configuration& frame);
 
+    /// The next frame does not go on from the last one: how far atoms have moved between them tells nothing.
+    void begin_anew() { before_.clear(); }
+
     [[nodiscard]] const FrameMotion& motion() const { return motion_; }
 
   private:
     FrameMotion motion_;
     Vec3 lowest_ = Vec3::Zero();  ///< of all positions, in edges
     Vec3 highest_ = Vec3::Zero();
-    std::vector<Vec3> before_;  ///< positions in the last frame
+    bool has_frames_ = false;
+    std::vector<Vec3> before_;  ///< positions in the last frame; none: that does not count
 };
 
 enum class Positions {

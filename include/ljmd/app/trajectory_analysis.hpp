@@ -15,8 +15,9 @@ struct AnalyzedTrajectory {
     const Deck* deck = nullptr;  ///< null: none is known
     TrajectorySummary summary;
     FrameSelection selection;
-    std::string group = {};  ///< of particles, see open_trajectory()
-    bool thermo = false;     ///< energies and pressures of the frames are wanted, see check_thermo()
+    std::string group = {};     ///< of particles, see open_trajectory()
+    bool thermo = false;        ///< energies and pressures of the frames are wanted, see check_thermo()
+    std::string xyz_comment{};  ///< what the comment lines of an extended XYZ file lack
 
     [[nodiscard]] std::optional<SubstanceUnits> units() const { return deck != nullptr ? deck->units : std::nullopt; }
 };

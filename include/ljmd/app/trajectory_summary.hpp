@@ -23,7 +23,8 @@ struct TrajectorySummary {
     std::vector<double> times;         ///< [tau], likewise
     FrameMotion motion;
     PositionReading positions;
-    std::string warning;  ///< of the reader; may be empty
+    std::vector<std::size_t> breaks;    ///< frames, from 0, that do not go on from the one before
+    std::vector<std::string> warnings;  ///< of the reader
 };
 
 /// Read all of a trajectory once.
@@ -32,6 +33,7 @@ struct TrajectorySummary {
 /// @throws DataError as TrajectoryReader::next, and for a file without frames
 [[nodiscard]] TrajectorySummary summarize(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
                                           const std::string& group = {},
-                                          std::optional<Positions> positions = std::nullopt);
+                                          std::optional<Positions> positions = std::nullopt,
+                                          const std::string& xyz_comment = {});
 
 }  // namespace ljmd

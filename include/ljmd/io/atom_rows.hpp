@@ -27,20 +27,20 @@ void next_atom_line(TextFile& file, Index row, Index count);
 
 /// Where the atoms stand in a block of lines: atom k (from 0) in the line first_line + rows[k].
 struct AtomOrder {
-    Index first_id = 1;  ///< 0 when the file counts from 0
+    std::vector<Index> ids;  ///< of atom k, as the file has them; empty when it has none: then they count from 1
     std::vector<Index> rows;
     Index first_line = 0;
 
-    [[nodiscard]] Index id(Index k) const { return first_id + k; }
+    [[nodiscard]] Index id(Index k) const { return ids.empty() ? k + 1 : ids[static_cast<std::size_t>(k)]; }
     [[nodiscard]] Index line(Index k) const { return first_line + rows[static_cast<std::size_t>(k)]; }
 };
 
 /// The order in which the file lists its atoms, for files without ids.
 [[nodiscard]] AtomOrder file_order(Index count, Index first_line);
 
-/// Sort by id. The ids of N atoms are 1 ... N, or 0 ... N-1 when one of them is 0.
+/// Sort by id. Ids may have gaps: a dump of a group of atoms, or a file from which atoms were deleted, has them.
 /// @param ids  as written, one a line from first_line on
-/// @throws DataError with its line for a negative, repeated or too large id; a gap shows as one of these
+/// @throws DataError with its line for a negative or repeated id
 [[nodiscard]] AtomOrder order_by_id(const TextFile& file, const std::vector<Index>& ids, Index first_line);
 
 /// Values as read, row by row, in the order of the atoms: atom k is that of rows[k].

@@ -12,8 +12,11 @@ namespace ljmd {
 
 /// Append one frame in extended XYZ: the number of atoms, a line of keys, one line an atom in the order of ids.
 ///
-///     Lattice="L 0 0 0 L 0 0 0 L" Properties=species:S:1:pos:R:3:velo:R:3:id:I:1 pbc="T T T" Time=.. step=.. units=..
+///     Lattice="L 0 0 0 L 0 0 0 L" Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3:id:I:1 pbc="T T T" Time=..
+///     step=.. units=..                                                          (in one line)
 ///
+/// `momenta` make the velocities of ASE right, which it takes from nothing else: the velocity in ASE's unit sqrt(eV/u),
+/// in a reduced file in sigma/tau, times the mass that ASE gives to the species [u].
 /// Numbers have as many digits as it takes to read back the same double. Positions are unwrapped; ids count from 1.
 /// Without a box there is no Lattice, and pbc="F F F".
 ///

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 namespace ljmd {
 
@@ -13,5 +14,10 @@ namespace ljmd {
 
 /// @throws DataError naming the path, when it is not a regular file or cannot be opened
 [[nodiscard]] std::ifstream open_input(const std::filesystem::path& path);
+
+/// What a file is that does not begin as a text does: HDF5, compressed, text in UTF-16, or lines that end in CR alone.
+/// Empty for a text, and for what is unknown.
+/// @param beginning  its first bytes
+[[nodiscard]] std::string why_no_text(std::string_view beginning);
 
 }  // namespace ljmd

@@ -18,9 +18,10 @@ namespace ljmd {
 ///     ITEM: UNITS, ITEM: TIME             optional; units must be lj
 ///     ITEM: TIMESTEP
 ///     ITEM: NUMBER OF ATOMS
-///     ITEM: BOX BOUNDS pp pp pp           an orthogonal, periodic box
-///     ITEM: ATOMS id ...                  columns in any order, atoms in any order
+///     ITEM: BOX BOUNDS pp pp pp           an orthogonal, periodic box; xy xz yz before pp: tilt factors, of zero
+///     ITEM: ATOMS id ...                  columns in any order, atoms in any order; ids may have gaps
 ///
+/// Dumps of LAMMPS before 2010 do not tell the boundaries; they are taken as periodic.
 /// Source: LAMMPS documentation, dump and dump_modify commands
 class LammpsDump {
   public:
@@ -37,6 +38,7 @@ class LammpsDump {
     [[nodiscard]] const Vec3& low() const { return low_; }      ///< corner of the box
     [[nodiscard]] const Vec3& edges() const { return edges_; }  ///< of the box
     [[nodiscard]] Index box_line() const { return box_line_; }
+    [[nodiscard]] bool tells_boundaries() const { return tells_boundaries_; }
 
     [[nodiscard]] bool has(std::string_view column) const;
 
@@ -68,6 +70,7 @@ class LammpsDump {
     Vec3 low_ = Vec3::Zero();
     Vec3 edges_ = Vec3::Zero();
     Index box_line_ = 0;
+    bool tells_boundaries_ = true;
     std::vector<std::string> columns_;
     AtomOrder order_;
     OneKind kind_;
