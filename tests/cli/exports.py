@@ -19,7 +19,7 @@ def next_deck(t, file):
 def lammps(t):
     t.deck()
     result = t.run_well("export", "deck.toml", "--to", "lammps")
-    t.equal(result.err, "", "stderr")
+    t.equal(result.err, "warning: left out: stage 'melt'; the motion exported is that of 'production'\n", "stderr")
     t.golden(result.out)
     t.equal(t.files(), ["deck-lammps", "deck-lammps/in.lammps", "deck-lammps/start.data", "deck.toml"], "files")
     text = t.read("deck-lammps/in.lammps")

@@ -274,7 +274,7 @@ def cases():
     lists = [("a list with a ragged row", b"system.density,system.temperature\n0.5,1\n0.6\n0.7,1,2\n0.5,1\n", 2),
              ("a list with values that the deck refuses", b"system.density,system.temperature\n0.5,1\n-0.5,hot\n", 2),
              ("an empty list", b"", 2), ("a list with a header alone", b"system.density\n", 2),
-             ("a list that is not text", b"\xff\xfe\n\x00\n", 2), ("a list that is not there", None, 3)]
+             ("a list that is not text", b"\xff\xfe\n\x00\n", 3), ("a list that is not there", None, 3)]
     return [Case(test.__name__.replace("_", " "), test)
             for test in (a_grid_is_its_runs, a_list_of_points, few_bodies, killed_and_gone_on_with,
                          the_deck_may_change_meanwhile, a_point_that_fails, a_point_that_is_helped, another_sweep, not_a_sweep,
