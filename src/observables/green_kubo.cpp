@@ -9,6 +9,7 @@ namespace {
 
 constexpr Index windows_for_an_error = 8;
 constexpr double change_without_error = 0.05;  // of the integral
+constexpr double rounding = 1e-12;             // of the integral: all there is where nothing fluctuates
 
 double trapezoids(const Eigen::VectorXd& values, Index last, Index stride) {
     double sum = 0.0;
@@ -29,7 +30,8 @@ double change_at_double_spacing(const Eigen::VectorXd& values, double spacing) {
 }
 
 bool frames_are_close(const Estimate& integral, double change) {
-    return !std::isfinite(integral.standard_error) || std::abs(change) <= integral.standard_error;
+    return !std::isfinite(integral.standard_error) ||
+           std::abs(change) <= integral.standard_error + rounding * std::abs(integral.mean);
 }
 
 ObservableAverage green_kubo_integral(ObservableAverage integral, double change) {

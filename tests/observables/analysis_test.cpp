@@ -103,7 +103,10 @@ TEST_CASE("every analysis goes on from an archive, and with any number of thread
                 }
             }
             for (const ObservableAverage& observable : analysis->observables()) {
-                REQUIRE(observable.estimate.has_value());
+                if (!observable.estimate) {
+                    CHECK_FALSE(observable.remark.empty());
+                    continue;
+                }
                 numbers.push_back(observable.estimate->mean);
                 numbers.push_back(observable.estimate->standard_error);
             }
