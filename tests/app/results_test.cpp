@@ -169,8 +169,8 @@ TEST_CASE("the table of a run shows what people look for, in SI too for a substa
     CHECK_THAT(line_of_table(reduced, "energy drift"), Contains("'production': -1.5e-07 epsilon per atom and tau"));
     CHECK_THAT(reduced, !Contains("pressure_xy") && !Contains("equilibrate"));
     const std::string argon = results_table(deck_with(argon_table), result);
-    CHECK_THAT(line_of_table(argon, "temperature"), Catch::EndsWith(" 86.50 +- 0.25 K"));
-    CHECK_THAT(line_of_table(argon, "potential_energy"), Catch::EndsWith(" -6.0632 +- 0.0012 kJ/mol"));
+    CHECK_THAT(line_of_table(argon, "temperature"), Catch::EndsWith(" 86.50 +- 0.25  K"));
+    CHECK_THAT(line_of_table(argon, "potential_energy"), Catch::EndsWith(" -6.0632 +- 0.0012  kJ/mol"));
     CHECK_THAT(argon, Contains("density 0.8442 sigma^-3 (1.4185 g/cm3)"));
 }
 

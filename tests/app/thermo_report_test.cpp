@@ -116,7 +116,7 @@ TEST_CASE("an error bar of few independent rows is marked as a guess") {
     report.columns.push_back({"temperature", found, 20.0, {}});
     found.independent_samples = 17.0;
     report.columns.push_back({"pressure", found, 20.0, {}});
-    CHECK_THAT(thermo_table(report), Contains("1.50 +- 0.10 [1]\n") && Contains("1.50 +- 0.10\n") &&
+    CHECK_THAT(thermo_table(report), Contains("1.50 +- 0.10  [1]\n") && Contains("1.50 +- 0.10\n") &&
                                          Contains("\n  [1] its error bar is a guess"));
     const Json observables = Json::parse(thermo_json(report)).at("observables");
     CHECK(observables.at("temperature").contains("remark"));
