@@ -34,6 +34,7 @@ void check_temperature(const Section& root, bool keeps_velocities, Diagnostics& 
     }
     const double asked = system.number("temperature");
     std::vector<double> own;
+    own.reserve(held.size());
     for (const Section* stage : held) {
         own.push_back(stage->number("temperature"));
     }
