@@ -101,7 +101,8 @@ std::optional<std::string_view> find(const TextFile& file, const Pairs& pairs, c
     const auto is_key = [&](const Pair& pair) { return lower_case(pair.key) == key; };
     const auto first = std::ranges::find_if(pairs, is_key);
     if (first == pairs.end()) return std::nullopt;
-    for (const Pair& other : std::ranges::subrange(std::next(first), pairs.end())) {
+    for (auto next = std::next(first); next != pairs.end(); ++next) {
+        const Pair& other = *next;
         if (!is_key(other)) continue;
         if (other.in_file != first->in_file) {
             file.fail(fmt::format("{}= is given in the comment line and beside the file (xyz_comment)", first->key));

@@ -153,8 +153,10 @@ Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUni
     const Reading how{units, comment};
     std::optional<RawFrame> last;
     ExtendedXyzPremises premises;
-    for (Index number = 1; auto frame = next_frame(file, number, 0, how, premises); ++number) {
-        last = std::move(frame);
+    std::optional<RawFrame> frame = next_frame(file, 1, 0, how, premises);
+    for (Index number = 2; frame; ++number) {
+        last.swap(frame);
+        frame = next_frame(file, number, 0, how, premises);
     }
     if (!last) file.fail("the file has no frame");
     const AtomOrder order = order_of(file, *last);
