@@ -111,7 +111,7 @@ def fill_a_disk(runner: Runner, case: Case, mount: Path, form: str, tally: Tally
             stopped.append(kilobytes)
 
     before = tally.failed
-    sizes = range(4, 400, 12)
+    sizes = [*range(4, 400, 12), 1000, 2000, 4000]  # the last ones have room for all that a run of a fluid writes
     for kilobytes in sizes:
         tally.attempt(f"{form}, a disk of {kilobytes} kB", lambda: attempt(kilobytes))
     if not stopped or len(stopped) == len(sizes):
