@@ -143,8 +143,10 @@ def load(path: Path) -> RunDirectory:
 
 
 def tables_of_analysis(path: Path) -> RunDirectory:
-    """A directory that `ljmd analyze` wrote, as a run of which there are only tables; they have the name of the directory,
-    or of the run in which it lies, for a title."""
+    """The tables that `ljmd analyze` wrote, as a run without observables and stages.
+
+    The title is the name of the run that the directory lies in, or else of the directory itself.
+    """
     inside = path.resolve()
     title = inside.parent.name if (inside.parent / "run.json").exists() else inside.name
     return RunDirectory(path=path, title=title, thermo={}, rdf=read_rdf(path / "rdf.csv"), observables={}, stages=[])

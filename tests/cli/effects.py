@@ -16,7 +16,7 @@ def warned(name, *replacements, settings=(), text=DECK):
 
 
 def temperature_of_a_start_with_velocities(t):
-    """The velocities of a run that is gone on with are not those of the deck's temperature, on check, run and sweep."""
+    """A start from another run has its velocities, not those of the deck's temperature: check, run and sweep warn."""
     t.deck()
     t.run_well("run", "deck.toml", "--quiet", "--out", "first")
     t.deck((LATTICE, 'file = "first"\n'), ("density = 0.8442\n", ""), ("seed = 7\n", ""), (RESCALE, ""),

@@ -349,8 +349,10 @@ def without_times(t):
 
 
 def walls(wrap_every, step=0.5, edge=5.0, keys=""):
-    """Eight atoms on a lattice, the first of which moves by `step` a frame, the last by -step. Positions are wrapped every so
-    many frames, 0: never; LAMMPS does that when it builds lists, so that atoms lie outside for a while."""
+    """Eight atoms on a lattice. In each frame the first one moves by `step`, the last one by -step.
+
+    Positions are wrapped every so many frames (0: never), as LAMMPS does when it builds lists: between two wrappings
+    atoms may lie outside the box."""
     text = ""
     for number in range(40):
         text += f'8\nLattice="{edge} 0 0 0 {edge} 0 0 0 {edge}" Time={number} {keys}\n'

@@ -25,55 +25,13 @@ LEAST, MOST = 0.7, 1.32
 DECK = """
 [system]
 lattice = {{ type = "fcc", cells = 3 }}
-density = 0.75
-temperature = 1.2
-seed = {seed}
-
-[potential]
-type = "lennard-jones"
-cutoff = 2.5
-truncation = "cut"
-tail = true
-
-[[stage]]
-name = "melt"
-time_step = 0.004
-steps = 1000
-temperature = 2.5
-thermostat = {{ type = "stochastic-rescaling", time = 0.2 }}
-
-[[stage]]
-name = "equilibrate"
-time_step = 0.004
-steps = 3000
-thermostat = {{ type = "stochastic-rescaling", time = 0.2 }}
-
-[[stage]]
-name = "production"
-time_step = 0.004
-steps = 50000
-sample = true
-thermostat = {{ type = "stochastic-rescaling", time = 0.2 }}
-
-[analysis]
-rdf = {{ every = 50 }}
-msd = {{ every = 25, max_time = 2.0 }}
-vacf = {{ every = 5, max_time = 1.5 }}
-viscosity = {{ every = 5, max_time = 1.5 }}
-chemical_potential = {{ every = 25, insertions = 300 }}
-"""
-
-
-INSERTIONS = """
-[system]
-lattice = {{ type = "fcc", cells = 3 }}
 density = {density}
 temperature = {temperature}
 seed = {seed}
 
 [potential]
 type = "lennard-jones"
-cutoff = 2.4
+cutoff = {cutoff}
 truncation = "cut"
 tail = true
 
@@ -87,7 +45,7 @@ thermostat = {{ type = "stochastic-rescaling", time = 0.2 }}
 [[stage]]
 name = "equilibrate"
 time_step = 0.004
-steps = 2000
+steps = {equilibration}
 thermostat = {{ type = "stochastic-rescaling", time = 0.2 }}
 
 [[stage]]
@@ -98,8 +56,14 @@ sample = true
 thermostat = {{ type = "stochastic-rescaling", time = 0.2 }}
 
 [analysis]
-chemical_potential = {{ every = 20, insertions = 500 }}
+{analysis}
 """
+EVERYTHING = """rdf = { every = 50 }
+msd = { every = 25, max_time = 2.0 }
+vacf = { every = 5, max_time = 1.5 }
+viscosity = { every = 5, max_time = 1.5 }
+chemical_potential = { every = 25, insertions = 300 }"""
+INSERTIONS = "chemical_potential = { every = 20, insertions = 500 }"
 STATES = ((0.3, 1.5), (0.6, 1.2), (0.75, 1.0), (0.8442, 0.75))  # density, temperature
 SHORT, LONG = 6000, 240_000  # steps
 
@@ -116,7 +80,8 @@ def observables(ljmd: str, deck_text: str) -> dict[str, dict[str, float]]:
 
 def check_scatter(ljmd: str) -> None:
     """Every quantity of 60 runs that differ in their seed."""
-    runs = [observables(ljmd, DECK.format(seed=seed)) for seed in range(1, SEEDS + 1)]
+    runs = [observables(ljmd, DECK.format(seed=seed, density=0.75, temperature=1.2, cutoff=2.5, equilibration=3000,
+                                          steps=50_000, analysis=EVERYTHING)) for seed in range(1, SEEDS + 1)]
     for name in runs[0]:
         found = [run[name] for run in runs if run[name]["standard_error"] is not None]
         check(f"runs with a value, in 60: {name}", len(found), SEEDS, SEEDS / 3)
@@ -132,7 +97,8 @@ def check_insertions(ljmd: str, density: float, temperature: float) -> None:
     """The excess chemical potential of 60 short runs beside that of a long one: an error that is given covers what rare
     insertions leave out."""
     def mu(seed: int, steps: int) -> dict[str, float]:
-        text = INSERTIONS.format(density=density, temperature=temperature, seed=seed, steps=steps)
+        text = DECK.format(seed=seed, density=density, temperature=temperature, cutoff=2.4, equilibration=2000, steps=steps,
+                           analysis=INSERTIONS)
         return observables(ljmd, text)["excess_chemical_potential"]
 
     where = f"rho {density}, T {temperature}"

@@ -14,8 +14,8 @@ namespace ljmd {
 ///     mu_ex = -T ln <exp(-psi/T)>                                       at a temperature that is held
 ///     mu_ex = -<T> ln(<T^(3/2) exp(-psi/T)>/<T>^(3/2))                  at constant energy, T that of the moment
 ///
-/// The mean is that of a few lucky places: in a dense liquid one of 10^5 or fewer counts. Where too few of these were
-/// met, the error is too small: the places that count most are missing. Two signs tell, and leave no value:
+/// A few places carry the mean: in a dense liquid one of 10^5 or fewer. A short run misses the places that count most,
+/// and its standard error does not show that. No value is given in two cases:
 ///
 ///  - An error above T/4: fewer than 16 places or configurations carry the mean.
 ///  - An energy of the inserted particles that is more than T above that of an atom. By the weights of the mean these
