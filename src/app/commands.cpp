@@ -25,7 +25,7 @@
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/directory_lock.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 #include "ljmd/io/scratch_directory.hpp"
 
 namespace ljmd {
@@ -372,7 +372,7 @@ void bench_command(const DeckOptions& options) {
     if (chosen.deck.empty()) {
         scratch.emplace();
         chosen.deck = (scratch->path() / "melt-32k.toml").string();
-        write_file_atomically(chosen.deck, std::string(melt_deck()));
+        write_file_atomically(std::filesystem::path(chosen.deck), std::string(melt_deck()));
     }
     Diagnostics diagnostics;
     Deck deck = load(chosen, diagnostics);

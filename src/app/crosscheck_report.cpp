@@ -10,7 +10,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/data_table_csv.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 

@@ -3,7 +3,7 @@
 #include "ljmd/app/few_body_run.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 

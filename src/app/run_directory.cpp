@@ -12,7 +12,7 @@
 #include "ljmd/io/checkpoint_file.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 #include "ljmd/observables/few_body_analysis.hpp"
 
 namespace ljmd {
@@ -110,7 +110,7 @@ void make_directory(const fs::path& directory) {
         throw FileError(fmt::format("cannot create the directory '{}': {}", directory.string(), error.message()));
     }
     for (const fs::path& folder : made) {
-        sync_folder_of(folder);
+        OpenDirectory(folder.parent_path()).sync();
     }
 }
 

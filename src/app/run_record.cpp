@@ -15,7 +15,7 @@
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 

@@ -14,7 +14,7 @@
 #include "ljmd/core/simd.hpp"
 #include "ljmd/io/deck_file.hpp"
 #include "ljmd/io/directory_lock.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 

@@ -8,7 +8,7 @@
 #include "ljmd/app/json_file.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -39,8 +39,8 @@ static_assert(sizeof(Head) == 32);
 constexpr std::size_t hash_length = sizeof(XXH128_canonical_t);
 constexpr std::size_t tail_length = hash_length + end_mark.size();
 
-fs::path file_of(const fs::path& directory, std::uint64_t slot) {
-    return directory / fmt::format("checkpoint.{}", slot + 1);
+std::string name_of(std::uint64_t slot) {
+    return fmt::format("checkpoint.{}", slot + 1);
 }
 
 /// Of one text behind the other.
@@ -72,19 +72,18 @@ void write_parts(OutputFile& file, const Parts& parts) {
     file.flush();
 }
 
-bool reads_back(const fs::path& path, const Parts& parts) {
-    std::ifstream file(path, std::ios::binary);
-    std::string read;
+bool reads_back(const OutputFile& file, const Parts& parts) {
+    std::int64_t begin = 0;
     for (const std::string_view part : parts) {
         for (std::size_t from = 0; from < part.size(); from += piece_length) {
             const std::string_view piece = part.substr(from, piece_length);
-            read.resize(piece.size());
-            if (!file.read(read.data(), static_cast<std::streamsize>(read.size())) || read != piece) {
+            if (!file.holds(piece, begin)) {
                 return false;
             }
+            begin += std::ssize(piece);
         }
     }
-    return file && file.peek() == std::ifstream::traits_type::eof();
+    return true;
 }
 
 /// A file whose head says another length than it has is not read: what it claims may not fit into memory.
@@ -139,7 +138,7 @@ CheckpointFile parse(const fs::path& path) {
 
 }  // namespace
 
-CheckpointStore::CheckpointStore(fs::path directory, int keep) : directory_(std::move(directory)), keep_(keep) {
+CheckpointStore::CheckpointStore(OpenDirectory directory, int keep) : directory_(std::move(directory)), keep_(keep) {
     if (keep < 1 || keep > most_generations) {
         throw ContractViolation(fmt::format("{} generations of checkpoints cannot be kept", keep));
     }
@@ -155,10 +154,10 @@ void CheckpointStore::write(std::span<const std::byte> content) {
     std::string last(reinterpret_cast<const char*>(&hash), hash_length);
     last += end_mark;
     const Parts parts{first, second, last};
-    const fs::path path = file_of(directory_, generation % static_cast<std::uint64_t>(keep_));
-    write_file_atomically(path, [&](OutputFile& file) {
+    const OutputPlace place = directory_ / name_of(generation % static_cast<std::uint64_t>(keep_));
+    write_file_atomically(place, [&](OutputFile& file) {
         write_parts(file, parts);
-        if (!reads_back(file.path(), parts)) {
+        if (!reads_back(file, parts)) {
             throw FileError(
                 fmt::format("cannot write '{}': it does not read back as it was written", file.path().string()));
         }
@@ -169,7 +168,7 @@ void CheckpointStore::write(std::span<const std::byte> content) {
 std::vector<std::string> checkpoint_names() {
     std::vector<std::string> names;
     for (std::uint64_t slot = 0; slot < most_generations; ++slot) {
-        names.push_back(file_of({}, slot).string());
+        names.push_back(name_of(slot));
     }
     return names;
 }

@@ -72,8 +72,7 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
       has_box_(first.has_box()),
       has_velocities_(options.velocities),
       scale_(unit_scale(options.si, 1.0)),
-      temporary_(options.kept ? std::optional<TemporaryName>(options.path) : std::optional<TemporaryName>()),
-      file_(temporary_ ? temporary_->name() : options.path),
+      file_(options.path),
       step_{particles + "/position/step", {}, H5T_NATIVE_INT64},
       time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
       edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
@@ -87,14 +86,13 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
     if (options.kept) {
         copy_frames(options.path, options.kept->frames);
         file_.commit();
-        temporary_->take_place();
-        file_.renamed(options.path);
     }
+    file_.take_place();
 }
 
-void H5mdWriter::copy_frames(const std::filesystem::path& from, const std::vector<FramePlace>& frames) {
+void H5mdWriter::copy_frames(const OutputPlace& from, const std::vector<FramePlace>& frames) {
     require_bytes(from, 0);
-    std::ifstream file(from, std::ios::binary);
+    std::ifstream file(from.path(), std::ios::binary);
     for (const FramePlace& frame : frames) {
         const Vectors vectors{vectors_at(file, frame.velocities, count_), vectors_at(file, frame.positions, count_)};
         const auto numbers = 3 * static_cast<std::size_t>(count_);
@@ -103,7 +101,7 @@ void H5mdWriter::copy_frames(const std::filesystem::path& from, const std::vecto
                            checksum(vectors.velocities, vectors.positions) == frame.checksum;
         if (!whole) {
             throw CheckpointError(
-                fmt::format("the frame of step {} in '{}' is not what was written", frame.step, from.string()));
+                fmt::format("the frame of step {} in '{}' is not what was written", frame.step, from.path().string()));
         }
         append(frame, vectors);
     }

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "hdf5_output.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/open_directory.hpp"
 #include "ljmd/io/trajectory_writer.hpp"
 #include "unit_scale.hpp"
 
@@ -41,7 +41,7 @@ class H5mdWriter : public TrajectoryWriter {
     };
 
     /// Frames of a file that is to be replaced by this one.
-    void copy_frames(const std::filesystem::path& from, const std::vector<FramePlace>& frames);
+    void copy_frames(const OutputPlace& from, const std::vector<FramePlace>& frames);
     void append(const FramePlace& frame, const Vectors& vectors);
 
     void create_metadata(const TrajectoryOptions& options);
@@ -55,7 +55,6 @@ class H5mdWriter : public TrajectoryWriter {
     bool failed_ = false;
     std::vector<FramePlace> frames_;
     UnitScale scale_;
-    std::optional<TemporaryName> temporary_;  ///< of the file, until it takes the place of one that is gone on with
     Hdf5Output file_;
     Hdf5Output::Series step_;
     Hdf5Output::Series time_;

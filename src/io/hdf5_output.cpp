@@ -8,9 +8,9 @@
 #include <system_error>
 #include <utility>
 
+#include "file_calls.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/memory_at_hand.hpp"
-#include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
 
@@ -40,19 +40,27 @@ void Hdf5Output::fail(const std::string& doing, const std::string& cause) {
         dataset.abandon();
     }
     file_.abandon();
-    throw FileError(fmt::format("cannot write '{}': {}: {}", path_.string(), doing, cause));
+    throw FileError(fmt::format("cannot write '{}': {}: {}", path().string(), doing, cause));
 }
 
-Hdf5Output::Hdf5Output(std::filesystem::path path) : path_(std::move(path)) {
+Hdf5Output::Hdf5Output(const OutputPlace& place) : replacement_(place) {
     const Hdf5Silence silence;
     const std::string doing = "creating the file";
     const Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), doing), H5Pclose);
     // The format of HDF5 1.10: the first that can be appended to safely, and readable by all later versions.
     checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), doing);
     checked(H5Pset_fapl_sec2(access.get()), doing);
+    // Its directory is locked, the file need not be, and there are file systems that know no locks.
+    checked(H5Pset_file_locking(access.get(), false, true), doing);
     const Hdf5Handle creation = without_times(H5P_FILE_CREATE);
     require_memory(hdf5_file_memory);
-    file_ = Hdf5Handle(checked(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), doing), H5Fclose);
+    const OutputPlace& growing = replacement_.growing();
+    growing.directory.require_at_its_path();  // HDF5 knows paths alone
+    file_ = Hdf5Handle(checked(H5Fcreate(growing.path().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), doing),
+                       H5Fclose);
+    if (!growing.holds(descriptor())) {
+        fail(doing, "its directory was replaced meanwhile");
+    }
 }
 
 Hdf5Output::~Hdf5Output() {
@@ -194,12 +202,11 @@ void Hdf5Output::start_appending() {
     checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flushing");
     checked(H5Fstart_swmr_write(file_.get()), "switching to appending");
     commit();
-    sync_folder_of(path_);
 }
 
 void Hdf5Output::append(Series& series, const void* data) {
     if (!file_) {
-        throw ContractViolation(fmt::format("'{}' is closed", path_.string()));
+        throw ContractViolation(fmt::format("'{}' is closed", path().string()));
     }
     const Hdf5Silence silence;
     const std::string doing = fmt::format("appending entry {} to {}", series.length + 1, series.name);
@@ -247,12 +254,16 @@ std::vector<std::uint64_t> Hdf5Output::places_of_last(const Series& series) {
     return places;
 }
 
-void Hdf5Output::commit() {
-    const Hdf5Silence silence;
+int Hdf5Output::descriptor() {
     void* descriptor = nullptr;
     checked(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), "asking for the descriptor");
-    if (::fsync(*static_cast<int*>(descriptor)) != 0) {
-        fail("waiting for the disk", std::generic_category().message(errno));
+    return *static_cast<int*>(descriptor);
+}
+
+void Hdf5Output::commit() {
+    const Hdf5Silence silence;
+    if (const int error = sync_descriptor(descriptor()); error != 0) {
+        fail("waiting for the disk", std::generic_category().message(error));
     }
 }
 
@@ -266,8 +277,18 @@ void Hdf5Output::close() {
     for (Hdf5Handle& dataset : datasets_) {
         checked(dataset.close(), doing);
     }
-    checked(file_.close(), doing);
-    sync_path(path_);
+    // HDF5 writes while it closes: what is to be on the disk then needs a descriptor that is still open.
+    const int kept_open = ::dup(descriptor());
+    if (kept_open < 0) {
+        fail(doing, std::generic_category().message(errno));
+    }
+    const herr_t closed = file_.close();
+    const int error = sync_descriptor(kept_open);
+    ::close(kept_open);
+    checked(closed, doing);
+    if (error != 0) {
+        fail(doing, std::generic_category().message(error));
+    }
 }
 
 }  // namespace ljmd

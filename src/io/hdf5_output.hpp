@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ljmd/io/hdf5_handle.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -26,8 +27,8 @@ class Hdf5Output {
         hid_t dataset = -1;  ///< owned by the output
     };
 
-    /// Create the file, replacing one of that name.
-    explicit Hdf5Output(std::filesystem::path path);
+    /// Create the file, under a name of its own until take_place(). @throws FileError, InUseError
+    explicit Hdf5Output(const OutputPlace& place);
     Hdf5Output(const Hdf5Output&) = delete;
     Hdf5Output& operator=(const Hdf5Output&) = delete;
 
@@ -68,10 +69,10 @@ class Hdf5Output {
     /// Wait until everything appended is on the disk.
     void commit();
 
-    /// The file has another name now.
-    void renamed(const std::filesystem::path& path) { path_ = path; }
+    /// From now on the file lies in its place, where it replaces another one. @pre it was committed
+    void take_place() { replacement_.take_place(); }
 
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] std::filesystem::path path() const { return replacement_.place().path(); }
 
     /// Flush, close and fsync. A second call does nothing.
     void close();
@@ -88,7 +89,9 @@ class Hdf5Output {
     void write_dataset(const std::string& name, hid_t file_type, hid_t memory_type, std::size_t length,
                        const void* data);
 
-    std::filesystem::path path_;
+    [[nodiscard]] int descriptor();
+
+    ReplacementFile replacement_;
     Hdf5Handle file_;
     std::vector<Hdf5Handle> datasets_;  // of the series; closed before the file
 };

@@ -199,6 +199,24 @@ int rename(const char* from, const char* to) noexcept {
     return call(from, to);
 }
 
+int renameat(int from_where, const char* from, int to_where, const char* to) noexcept {
+    static const auto call = original<int (*)(int, const char*, int, const char*)>("renameat");
+    static_cast<void>(next(false));
+    return call(from_where, from, to_where, to);
+}
+
+int unlinkat(int where, const char* name, int flags) noexcept {
+    static const auto call = original<int (*)(int, const char*, int)>("unlinkat");
+    static_cast<void>(next(false));
+    return call(where, name, flags);
+}
+
+int mkdirat(int where, const char* name, mode_t mode) noexcept {
+    static const auto call = original<int (*)(int, const char*, mode_t)>("mkdirat");
+    static_cast<void>(next(false));
+    return call(where, name, mode);
+}
+
 int clock_gettime(clockid_t clock, struct timespec* now) noexcept {
     static const auto call = original<int (*)(clockid_t, struct timespec*)>("clock_gettime");
     const int result = call(clock, now);

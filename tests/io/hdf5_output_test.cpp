@@ -41,6 +41,7 @@ TEST_CASE("groups, attributes, arrays and links are in the file") {
         output.write_numbers("g/x", std::vector<double>{0.1, -2.0});
         output.write_numbers("g/n", std::vector<std::int64_t>{std::int64_t{1} << 40});
         output.link("g/x", "g/y");
+        output.take_place();
         output.close();
         CHECK_NOTHROW(output.close());
     }
@@ -68,6 +69,7 @@ TEST_CASE("a series grows by one entry at each append, and keeps its shape") {
         output.create_series(scalar, {4});
         output.create_series(matrix, {1, 2, 2});
         output.start_appending();
+        output.take_place();
         for (std::int64_t k = 0; k < 5; ++k) {
             const auto x = static_cast<double>(k);
             const double values[4] = {x, x + 0.1, x + 0.2, x + 0.3};
@@ -87,8 +89,8 @@ TEST_CASE("a series grows by one entry at each append, and keeps its shape") {
 
 TEST_CASE("a failed call is an error that names the file and what was being done") {
     const TemporaryFolder folder;
-    CHECK_THROWS_WITH(Hdf5Output(folder / "none" / "a.h5md"), Contains("none/a.h5md'") &&
-                                                                  Contains("creating the file") &&
+    CHECK_THROWS_WITH(Hdf5Output(folder / "none" / "a.h5md"), Contains("cannot create '") &&
+                                                                  Contains("none/a.h5md'") &&
                                                                   Contains("No such file or directory"));
     Hdf5Output output(folder / "a.h5md");
     CHECK_THROWS_AS(output.create_group("no/parent"), FileError);
@@ -102,8 +104,29 @@ TEST_CASE("nothing is appended to a closed file") {
     Hdf5Output::Series series{.name = "t", .entry = {}, .type = H5T_NATIVE_DOUBLE};
     output.create_series(series, {1});
     output.start_appending();
+    output.take_place();
     output.close();
     const double value = 1.0;
     CHECK_THROWS_AS(output.append(series, &value), ContractViolation);
     CHECK(numbers_in(open_file(folder / "a.h5md"), "t").empty());
+}
+
+TEST_CASE("a file stands under its name when it has taken its place, and until then what stood there does") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "precious") << "mine";
+    std::filesystem::create_symlink(folder / "precious", folder / "a.h5md");
+    {
+        Hdf5Output never(folder / "a.h5md");
+        never.create_group("g");
+        CHECK(folder.count_files() == 3);
+    }
+    CHECK(folder.count_files() == 2);
+    Hdf5Output output(folder / "a.h5md");
+    output.start_appending();
+    CHECK(std::filesystem::is_symlink(folder / "a.h5md"));
+    output.take_place();
+    output.close();
+    CHECK(open_file(folder / "a.h5md"));
+    CHECK(content_of(folder / "precious") == "mine");
+    CHECK(folder.count_files() == 2);
 }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/units.hpp"
+#include "ljmd/io/open_directory.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -37,7 +37,7 @@ struct CommittedFrames {
 
 /// What a trajectory file is to hold, and who made it.
 struct TrajectoryOptions {
-    std::filesystem::path path = {};
+    OutputPlace path;  ///< of the file; may be given as a path
     bool velocities = false;                   ///< write them beside the positions
     std::optional<SubstanceUnits> si = {};     ///< set: an SI file; else reduced units (unbounded: those of the deck)
     std::string creator_version = {};          ///< version of the program
