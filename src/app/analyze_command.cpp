@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/commands.hpp"
+#include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/recorded_run.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run_directory.hpp"
@@ -54,24 +55,8 @@ Wanted wanted(const AnalyzeOptions& options) {
 
 /// Refuse a directory that the tables cannot be written to.
 void check_out(const fs::path& directory, const std::vector<std::string>& files, bool force) {
-    std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
-        throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
-    }
-    if (fs::exists(directory / "run.json", error)) {
-        throw InputError(
-            fmt::format("{} is the directory of a run, whose files stay as they are. Nothing was "
-                        "written.\n  choose another directory with --out",
-                        directory.string()));
-    }
-    for (const std::string& file : files) {
-        if (!force && fs::exists(fs::symlink_status(directory / file, error))) {
-            throw InputError(
-                fmt::format("{} is there already. Nothing was written.\n  choose another directory with --out, "
-                            "or replace it with --force",
-                            (directory / file).string()));
-        }
-    }
+    require_no_run(directory, "Nothing was written");
+    require_no_outputs(directory, files, force, "Nothing was written");
 }
 
 std::vector<std::string> output_files(const std::vector<FrameAnalysis>& analyses) {

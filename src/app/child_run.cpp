@@ -57,10 +57,19 @@ constexpr std::size_t longest_words = 400;  // of a log in a message
 
 }  // namespace
 
-void check_log(const ChildRun& run) {
-    std::error_code error;
-    const fs::file_type type = fs::symlink_status(run.log, error).type();
-    if (type != fs::file_type::not_found && type != fs::file_type::regular) {
+void check_places(const ChildRun& run) {
+    const auto type_of = [](const fs::path& path) {
+        std::error_code error;
+        return fs::symlink_status(path, error).type();
+    };
+    for (const fs::path& path : {run.directory.parent_path(), run.directory}) {
+        if (type_of(path) == fs::file_type::symlink) {
+            throw InputError(fmt::format("{} is in the way: a run is made there, and it is a link. Nothing was run.",
+                                         path.string()));
+        }
+    }
+    const fs::file_type log = type_of(run.log);
+    if (log != fs::file_type::not_found && log != fs::file_type::regular) {
         throw InputError(fmt::format("{} is in the way: a log is written there, and it is no file. Nothing was run.",
                                      run.log.string()));
     }

@@ -168,17 +168,6 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-void check_comparison(const std::filesystem::path& directory, const std::string& with, bool force) {
-    const std::filesystem::path file = directory / fmt::format("compare-{}.json", with);
-    std::error_code error;
-    if (!force && std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
-        throw InputError(
-            fmt::format("{} is there already. Nothing was compared.\n  choose another directory with --out, or replace "
-                        "it with --force",
-                        file.string()));
-    }
-}
-
 void write_crosscheck(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options,
                       const std::filesystem::path& directory) {
     make_directory(directory);

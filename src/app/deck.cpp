@@ -114,6 +114,7 @@ Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& f
               root,
               {},
               {},
+              std::nullopt,
               0,
               std::nullopt,
               checkpoint_output(root.section("output"))};

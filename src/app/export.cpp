@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 
+#include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/compare/fluid.hpp"
 #include "ljmd/compare/lammps_input.hpp"
@@ -173,19 +173,7 @@ const Stage& exported_stage(const Deck& deck) {
 }
 
 void check_export(const std::string& target, const fs::path& directory, bool force) {
-    static_cast<void>(find_target(target));
-    std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
-        throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
-    }
-    for (const fs::path& file : export_files(target, directory)) {
-        if (!force && fs::exists(fs::symlink_status(file, error))) {
-            throw InputError(
-                fmt::format("{} is there already. Nothing was written.\n  choose another directory with --out, "
-                            "or replace it with --force",
-                            file.string()));
-        }
-    }
+    require_no_outputs(directory, find_target(target).files, force, "Nothing was written");
 }
 
 std::vector<fs::path> export_files(const std::string& target, const fs::path& directory) {

@@ -44,7 +44,8 @@ class FewBodyRun : private StepObserver {
           system_(system),
           listener_(listener),
           thermo_every_(deck.thermo_every),
-          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0) {
+          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0,
+                       control.has_begun) {
         std::optional<ResumedOutputs> outputs;
         if (control.resumed) {
             const ResumePoint& point = control.resumed->point;

@@ -38,7 +38,8 @@ class FluidRun : private StepObserver {
           simulation_(simulation),
           listener_(listener),
           thermo_every_(deck.thermo_every),
-          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0),
+          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0,
+                       control.has_begun),
           averages_(simulation.state.count(), sampled_ensemble(deck)),
           analysed_edges_(simulation.state.box().edges()) {
         std::optional<ResumedOutputs> outputs;

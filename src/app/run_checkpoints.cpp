@@ -70,6 +70,9 @@ void CheckpointHead::archive(Archive& a) {
 
 std::optional<ResumePoint> find_resume_point(const Deck& deck) {
     FoundCheckpoints found = find_checkpoints(deck.directory);
+    if (deck.locked) {
+        deck.locked->require_at_its_path();  // else they are those of another directory
+    }
     if (found.whole.empty()) {
         if (found.damaged.empty()) {
             return std::nullopt;
@@ -122,8 +125,13 @@ void ResumePoint::restore(const Deck& deck, const State& state, const std::funct
     }
 }
 
-RunCheckpoints::RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation)
-    : deck_(deck), store_(deck.directory, deck.checkpoint.keep), interruption_(interruption), goes_on_(generation > 0) {
+RunCheckpoints::RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation,
+                               std::function<void()> has_begun)
+    : deck_(deck),
+      store_(deck.outputs(), deck.checkpoint.keep),
+      interruption_(interruption),
+      has_begun_(std::move(has_begun)),
+      goes_on_(generation > 0) {
     store_.go_on_after(generation);
 }
 
@@ -153,6 +161,9 @@ void RunCheckpoints::write(const State& state, const LoopPosition& position, con
     store_.write(a.bytes());
     last_ = Clock::now();
     goes_on_ = false;
+    if (has_begun_) {
+        std::exchange(has_begun_, nullptr)();
+    }
     if (interruption_.wanted()) {
         interruption_.stop(state.step, deck_.directory.string());
     }

@@ -47,8 +47,8 @@ void FewBodyThermoCsv::write(Index step, double time, const FewBodyTotals& total
     file_.write(line + '\n');
 }
 
-TrajectoryCsv::TrajectoryCsv(const OutputPlace& place, Index bodies, int dimensions, bool accelerations,
-                             bool angle, std::optional<std::int64_t> kept)
+TrajectoryCsv::TrajectoryCsv(const OutputPlace& place, Index bodies, int dimensions, bool accelerations, bool angle,
+                             std::optional<std::int64_t> kept)
     : file_(place, kept), dimensions_(dimensions), accelerations_(accelerations), angle_(angle) {
     if (kept) {
         return;

@@ -123,17 +123,24 @@ TEST_CASE("each line is told of when it is at its end, and lines with nothing to
     CHECK(lines[2].statuses == std::vector<int>{0});
 }
 
-TEST_CASE("a log that leads elsewhere is refused") {
+TEST_CASE("places that lead elsewhere are refused") {
     const DeckFolder folder;
     const ChildRun run = run_in(folder);
-    CHECK_NOTHROW(check_log(run));
+    CHECK_NOTHROW(check_places(run));
     std::ofstream(run.log) << "error: of an earlier time\n";
-    CHECK_NOTHROW(check_log(run));
+    CHECK_NOTHROW(check_places(run));
     fs::remove(run.log);
     fs::create_symlink(folder / "precious", run.log);
-    CHECK_THROWS_AS(check_log(run), InputError);
+    CHECK_THROWS_AS(check_places(run), InputError);
     fs::remove(run.log);
     REQUIRE(mkfifo(run.log.c_str(), 0600) == 0);
-    CHECK_THROWS_WITH(check_log(run), Catch::Matchers::Contains("hot.log is in the way"));
+    CHECK_THROWS_WITH(check_places(run), Catch::Matchers::Contains("hot.log is in the way"));
     CHECK(failure_of(run, 5) == "hot: exit code 5: ");
+    fs::remove(run.log);
+    fs::create_directory(folder / "elsewhere");
+    fs::create_directory_symlink(folder / "elsewhere", run.directory);
+    CHECK_THROWS_WITH(check_places(run), Catch::Matchers::Contains(run.directory.string() + " is in the way"));
+    fs::remove(run.directory);
+    fs::create_directory(run.directory);
+    CHECK_NOTHROW(check_places(run));
 }

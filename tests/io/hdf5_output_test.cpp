@@ -89,9 +89,8 @@ TEST_CASE("a series grows by one entry at each append, and keeps its shape") {
 
 TEST_CASE("a failed call is an error that names the file and what was being done") {
     const TemporaryFolder folder;
-    CHECK_THROWS_WITH(Hdf5Output(folder / "none" / "a.h5md"), Contains("cannot create '") &&
-                                                                  Contains("none/a.h5md'") &&
-                                                                  Contains("No such file or directory"));
+    CHECK_THROWS_WITH(Hdf5Output(folder / "none" / "a.h5md"),
+                      Contains("cannot create '") && Contains("none/a.h5md'") && Contains("No such file or directory"));
     Hdf5Output output(folder / "a.h5md");
     CHECK_THROWS_AS(output.create_group("no/parent"), FileError);
     Hdf5Output other(folder / "b.h5md");

@@ -81,7 +81,8 @@ TEST_CASE("two replacements of one file do not disturb each other") {
 }
 
 TEST_CASE("what is no file is not replaced") {
-    CHECK_THROWS_WITH(write_file_atomically(std::filesystem::path("/dev/null"), "text"), Contains("'/dev/null'") && Contains("not a regular"));
+    CHECK_THROWS_WITH(write_file_atomically(std::filesystem::path("/dev/null"), "text"),
+                      Contains("'/dev/null'") && Contains("not a regular"));
     CHECK(std::filesystem::is_character_file("/dev/null"));
 }
 

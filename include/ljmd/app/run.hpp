@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,14 +81,15 @@ struct RunControl {
         EarlierParts earlier;
     };
     std::optional<Resumed> resumed = {};
+
+    /// Called when a run has its first checkpoint, from which it can be gone on with.
+    std::function<void()> has_begun = {};
 };
 
 /// Run all stages of a deck and write its output directory (see docs/files.md): run.json when the run begins and when
 /// it ends, thermo.csv and the trajectory while it goes, final.xyz, the analyses' tables and results.json at the end.
 ///
-/// @pre  the output directory exists and is empty of earlier outputs (see prepare_directory), or it is the one of the
-/// run
-///       that is gone on with
+/// @pre  the output directory exists and is empty of earlier outputs, or it is the one of the run that is gone on with
 /// @throws PhysicsError, FileError, CheckpointError, Interrupted; what was written until then stays
 RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener, const RunControl& control = {});
 

@@ -22,8 +22,7 @@ struct FewBodyTotals {
 class FewBodyThermoCsv {
   public:
     /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
-    FewBodyThermoCsv(const OutputPlace& place, int dimensions,
-                     std::optional<std::int64_t> kept = std::nullopt);
+    FewBodyThermoCsv(const OutputPlace& place, int dimensions, std::optional<std::int64_t> kept = std::nullopt);
 
     /// @throws FileError
     void write(Index step, double time, const FewBodyTotals& totals);

@@ -41,8 +41,8 @@ class ReplacementFile {
 /// @pre the directory is held alone
 void remove_left_over(const OpenDirectory& directory);
 
-/// Write a whole file so that a reader finds either the old one or the new one: see ReplacementFile. On failure there is
-/// what was there before.
+/// Write a whole file so that a reader finds either the old one or the new one: see ReplacementFile. On failure there
+/// is what was there before.
 /// @throws FileError, and whatever `fill` throws
 void write_file_atomically(const OutputPlace& place, const std::function<void(OutputFile&)>& fill);
 void write_file_atomically(const OutputPlace& place, std::string_view text);

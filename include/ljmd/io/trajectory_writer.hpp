@@ -37,7 +37,7 @@ struct CommittedFrames {
 
 /// What a trajectory file is to hold, and who made it.
 struct TrajectoryOptions {
-    OutputPlace path;  ///< of the file; may be given as a path
+    OutputPlace path;                          ///< of the file; may be given as a path
     bool velocities = false;                   ///< write them beside the positions
     std::optional<SubstanceUnits> si = {};     ///< set: an SI file; else reduced units (unbounded: those of the deck)
     std::string creator_version = {};          ///< version of the program
