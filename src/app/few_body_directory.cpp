@@ -32,7 +32,7 @@ FewBodyDirectory::FewBodyDirectory(const Deck& deck, const FewBodySystem& system
 
 CommittedOutputs FewBodyDirectory::commit() {
     if (csv_) {
-        return {thermo_.commit(), {csv_->commit(), {}}};
+        return {thermo_.commit(), {.bytes = csv_->commit()}};
     }
     return {thermo_.commit(), trajectory_ ? trajectory_->commit() : CommittedFrames()};
 }

@@ -127,7 +127,7 @@ void prepare_directory(const fs::path& directory) {
 
 void check_outputs(const Deck& deck, const ResumedOutputs& resumed) {
     require_bytes(deck.directory / "thermo.csv", resumed.kept.thermo);
-    if (deck.trajectory && deck.trajectory->format != "h5md") {  // frames of that are read when it is opened
+    if (deck.trajectory) {
         require_bytes(deck.directory / fmt::format("trajectory.{}", deck.trajectory->format),
                       resumed.kept.trajectory.bytes);
     }

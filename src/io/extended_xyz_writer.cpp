@@ -73,7 +73,7 @@ void ExtendedXyzWriter::write(const State& state) {
 }
 
 CommittedFrames ExtendedXyzWriter::commit() {
-    return {file_.commit(), {}};
+    return {.bytes = file_.commit()};
 }
 
 void ExtendedXyzWriter::close() {

@@ -46,6 +46,26 @@ void require_bytes(const std::filesystem::path& path, std::int64_t bytes) {
     }
 }
 
+void overwrite_beginning(const std::filesystem::path& path, std::string_view bytes) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) {
+        throw file_error("open", path, errno);
+    }
+    int error = 0;
+    while (!bytes.empty() && error == 0) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno != EINTR) {
+            error = errno;
+        }
+    }
+    ::close(descriptor);
+    if (error != 0) {
+        throw file_error("write", path, error);
+    }
+}
+
 OutputFile::OutputFile(std::filesystem::path path, std::optional<std::int64_t> kept) : path_(std::move(path)) {
     constexpr mode_t permissions = 0666;  // less what the user's umask takes away
     if (kept) {

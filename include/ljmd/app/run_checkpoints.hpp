@@ -77,7 +77,6 @@ class RunCheckpoints {
     Interruption interruption_;
     Clock::time_point last_ = Clock::now();
     int calls_ = 0;
-    bool goes_on_;  ///< and has written none yet: those that are there know a trajectory file that was replaced
 };
 
 }  // namespace ljmd

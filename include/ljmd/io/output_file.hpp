@@ -64,6 +64,9 @@ class OutputFile {
 /// @throws CheckpointError
 void require_bytes(const std::filesystem::path& path, std::int64_t bytes);
 
+/// Write over the first bytes of a file that is there, and leave the rest. No link is followed. @throws FileError
+void overwrite_beginning(const std::filesystem::path& path, std::string_view bytes);
+
 /// The name `PATH.tmp` of a file that is to take the place of PATH. A file of that name is removed at the beginning,
 /// and at the end unless it has taken its place.
 class TemporaryName {
