@@ -263,7 +263,7 @@ void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t 
     for (Series* one : series) {
         one->dataset = -1;
     }
-    datasets_.clear();  // opened again by the first append(), in the other mode
+    datasets_.clear();  // to be opened again in the other mode
     switch_to_appending();
 }
 
@@ -274,6 +274,9 @@ void Hdf5Output::switch_to_appending() {
 }
 
 void Hdf5Output::open_series(Series& series) {
+    if (series.dataset >= 0) {
+        return;
+    }
     const std::string doing = "opening " + series.name;
     const Hdf5Handle access(checked(H5Pcreate(H5P_DATASET_ACCESS), doing), H5Pclose);
     // Entries go straight to the file: a cache would write the whole chunk for each.
@@ -283,9 +286,7 @@ void Hdf5Output::open_series(Series& series) {
 }
 
 void Hdf5Output::extend(Series& series, hsize_t entries) {
-    if (series.dataset < 0) {
-        open_series(series);
-    }
+    open_series(series);
     std::vector<hsize_t> extent{entries};
     extent.insert(extent.end(), series.entry.begin(), series.entry.end());
     checked(H5Dset_extent(series.dataset, extent.data()), fmt::format("making {} longer", series.name));
@@ -313,8 +314,9 @@ void Hdf5Output::append(Series& series, const void* data) {
     checked(H5Dflush(series.dataset), doing);
 }
 
-std::uint64_t Hdf5Output::place_of_last(const Series& series) {
+std::uint64_t Hdf5Output::place_of_last(Series& series) {
     const Hdf5Silence silence;
+    open_series(series);
     const std::string doing = fmt::format("asking where entry {} of {} lies", series.length, series.name);
     const Hdf5Handle creation(checked(H5Dget_create_plist(series.dataset), doing), H5Pclose);
     std::vector<hsize_t> chunk(series.entry.size() + 1);

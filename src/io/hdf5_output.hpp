@@ -81,7 +81,7 @@ class Hdf5Output {
     void append(Series& series, const void* data);
 
     /// Where the last entry begins in the file. Not for each entry: HDF5 looks through all chunks. @pre there is one
-    [[nodiscard]] std::uint64_t place_of_last(const Series& series);
+    [[nodiscard]] std::uint64_t place_of_last(Series& series);
 
     /// Wait until everything appended is on the disk. @return bytes in the file
     std::int64_t commit();

@@ -157,6 +157,27 @@ TEST_CASE("a trajectory is gone on with from the frames that are kept, whether i
     }
 }
 
+TEST_CASE("a trajectory that was resumed is committed as it was, before its first new frame") {
+    for (const char* format : {"xyz", "h5md"}) {
+        INFO(format);
+        const TemporaryFolder folder;
+        TrajectoryOptions options{.path = folder / "t", .velocities = true};
+        auto writer = make_trajectory_writer(format, sample(), options);
+        for (int frame = 0; frame < 70; ++frame) {
+            writer->write(sample());
+        }
+        options.kept = writer->commit();
+        writer->close();
+        writer = make_trajectory_writer(format, sample(), options);
+        const CommittedFrames again = writer->commit();
+        CHECK(again.frames == options.kept->frames);
+        CHECK(again.layout == options.kept->layout);
+        CHECK(again.last.place == options.kept->last.place);
+        CHECK(again.last.checksum == options.kept->last.checksum);
+        writer->close();
+    }
+}
+
 TEST_CASE("a trajectory that has lost frames is not gone on with and not touched") {
     for (const char* format : {"xyz", "h5md"}) {
         INFO(format);
