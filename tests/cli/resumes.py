@@ -356,10 +356,10 @@ def told(t):
     text = t.run_well("info", "out").out
     t.contains(text, "out: small\n")
     t.contains(text, "finished      no\n")
-    t.contains(text, "checkpoint    after step 1 of 60, 1 of 20 in stage 'melt'\n")
+    t.contains(text, "checkpoint    after step 16 of 60, 16 of 20 in stage 'melt'\n")
     t.contains(text, "to go on: ljmd resume out\n")
     found = json.loads(t.run_well("info", "out", "--json").out)
-    t.equal(found["checkpoint"], {"step": 1, "stage": "melt", "atoms": 108}, "checkpoint")
+    t.equal(found["checkpoint"], {"step": 16, "stage": "melt", "atoms": 108}, "checkpoint")
     t.equal((found["finished"], found["running"], found["total_steps"]), (False, False, 60), "what it tells")
     t.golden(t.expect(2, t.run("run", "deck.toml", "--out", "out")).err)
 
