@@ -62,6 +62,7 @@ tail = true
 """,
 }
 FORMATS = {"2 bodies": ("h5md", "xyz", "csv"), "108 atoms": ("h5md", "xyz")}
+NOISE = 0.01  # seconds
 FIGURES = ("writing", "resuming", "reading")
 
 
@@ -135,11 +136,16 @@ def draw(record: dict[str, Any]) -> plt.Figure:
             for k, form in enumerate(("h5md", "xyz", "csv")):
                 points = [(one["frames"], one["seconds"][what]) for one in record["series"]
                           if one["system"] == system and one["format"] == form and what in one["seconds"]]
+                if what != "resuming":  # the cost of a frame, where the difference of two runs is more than noise
+                    points = [(frames, 1e6 * value / frames) for frames, value in points if value > NOISE]
                 if points:
-                    each = [max(1e6 * value / frames, 1e-3) for frames, value in points]  # of differences, on a log axis
-                    axes.plot([frames for frames, _ in points], each, marker + line, color=style.CYCLE[k], markersize=4, label=f"{form}, {system}")
-        axes.set(xscale="log", yscale="log", xlabel="frames", title=what)
-    panels[0].set_ylabel(r"$\mu$s a frame")
+                    axes.plot(*zip(*points), marker + line, color=style.CYCLE[k], markersize=4,
+                              label=f"{form}, {system}")
+        axes.set(xscale="log", xlabel="frames", title=what)
+        if what == "resuming":
+            axes.set(ylabel="s, the whole resume", ylim=(-0.05, 0.5))
+        else:
+            axes.set(ylabel=r"$\mu$s a frame", yscale="log", ylim=(1.0, 1000.0))
     panels[0].legend(fontsize=8)
     figure.suptitle(style.plain(f"Processor time for a frame; {record['host']['cpu']}"), fontsize=10)
     return figure
