@@ -27,11 +27,13 @@ struct StageResult {
     std::optional<double> energy_drift;  ///< least-squares slope of the conserved energy per atom [epsilon/tau]
     std::string checksum_at_start;       ///< of the positions, see checksum()
     std::string checksum_at_end;
-    std::string drift_remark = {};  ///< why the drift is too large; of a run that is done
+    std::optional<double> time_step_error = {};  ///< see TimeStepError; of sampled stages of a fluid
+    std::string drift_remark = {};               ///< why the drift is too large; of a run that is done
+    std::string time_step_remark = {};           ///< why the time step is too long; of a run that is done
 
     void archive(Archive& a) {
         a(name, integrator, first_step, last_step, time_step, sampled, thermostatted, reversed, energy_drift,
-          checksum_at_start, checksum_at_end);
+          checksum_at_start, checksum_at_end, time_step_error);
     }
 };
 
