@@ -390,6 +390,8 @@ def cases():
         Case("SIGTERM", stopped_by(signal.SIGTERM)),
         Case("SIGINT", stopped_by(signal.SIGINT)),
         Case("SIGHUP", stopped_by(signal.SIGHUP)),
+        Case("SIGUSR1", stopped_by(signal.SIGUSR1)),
+        Case("SIGXCPU", stopped_by(signal.SIGXCPU)),
         Case("stopped while the start is made", stopped_while_the_start_is_made),
         Case("a second SIGINT", second_signal),
         Case("SIGSTOP and SIGCONT", held_and_let_go),
