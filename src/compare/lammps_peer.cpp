@@ -8,10 +8,10 @@
 #include "ljmd/compare/lammps.hpp"
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/compare/lammps_output.hpp"
-#include "ljmd/compare/process.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/lammps_dump.hpp"
 #include "ljmd/io/output_file.hpp"
+#include "ljmd/io/process.hpp"
 #include "ljmd/io/scratch_directory.hpp"
 
 namespace ljmd {
