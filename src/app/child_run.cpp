@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
+#include <thread>
 
+#include "ljmd/app/interruption.hpp"
 #include "ljmd/app/recorded_run.hpp"
+#include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/checkpoint_file.hpp"
+#include "ljmd/io/directory_lock.hpp"
 #include "ljmd/io/input_file.hpp"
 
 namespace ljmd {
@@ -63,6 +68,22 @@ void check_log(const ChildRun& run) {
     if (type != fs::file_type::not_found && type != fs::file_type::regular) {
         throw InputError(fmt::format("{} is in the way: a log is written there, and it is no file. Nothing was run.",
                                      run.log.string()));
+    }
+}
+
+void wait_for_runs(const fs::path& folder) {
+    constexpr std::chrono::milliseconds moment{50};
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::end(entry); entry.increment(error)) {
+        for (bool told = false; DirectoryLock::is_held(entry->path()); told = true) {
+            if (signal_received() != 0) {
+                stop_many_runs();
+            }
+            if (!told) {
+                talk(fmt::format("waiting for the run that is still writing to {}\n", entry->path().string()));
+            }
+            std::this_thread::sleep_for(moment);
+        }
     }
 }
 

@@ -131,6 +131,7 @@ void reproduce_command(const ReproduceOptions& options) {
     }
     make_directory(folder);
     const DirectoryLock lock(out);
+    wait_for_runs(folder);
 
     run_lines(runs, options.jobs, [&](const RowRun& run, std::size_t done) {
         if (!run.failure().empty()) {

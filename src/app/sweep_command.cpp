@@ -134,6 +134,7 @@ void sweep_command(const SweepOptions& options) {
     const fs::path directory = directory_of(options);
     make_directory(directory);
     const DirectoryLock lock(directory);
+    wait_for_runs(directory / "points");
     prepare_sweep(plan, directory, options.force);
     const SweptPoints swept = sweep(plan, directory, options);
     write_file_atomically(directory / "sweep.csv", sweep_csv(swept));

@@ -2,11 +2,16 @@
 
 #include <sys/stat.h>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
+#include <optional>
+#include <thread>
 
 #include "app/run_fixtures.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/directory_lock.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -136,4 +141,23 @@ TEST_CASE("a log that leads elsewhere is refused") {
     REQUIRE(mkfifo(run.log.c_str(), 0600) == 0);
     CHECK_THROWS_WITH(check_log(run), Catch::Matchers::Contains("hot.log is in the way"));
     CHECK(failure_of(run, 5) == "hot: exit code 5: ");
+}
+
+TEST_CASE("runs that still write into a folder are waited for") {
+    const DeckFolder folder;
+    fs::create_directories(folder / "runs/free");
+    fs::create_directories(folder / "runs/held");
+    std::ofstream(folder / "runs/file") << "text";
+    wait_for_runs(folder / "runs/absent");
+    auto lock = std::make_optional<DirectoryLock>(folder / "runs/held");
+    std::atomic<bool> released = false;
+    std::thread other([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        released = true;
+        lock.reset();
+    });
+    wait_for_runs(folder / "runs");
+    CHECK(released);
+    other.join();
+    wait_for_runs(folder / "runs");
 }
