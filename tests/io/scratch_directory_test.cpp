@@ -46,7 +46,7 @@ TEST_CASE("a scratch directory is gone, too, when the program is killed, or ends
     REQUIRE(length > 0);
     path.resize(static_cast<std::size_t>(length));
     REQUIRE(::waitpid(child, nullptr, 0) == child);
-    for (int moment = 0; std::filesystem::exists(path) && moment < 6000; ++moment) {
+    for (int moment = 0; std::filesystem::exists(path) && moment < 3000; ++moment) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     CHECK_FALSE(std::filesystem::exists(path));
