@@ -43,7 +43,7 @@ Record read_record(const fs::path& path) {
         }
         return {record.at("deck_file").get<std::string>(),
                 record.at("deck").get<std::string>(),
-                record.at("settings").get<std::vector<std::string>>(),
+                texts_of(record.at("settings"), "settings", most_settings),
                 std::move(earlier),
                 record.at("simd").is_null() ? "" : record.at("simd").get<std::string>(),
                 static_cast<int>(integer_of(record.at("threads"), "threads", 1, most_threads)),

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "ljmd/app/json_file.hpp"
 #include "ljmd/app/run_directory.hpp"
@@ -35,6 +37,28 @@ std::string difference(const SweepPlan& recorded, const SweepPlan& plan) {
            : recorded.settings != plan.settings ? "other settings (--set)"
            : recorded.points != plan.points     ? "other points"
                                                 : "";
+}
+
+/// @throws WrongJson unless `ljmd sweep` can have written them
+void require_sound(const SweepPoints& points, const std::vector<std::string>& settings) {
+    Diagnostics mistakes;
+    check_keys(points.keys, settings, {}, mistakes);
+    if (mistakes.has_errors()) {
+        throw WrongJson(mistakes.entries().front().message);
+    }
+    if (points.keys.empty() || points.values.empty() || points.values.size() > most_points) {
+        throw WrongJson(fmt::format("{} keys and {} points, allowed: one key at least, and 1 to {} points",
+                                    points.keys.size(), points.values.size(), most_points));
+    }
+    std::set<std::vector<std::string>> known;
+    for (const std::vector<std::string>& values : points.values) {
+        if (values.size() != points.keys.size() || std::ranges::count(values, "") > 0) {
+            throw WrongJson("a point has not a value for each key");
+        }
+        if (!known.insert(values).second) {
+            throw WrongJson("a point stands twice");
+        }
+    }
 }
 
 void remove_run(const ChildRun& run) {
@@ -90,14 +114,12 @@ std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
     return read_json(path, "the record of a sweep", [](const nlohmann::ordered_json& record) {
         SweepPlan plan{record.at("deck_file").get<std::string>(),
                        record.at("deck").get<std::string>(),
-                       record.at("settings").get<std::vector<std::string>>(),
-                       {record.at("keys").get<std::vector<std::string>>(), {}}};
+                       texts_of(record.at("settings"), "settings", most_settings),
+                       {texts_of(record.at("keys"), "keys", most_varied_keys), {}}};
         for (const auto& point : record.at("points")) {
-            plan.points.values.push_back(point.at("values").get<std::vector<std::string>>());
-            if (plan.points.values.back().size() != plan.points.keys.size()) {
-                throw WrongJson("a point has not a value for each key");
-            }
+            plan.points.values.push_back(texts_of(point.at("values"), "values", most_varied_keys));
         }
+        require_sound(plan.points, plan.settings);
         return plan;
     });
 }

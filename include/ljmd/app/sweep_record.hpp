@@ -23,7 +23,7 @@ struct SweepPlan {
 [[nodiscard]] std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const std::filesystem::path& directory);
 
 /// The sweep that a directory holds; nothing when it holds none.
-/// @throws DataError  its sweep.json is damaged
+/// @throws DataError  its sweep.json is damaged, or not what `ljmd sweep` writes: the points are such as it takes
 [[nodiscard]] std::optional<SweepPlan> recorded_sweep(const std::filesystem::path& directory);
 
 /// Make a directory ready for a sweep: refuse what was not written by this one, or with `force` remove what another
