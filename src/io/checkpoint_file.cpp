@@ -94,6 +94,9 @@ std::string read_whole(const fs::path& path) {
         throw CheckpointError("it is not a file");
     }
     const auto size = fs::file_size(path, error);
+    if (size == 0) {  // as are files of /proc, which may be waited for
+        throw CheckpointError("it is empty");
+    }
     std::ifstream file(path, std::ios::binary);
     if (error || !file) {
         throw CheckpointError("it cannot be opened");

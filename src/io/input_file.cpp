@@ -17,13 +17,20 @@ namespace {
 
 constexpr const char* utf_16 = "is a text in UTF-16; UTF-8 is read: iconv -f UTF-16 -t UTF-8 OLD > NEW";
 
+/// Files that the kernel makes up have no size, and some of them, as /proc/kmsg, are waited for.
+bool is_of_kernel(const fs::path& path) {
+    std::error_code code;
+    const std::string place = fs::canonical(path, code).string();
+    return (place.starts_with("/proc/") || place.starts_with("/sys/")) && fs::file_size(path, code) == 0;
+}
+
 }  // namespace
 
 std::string why_unreadable(const fs::path& path) {
     std::error_code code;
     switch (fs::status(path, code).type()) {
         case fs::file_type::regular:
-            return {};
+            return is_of_kernel(path) ? "is made up by the kernel, not a file that is stored; copy it first" : "";
         case fs::file_type::not_found:
             return "no such file";
         case fs::file_type::directory:

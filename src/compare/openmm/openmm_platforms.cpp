@@ -9,6 +9,7 @@
 
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/input_file.hpp"
 
 namespace ljmd {
 
@@ -21,10 +22,31 @@ std::string plugin_folder() {
     return named != nullptr ? named : LJMD_OPENMM_PLUGIN_DIR;
 }
 
+/// The regular files in it, by name. OpenMM itself would open whatever is there, and wait for what a pipe or a file of
+/// /proc has to say.
+std::vector<std::string> plugin_files() {
+    std::error_code error;
+    std::vector<std::string> files;
+    for (std::filesystem::directory_iterator entry(plugin_folder(), error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (why_unreadable(entry->path()).empty()) {
+            files.push_back(entry->path().string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 /// Load what is in the folder, once. Plug-ins that cannot be loaded (for hardware that is not there, say) are left out.
 void load_plugins() {
     static const bool loaded = [] {
-        OpenMM::Platform::loadPluginsFromDirectory(plugin_folder());
+        for (const std::string& file : plugin_files()) {
+            try {
+                OpenMM::Platform::loadPluginLibrary(file);
+            } catch (const OpenMM::OpenMMException&) {
+                continue;
+            }
+        }
         return true;
     }();
     static_cast<void>(loaded);
