@@ -17,6 +17,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/observables/finite_size.hpp"
 #include "ljmd/observables/linear_trend.hpp"
 
@@ -325,7 +326,8 @@ class FluidRun : private StepObserver {
         }
         for (const StageResult& stage : result.stages) {
             if (!stage.drift_remark.empty()) {
-                doubts.push_back(fmt::format("the energy drifts in stage '{}': {}", stage.name, stage.drift_remark));
+                doubts.push_back(
+                    fmt::format("the energy drifts in stage {}: {}", in_quotes(stage.name), stage.drift_remark));
             }
         }
         if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {

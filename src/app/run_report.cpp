@@ -64,7 +64,7 @@ std::string stage_lines(const std::vector<StageResult>& stages, const std::strin
     std::string text;
     for (const StageResult& stage : stages) {
         if (stage.energy_drift) {
-            text += fmt::format("  energy drift in stage '{}': {:.2g} {}{}\n", stage.name, *stage.energy_drift,
+            text += fmt::format("  energy drift in stage {}: {:.2g} {}{}\n", in_quotes(stage.name), *stage.energy_drift,
                                 drift_unit, stage.drift_remark.empty() ? "" : ",\n    " + stage.drift_remark);
         }
     }
@@ -72,8 +72,8 @@ std::string stage_lines(const std::vector<StageResult>& stages, const std::strin
     if (reversed != stages.end()) {
         text += fmt::format("  checksum of all positions: {} at the start\n", stages.front().checksum_at_start);
         for (const StageResult& stage : stages) {
-            text +=
-                fmt::format("                             {} after stage '{}'\n", stage.checksum_at_end, stage.name);
+            text += fmt::format("                             {} after stage {}\n", stage.checksum_at_end,
+                                in_quotes(stage.name));
         }
     }
     return text;

@@ -13,6 +13,7 @@
 #include "ljmd/app/run_checkpoints.hpp"
 #include "ljmd/app/sweep_record.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/directory_lock.hpp"
 
@@ -23,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t longest_words = 1000;  // of what others have written
 constexpr std::array<const char*, 5> states{"finished", "running", "stopped", "failed", "not begun"};
 
 struct RunState {
@@ -112,7 +114,7 @@ std::string study_report(const fs::path& directory) {
         fmt::format("{}: {} of {} runs{}\n", directory.string(), study.is_sweep ? "a sweep" : "a reproduced table",
                     study.runs.size(), study.running ? ", under way" : "");
     if (study.is_sweep) {
-        text += fmt::format("deck          {}\n", study.deck);
+        text += fmt::format("deck          {}\n", printable(study.deck, longest_words));
     }
     for (const char* state : states) {
         if (const auto count = study.count(state); count > 0) {
