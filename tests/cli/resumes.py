@@ -175,6 +175,24 @@ def longer(t):
     t.contains(t.run_well("info", "out").out, "after step 120 of 120, 100 of 100 in stage 'production'")
 
 
+def few_bodies_longer(t):
+    """Where the end of a run lies between two rows it has a row of its own, which goes when the run is made longer."""
+    t.deck(text=STARS)
+    shorter = ("--set", "stage.orbits.steps=33", "--quiet")
+    t.run_well("run", "deck.toml", "--out", "out", *shorter)
+    t.equal(t.columns("out/thermo.csv")["step"], [0, 10, 20, 30, 33], "steps")
+    t.equal(t.json("out/results.json")["observables"]["total_energy"]["at_end"], t.columns("out/thermo.csv")["total_energy"][-1],
+            "energy at the end")
+    before = run_outputs(t.dir / "out")
+    t.run_well("resume", "out", "--quiet")  # finished: nothing is new
+    t.equal(run_outputs(t.dir / "out"), before, "files")
+    t.run_well("resume", "out", "--steps", "+22", "--quiet")
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet", "--set", "stage.orbits.steps=55")
+    for name in ("thermo.csv", "final.xyz", "results.json"):
+        found, expected = run_outputs(t.dir / "out")[name], run_outputs(t.dir / "whole")[name]
+        t.equal(found, expected, name)
+
+
 def finished(t):
     """Going on with what has come to its end changes nothing."""
     t.deck(*OUTPUTS)
@@ -396,7 +414,7 @@ def cases():
         Case("SIGHUP under nohup", ignored_hangup),
         Case("in parts of a wall time", in_parts),
         Case("a few bodies in parts of a wall time", bodies_in_parts),
-        Case("made longer", longer),
+        Case("made longer", longer), Case("few bodies made longer", few_bodies_longer),
         Case("finished before", finished),
         Case("threads and SIMD level as before", threads_and_simd),
         Case("a directory in use", in_use),
