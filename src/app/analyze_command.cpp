@@ -15,6 +15,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/data_table_csv.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
@@ -54,18 +55,17 @@ Wanted wanted(const AnalyzeOptions& options) {
 
 /// Refuse a directory that the tables cannot be written to.
 void check_out(const fs::path& directory, const std::vector<std::string>& files, bool force) {
-    std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
+    if (files::exists(directory) && !files::is_directory(directory)) {
         throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
     }
-    if (fs::exists(directory / "run.json", error)) {
+    if (files::exists(directory / "run.json")) {
         throw InputError(
             fmt::format("{} is the directory of a run, whose files stay as they are. Nothing was "
                         "written.\n  choose another directory with --out",
                         directory.string()));
     }
     for (const std::string& file : files) {
-        if (!force && fs::exists(fs::symlink_status(directory / file, error))) {
+        if (!force && files::is_taken(directory / file)) {
             throw InputError(
                 fmt::format("{} is there already. Nothing was written.\n  choose another directory with --out, "
                             "or replace it with --force",
@@ -202,8 +202,7 @@ void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
 
 void analyze_command(const AnalyzeOptions& options) {
     const Wanted names = wanted(options);
-    std::error_code error;
-    if (fs::is_directory(options.path, error)) {
+    if (files::is_directory(options.path)) {
         analyze_run(options, names);
     } else {
         analyze_file(options, names);

@@ -9,6 +9,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/checkpoint_file.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/io/input_file.hpp"
 
 namespace ljmd {
@@ -24,7 +25,7 @@ bool is_run_of(const RecordedRun& recorded, const ChildRun& run) {
 bool has_checkpoint(const fs::path& directory) {
     const auto names = checkpoint_names();
     return std::any_of(names.begin(), names.end(),
-                       [&](const std::string& name) { return fs::exists(directory / name); });
+                       [&](const std::string& name) { return files::exists(directory / name); });
 }
 
 Job start(const ChildRun& run) {
@@ -43,12 +44,14 @@ struct LastLines {
 
 LastLines last_lines(const fs::path& log) {
     LastLines last;
-    if (why_unreadable(log).empty()) {
-        std::ifstream file(log);
+    try {
+        std::ifstream file = open_input(log);
         for (std::string line; std::getline(file, line);) {
             last.error = line.starts_with("error: ") ? line : last.error;
             last.any = line.empty() ? last.any : line;
         }
+    } catch (const DataError& error) {
+        last.any = error.what();
     }
     return last;
 }
@@ -58,8 +61,7 @@ constexpr std::size_t longest_words = 400;  // of a log in a message
 }  // namespace
 
 void check_log(const ChildRun& run) {
-    std::error_code error;
-    const fs::file_type type = fs::symlink_status(run.log, error).type();
+    const fs::file_type type = files::type_of(run.log);
     if (type != fs::file_type::not_found && type != fs::file_type::regular) {
         throw InputError(fmt::format("{} is in the way: a log is written there, and it is no file. Nothing was run.",
                                      run.log.string()));
@@ -67,11 +69,11 @@ void check_log(const ChildRun& run) {
 }
 
 bool holds_another_run(const ChildRun& run) {
-    return fs::exists(run.directory / "run.json") && !is_run_of(recorded_run(run.directory), run);
+    return files::exists(run.directory / "run.json") && !is_run_of(recorded_run(run.directory), run);
 }
 
 std::optional<Job> next_job(const ChildRun& run) {
-    if (!fs::exists(run.directory / "run.json")) {
+    if (!files::exists(run.directory / "run.json")) {
         return start(run);
     }
     const RecordedRun recorded = recorded_run(run.directory);

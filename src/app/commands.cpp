@@ -25,6 +25,7 @@
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/directory_lock.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/io/output_file.hpp"
 #include "ljmd/io/scratch_directory.hpp"
 
@@ -114,8 +115,7 @@ Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
 
 /// `argon.toml` or `runs/argon` with target `lammps`: argon-lammps, here.
 std::filesystem::path export_directory(const std::filesystem::path& source, bool is_run, const std::string& to) {
-    std::error_code none;  // an empty path has no absolute one
-    const std::filesystem::path whole = std::filesystem::absolute(source, none).lexically_normal();
+    const std::filesystem::path whole = files::absolute(source).lexically_normal();
     const std::filesystem::path name = !is_run                ? whole.stem()
                                        : whole.has_filename() ? whole.filename()
                                                               : whole.parent_path().filename();
@@ -349,8 +349,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
 }
 
 void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
-    std::error_code error;
-    const bool is_run = std::filesystem::is_directory(options.deck, error);
+    const bool is_run = files::is_directory(options.deck);
     const std::filesystem::path directory =
         out.empty() ? export_directory(options.deck, is_run, to) : std::filesystem::path(out);
     check_export(to, directory, options.force);

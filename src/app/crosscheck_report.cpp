@@ -10,6 +10,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/data_table_csv.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
@@ -170,8 +171,7 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
 
 void check_comparison(const std::filesystem::path& directory, const std::string& with, bool force) {
     const std::filesystem::path file = directory / fmt::format("compare-{}.json", with);
-    std::error_code error;
-    if (!force && std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
+    if (!force && files::is_taken(file)) {
         throw InputError(
             fmt::format("{} is there already. Nothing was compared.\n  choose another directory with --out, or replace "
                         "it with --force",

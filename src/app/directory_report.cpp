@@ -14,6 +14,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/directory_lock.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
@@ -40,13 +41,11 @@ Contents contents_of(const fs::path& directory) {
     } catch (const CheckpointError& error) {
         contents.damaged = {error.what()};
     }
-    for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-        std::error_code error;
-        if (entry.is_regular_file(error)) {
-            contents.files.emplace_back(entry.path().filename().string(), entry.file_size(error));
+    for (const fs::path& entry : files::list(directory)) {
+        if (const auto bytes = files::size_of(entry)) {
+            contents.files.emplace_back(entry.filename().string(), *bytes);
         }
     }
-    std::sort(contents.files.begin(), contents.files.end());
     return contents;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/compare/fluid.hpp"
@@ -14,6 +13,7 @@
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/io/output_file.hpp"
 #include "ljmd/io/trajectory_writer.hpp"
 
@@ -121,25 +121,16 @@ Notes export_h5md(const Export& what) {
     make_directory(what.directory);
     const fs::path path = what.directory / "start.h5md";
     const fs::path growing = what.directory / "start.tmp.h5md";
-    const auto remove_growing = [&] {
-        std::error_code ignored;
-        fs::remove(growing, ignored);
-    };
     try {
         const auto writer = make_trajectory_writer(
             "h5md", what.state,
             {.path = growing, .velocities = true, .creator_version = build_info().version, .title = what.deck.title});
         writer->write(what.state);
         writer->close();
+        files::rename(growing, path);
     } catch (...) {
-        remove_growing();
+        files::try_to_remove(growing);
         throw;
-    }
-    std::error_code error;
-    fs::rename(growing, path, error);
-    if (error) {
-        remove_growing();
-        throw FileError(fmt::format("cannot write '{}': {}", path.string(), error.message()));
     }
     sync_folder_of(path);
     return {fmt::format("in a deck: [system] file = \"{}\"; it opens with MDAnalysis, VMD and h5py", path.string())};
@@ -187,12 +178,11 @@ const Stage& exported_stage(const Deck& deck) {
 
 void check_export(const std::string& target, const fs::path& directory, bool force) {
     static_cast<void>(find_target(target));
-    std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
+    if (files::exists(directory) && !files::is_directory(directory)) {
         throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
     }
     for (const fs::path& file : export_files(target, directory)) {
-        if (!force && fs::exists(fs::symlink_status(file, error))) {
+        if (!force && files::is_taken(file)) {
             throw InputError(
                 fmt::format("{} is there already. Nothing was written.\n  choose another directory with --out, "
                             "or replace it with --force",

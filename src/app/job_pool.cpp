@@ -7,6 +7,7 @@
 #include "ljmd/app/interruption.hpp"
 #include "ljmd/compare/process.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
@@ -41,7 +42,7 @@ class Pool {
     void start(std::size_t line, const Job& job) {
         running_.push_back({line, ChildProcess({.program = program_,
                                                 .arguments = job.arguments,
-                                                .directory = std::filesystem::current_path(),
+                                                .directory = ".",
                                                 .output = job.output,
                                                 .own_group = true})});
     }
@@ -104,12 +105,7 @@ void run_jobs(const std::filesystem::path& program, const std::vector<Job>& firs
 }
 
 std::filesystem::path this_program() {
-    std::error_code error;
-    const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (error) {
-        throw FileError("cannot find the file of this program: " + error.message());
-    }
-    return path;
+    return files::read_link("/proc/self/exe");
 }
 
 }  // namespace ljmd

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
 
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
@@ -12,6 +11,7 @@
 #include "ljmd/io/checkpoint_file.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/io/output_file.hpp"
 #include "ljmd/observables/few_body_analysis.hpp"
 
@@ -49,9 +49,8 @@ ThermoCsv::Extra thermo_columns(const Deck& deck, bool order_parameter) {
 
 std::vector<fs::path> old_outputs(const fs::path& directory) {
     std::vector<fs::path> old;
-    std::error_code error;
     for (const std::string& name : output_names()) {
-        if (fs::exists(fs::symlink_status(directory / name, error))) {
+        if (files::is_taken(directory / name)) {
             old.push_back(directory / name);
         }
     }
@@ -62,8 +61,7 @@ std::vector<fs::path> old_outputs(const fs::path& directory) {
 
 void check_directory(const Deck& deck, bool force) {
     const fs::path& directory = deck.directory;
-    std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
+    if (files::exists(directory) && !files::is_directory(directory)) {
         throw InputError(fmt::format("{} exists and is not a directory. Nothing was run.", directory.string()));
     }
     const std::vector<fs::path> old = old_outputs(directory);
@@ -86,10 +84,9 @@ void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, co
     if (deck.kind == DeckKind::fluid && deck.system().has("file")) {
         inputs.push_back(configuration_file(deck.system().text("file")));
     }
-    std::error_code error;
     for (const fs::path& input : inputs) {
         for (const fs::path& output : outputs) {
-            if (fs::equivalent(output, input, error)) {
+            if (files::are_same(output, input)) {
                 throw InputError(
                     fmt::format("{} is read, and would be replaced by what is written. {}.\n  choose another "
                                 "directory with --out",
@@ -100,15 +97,11 @@ void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, co
 }
 
 void make_directory(const fs::path& directory) {
-    std::error_code error;
     std::vector<fs::path> made;
-    for (fs::path folder = directory; !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path()) {
+    for (fs::path folder = directory; !folder.empty() && !files::exists(folder); folder = folder.parent_path()) {
         made.push_back(folder);
     }
-    fs::create_directories(directory, error);
-    if (error) {
-        throw FileError(fmt::format("cannot create the directory '{}': {}", directory.string(), error.message()));
-    }
+    files::create_directories(directory);
     for (const fs::path& folder : made) {
         sync_folder_of(folder);
     }
@@ -116,12 +109,8 @@ void make_directory(const fs::path& directory) {
 
 void prepare_directory(const fs::path& directory) {
     make_directory(directory);
-    std::error_code error;
     for (const fs::path& file : old_outputs(directory)) {
-        fs::remove(file, error);
-        if (error) {
-            throw FileError(fmt::format("cannot remove '{}': {}", file.string(), error.message()));
-        }
+        files::remove(file);
     }
 }
 

@@ -15,6 +15,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/directory_lock.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
@@ -48,7 +49,7 @@ struct Study {
 RunState state_of(const std::string& name, const fs::path& directory, const fs::path& log) {
     RunState found{name, directory, "not begun", std::nullopt, 0, ""};
     const std::string words = error_in_log(log);
-    if (!fs::exists(directory / "run.json")) {
+    if (!files::exists(directory / "run.json")) {
         return words.empty() ? found : RunState{name, directory, "failed", std::nullopt, 0, words};
     }
     const RecordedRun run = recorded_run(directory);
@@ -82,9 +83,9 @@ Study study_in(const fs::path& directory) {
         return study;
     }
     const fs::path rows = directory / "rows";
-    for (const fs::directory_entry& entry : fs::directory_iterator(rows)) {
-        if (entry.path().extension() == ".toml") {
-            const std::string name = entry.path().stem().string();
+    for (const fs::path& entry : files::list(rows)) {
+        if (entry.extension() == ".toml") {
+            const std::string name = entry.stem().string();
             study.runs.push_back(state_of(name, rows / name, rows / (name + ".log")));
         }
     }
@@ -101,9 +102,8 @@ std::string progress_of(const RunState& run) {
 }  // namespace
 
 bool holds_study(const fs::path& directory) {
-    std::error_code error;
-    return fs::exists(directory / "sweep.json", error) ||
-           (fs::is_directory(directory / "rows", error) && !fs::exists(directory / "run.json", error));
+    return files::exists(directory / "sweep.json") ||
+           (files::is_directory(directory / "rows") && !files::exists(directory / "run.json"));
 }
 
 std::string study_report(const fs::path& directory) {

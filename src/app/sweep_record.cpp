@@ -8,6 +8,7 @@
 #include "ljmd/app/json_file.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
@@ -38,12 +39,11 @@ std::string difference(const SweepPlan& recorded, const SweepPlan& plan) {
 }
 
 void remove_run(const ChildRun& run) {
-    if (fs::exists(run.directory / "run.json")) {
+    if (files::exists(run.directory / "run.json")) {
         prepare_directory(run.directory);  // takes away what a run writes, and nothing else
     }
-    std::error_code error;
-    fs::remove(run.log, error);
-    fs::remove(run.directory, error);  // unless something else is in it
+    files::try_to_remove(run.log);
+    files::try_to_remove(run.directory);  // unless something else is in it
 }
 
 /// Remove what a sweep has written and this one has no use for.
@@ -58,8 +58,7 @@ void remove_sweep(const SweepPlan& old, const SweepPlan& plan, const fs::path& d
             remove_run(run);
         }
     }
-    std::error_code error;
-    fs::remove(directory / "sweep.csv", error);
+    files::try_to_remove(directory / "sweep.csv");
 }
 
 }  // namespace
@@ -84,7 +83,7 @@ std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const fs::path& director
 
 std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
     const fs::path path = directory / "sweep.json";
-    if (std::error_code error; !fs::exists(fs::symlink_status(path, error))) {
+    if (!files::is_taken(path)) {
         return std::nullopt;
     }
     return read_json(path, "the record of a sweep", [](const nlohmann::ordered_json& record) {
@@ -109,7 +108,7 @@ void prepare_sweep(const SweepPlan& plan, const fs::path& directory, bool force)
     const auto recorded = recorded_sweep(directory);
     if (!recorded) {
         for (const char* name : {"sweep.csv", "points"}) {
-            if (fs::exists(directory / name)) {
+            if (files::exists(directory / name)) {
                 throw InputError(
                     fmt::format("{} holds '{}', but no sweep. Nothing was run.\n  choose another directory "
                                 "with --out",

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program, glibc does not
 
@@ -23,8 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_executable(const fs::path& path) {
-    std::error_code error;
-    return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
+    return files::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
 }
 
 /// Pointers to texts, with the null at the end that exec wants.
@@ -95,9 +95,8 @@ class Preparation {
 }  // namespace
 
 std::optional<fs::path> find_program(const std::string& name) {
-    std::error_code error;
     if (name.find('/') != std::string::npos) {
-        return is_executable(name) ? std::optional(fs::absolute(name, error)) : std::nullopt;
+        return is_executable(name) ? std::optional(files::absolute(name)) : std::nullopt;
     }
     const char* variable = std::getenv("PATH");
     std::string_view rest = variable != nullptr ? variable : "/usr/bin:/bin";
@@ -105,7 +104,7 @@ std::optional<fs::path> find_program(const std::string& name) {
         const std::size_t length = std::min(rest.find(':'), rest.size());
         const fs::path candidate = fs::path(rest.substr(0, length)) / name;  // an empty one is where we are
         if (is_executable(candidate)) {
-            return fs::absolute(candidate, error);
+            return files::absolute(candidate);
         }
         rest.remove_prefix(std::min(length + 1, rest.size()));
     }

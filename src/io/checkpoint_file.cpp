@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/input_file.hpp"
 #include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
@@ -73,7 +75,10 @@ void write_parts(OutputFile& file, const Parts& parts) {
 }
 
 bool reads_back(const fs::path& path, const Parts& parts) {
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file;
+    if (const std::string why = open_input(path, file); !why.empty()) {
+        throw FileError(fmt::format("cannot write '{}': it {}", path.string(), why));
+    }
     std::string read;
     for (const std::string_view part : parts) {
         for (std::size_t from = 0; from < part.size(); from += piece_length) {
@@ -89,17 +94,17 @@ bool reads_back(const fs::path& path, const Parts& parts) {
 
 /// A file whose head says another length than it has is not read: what it claims may not fit into memory.
 std::string read_whole(const fs::path& path) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) {  // opening a pipe would wait for ever
+    if (!files::is_regular_file(path)) {  // opening a pipe would wait for ever
         throw CheckpointError("it is not a file");
     }
-    const auto size = fs::file_size(path, error);
-    std::ifstream file(path, std::ios::binary);
-    if (error || !file) {
-        throw CheckpointError("it cannot be opened");
-    }
+    std::ifstream file = open_input(path);
+    const auto size = static_cast<std::size_t>(file.seekg(0, std::ios::end).tellg());
+    file.seekg(0);
     Head head{};
     file.read(reinterpret_cast<char*>(&head), sizeof(Head));
+    if (file.bad()) {
+        throw CheckpointError("it cannot be read");
+    }
     if (std::string_view(head.word.data(), head.word.size()) != magic) {
         throw CheckpointError("it is not a checkpoint");
     }
@@ -178,14 +183,15 @@ FoundCheckpoints find_checkpoints(const fs::path& directory) {
     FoundCheckpoints found;
     for (const std::string& name : checkpoint_names()) {
         const fs::path path = directory / name;
-        std::error_code error;
-        if (!fs::exists(fs::symlink_status(path, error))) {
-            continue;
-        }
         try {
+            if (!files::is_taken(path)) {
+                continue;
+            }
             found.whole.push_back(parse(path));
         } catch (const CheckpointError& why) {
             found.damaged.push_back(fmt::format("{}: {}", path.string(), why.what()));
+        } catch (const Error& why) {  // the file system failed
+            found.damaged.emplace_back(why.what());
         }
     }
     std::sort(found.whole.begin(), found.whole.end(),

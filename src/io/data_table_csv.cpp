@@ -26,12 +26,10 @@ std::vector<std::string_view> fields_of(std::string_view line) {
     return fields;
 }
 
-/// Whether the last line of a file has its end. True for a file that cannot be read, which others will say.
+/// Whether the last line of a file has its end.
 bool ends_with_a_line(const std::filesystem::path& path) {
-    if (!why_unreadable(path).empty()) {
-        return true;
-    }
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    std::ifstream file = open_input(path);
+    file.seekg(0, std::ios::end);
     char last = '\n';
     if (file && file.tellg() > 0) {
         file.seekg(-1, std::ios::end);

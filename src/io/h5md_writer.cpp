@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/input_file.hpp"
 #include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
@@ -94,7 +95,7 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
 
 void H5mdWriter::copy_frames(const std::filesystem::path& from, const std::vector<FramePlace>& frames) {
     require_bytes(from, 0);
-    std::ifstream file(from, std::ios::binary);
+    std::ifstream file = open_input(from);
     for (const FramePlace& frame : frames) {
         const Vectors vectors{vectors_at(file, frame.velocities, count_), vectors_at(file, frame.positions, count_)};
         const auto numbers = 3 * static_cast<std::size_t>(count_);

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
@@ -37,9 +38,16 @@ std::string why_unreadable(const fs::path& path) {
     }
 }
 
-std::ifstream open_input(const fs::path& path) {
+bool input_is_there(const fs::path& path) {
+    try {
+        return files::is_taken(path);
+    } catch (const FileError& error) {
+        throw DataError(error.what());
+    }
+}
+
+std::string open_input(const fs::path& path, std::ifstream& file) {
     std::string complaint = why_unreadable(path);
-    std::ifstream file;
     if (complaint.empty()) {
         errno = 0;
         file.open(path, std::ios::binary);
@@ -47,7 +55,12 @@ std::ifstream open_input(const fs::path& path) {
             complaint = "cannot be read: " + std::generic_category().message(errno);
         }
     }
-    if (!complaint.empty()) {
+    return complaint;
+}
+
+std::ifstream open_input(const fs::path& path) {
+    std::ifstream file;
+    if (const std::string complaint = open_input(path, file); !complaint.empty()) {
         throw DataError(fmt::format("{}: {}", path.string(), complaint));
     }
     return file;

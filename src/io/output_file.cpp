@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
@@ -31,15 +32,14 @@ int sync_descriptor(int descriptor) {
 }  // namespace
 
 void require_bytes(const std::filesystem::path& path, std::int64_t bytes) {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
-    if (!std::filesystem::exists(status)) {
+    const std::filesystem::file_type type = files::type_of(path);
+    if (type == std::filesystem::file_type::not_found) {
         throw CheckpointError(fmt::format("'{}' is not there any more", path.string()));
     }
-    if (!std::filesystem::is_regular_file(status)) {  // a link leads elsewhere, opening a pipe would wait for ever
+    if (type != std::filesystem::file_type::regular) {  // a link leads elsewhere, opening a pipe would wait for ever
         throw CheckpointError(fmt::format("'{}' is not the file that the run wrote", path.string()));
     }
-    const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
+    const auto size = static_cast<std::int64_t>(files::size_of(path).value_or(0));
     if (size < bytes) {
         throw CheckpointError(
             fmt::format("'{}' has {} bytes, but had {} when the checkpoint was written", path.string(), size, bytes));
@@ -169,8 +169,7 @@ TemporaryName::~TemporaryName() {
 }
 
 void TemporaryName::remove() const {
-    std::error_code ignored;
-    std::filesystem::remove(name_, ignored);
+    files::try_to_remove(name_);
 }
 
 void TemporaryName::take_place() {

@@ -6,19 +6,15 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
-#include <system_error>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
 ScratchDirectory::ScratchDirectory() {
-    std::error_code error;
-    const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-    if (error) {
-        throw FileError(fmt::format("no directory for temporary files: {}; does TMPDIR name one?", error.message()));
-    }
-    std::string pattern = (parent / "ljmd-").string() + std::string(6, 'X');  // mkdtemp replaces six X
+    std::string pattern =
+        (files::temporary_folder() / "ljmd-").string() + std::string(6, 'X');  // mkdtemp replaces six X
     if (mkdtemp(pattern.data()) == nullptr) {
         throw FileError(fmt::format("cannot create {}: {}", pattern, std::strerror(errno)));
     }
@@ -26,8 +22,7 @@ ScratchDirectory::ScratchDirectory() {
 }
 
 ScratchDirectory::~ScratchDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    files::try_to_remove_all(path_);
 }
 
 }  // namespace ljmd

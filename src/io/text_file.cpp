@@ -68,9 +68,9 @@ std::string beginning_of(std::istream& stream) {
 
 TextFile::TextFile(const fs::path& path) : name_(path.string()), buffer_(longest_line + 1) {
     file_ = open_input(path);
-    std::error_code code;
-    size_ = static_cast<Index>(fs::file_size(path, code));
-    if (code) fail_at(0, "cannot be opened: " + code.message());
+    size_ = static_cast<Index>(file_.seekg(0, std::ios::end).tellg());
+    if (size_ < 0) fail_at(0, "cannot be read");
+    file_.seekg(0);
     const bool is_packed = is_gzip(beginning_of(file_));
     file_.clear();
     file_.seekg(0);

@@ -12,6 +12,13 @@ namespace ljmd {
 /// Only regular files are read, or links to them: opening a pipe may wait for ever, and a device may have no end.
 [[nodiscard]] std::string why_unreadable(const std::filesystem::path& path);
 
+/// Whether an input is there, if only a link that leads nowhere. @throws DataError when that cannot be told
+[[nodiscard]] bool input_is_there(const std::filesystem::path& path);
+
+/// Open a file to be read.
+/// @return why not, as why_unreadable() has it; empty when it is open
+[[nodiscard]] std::string open_input(const std::filesystem::path& path, std::ifstream& file);
+
 /// @throws DataError naming the path, when it is not a regular file or cannot be opened
 [[nodiscard]] std::ifstream open_input(const std::filesystem::path& path);
 

@@ -61,7 +61,7 @@ class OutputFile {
 };
 
 /// Refuse to go on with a file that is not there, is no regular file or has fewer bytes. Changes nothing.
-/// @throws CheckpointError
+/// @throws CheckpointError; FileError when that cannot be told
 void require_bytes(const std::filesystem::path& path, std::int64_t bytes);
 
 /// The name `PATH.tmp` of a file that is to take the place of PATH. A file of that name is removed at the beginning,

@@ -9,6 +9,7 @@
 
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
@@ -58,7 +59,7 @@ OpenMM::Platform& openmm_platform(const std::string& name) {
         throw InputError(fmt::format(
             "OpenMM has no platform '{}'; loaded: {}\n  plug-ins were looked for in {}{}; the environment "
             "variable OPENMM_PLUGIN_DIR names another folder",
-            name, fmt::join(names, ", "), folder, std::filesystem::is_directory(folder) ? "" : ", which is not there"));
+            name, fmt::join(names, ", "), folder, files::is_directory(folder) ? "" : ", which is not there"));
     }
     return OpenMM::Platform::getPlatformByName(name);
 }
