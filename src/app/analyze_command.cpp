@@ -55,7 +55,7 @@ Wanted wanted(const AnalyzeOptions& options) {
 
 /// Refuse a directory that the tables cannot be written to.
 void check_out(const fs::path& directory, const std::vector<std::string>& files, bool force) {
-    if (files::exists(directory) && !files::is_directory(directory)) {
+    if (files::is_no_directory(directory)) {
         throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
     }
     if (files::exists(directory / "run.json")) {

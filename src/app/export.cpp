@@ -178,7 +178,7 @@ const Stage& exported_stage(const Deck& deck) {
 
 void check_export(const std::string& target, const fs::path& directory, bool force) {
     static_cast<void>(find_target(target));
-    if (files::exists(directory) && !files::is_directory(directory)) {
+    if (files::is_no_directory(directory)) {
         throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
     }
     for (const fs::path& file : export_files(target, directory)) {

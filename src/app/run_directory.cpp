@@ -61,7 +61,7 @@ std::vector<fs::path> old_outputs(const fs::path& directory) {
 
 void check_directory(const Deck& deck, bool force) {
     const fs::path& directory = deck.directory;
-    if (files::exists(directory) && !files::is_directory(directory)) {
+    if (files::is_no_directory(directory)) {
         throw InputError(fmt::format("{} exists and is not a directory. Nothing was run.", directory.string()));
     }
     const std::vector<fs::path> old = old_outputs(directory);

@@ -84,7 +84,10 @@ bool reads_back(const fs::path& path, const Parts& parts) {
         for (std::size_t from = 0; from < part.size(); from += piece_length) {
             const std::string_view piece = part.substr(from, piece_length);
             read.resize(piece.size());
-            if (!file.read(read.data(), static_cast<std::streamsize>(read.size())) || read != piece) {
+            if (!file.read(read.data(), static_cast<std::streamsize>(read.size())) && file.bad()) {
+                throw FileError(fmt::format("cannot write '{}': it {}", path.string(), why_reading_failed()));
+            }
+            if (!file || read != piece) {
                 return false;
             }
         }
@@ -103,7 +106,7 @@ std::string read_whole(const fs::path& path) {
     Head head{};
     file.read(reinterpret_cast<char*>(&head), sizeof(Head));
     if (file.bad()) {
-        throw CheckpointError("it cannot be read");
+        throw CheckpointError("it " + why_reading_failed());
     }
     if (std::string_view(head.word.data(), head.word.size()) != magic) {
         throw CheckpointError("it is not a checkpoint");
@@ -115,7 +118,7 @@ std::string read_whole(const fs::path& path) {
     file.seekg(0);
     file.read(text.data(), static_cast<std::streamsize>(size));
     if (!file) {
-        throw CheckpointError("it cannot be read");
+        throw CheckpointError("it " + why_reading_failed());
     }
     return text;
 }

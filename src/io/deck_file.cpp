@@ -41,7 +41,7 @@ DeckFile read_deck(const std::filesystem::path& path, Diagnostics& diagnostics) 
     // One byte more than allowed tells a text that is too large, whatever its size.
     std::string text(max_bytes + 4, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (file.bad()) return fail("cannot be read");
+    if (file.bad()) return fail(why_reading_failed());
     text.resize(static_cast<std::size_t>(file.gcount()));
     if (const std::string why = why_no_text(std::string_view(text).substr(0, usual_beginning)); !why.empty()) {
         return fail(why);

@@ -26,13 +26,23 @@ void require_known(fs::file_type type, const std::error_code& error, const fs::p
     }
 }
 
-}  // namespace
-
-bool exists(const fs::path& path) {
+/// Of all links.
+fs::file_type type_at_end(const fs::path& path) {
     std::error_code error;
     const fs::file_type type = fs::status(path, error).type();
     require_known(type, error, path);
-    return type != fs::file_type::not_found;
+    return type;
+}
+
+}  // namespace
+
+bool exists(const fs::path& path) {
+    return type_at_end(path) != fs::file_type::not_found;
+}
+
+bool is_no_directory(const fs::path& path) {
+    const fs::file_type type = type_at_end(path);
+    return type != fs::file_type::not_found && type != fs::file_type::directory;
 }
 
 bool is_taken(const fs::path& path) {
@@ -57,12 +67,10 @@ bool is_regular_file(const fs::path& path) {
 }
 
 std::optional<std::uintmax_t> size_of(const fs::path& path) {
-    std::error_code error;
-    const fs::file_type type = fs::status(path, error).type();
-    require_known(type, error, path);
-    if (type != fs::file_type::regular) {
+    if (type_at_end(path) != fs::file_type::regular) {
         return std::nullopt;
     }
+    std::error_code error;
     const std::uintmax_t bytes = fs::file_size(path, error);
     if (error == std::errc::no_such_file_or_directory) {  // removed in between
         return std::nullopt;

@@ -46,7 +46,11 @@ bool holds_numbers(hid_t type) {
 
 bool is_hdf5(const std::filesystem::path& path) {
     const Hdf5Silence silence;
-    return H5Fis_hdf5(path.c_str()) > 0;
+    const htri_t found = H5Fis_hdf5(path.c_str());
+    if (found < 0) {
+        throw DataError(fmt::format("{}: cannot be read: {}", path.string(), hdf5_error_text()));
+    }
+    return found > 0;
 }
 
 Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {

@@ -12,7 +12,7 @@
 
 namespace ljmd {
 
-/// Whether the file begins as HDF5 files do.
+/// Whether the file begins as HDF5 files do. @throws DataError when it cannot be read
 [[nodiscard]] bool is_hdf5(const std::filesystem::path& path);
 
 /// An HDF5 file that is read. Objects are named by their paths, "particles/trajectory/id". Every failure of HDF5 is a

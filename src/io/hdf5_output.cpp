@@ -142,11 +142,12 @@ void Hdf5Output::write_dataset(const std::string& name, hid_t file_type, hid_t m
     const std::string doing = "writing " + name;
     const Hdf5Handle space = axis(length);
     const Hdf5Handle creation = without_times(H5P_DATASET_CREATE);
-    const Hdf5Handle dataset(
+    Hdf5Handle dataset(
         checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
                 doing),
         H5Dclose);
     checked(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), doing);
+    checked(dataset.close(), doing);  // only then a small array is written to the file
 }
 
 void Hdf5Output::write_numbers(const std::string& name, const std::vector<double>& values) {

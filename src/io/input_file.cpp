@@ -52,7 +52,7 @@ std::string open_input(const fs::path& path, std::ifstream& file) {
         errno = 0;
         file.open(path, std::ios::binary);
         if (!file) {
-            complaint = "cannot be read: " + std::generic_category().message(errno);
+            complaint = why_reading_failed();
         }
     }
     return complaint;
@@ -64,6 +64,26 @@ std::ifstream open_input(const fs::path& path) {
         throw DataError(fmt::format("{}: {}", path.string(), complaint));
     }
     return file;
+}
+
+std::string read_input(const fs::path& path) {
+    std::ifstream file = open_input(path);
+    std::string text;
+    constexpr std::size_t piece = std::size_t{1} << 16;
+    while (file) {
+        const std::size_t before = text.size();
+        text.resize(before + piece);
+        file.read(text.data() + before, piece);
+        text.resize(before + static_cast<std::size_t>(file.gcount()));
+    }
+    if (file.bad()) {
+        throw DataError(fmt::format("{}: {}", path.string(), why_reading_failed()));
+    }
+    return text;
+}
+
+std::string why_reading_failed() {
+    return "cannot be read: " + std::generic_category().message(errno);
 }
 
 std::string why_no_text(std::string_view beginning) {

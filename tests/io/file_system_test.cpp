@@ -54,6 +54,9 @@ TEST_CASE("what is there is told, at the end of links or of the name itself") {
     CHECK(files::type_of(in.path / "folder") == fs::file_type::directory);
     CHECK(files::is_directory(in.path));
     CHECK_FALSE(files::is_directory(in.path / "circle"));
+    CHECK(files::is_no_directory(in.path / "link"));
+    CHECK_FALSE(files::is_no_directory(in.path));
+    CHECK_FALSE(files::is_no_directory(in.path / "broken"));
     CHECK(files::is_regular_file(in.path / "link"));
     CHECK_FALSE(files::is_regular_file(in.path));
     CHECK(files::size_of(in.path / "link") == 5U);
@@ -77,6 +80,7 @@ TEST_CASE("what the file system does not answer is a file error with path and ca
     const std::string unseen = "cannot look at '" + circle.string() + cause;
     CHECK(file_error([&] { static_cast<void>(files::exists(circle)); }) == unseen);
     CHECK(file_error([&] { static_cast<void>(files::size_of(circle)); }) == unseen);
+    CHECK(file_error([&] { static_cast<void>(files::is_no_directory(circle)); }) == unseen);
     CHECK(file_error([&] { static_cast<void>(files::are_same(circle, in.path)); }) == unseen);
     CHECK(file_error([&] { static_cast<void>(files::is_taken(below)); }) ==
           "cannot look at '" + below.string() + cause);

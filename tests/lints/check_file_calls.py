@@ -40,6 +40,7 @@ RULES = [
     (re.compile(r"\bstd::(o?fstream)\b"), "write with OutputFile"),
     (re.compile(r"\b\w+\.open\("), "open it with open_input()"),
     (re.compile(r"\bistreambuf_iterator\b|\.rdbuf\("), "read through the stream: its buffer throws"),
+    (re.compile(r"\bjson::parse\((?:file|stream|input|in)\b"), "read the text first, by read_input(): parsing uses the buffer"),
     (re.compile(r"\b(?:std::)?(?:fopen|opendir|tmpfile|freopen)\(|\bstd::(?:rename|remove)\(\w+\)"),
      "call ljmd::files, open_input() or OutputFile"),
 ]
@@ -88,6 +89,7 @@ VIOLATIONS = [
     "out << file.rdbuf();",
     "FILE* file = std::fopen(name, mode);",
     "std::remove(name);",
+    "return nlohmann::json::parse(file);",
 ]
 
 

@@ -31,12 +31,12 @@ class WrongJson : public DataError {
 /// @throws DataError naming the file, when it is not a regular file, not JSON, or `read` misses something in it
 template <class Read>
 auto read_json(const std::filesystem::path& path, std::string_view what, const Read& read) {
-    std::ifstream file = open_input(path);
+    const std::string text = read_input(path);
     const auto complain = [&](const std::string& why) {
         return DataError(fmt::format("{} is not {}: {}", path.string(), what, why));
     };
     try {
-        return read(nlohmann::ordered_json::parse(file));
+        return read(nlohmann::ordered_json::parse(text));
     } catch (const nlohmann::json::exception& error) {
         throw complain(complaint_of(error));
     } catch (const WrongJson& error) {

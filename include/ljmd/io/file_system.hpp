@@ -20,6 +20,9 @@ namespace ljmd::files {
 /// be told
 [[nodiscard]] std::filesystem::file_type type_of(const std::filesystem::path& path);
 
+/// Whether what is there, at the end of all links, is no directory. @throws FileError when that cannot be told
+[[nodiscard]] bool is_no_directory(const std::filesystem::path& path);
+
 /// True for a directory and a link to one. False also where that cannot be told: opening it will say why.
 [[nodiscard]] bool is_directory(const std::filesystem::path& path);
 

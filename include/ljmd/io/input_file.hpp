@@ -22,6 +22,12 @@ namespace ljmd {
 /// @throws DataError naming the path, when it is not a regular file or cannot be opened
 [[nodiscard]] std::ifstream open_input(const std::filesystem::path& path);
 
+/// All bytes of a file. @throws DataError naming the path, when it is not a regular file or cannot be read to its end
+[[nodiscard]] std::string read_input(const std::filesystem::path& path);
+
+/// Why the last reading of a stream failed, to be asked at once: "cannot be read: Input/output error".
+[[nodiscard]] std::string why_reading_failed();
+
 /// What a file is that does not begin as a text does: HDF5, compressed, text in UTF-16, or lines that end in CR alone.
 /// Empty for a text, and for what is unknown.
 /// @param beginning  its first bytes
