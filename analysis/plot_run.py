@@ -234,7 +234,7 @@ def draw_fluid(path: Path) -> dict[str, plt.Figure]:
     figures = {"thermo": plot_thermo(run)}
     if not run_directory.has_ended(path):
         print(f"{path}: the run has not come to its end, there are no means and no tables yet", file=sys.stderr)
-    elif run.rdf is None:
+    elif not (path / "rdf.csv").exists():
         print(f"{run.path / 'rdf.csv'}: not there, no picture of g(r)", file=sys.stderr)
     return figures | draw_tables(run)
 

@@ -76,6 +76,9 @@ def choose_observable(sweep: Sweep, wanted: Optional[str]) -> str:
         wanted = next((name for name in USUAL if name in names), None)
     if wanted not in names:
         raise RunDirectoryError(f"no observable '{wanted}' (found: {', '.join(names) or 'none'})", exit_code=2)
+    if not np.isfinite(sweep.observables[wanted]).any():
+        known = [name for name in names if np.isfinite(sweep.observables[name]).any()]
+        raise RunDirectoryError(f"no point has a value of '{wanted}' (values: {', '.join(known) or 'none'})", exit_code=2)
     return wanted
 
 
@@ -124,7 +127,7 @@ def label_of(key: str, value: str, rows: Sequence[int], sweep: Sweep) -> str:
     error = sweep.observables.get("temperature" + ERROR, np.zeros(len(found)))
     if not missed(asked, found[rows], error[rows]).any():
         return label
-    least, most = f"{found[rows].min():.3g}", f"{found[rows].max():.3g}"
+    least, most = f"{np.nanmin(found[rows]):.3g}", f"{np.nanmax(found[rows]):.3g}"
     return f"{label} (found {least})" if least == most else f"{label} (found {least} to {most})"
 
 

@@ -87,7 +87,7 @@ class RunDirectory:
     path: Path
     title: str
     thermo: Table
-    rdf: Optional[Table]  # None when the run has no rdf.csv
+    rdf: Optional[Table]  # None when the run has no rdf.csv, or no g(r) in it
     observables: dict[str, Observable]
     stages: list[Stage]
 
@@ -204,15 +204,28 @@ def read_table(path: Path, required: tuple[str, ...], increasing: tuple[str, ...
     return table
 
 
+def has_values(path: Path, table: Table, names: Sequence[str]) -> bool:
+    """Whether the columns `names` of a table have a number in every row. One without any is of a quantity that has no value
+    in this run (g(r) of a single atom, viscosity at zero temperature): there is nothing to draw then, which is said.
+
+    Raises RunDirectoryError (exit code 3) for a column with some numbers.
+    """
+    for name in names:
+        gaps = np.flatnonzero(~np.isfinite(table[name]))
+        if gaps.size == table[name].size:
+            print(f"{path}: '{name}' has no value in this run, no picture of it", file=sys.stderr)
+            return False
+        if gaps.size:
+            raise damaged(path, f"line {gaps[0] + 2}: column '{name}' has no number")
+    return True
+
+
 def read_rdf(path: Path) -> Optional[Table]:
-    """The columns of rdf.csv; None when there is no such file."""
+    """The columns of rdf.csv; None when there is no such file, or no g(r) in it."""
     if not path.exists():
         return None
     table = read_table(path, RDF_COLUMNS, increasing=("r",))
-    gaps = np.flatnonzero(~np.isfinite(table["g"]))
-    if gaps.size:
-        raise damaged(path, f"line {gaps[0] + 2}: column 'g' has no number")
-    return table
+    return table if has_values(path, table, ("g",)) else None
 
 
 def read_json(path: Path) -> dict[str, Any]:

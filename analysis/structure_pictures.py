@@ -6,6 +6,7 @@ Each function draws one table of a run of a fluid; `pictures` draws those that t
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Optional
 
 import numpy as np
 import run_directory
@@ -126,21 +127,20 @@ def stress_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
 PICTURES = {
     "sk": ("k", ("S", "S_standard_error"), structure_factor),
     "msd": ("time", ("msd", "msd_standard_error"), displacement),
-    "vacf": ("time", ("vacf", "vacf_standard_error", "diffusion", "diffusion_standard_error"), velocity_autocorrelation),
+    "vacf": ("time", ("vacf_normalized", "vacf", "vacf_standard_error", "diffusion", "diffusion_standard_error"),
+             velocity_autocorrelation),
     "vibrational_spectrum": ("angular_frequency", ("spectrum", "spectrum_standard_error"), vibrational_spectrum),
     "stress_autocorrelation": ("time", ("stress_autocorrelation", "stress_autocorrelation_standard_error", "viscosity",
                                         "viscosity_standard_error"), stress_autocorrelation),
 }
 
 
-def read(path: Path, first: str, others: tuple[str, ...]) -> Table:
-    """A table whose first column increases, and whose other columns have a number in every row, errors excepted."""
+def read(path: Path, first: str, others: tuple[str, ...]) -> Optional[Table]:
+    """A table whose first column increases, and whose other columns have a number in every row, errors excepted; None
+    when one of them has no value at all."""
     table = run_directory.read_table(path, (first, *others), increasing=(first,))
-    for name in others:
-        gaps = np.flatnonzero(~np.isfinite(table[name]))
-        if gaps.size and not name.endswith("_standard_error"):
-            raise run_directory.damaged(path, f"line {gaps[0] + 2}: column '{name}' has no number")
-    return table
+    drawn = [name for name in others if not name.endswith("_standard_error")]
+    return table if run_directory.has_values(path, table, drawn) else None
 
 
 def only_tables(path: Path) -> bool:
@@ -154,6 +154,7 @@ def pictures(run: RunDirectory) -> dict[str, plt.Figure]:
     figures = {}
     for name, (first, others, draw) in PICTURES.items():
         path = run.path / f"{name}.csv"
-        if path.exists():
-            figures[name] = draw(run, read(path, first, others))
+        table = read(path, first, others) if path.exists() else None
+        if table is not None:
+            figures[name] = draw(run, table)
     return figures

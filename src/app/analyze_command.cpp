@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/commands.hpp"
+#include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/recorded_run.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run_directory.hpp"
@@ -15,7 +16,8 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/data_table_csv.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -54,24 +56,8 @@ Wanted wanted(const AnalyzeOptions& options) {
 
 /// Refuse a directory that the tables cannot be written to.
 void check_out(const fs::path& directory, const std::vector<std::string>& files, bool force) {
-    std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
-        throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
-    }
-    if (fs::exists(directory / "run.json", error)) {
-        throw InputError(
-            fmt::format("{} is the directory of a run, whose files stay as they are. Nothing was "
-                        "written.\n  choose another directory with --out",
-                        directory.string()));
-    }
-    for (const std::string& file : files) {
-        if (!force && fs::exists(fs::symlink_status(directory / file, error))) {
-            throw InputError(
-                fmt::format("{} is there already. Nothing was written.\n  choose another directory with --out, "
-                            "or replace it with --force",
-                            (directory / file).string()));
-        }
-    }
+    require_no_run(directory, "Nothing was written");
+    require_no_outputs(directory, files, force, "Nothing was written");
 }
 
 std::vector<std::string> output_files(const std::vector<FrameAnalysis>& analyses) {
@@ -202,8 +188,7 @@ void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
 
 void analyze_command(const AnalyzeOptions& options) {
     const Wanted names = wanted(options);
-    std::error_code error;
-    if (fs::is_directory(options.path, error)) {
+    if (files::is_directory(options.path)) {
         analyze_run(options, names);
     } else {
         analyze_file(options, names);

@@ -3,12 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
+#include <thread>
 
+#include "ljmd/app/interruption.hpp"
 #include "ljmd/app/recorded_run.hpp"
+#include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/checkpoint_file.hpp"
+#include "ljmd/io/directory_lock.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/io/input_file.hpp"
 
 namespace ljmd {
@@ -24,7 +30,7 @@ bool is_run_of(const RecordedRun& recorded, const ChildRun& run) {
 bool has_checkpoint(const fs::path& directory) {
     const auto names = checkpoint_names();
     return std::any_of(names.begin(), names.end(),
-                       [&](const std::string& name) { return fs::exists(directory / name); });
+                       [&](const std::string& name) { return files::exists(directory / name); });
 }
 
 Job start(const ChildRun& run) {
@@ -43,12 +49,14 @@ struct LastLines {
 
 LastLines last_lines(const fs::path& log) {
     LastLines last;
-    if (why_unreadable(log).empty()) {
-        std::ifstream file(log);
+    try {
+        std::ifstream file = open_input(log);
         for (std::string line; std::getline(file, line);) {
             last.error = line.starts_with("error: ") ? line : last.error;
             last.any = line.empty() ? last.any : line;
         }
+    } catch (const DataError& error) {
+        last.any = error.what();
     }
     return last;
 }
@@ -57,21 +65,44 @@ constexpr std::size_t longest_words = 400;  // of a log in a message
 
 }  // namespace
 
-void check_log(const ChildRun& run) {
-    std::error_code error;
-    const fs::file_type type = fs::symlink_status(run.log, error).type();
-    if (type != fs::file_type::not_found && type != fs::file_type::regular) {
+void check_places(const ChildRun& run) {
+    for (const fs::path& path : {run.directory.parent_path(), run.directory}) {
+        if (files::type_of(path) == fs::file_type::symlink) {
+            throw InputError(fmt::format("{} is in the way: a run is made there, and it is a link. Nothing was run.",
+                                         path.string()));
+        }
+    }
+    const fs::file_type log = files::type_of(run.log);
+    if (log != fs::file_type::not_found && log != fs::file_type::regular) {
         throw InputError(fmt::format("{} is in the way: a log is written there, and it is no file. Nothing was run.",
                                      run.log.string()));
     }
 }
 
+void wait_for_runs(const fs::path& folder) {
+    constexpr std::chrono::milliseconds moment{50};
+    if (!files::exists(folder)) {
+        return;
+    }
+    for (const fs::path& entry : files::list(folder)) {
+        for (bool told = false; DirectoryLock::is_held(entry); told = true) {
+            if (signal_received() != 0) {
+                stop_many_runs();
+            }
+            if (!told) {
+                talk(fmt::format("waiting for the run that is still writing to {}\n", entry.string()));
+            }
+            std::this_thread::sleep_for(moment);
+        }
+    }
+}
+
 bool holds_another_run(const ChildRun& run) {
-    return fs::exists(run.directory / "run.json") && !is_run_of(recorded_run(run.directory), run);
+    return files::exists(run.directory / "run.json") && !is_run_of(recorded_run(run.directory), run);
 }
 
 std::optional<Job> next_job(const ChildRun& run) {
-    if (!fs::exists(run.directory / "run.json")) {
+    if (!files::exists(run.directory / "run.json")) {
         return start(run);
     }
     const RecordedRun recorded = recorded_run(run.directory);

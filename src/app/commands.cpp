@@ -14,18 +14,20 @@
 #include "ljmd/app/few_body_check.hpp"
 #include "ljmd/app/few_body_run.hpp"
 #include "ljmd/app/forecast.hpp"
+#include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/progress.hpp"
 #include "ljmd/app/recorded_run.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/run_lock.hpp"
 #include "ljmd/app/start_sense.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
-#include "ljmd/io/directory_lock.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/replacement_file.hpp"
 #include "ljmd/io/scratch_directory.hpp"
 
 namespace ljmd {
@@ -114,8 +116,7 @@ Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
 
 /// `argon.toml` or `runs/argon` with target `lammps`: argon-lammps, here.
 std::filesystem::path export_directory(const std::filesystem::path& source, bool is_run, const std::string& to) {
-    std::error_code none;  // an empty path has no absolute one
-    const std::filesystem::path whole = std::filesystem::absolute(source, none).lexically_normal();
+    const std::filesystem::path whole = files::absolute(source).lexically_normal();
     const std::filesystem::path name = !is_run                ? whole.stem()
                                        : whole.has_filename() ? whole.filename()
                                                               : whole.parent_path().filename();
@@ -160,24 +161,18 @@ std::optional<double> wall_time(const std::string& text) {
     return seconds;
 }
 
-/// Remove an earlier run. @pre the directory is locked
-void clear_directory(const Deck& deck, bool force) {
-    check_directory(deck, force);  // again: another run may have come to its end in it since
-    prepare_directory(deck.directory);
-}
-
-void run_fluid(const Deck& deck, Start start, const DeckOptions& options, const RunControl& control) {
+void run_fluid(Deck& deck, Start start, const DeckOptions& options, RunControl& control) {
     // The start is made before anything is touched: what refuses it must not cost an earlier run.
     check_directory(deck, options.force);
     Progress progress(start.atoms, deck.total_steps(), options.quiet);
     Simulation simulation =
         make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
     heed_signals();  // until here nothing would be lost
-    make_directory(deck.directory);
-    const DirectoryLock lock(deck.directory);
-    clear_directory(deck, options.force);
+    RunLock lock(deck, options.force);
+    control.has_begun = [&lock] { lock.has_begun(); };
     const RunResult result = run_deck(deck, simulation, progress, control);
     print_result(options.json ? results_json(deck, result) + "\n" : results_table(deck, result));
+    lock.warn_if_moved();
 }
 
 /// A few-body deck is known whole when it is read: what is to be warned of is said then.
@@ -187,16 +182,16 @@ void talk_of_bodies(const DeckOptions& options, const Diagnostics& diagnostics) 
     }
 }
 
-void run_bodies(const Deck& deck, const DeckOptions& options, const RunControl& control) {
+void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
     check_directory(deck, options.force);
     FewBodySystem system = make_few_body_system(deck);
     Progress progress(std::nullopt, deck.total_steps(), options.quiet);
     heed_signals();
-    make_directory(deck.directory);
-    const DirectoryLock lock(deck.directory);
-    clear_directory(deck, options.force);
+    RunLock lock(deck, options.force);
+    control.has_begun = [&lock] { lock.has_begun(); };
     const FewBodyResult result = run_few_body(deck, system, progress, control);
     print_result(options.json ? few_body_results_json(deck, result) + "\n" : few_body_results_table(deck, result));
+    lock.warn_if_moved();
 }
 
 void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
@@ -254,7 +249,7 @@ void check_compare_options(const CrosscheckOptions& compared) {
 }  // namespace
 
 void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
-    const RunControl control{.interruption = Interruption(wall_time(walltime))};
+    RunControl control{.interruption = Interruption(wall_time(walltime))};
     Diagnostics diagnostics;
     Deck deck = load(options, diagnostics);
     if (!out.empty()) {
@@ -271,8 +266,12 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
 void resume_command(const ResumeOptions& options) {
     RunControl control{.interruption = Interruption(wall_time(options.walltime))};
     heed_signals();
-    const RecordedRun run = recorded_run(options.directory, options.more_steps);
-    const DirectoryLock lock(options.directory);
+    std::optional<RunLock> lock;
+    if (files::is_directory(options.directory)) {
+        lock.emplace(options.directory);
+    }
+    RecordedRun run = recorded_run(options.directory, options.more_steps);
+    run.deck.locked = lock->directory();
     auto point = find_resume_point(run.deck);
     if (!point) {
         throw CheckpointError(fmt::format(
@@ -306,11 +305,13 @@ void resume_command(const ResumeOptions& options) {
         const FewBodyResult result = run_few_body(run.deck, system, progress, control);
         print_result(options.json ? few_body_results_json(run.deck, result) + "\n"
                                   : few_body_results_table(run.deck, result));
+        lock->warn_if_moved();
         return;
     }
     Simulation simulation = empty_simulation(run.deck, atoms, Box(edges));
     const RunResult result = run_deck(run.deck, simulation, progress, control);
     print_result(options.json ? results_json(run.deck, result) + "\n" : results_table(run.deck, result));
+    lock->warn_if_moved();
 }
 
 void check_command(const DeckOptions& options) {
@@ -334,7 +335,9 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
     }
     check_compare_options(compared);
     if (!out.empty()) {
-        check_comparison(out, compared.with, options.force);
+        const std::string name = "compare-" + compared.with;
+        require_no_outputs(out, {name + ".json", name + ".csv", name + "-trajectory.csv", name + "-rdf.csv"},
+                           options.force, "Nothing was compared");
     }
     Diagnostics diagnostics;
     const Deck deck = load(options, diagnostics);
@@ -349,8 +352,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
 }
 
 void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
-    std::error_code error;
-    const bool is_run = std::filesystem::is_directory(options.deck, error);
+    const bool is_run = files::is_directory(options.deck);
     const std::filesystem::path directory =
         out.empty() ? export_directory(options.deck, is_run, to) : std::filesystem::path(out);
     check_export(to, directory, options.force);
@@ -372,7 +374,7 @@ void bench_command(const DeckOptions& options) {
     if (chosen.deck.empty()) {
         scratch.emplace();
         chosen.deck = (scratch->path() / "melt-32k.toml").string();
-        write_file_atomically(chosen.deck, std::string(melt_deck()));
+        write_file_atomically(std::filesystem::path(chosen.deck), std::string(melt_deck()));
     }
     Diagnostics diagnostics;
     Deck deck = load(chosen, diagnostics);

@@ -13,7 +13,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/integrators/reference_trajectory.hpp"
 #include "ljmd/io/data_table_csv.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/few_body.hpp"
 

@@ -59,15 +59,29 @@ std::size_t compared_stage(const Deck& deck) {
                                         : deck.stages.size() - 1;
 }
 
+/// Find out that so many threads can be had beside those that there are: OpenMM waits for ever for one that the system
+/// refuses. @throws ThreadsError
+void require_threads(int count) {
+    try {
+        const ThreadTeam as_many(count + 1);  // with this one
+    } catch (const ThreadsError& refused) {
+        throw ThreadsError(fmt::format("OpenMM takes threads of its own, {}: {}", count, refused.what()));
+    }
+}
+
 Peers peers_of(const Fluid& fluid, const Situation& situation, bool mixed, const CrosscheckOptions& options) {
     if (options.with == "lammps") {
         return {make_lammps_peer(fluid, thread_count()), nullptr,
                 mixed ? single_agreement(situation) : lammps_agreement(situation)};
     }
     const bool exact = options.platform == "Reference";
+    const bool fast = exact && (options.wants("averages") || options.wants("speed"));
+    if (fast || options.platform == "CPU") {
+        require_threads(thread_count());
+    }
     Peers peers{make_openmm_peer(fluid, {.platform = options.platform, .threads = thread_count()}), nullptr,
                 exact && !mixed ? double_agreement(situation) : single_agreement(situation)};
-    if (exact && (options.wants("averages") || options.wants("speed"))) {
+    if (fast) {
         peers.fast = make_openmm_peer(fluid, {.platform = "CPU", .threads = thread_count()});
     }
     return peers;
@@ -211,14 +225,15 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
                       .trajectory = {},
                       .ensemble = std::nullopt,
                       .speed = std::nullopt};
-    // The other program's long run, meanwhile, where a processor is free for it.
+    // The other program's long run, meanwhile, where a processor is free for it and the system has a thread; or later.
     const bool averages = options.wants("averages") && ensemble.steps >= ensemble.every;
     std::future<EnsembleAverages> theirs;
     if (averages) {
         say(fmt::format("averaging over {} steps in {}", ensemble.steps, peers.for_long_runs().name()));
-        theirs = std::async(
-            thread_count() < available_processors() && peers.fast ? std::launch::async : std::launch::deferred,
-            [&] { return their_averages(fluid, peers.for_long_runs(), ensemble); });
+        theirs = std::async(thread_count() < available_processors() && peers.fast
+                                ? std::launch::async | std::launch::deferred
+                                : std::launch::deferred,
+                            [&] { return their_averages(fluid, peers.for_long_runs(), ensemble); });
     }
     if (options.wants("point")) {
         append(result.checks, compare_points(point_of(fluid, *make()), peers.exact->point(), fluid, peers.agreement));

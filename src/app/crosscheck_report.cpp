@@ -10,7 +10,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/data_table_csv.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -166,17 +166,6 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
     }
     // The path of a deck need not be UTF-8, as JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
-}
-
-void check_comparison(const std::filesystem::path& directory, const std::string& with, bool force) {
-    const std::filesystem::path file = directory / fmt::format("compare-{}.json", with);
-    std::error_code error;
-    if (!force && std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
-        throw InputError(
-            fmt::format("{} is there already. Nothing was compared.\n  choose another directory with --out, or replace "
-                        "it with --force",
-                        file.string()));
-    }
 }
 
 void write_crosscheck(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options,

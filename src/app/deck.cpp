@@ -7,6 +7,7 @@
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/app/effect_sense.hpp"
 #include "ljmd/app/few_body_sense.hpp"
+#include "ljmd/app/phase_sense.hpp"
 #include "ljmd/app/stage_sense.hpp"
 #include "ljmd/app/start_sense.hpp"
 #include "ljmd/io/deck_file.hpp"
@@ -114,6 +115,7 @@ Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& f
               root,
               {},
               {},
+              std::nullopt,
               0,
               std::nullopt,
               checkpoint_output(root.section("output"))};
@@ -180,15 +182,17 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
     if (diagnostics.has_errors()) {
         return std::nullopt;
     }
+    const Deck deck = to_deck(kind, path, file, settings, units, root);
     if (kind == DeckKind::few_body) {
         check_few_body_effects(root, diagnostics);
-    } else {
-        check_effects(root, diagnostics);
-        if (root.section("system").has("lattice")) {  // else the file decides, see check_start
-            check_start_effects(root, false, diagnostics);
-        }
+        return deck;
     }
-    return to_deck(kind, path, file, settings, units, root);
+    check_effects(root, diagnostics);
+    if (const Section& system = deck.system(); system.has("lattice")) {  // else the file decides, see check_start
+        check_start_effects(root, false, diagnostics);
+        check_phase(deck, system.number("density"), diagnostics);
+    }
+    return deck;
 }
 
 }  // namespace

@@ -11,15 +11,20 @@
 
 #include "ljmd/app/recorded_run.hpp"
 #include "ljmd/app/run_checkpoints.hpp"
+#include "ljmd/app/run_report.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/directory_lock.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t longest_words = 1000;  // of what others have written
 
 struct Contents {
     bool running;
@@ -40,13 +45,11 @@ Contents contents_of(const fs::path& directory) {
     } catch (const CheckpointError& error) {
         contents.damaged = {error.what()};
     }
-    for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-        std::error_code error;
-        if (entry.is_regular_file(error)) {
-            contents.files.emplace_back(entry.path().filename().string(), entry.file_size(error));
+    for (const fs::path& entry : files::list(directory)) {
+        if (const auto bytes = files::size_of(entry)) {
+            contents.files.emplace_back(entry.filename().string(), *bytes);
         }
     }
-    std::sort(contents.files.begin(), contents.files.end());
     return contents;
 }
 
@@ -66,8 +69,9 @@ std::string size_in_words(std::uintmax_t bytes) {
 std::string directory_report(const fs::path& directory) {
     const Contents contents = contents_of(directory);
     const Deck& deck = contents.run.deck;
-    std::string text = fmt::format("{}: {}\n", directory.string(), deck.title.empty() ? deck.path : deck.title);
-    text += fmt::format("deck          {}\nbegan         {}\n", deck.path, contents.run.earlier.began);
+    std::string text = fmt::format("{}: {}\n", directory.string(), title_line(deck));
+    text += fmt::format("deck          {}\nbegan         {}\n", printable(deck.path, longest_words),
+                        printable(contents.run.earlier.began, longest_words));
     if (!contents.run.earlier.resumed_at_steps.empty()) {
         text += fmt::format("gone on       after steps {}\n", fmt::join(contents.run.earlier.resumed_at_steps, ", "));
     }
@@ -76,14 +80,14 @@ std::string directory_report(const fs::path& directory) {
                                                                     : "no");
     if (contents.point) {
         const CheckpointHead& head = contents.point->head;
-        text +=
-            fmt::format("checkpoint    after step {} of {}, {} of {} in stage '{}'\n", head.step, deck.total_steps(),
-                        head.position.begun ? head.position.steps : 0, contents.stage().steps, contents.stage().name);
+        text += fmt::format("checkpoint    after step {} of {}, {} of {} in stage {}\n", head.step, deck.total_steps(),
+                            head.position.begun ? head.position.steps : 0, contents.stage().steps,
+                            in_quotes(contents.stage().name));
     } else {
         text += "checkpoint    none\n";
     }
     for (const std::string& line : contents.damaged) {
-        text += fmt::format("damaged       {}\n", line);
+        text += fmt::format("damaged       {}\n", printable(line, longest_words));
     }
     TextTable files({{"", TextTable::Align::left, 18}, {"", TextTable::Align::right, 10}}, 2);
     for (const auto& [name, bytes] : contents.files) {

@@ -10,6 +10,7 @@
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/thread_team.hpp"
+#include "ljmd/io/process.hpp"
 
 namespace ljmd {
 
@@ -40,6 +41,8 @@ int report_current_exception() {
     } catch (const std::bad_alloc&) {
         return say("out of memory; `ljmd check` tells how much a deck needs", 7);
     } catch (const ThreadsError& e) {
+        return say(e.what(), 7);
+    } catch (const ProcessesError& e) {
         return say(e.what(), 7);
     } catch (const InUseError& e) {
         return say(e.what(), 9);

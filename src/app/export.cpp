@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 
+#include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/compare/fluid.hpp"
 #include "ljmd/compare/lammps_input.hpp"
@@ -14,7 +14,7 @@
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 #include "ljmd/io/trajectory_writer.hpp"
 
 namespace ljmd {
@@ -116,32 +116,19 @@ Notes export_extxyz(const Export& what) {
     return {fmt::format("in a deck: [system] file = \"{}\"; in Python: ase.io.read(\"start.xyz\")", path.string())};
 }
 
-/// A trajectory grows in place, so that its file is another one until it is whole.
+/// A trajectory grows in its place, so it gets a place of its own until it is whole.
 Notes export_h5md(const Export& what) {
     make_directory(what.directory);
     const fs::path path = what.directory / "start.h5md";
-    const fs::path growing = what.directory / "start.tmp.h5md";
-    const auto remove_growing = [&] {
-        std::error_code ignored;
-        fs::remove(growing, ignored);
-    };
-    try {
-        const auto writer = make_trajectory_writer(
-            "h5md", what.state,
-            {.path = growing, .velocities = true, .creator_version = build_info().version, .title = what.deck.title});
-        writer->write(what.state);
-        writer->close();
-    } catch (...) {
-        remove_growing();
-        throw;
-    }
-    std::error_code error;
-    fs::rename(growing, path, error);
-    if (error) {
-        remove_growing();
-        throw FileError(fmt::format("cannot write '{}': {}", path.string(), error.message()));
-    }
-    sync_folder_of(path);
+    ReplacementFile file(path);
+    const auto writer = make_trajectory_writer("h5md", what.state,
+                                               {.path = file.growing(),
+                                                .velocities = true,
+                                                .creator_version = build_info().version,
+                                                .title = what.deck.title});
+    writer->write(what.state);
+    writer->close();
+    file.take_place();
     return {fmt::format("in a deck: [system] file = \"{}\"; it opens with MDAnalysis, VMD and h5py", path.string())};
 }
 
@@ -186,19 +173,7 @@ const Stage& exported_stage(const Deck& deck) {
 }
 
 void check_export(const std::string& target, const fs::path& directory, bool force) {
-    static_cast<void>(find_target(target));
-    std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
-        throw InputError(fmt::format("{} exists and is not a directory. Nothing was written.", directory.string()));
-    }
-    for (const fs::path& file : export_files(target, directory)) {
-        if (!force && fs::exists(fs::symlink_status(file, error))) {
-            throw InputError(
-                fmt::format("{} is there already. Nothing was written.\n  choose another directory with --out, "
-                            "or replace it with --force",
-                            file.string()));
-        }
-    }
+    require_no_outputs(directory, find_target(target).files, force, "Nothing was written");
 }
 
 std::vector<fs::path> export_files(const std::string& target, const fs::path& directory) {

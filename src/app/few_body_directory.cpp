@@ -3,7 +3,7 @@
 #include "ljmd/app/few_body_run.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -13,7 +13,7 @@ std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& sys
     if (!deck.trajectory || deck.trajectory->format != "csv") {
         return std::nullopt;
     }
-    return TrajectoryCsv(deck.directory / "trajectory.csv", system.state.count(), system.dimensions,
+    return TrajectoryCsv(deck.outputs() / "trajectory.csv", system.state.count(), system.dimensions,
                          deck.trajectory->accelerations, static_cast<bool>(system.force.angular_velocity), kept);
 }
 
@@ -26,13 +26,13 @@ FewBodyDirectory::FewBodyDirectory(const Deck& deck, const FewBodySystem& system
       trajectory_(
           csv_ ? nullptr
                : open_trajectory(deck, system.state, resumed ? std::optional(resumed->kept.trajectory) : std::nullopt)),
-      thermo_(deck.directory / "thermo.csv", system.dimensions,
+      thermo_(deck.outputs() / "thermo.csv", system.dimensions,
               resumed ? std::optional(resumed->kept.thermo) : std::nullopt),
       record_(deck, resumed ? std::optional(resumed->earlier) : std::nullopt) {}
 
 CommittedOutputs FewBodyDirectory::commit() {
     if (csv_) {
-        return {thermo_.commit(), {csv_->commit(), {}}};
+        return {thermo_.commit(), {.bytes = csv_->commit()}};
     }
     return {thermo_.commit(), trajectory_ ? trajectory_->commit() : CommittedFrames()};
 }
@@ -65,12 +65,12 @@ void FewBodyDirectory::finish(const State& state, const FewBodyResult& result, c
     if (trajectory_) {
         trajectory_->close();
     }
-    write_configuration(deck_.directory / "final.xyz", state, true);
+    write_configuration(deck_.outputs() / "final.xyz", state, true);
     for (const DataTable& table : tables) {
-        write_file_atomically(deck_.directory / (table.name + ".csv"), to_csv(table));
+        write_file_atomically(deck_.outputs() / (table.name + ".csv"), to_csv(table));
     }
-    write_file_atomically(deck_.directory / "results.json", few_body_results_json(deck_, result) + "\n");
-    write_file_atomically(deck_.directory / "results.txt", few_body_results_table(deck_, result));
+    write_file_atomically(deck_.outputs() / "results.json", few_body_results_json(deck_, result) + "\n");
+    write_file_atomically(deck_.outputs() / "results.txt", few_body_results_table(deck_, result));
     record_.finish(result.seconds);
 }
 

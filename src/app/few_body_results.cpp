@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/app/few_body_run.hpp"
+#include "ljmd/app/footnotes.hpp"
 #include "ljmd/app/json_number.hpp"
 #include "ljmd/app/run_report.hpp"
 #include "ljmd/core/text_table.hpp"
@@ -27,7 +28,11 @@ Json history_json(const FewBodyHistory& history) {
 }
 
 Json finding_json(const Finding& finding) {
-    return {{"value", number_or_null(finding.value)}, {"standard_error", number_or_null(finding.standard_error)}};
+    Json json = {{"value", number_or_null(finding.value)}, {"standard_error", number_or_null(finding.standard_error)}};
+    if (!finding.remark.empty()) {
+        json["remark"] = finding.remark;
+    }
+    return json;
 }
 
 }  // namespace
@@ -75,14 +80,15 @@ std::string few_body_results_table(const Deck& deck, const FewBodyResult& result
     }
     text += totals.text();
     for (const auto& [analysis, found] : result.findings) {
+        Footnotes footnotes;
         TextTable findings({{"", Align::left, 30}, {"", Align::right, 22}, {"", Align::left}}, 4);
         for (const Finding& finding : found) {
             const double deviation = finding.standard_error.value_or(std::nan(""));  // NaN for a single interval too
-            findings.add({finding.name,
-                          std::isfinite(finding.value) ? fmt::format("{:.13g}", finding.value) : "no value",
-                          std::isfinite(deviation) ? fmt::format("+- {:.2g}", deviation) : ""});
+            findings.add(
+                {finding.name, std::isfinite(finding.value) ? fmt::format("{:.13g}", finding.value) : "no value",
+                 std::isfinite(deviation) ? fmt::format("+- {:.2g}", deviation) : footnotes.mark(finding.remark)});
         }
-        text += fmt::format("\n  {}\n{}", analysis, findings.text());
+        text += fmt::format("\n  {}\n{}{}", analysis, findings.text(), footnotes.text());
     }
     text += '\n' + stage_lines(result.stages, "per unit of time");
     return text + fmt::format("\nfiles: {}\n", deck.directory.string());

@@ -44,7 +44,8 @@ class FewBodyRun : private StepObserver {
           system_(system),
           listener_(listener),
           thermo_every_(deck.thermo_every),
-          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0) {
+          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0,
+                       control.has_begun) {
         std::optional<ResumedOutputs> outputs;
         if (control.resumed) {
             const ResumePoint& point = control.resumed->point;
@@ -62,7 +63,11 @@ class FewBodyRun : private StepObserver {
         files_.emplace(deck, system, outputs);
     }
 
-    FewBodyResult run() { return finish(run_stages(deck_, system_.state, *system_.force_field, *this, from_)); }
+    FewBodyResult run() {
+        const LoopSeconds seconds = run_stages(deck_, system_.state, *system_.force_field, *this, from_);
+        record_end();
+        return finish(seconds);
+    }
 
   private:
     /// All that the rest of the run depends on, files excepted.
@@ -135,10 +140,7 @@ class FewBodyRun : private StepObserver {
                            {}});
     }
 
-    /// The end has a row too: results tell of it.
-    [[nodiscard]] bool wants_energy(Index step) const override {
-        return thermo_every_.due(step) || step == deck_.total_steps();
-    }
+    [[nodiscard]] bool wants_energy(Index step) const override { return thermo_every_.due(step); }
 
     [[nodiscard]] bool looks_within_steps(const Stage& stage) const override {
         return system_.force.angular_velocity || (stage.sample && !system_.analyses.empty());
@@ -173,6 +175,21 @@ class FewBodyRun : private StepObserver {
         stage.last_step = system_.state.step;
         stage.energy_drift = drift_.slope();
         stage.checksum_at_end = checksum(system_.state);
+    }
+
+    /// The end has a row, too: results tell of it. It comes behind the last checkpoint, so that a run which is made
+    /// longer does not keep it where the one long run has none.
+    void record_end() {
+        State& state = system_.state;
+        if (thermo_every_.due(state.step)) {
+            return;
+        }
+        try {
+            record(system_.force_field->evaluate(state, Request::forces_and_energy));
+        } catch (const PhysicsError& error) {
+            throw PhysicsError(fmt::format("step {}: {}{}", state.step, error.what(), save_failure(deck_, state)));
+        }
+        stages_.back().energy_drift = drift_.slope();
     }
 
     /// @throws PhysicsError when a body has left the range of numbers

@@ -1,12 +1,15 @@
 #include "ljmd/app/job_pool.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <csignal>
 #include <thread>
 
 #include "ljmd/app/interruption.hpp"
-#include "ljmd/compare/process.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/process.hpp"
 
 namespace ljmd {
 
@@ -22,7 +25,7 @@ struct Running {
 
 class Pool {
   public:
-    explicit Pool(const std::filesystem::path& program) : program_(program) {}
+    Pool(const std::filesystem::path& program, int at_most) : program_(program), at_most_(at_most) {}
 
     /// Nobody is left behind.
     ~Pool() {
@@ -38,12 +41,19 @@ class Pool {
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
+    /// If this program is killed, jobs stop as they do when they are told to: with checkpoints.
     void start(std::size_t line, const Job& job) {
-        running_.push_back({line, ChildProcess({.program = program_,
-                                                .arguments = job.arguments,
-                                                .directory = std::filesystem::current_path(),
-                                                .output = job.output,
-                                                .own_group = true})});
+        try {
+            running_.push_back({line, ChildProcess({.program = program_,
+                                                    .arguments = job.arguments,
+                                                    .directory = ".",
+                                                    .output = job.output,
+                                                    .own_group = true,
+                                                    .at_our_end = SIGTERM})});
+        } catch (const ProcessesError& refused) {
+            throw ProcessesError(fmt::format("{}\n  {} ran at a time; --jobs asks for fewer than {}", refused.what(),
+                                             running_.size(), at_most_));
+        }
     }
 
     void stop(int signal) const {
@@ -68,13 +78,14 @@ class Pool {
 
   private:
     std::filesystem::path program_;
+    int at_most_;
     std::vector<Running> running_;
 };
 
 }  // namespace
 
 void run_jobs(const std::filesystem::path& program, const std::vector<Job>& first, int at_most, const NextJob& next) {
-    Pool pool(program);
+    Pool pool(program, at_most);
     std::size_t begun = 0;
     bool stopped = false;
     while (pool.size() > 0 || (begun < first.size() && !stopped)) {
@@ -99,17 +110,12 @@ void run_jobs(const std::filesystem::path& program, const std::vector<Job>& firs
         }
     }
     if (stopped) {
-        throw Interrupted("stopped; to go on, give the same command again", signal_exit_code(signal_received()));
+        stop_many_runs();
     }
 }
 
 std::filesystem::path this_program() {
-    std::error_code error;
-    const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (error) {
-        throw FileError("cannot find the file of this program: " + error.message());
-    }
-    return path;
+    return files::read_link("/proc/self/exe");
 }
 
 }  // namespace ljmd

@@ -7,6 +7,7 @@
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/exit_code.hpp"
 #include "ljmd/app/export.hpp"
+#include "ljmd/app/interruption.hpp"
 #include "ljmd/app/reduced_number.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/build_info.hpp"
@@ -179,6 +180,7 @@ int print_help(const CLI::App& app, const CLI::Success& asked) try {
 }  // namespace
 
 int main(int argc, char** argv) {
+    ljmd::forget_inherited_signals();
     ljmd::prepare_standard_streams();
     CLI::App app("Lennard-Jones molecular dynamics: Verlet's 1967 experiment and beyond", "ljmd");
     app.require_subcommand(1);

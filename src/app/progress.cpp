@@ -56,7 +56,7 @@ void Progress::step_done(Index step) {
     const double rate = windowed_rate(now);
     const Index tenth = step_of_tenth(next_tenth_);
     if (terminal_) {
-        talk(fmt::format("\r{}\033[K", line(step, rate)));
+        talk_over_line(line(step, rate));
         line_is_open_ = true;
     } else if (step >= tenth) {
         talk(line(step, rate) + '\n');
@@ -100,7 +100,7 @@ void Progress::warning(const std::string& text) {
 
 void Progress::clear_line() {
     if (line_is_open_) {
-        talk("\r\033[K");
+        talk_over_line("");
         line_is_open_ = false;
     }
 }

@@ -9,6 +9,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/configuration_reader.hpp"
+#include "ljmd/io/input_file.hpp"
 
 namespace ljmd {
 
@@ -27,7 +28,7 @@ struct Record {
 };
 
 Record read_record(const fs::path& path) {
-    if (std::error_code error; !fs::exists(fs::symlink_status(path, error))) {
+    if (!input_is_there(path)) {
         throw DataError(
             fmt::format("{} is not the directory of a run: it has no run.json", path.parent_path().string()));
     }
@@ -43,7 +44,7 @@ Record read_record(const fs::path& path) {
         }
         return {record.at("deck_file").get<std::string>(),
                 record.at("deck").get<std::string>(),
-                record.at("settings").get<std::vector<std::string>>(),
+                texts_of(record.at("settings"), "settings", most_settings),
                 std::move(earlier),
                 record.at("simd").is_null() ? "" : record.at("simd").get<std::string>(),
                 static_cast<int>(integer_of(record.at("threads"), "threads", 1, most_threads)),
@@ -87,7 +88,7 @@ RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
 
 State last_configuration(const fs::path& directory, const Deck& deck) {
     const fs::path path = directory / "final.xyz";
-    if (std::error_code error; !fs::exists(path, error)) {
+    if (!input_is_there(path)) {
         throw DataError(fmt::format("{} has no final.xyz: the run has not come to its end", directory.string()));
     }
     const Configuration configuration = read_configuration(path, deck.units);

@@ -6,13 +6,15 @@
 #include "ljmd/app/child_run.hpp"
 #include "ljmd/app/commands.hpp"
 #include "ljmd/app/interruption.hpp"
+#include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/reproduction_report.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/directory_lock.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -67,26 +69,30 @@ class RowRun {
         : row_(row),
           length_(length),
           run_{.name = row_name(row),
-               .deck = folder / (row_name(row) + ".toml"),
+               .deck = folder / deck_name(row),
                .source = row_deck(row, length),
                .directory = folder / row_name(row),
                .log = folder / (row_name(row) + ".log")} {}
+
+    [[nodiscard]] static std::string deck_name(const VerletRow& row) { return row_name(row) + ".toml"; }
 
     [[nodiscard]] const std::optional<ReproducedRow>& result() const { return result_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
 
     /// Refuse a directory in which another deck was run. @throws InputError
     void check(bool force) const {
-        check_log(run_);
+        check_places(run_);
         if (!force && holds_another_run(run_)) {
             throw InputError(fmt::format("{} holds a run of another length or version; --force makes it anew",
                                          run_.directory.string()));
         }
     }
 
+    /// Write the deck. @param folder  of the rows
+    void prepare(const OpenDirectory& folder) const { write_file_atomically(folder / deck_name(row_), run_.source); }
+
     /// The first thing to do; nothing when the row is done already.
     std::optional<Job> begin() {
-        write_file_atomically(run_.deck, run_.source);
         const auto job = next_job(run_);
         return job ? job : after(0);
     }
@@ -109,6 +115,18 @@ class RowRun {
     std::string failure_;
 };
 
+const std::string rows_folder = "rows";
+
+/// Refuse a directory whose files are not those of a reproduction. @throws InputError
+void require_usable(const fs::path& out, bool force) {
+    const std::string consequence = "Nothing was run";
+    require_no_run(out, consequence);
+    const bool begun = std::ranges::any_of(verlet1967_table(), [&](const VerletRow& row) {
+        return files::exists(out / rows_folder / RowRun::deck_name(row));
+    });
+    require_no_outputs(out, {"rows.csv", "isotherms.csv", "rows.md", "results.json"}, begun || force, consequence);
+}
+
 void tell(const RowRun& run, std::size_t done, std::size_t all) {
     const auto& [verlet, steps, temperature, z, u, beyond, thol, kolafa] = *run.result();
     talk(fmt::format("[{}/{}] rho {} T {}: Z {:.3f} +- {:.3f}, U {:.4f} +- {:.4f} in {} steps\n", done, all,
@@ -124,15 +142,23 @@ void reproduce_command(const ReproduceOptions& options) {
     heed_signals();
     const ReproductionLength length = options.quick ? ReproductionLength::quick() : ReproductionLength::full();
     const fs::path out = options.out;
-    const fs::path folder = out / "rows";
+    require_usable(out, options.force);
     std::vector<RowRun> runs;
     for (const VerletRow& row : chosen_rows(options.rows)) {
-        runs.emplace_back(row, folder, length).check(options.force);
+        runs.emplace_back(row, out / rows_folder, length).check(options.force);
     }
-    make_directory(folder);
+    make_directory(out);
     const DirectoryLock lock(out);
+    const OpenDirectory& directory = lock.directory();
+    const OpenDirectory folder = directory.made_within(rows_folder);
+    wait_for_runs(folder.path());
+    remove_left_over(folder);
+    for (const RowRun& run : runs) {
+        run.prepare(folder);
+    }
 
     run_lines(runs, options.jobs, [&](const RowRun& run, std::size_t done) {
+        directory.require_at_its_path();  // runs are begun by their paths
         if (!run.failure().empty()) {
             talk(fmt::format("warning: {}\n", run.failure()));
         } else if (!options.quiet) {
@@ -146,10 +172,11 @@ void reproduce_command(const ReproduceOptions& options) {
             rows.push_back(*run.result());
         }
     }
-    write_file_atomically(out / "rows.csv", reproduction_csv(rows));
-    write_file_atomically(out / "isotherms.csv", isotherms_csv());
-    write_file_atomically(out / "rows.md", reproduction_markdown(rows));
-    write_file_atomically(out / "results.json", reproduction_json(rows));
+    directory.require_at_its_path();
+    write_file_atomically(directory / "rows.csv", reproduction_csv(rows));
+    write_file_atomically(directory / "isotherms.csv", isotherms_csv());
+    write_file_atomically(directory / "rows.md", reproduction_markdown(rows));
+    write_file_atomically(directory / "results.json", reproduction_json(rows));
     print_result(options.json ? reproduction_json(rows)
                               : reproduction_table(rows) +
                                     fmt::format("\nfiles: {0}\nto draw them: analysis/plot_reproduction.py {0}\n",

@@ -10,6 +10,7 @@
 #include "ljmd/app/at_temperature.hpp"
 #include "ljmd/app/deck.hpp"
 #include "ljmd/app/json_file.hpp"
+#include "ljmd/core/errors.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/potentials/formulas/lennard_jones.hpp"
 
@@ -29,18 +30,32 @@ ZAndU values_of(const EquationOfState& equation, double temperature, double dens
 }
 
 /// Temperature, potential energy and pressure of the production stage.
-BlockingAccumulator production_series(const DataTable& thermo, Index first_step) {
-    const auto step = column(thermo, "step");
-    const auto temperature = column(thermo, "temperature");
-    const auto energy = column(thermo, "potential_energy");
-    const auto pressure = column(thermo, "pressure");
+BlockingAccumulator production_series(const fs::path& path, Index first_step) {
+    const DataTable thermo = read_csv(path);
+    const auto step = step_column(thermo, path);
+    const auto temperature = full_column(thermo, "temperature", path);
+    const auto energy = full_column(thermo, "potential_energy", path);
+    const auto pressure = full_column(thermo, "pressure", path);
     BlockingAccumulator series(3, Covariance::full);
     for (std::size_t k = 0; k < step.size(); ++k) {
-        if (step[k] > static_cast<double>(first_step)) {
+        if (step[k] > first_step) {
             series.add(Eigen::Vector3d(temperature[k], energy[k], pressure[k]));
         }
     }
+    if (series.samples() == 0) {
+        throw DataError(
+            fmt::format("{} has no row behind step {}, where production begins", path.string(), first_step));
+    }
     return series;
+}
+
+/// g(r) as a run has written it.
+DataTable read_rdf(const fs::path& path) {
+    DataTable rdf = read_csv(path);
+    if (rdf.rows.size() < 2) {
+        throw DataError(fmt::format("{} has {} rows: no g(r) is as short", path.string(), rdf.rows.size()));
+    }
+    return rdf;
 }
 
 /// The stage in which a row is measured.
@@ -157,8 +172,8 @@ ReproducedRow evaluate_row(const VerletRow& row, const fs::path& directory) {
     const double rho = row.density;
     const double t = row.temperature;
     const SampledStage stage = sampled_stage(directory / "results.json");
-    const BlockingAccumulator series = production_series(read_csv(directory / "thermo.csv"), stage.first_step);
-    const DataTable rdf = read_csv(directory / "rdf.csv");
+    const BlockingAccumulator series = production_series(directory / "thermo.csv", stage.first_step);
+    const DataTable rdf = read_rdf(directory / "rdf.csv");
     ReproducedRow result{.verlet = row,
                          .steps = stage.steps,
                          .temperature = series.estimate(0),

@@ -17,8 +17,10 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/observables/finite_size.hpp"
 #include "ljmd/observables/linear_trend.hpp"
+#include "ljmd/observables/time_step_error.hpp"
 
 namespace ljmd {
 
@@ -38,7 +40,8 @@ class FluidRun : private StepObserver {
           simulation_(simulation),
           listener_(listener),
           thermo_every_(deck.thermo_every),
-          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0),
+          checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0,
+                       control.has_begun),
           averages_(simulation.state.count(), sampled_ensemble(deck)),
           analysed_edges_(simulation.state.box().edges()) {
         std::optional<ResumedOutputs> outputs;
@@ -68,7 +71,8 @@ class FluidRun : private StepObserver {
         a(simulation_.state);
         simulation_.force_field.archive(a, simulation_.state);
         a.mark("averages");
-        a(averages_, order_at_sampling_, first_, last_, drift_, stages_, seconds_, force_before_, search_before_);
+        a(averages_, order_at_sampling_, first_, last_, drift_, step_error_, stages_, seconds_, force_before_,
+          search_before_);
         if (watch_) {
             a(*watch_);
         }
@@ -163,6 +167,7 @@ class FluidRun : private StepObserver {
             analysis->interrupt();
         }
         drift_ = {};
+        step_error_ = {};
         stages_.push_back({stage.name,
                            stage.integrator,
                            state.step,
@@ -217,6 +222,7 @@ class FluidRun : private StepObserver {
             }
             if (stage.sample) {
                 averages_.add(row);
+                step_error_.add(state, stage.time_step);
             }
         }
         if (stage.sample) {
@@ -234,6 +240,7 @@ class FluidRun : private StepObserver {
         StageResult& stage = stages_.back();
         stage.last_step = simulation_.state.step;
         stage.energy_drift = conserves_energy_ ? drift_.slope() : std::nullopt;
+        stage.time_step_error = step_error_.value();
         stage.checksum_at_end = checksum(simulation_.state);
     }
 
@@ -264,7 +271,7 @@ class FluidRun : private StepObserver {
                          phases(loop),
                          first_,
                          last_};
-        judge_drifts(result);
+        judge_stages(result);
         compare_with_asked_temperature(result);
         for (const auto& analysis : simulation_.analyses) {
             std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
@@ -281,12 +288,13 @@ class FluidRun : private StepObserver {
         return result;
     }
 
-    static void judge_drifts(RunResult& result) {
+    static void judge_stages(RunResult& result) {
         const auto kinetic = std::ranges::find(result.averages, "kinetic_energy", &ObservableAverage::name);
         for (StageResult& stage : result.stages) {
             if (stage.sampled && kinetic != result.averages.end() && kinetic->estimate) {
                 stage.drift_remark = drift_remark(stage, kinetic->estimate->mean);
             }
+            stage.time_step_remark = time_step_remark(stage);
         }
     }
 
@@ -325,7 +333,12 @@ class FluidRun : private StepObserver {
         }
         for (const StageResult& stage : result.stages) {
             if (!stage.drift_remark.empty()) {
-                doubts.push_back(fmt::format("the energy drifts in stage '{}': {}", stage.name, stage.drift_remark));
+                doubts.push_back(
+                    fmt::format("the energy drifts in stage {}: {}", in_quotes(stage.name), stage.drift_remark));
+            }
+            if (!stage.time_step_remark.empty()) {
+                doubts.push_back(
+                    fmt::format("the time step of stage '{}' is too long: {}", stage.name, stage.time_step_remark));
             }
         }
         if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
@@ -349,7 +362,8 @@ class FluidRun : private StepObserver {
     Vec3 analysed_edges_;                  ///< of the box that the analyses were made for
     Thermodynamics first_;
     Thermodynamics last_;
-    LinearTrend drift_;  ///< of the total energy in it
+    LinearTrend drift_;         ///< of the total energy in it
+    TimeStepError step_error_;  ///< in it
     std::vector<StageResult> stages_;
     PhaseSeconds seconds_;            ///< what is spent here
     double force_before_ = 0.0;       ///< seconds that the force field

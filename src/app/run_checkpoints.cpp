@@ -55,7 +55,7 @@ std::string impossible(const CheckpointHead& head, const Deck& deck, std::size_t
     if (deck.kind == DeckKind::fluid && !is_possible_box(deck, head.atoms, head.edges)) {
         return "has a box that the deck cannot have";
     }
-    if (head.outputs.thermo < 0 || head.outputs.trajectory.bytes < 0) {
+    if (head.outputs.thermo < 0 || head.outputs.trajectory.bytes < 0 || head.outputs.trajectory.frames < 0) {
         return "has outputs of less than nothing";
     }
     return {};
@@ -70,6 +70,9 @@ void CheckpointHead::archive(Archive& a) {
 
 std::optional<ResumePoint> find_resume_point(const Deck& deck) {
     FoundCheckpoints found = find_checkpoints(deck.directory);
+    if (deck.locked) {
+        deck.locked->require_at_its_path();  // else they are those of another directory
+    }
     if (found.whole.empty()) {
         if (found.damaged.empty()) {
             return std::nullopt;
@@ -122,13 +125,17 @@ void ResumePoint::restore(const Deck& deck, const State& state, const std::funct
     }
 }
 
-RunCheckpoints::RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation)
-    : deck_(deck), store_(deck.directory, deck.checkpoint.keep), interruption_(interruption), goes_on_(generation > 0) {
+RunCheckpoints::RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation,
+                               std::function<void()> has_begun)
+    : deck_(deck),
+      store_(deck.outputs(), deck.checkpoint.keep),
+      interruption_(interruption),
+      has_begun_(std::move(has_begun)) {
     store_.go_on_after(generation);
 }
 
 bool RunCheckpoints::due(Index step, bool last_of_stage) {
-    if (last_of_stage || goes_on_ || signal_received() != 0 ||
+    if (last_of_stage || signal_received() != 0 ||
         (deck_.checkpoint.every.steps && step % *deck_.checkpoint.every.steps == 0)) {
         return true;
     }
@@ -152,7 +159,9 @@ void RunCheckpoints::write(const State& state, const LoopPosition& position, con
     archive(a);
     store_.write(a.bytes());
     last_ = Clock::now();
-    goes_on_ = false;
+    if (has_begun_) {
+        std::exchange(has_begun_, nullptr)();
+    }
     if (interruption_.wanted()) {
         interruption_.stop(state.step, deck_.directory.string());
     }

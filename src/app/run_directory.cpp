@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
 
+#include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/simulation.hpp"
@@ -12,7 +12,8 @@
 #include "ljmd/io/checkpoint_file.hpp"
 #include "ljmd/io/data_table_csv.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/replacement_file.hpp"
 #include "ljmd/observables/few_body_analysis.hpp"
 
 namespace ljmd {
@@ -21,8 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every name that a run may write. `--force` removes these and nothing else.
-std::vector<std::string> output_names() {
+ThermoCsv::Extra thermo_columns(const Deck& deck, bool order_parameter) {
+    const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
+    return {.density = any([](const Stage& stage) { return stage.section.has("barostat"); }),
+            .conserved_energy =
+                any([](const Stage& stage) { return stage.section.has("thermostat") && conserves_energy(stage); }),
+            .order_parameter = order_parameter};
+}
+
+}  // namespace
+
+std::vector<std::string> run_output_names() {
     std::vector<std::string> names{"run.json",       "results.json",   "results.txt", "thermo.csv", "trajectory.h5md",
                                    "trajectory.xyz", "trajectory.csv", "final.xyz",   "failed.xyz"};
     for (const std::string& name : checkpoint_names()) {
@@ -39,34 +49,9 @@ std::vector<std::string> output_names() {
     return names;
 }
 
-ThermoCsv::Extra thermo_columns(const Deck& deck, bool order_parameter) {
-    const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
-    return {.density = any([](const Stage& stage) { return stage.section.has("barostat"); }),
-            .conserved_energy =
-                any([](const Stage& stage) { return stage.section.has("thermostat") && conserves_energy(stage); }),
-            .order_parameter = order_parameter};
-}
-
-std::vector<fs::path> old_outputs(const fs::path& directory) {
-    std::vector<fs::path> old;
-    std::error_code error;
-    for (const std::string& name : output_names()) {
-        if (fs::exists(fs::symlink_status(directory / name, error))) {
-            old.push_back(directory / name);
-        }
-    }
-    return old;
-}
-
-}  // namespace
-
 void check_directory(const Deck& deck, bool force) {
     const fs::path& directory = deck.directory;
-    std::error_code error;
-    if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
-        throw InputError(fmt::format("{} exists and is not a directory. Nothing was run.", directory.string()));
-    }
-    const std::vector<fs::path> old = old_outputs(directory);
+    const std::vector<fs::path> old = existing_outputs(directory, run_output_names(), "Nothing was run");
     if (!old.empty() && !force) {
         const std::vector<std::string> checkpoints = checkpoint_names();
         const bool can_go_on = std::any_of(old.begin(), old.end(), [&](const fs::path& file) {
@@ -86,10 +71,9 @@ void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, co
     if (deck.kind == DeckKind::fluid && deck.system().has("file")) {
         inputs.push_back(configuration_file(deck.system().text("file")));
     }
-    std::error_code error;
     for (const fs::path& input : inputs) {
         for (const fs::path& output : outputs) {
-            if (fs::equivalent(output, input, error)) {
+            if (files::are_same(output, input)) {
                 throw InputError(
                     fmt::format("{} is read, and would be replaced by what is written. {}.\n  choose another "
                                 "directory with --out",
@@ -100,35 +84,27 @@ void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, co
 }
 
 void make_directory(const fs::path& directory) {
-    std::error_code error;
     std::vector<fs::path> made;
-    for (fs::path folder = directory; !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path()) {
+    for (fs::path folder = directory; !folder.empty() && !files::exists(folder); folder = folder.parent_path()) {
         made.push_back(folder);
     }
-    fs::create_directories(directory, error);
-    if (error) {
-        throw FileError(fmt::format("cannot create the directory '{}': {}", directory.string(), error.message()));
-    }
+    files::create_directories(directory);
     for (const fs::path& folder : made) {
-        sync_folder_of(folder);
+        OpenDirectory(folder.parent_path()).sync();
     }
 }
 
 void prepare_directory(const fs::path& directory) {
     make_directory(directory);
-    std::error_code error;
-    for (const fs::path& file : old_outputs(directory)) {
-        fs::remove(file, error);
-        if (error) {
-            throw FileError(fmt::format("cannot remove '{}': {}", file.string(), error.message()));
-        }
+    for (const fs::path& file : existing_outputs(directory, run_output_names(), "Nothing was removed")) {
+        files::remove(file);
     }
 }
 
 void check_outputs(const Deck& deck, const ResumedOutputs& resumed) {
-    require_bytes(deck.directory / "thermo.csv", resumed.kept.thermo);
-    if (deck.trajectory && deck.trajectory->format != "h5md") {  // frames of that are read when it is opened
-        require_bytes(deck.directory / fmt::format("trajectory.{}", deck.trajectory->format),
+    require_bytes(deck.outputs() / "thermo.csv", resumed.kept.thermo);
+    if (deck.trajectory) {
+        require_bytes(deck.outputs() / fmt::format("trajectory.{}", deck.trajectory->format),
                       resumed.kept.trajectory.bytes);
     }
 }
@@ -137,7 +113,7 @@ RunDirectory::RunDirectory(const Deck& deck, const State& first, bool order_para
                            const std::optional<ResumedOutputs>& resumed)
     : deck_(deck),
       trajectory_(open_trajectory(deck, first, resumed ? std::optional(resumed->kept.trajectory) : std::nullopt)),
-      thermo_(deck.directory / "thermo.csv", thermo_columns(deck, order_parameter), deck.units,
+      thermo_(deck.outputs() / "thermo.csv", thermo_columns(deck, order_parameter), deck.units,
               resumed ? std::optional(resumed->kept.thermo) : std::nullopt),
       record_(deck, resumed ? std::optional(resumed->earlier) : std::nullopt) {}
 
@@ -169,12 +145,12 @@ void RunDirectory::finish(const State& state, const RunResult& result) {
     if (trajectory_) {
         trajectory_->close();
     }
-    write_configuration(deck_.directory / "final.xyz", state, true);
+    write_configuration(deck_.outputs() / "final.xyz", state, true);
     for (const DataTable& table : result.tables) {
-        write_file_atomically(deck_.directory / (table.name + ".csv"), to_csv(with_si_columns(table, deck_.units)));
+        write_file_atomically(deck_.outputs() / (table.name + ".csv"), to_csv(with_si_columns(table, deck_.units)));
     }
-    write_file_atomically(deck_.directory / "results.json", results_json(deck_, result) + "\n");
-    write_file_atomically(deck_.directory / "results.txt", results_table(deck_, result));
+    write_file_atomically(deck_.outputs() / "results.json", results_json(deck_, result) + "\n");
+    write_file_atomically(deck_.outputs() / "results.txt", results_table(deck_, result));
     record_.finish(result.seconds.sum(), result.seconds);
 }
 

@@ -15,7 +15,7 @@
 #include "ljmd/core/simd.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/io/extended_xyz_writer.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -53,7 +53,7 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
     }
     const std::string name = deck.trajectory->format == "h5md" ? "trajectory.h5md" : "trajectory.xyz";
     return make_trajectory_writer(deck.trajectory->format, first,
-                                  {.path = deck.directory / name,
+                                  {.path = deck.outputs() / name,
                                    .velocities = deck.trajectory->velocities,
                                    .si = deck.trajectory->si ? deck.units : std::nullopt,
                                    .creator_version = build_info().version,
@@ -63,13 +63,13 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
 }
 
 std::string save_failure(const Deck& deck, const State& state) {
-    const std::filesystem::path path = deck.directory / "failed.xyz";
+    const std::string name = "failed.xyz";
     try {
-        write_configuration(path, state, true);
+        write_configuration(deck.outputs() / name, state, true);
     } catch (const FileError&) {
         return {};
     }
-    return fmt::format("\n  the configuration is in {}", path.string());
+    return fmt::format("\n  the configuration is in {}", (deck.directory / name).string());
 }
 
 RunRecord::RunRecord(const Deck& deck, const std::optional<EarlierParts>& earlier)
@@ -124,7 +124,7 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
     }
     // The path of a deck need not be UTF-8, as JSON must.
     const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    write_file_atomically(deck_.directory / "run.json", text + "\n");
+    write_file_atomically(deck_.outputs() / "run.json", text + "\n");
 }
 
 }  // namespace ljmd

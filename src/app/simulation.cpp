@@ -8,6 +8,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/relaxation.hpp"
 #include "ljmd/io/configuration_reader.hpp"
+#include "ljmd/io/file_system.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -86,7 +87,7 @@ void set_velocities(State& state, const Deck& deck, const Start& start,
 
 std::filesystem::path configuration_file(const std::string& file) {
     const std::filesystem::path path(file);
-    return std::filesystem::is_directory(path) ? path / "final.xyz" : path;
+    return files::is_directory(path) ? path / "final.xyz" : path;
 }
 
 bool keeps_velocities(const Section& system, const Start& start) {

@@ -7,6 +7,7 @@
 
 #include "ljmd/app/deck_sense.hpp"
 #include "ljmd/app/effect_sense.hpp"
+#include "ljmd/app/phase_sense.hpp"
 #include "ljmd/app/stage_sense.hpp"
 
 namespace ljmd {
@@ -89,6 +90,7 @@ void check_start(const Deck& deck, const Start& start, Diagnostics& diagnostics)
     check_box(deck.root, start.atoms, start.box, diagnostics);
     if (!diagnostics.has_errors()) {
         check_start_effects(deck.root, keeps_velocities(deck.system(), start), diagnostics);
+        check_phase(deck, static_cast<double>(start.atoms) / start.box.volume(), diagnostics);
     }
 }
 

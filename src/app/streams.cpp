@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <string_view>
 #include <system_error>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/terminal_text.hpp"
+#include "ljmd/core/text.hpp"
 
 namespace ljmd {
 
@@ -26,9 +30,46 @@ void prepare_standard_streams() {
     static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
 }
 
+namespace {
+
+/// Bytes at the beginning of a text that a terminal may get as they are.
+std::size_t harmless_beginning(std::string_view text) {
+    std::size_t end = 0;
+    while (end < text.size()) {
+        const bool is_layout = text[end] == '\n' || text[end] == '\t';
+        const std::size_t length = is_layout ? 1 : harmless_length(text.substr(end));
+        if (length == 0) {
+            break;
+        }
+        end += length;
+    }
+    return end;
+}
+
+/// The one way to a terminal for texts that hold what others have written: names of files, titles, words of other
+/// programs. Takes no memory, which may be what there is to tell of. @return false when it does not arrive
+bool write_harmless(std::string_view text, std::FILE* stream) noexcept {
+    while (!text.empty()) {
+        const std::size_t harmless = harmless_beginning(text);
+        if (std::fwrite(text.data(), 1, harmless, stream) != harmless) {
+            return false;
+        }
+        text.remove_prefix(harmless);
+        if (!text.empty()) {
+            if (std::fputc('?', stream) == EOF) {
+                return false;
+            }
+            text.remove_prefix(std::max<std::size_t>(utf8_length(text), 1));
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
 void print_result(const std::string& text) {
     errno = 0;
-    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
+    if (write_harmless(text, stdout) && std::fflush(stdout) == 0) {
         return;
     }
     const int error = errno;
@@ -41,7 +82,14 @@ void print_result(const std::string& text) {
 }
 
 void talk(const std::string& text) noexcept {
-    static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+    static_cast<void>(write_harmless(text, stderr));
+    static_cast<void>(std::fflush(stderr));
+}
+
+void talk_over_line(const std::string& text) noexcept {
+    static_cast<void>(std::fputs("\r", stderr));
+    static_cast<void>(write_harmless(text, stderr));
+    static_cast<void>(std::fputs("\033[K", stderr));
     static_cast<void>(std::fflush(stderr));
 }
 

@@ -13,8 +13,10 @@
 #include "ljmd/app/run_checkpoints.hpp"
 #include "ljmd/app/sweep_record.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/directory_lock.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
@@ -23,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t longest_words = 1000;  // of what others have written
 constexpr std::array<const char*, 5> states{"finished", "running", "stopped", "failed", "not begun"};
 
 struct RunState {
@@ -48,7 +51,7 @@ struct Study {
 RunState state_of(const std::string& name, const fs::path& directory, const fs::path& log) {
     RunState found{name, directory, "not begun", std::nullopt, 0, ""};
     const std::string words = error_in_log(log);
-    if (!fs::exists(directory / "run.json")) {
+    if (!files::exists(directory / "run.json")) {
         return words.empty() ? found : RunState{name, directory, "failed", std::nullopt, 0, words};
     }
     const RecordedRun run = recorded_run(directory);
@@ -82,9 +85,9 @@ Study study_in(const fs::path& directory) {
         return study;
     }
     const fs::path rows = directory / "rows";
-    for (const fs::directory_entry& entry : fs::directory_iterator(rows)) {
-        if (entry.path().extension() == ".toml") {
-            const std::string name = entry.path().stem().string();
+    for (const fs::path& entry : files::list(rows)) {
+        if (entry.extension() == ".toml") {
+            const std::string name = entry.stem().string();
             study.runs.push_back(state_of(name, rows / name, rows / (name + ".log")));
         }
     }
@@ -101,9 +104,8 @@ std::string progress_of(const RunState& run) {
 }  // namespace
 
 bool holds_study(const fs::path& directory) {
-    std::error_code error;
-    return fs::exists(directory / "sweep.json", error) ||
-           (fs::is_directory(directory / "rows", error) && !fs::exists(directory / "run.json", error));
+    return files::exists(directory / "sweep.json") ||
+           (files::is_directory(directory / "rows") && !files::exists(directory / "run.json"));
 }
 
 std::string study_report(const fs::path& directory) {
@@ -112,7 +114,7 @@ std::string study_report(const fs::path& directory) {
         fmt::format("{}: {} of {} runs{}\n", directory.string(), study.is_sweep ? "a sweep" : "a reproduced table",
                     study.runs.size(), study.running ? ", under way" : "");
     if (study.is_sweep) {
-        text += fmt::format("deck          {}\n", study.deck);
+        text += fmt::format("deck          {}\n", printable(study.deck, longest_words));
     }
     for (const char* state : states) {
         if (const auto count = study.count(state); count > 0) {

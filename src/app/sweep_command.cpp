@@ -14,7 +14,7 @@
 #include "ljmd/core/simd.hpp"
 #include "ljmd/io/deck_file.hpp"
 #include "ljmd/io/directory_lock.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -88,13 +88,14 @@ fs::path directory_of(const SweepOptions& options) {
                                : fs::path(options.out);
 }
 
-/// Run all points to their ends.
-SweptPoints sweep(const SweepPlan& plan, const fs::path& directory, const SweepOptions& options) {
+/// Run all points to their ends. @throws InUseError  the directory was moved meanwhile
+SweptPoints sweep(const SweepPlan& plan, const OpenDirectory& directory, const SweepOptions& options) {
     std::vector<PointRun> runs;
-    for (ChildRun& run : sweep_runs(plan, directory)) {
+    for (ChildRun& run : sweep_runs(plan, directory.path())) {
         runs.emplace_back(std::move(run), plan.points.values[runs.size()]);
     }
     run_lines(runs, options.jobs, [&](const PointRun& run, std::size_t done) {
+        directory.require_at_its_path();  // runs are begun by their paths
         const SweptPoint& point = run.point();
         if (!point.failure.empty()) {
             talk(fmt::format("warning: {}\n", point.failure));
@@ -134,9 +135,11 @@ void sweep_command(const SweepOptions& options) {
     const fs::path directory = directory_of(options);
     make_directory(directory);
     const DirectoryLock lock(directory);
-    prepare_sweep(plan, directory, options.force);
-    const SweptPoints swept = sweep(plan, directory, options);
-    write_file_atomically(directory / "sweep.csv", sweep_csv(swept));
+    wait_for_runs(directory / "points");
+    prepare_sweep(plan, lock.directory(), options.force);
+    const SweptPoints swept = sweep(plan, lock.directory(), options);
+    lock.directory().require_at_its_path();
+    write_file_atomically(lock.directory() / "sweep.csv", sweep_csv(swept));
     print_result(options.json
                      ? sweep_json(swept)
                      : sweep_table(swept) +

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "ljmd/core/text.hpp"
@@ -67,6 +68,7 @@ std::vector<std::string> short_keys(const std::vector<std::string>& keys) {
 std::vector<std::string> point_names(const SweepPoints& points) {
     const std::vector<std::string> keys = short_keys(points.keys);
     std::set<std::string> taken;
+    std::map<std::string, int> numbers;  ///< the last one that a name was given to tell it from others
     std::vector<std::string> names;
     for (const auto& values : points.values) {
         std::string wanted;
@@ -76,8 +78,8 @@ std::vector<std::string> point_names(const SweepPoints& points) {
         wanted.resize(std::min(wanted.size(), longest_name));
         std::string name = wanted;
         const auto is_taken = [&] { return taken.contains(name) || taken.contains(name + ".log"); };
-        for (int number = 2; is_taken(); ++number) {
-            name = fmt::format("{}-{}", wanted, number);
+        for (int& number = numbers.try_emplace(wanted, 1).first->second; is_taken();) {
+            name = fmt::format("{}-{}", wanted, ++number);
         }
         taken.insert({name, name + ".log"});
         names.push_back(name);

@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "ljmd/app/json_file.hpp"
+#include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -37,29 +41,82 @@ std::string difference(const SweepPlan& recorded, const SweepPlan& plan) {
                                                 : "";
 }
 
-void remove_run(const ChildRun& run) {
-    if (fs::exists(run.directory / "run.json")) {
-        prepare_directory(run.directory);  // takes away what a run writes, and nothing else
+/// @throws WrongJson unless `ljmd sweep` can have written them
+void require_sound(const SweepPoints& points, const std::vector<std::string>& settings) {
+    Diagnostics mistakes;
+    check_keys(points.keys, settings, {}, mistakes);
+    if (mistakes.has_errors()) {
+        throw WrongJson(mistakes.entries().front().message);
     }
-    std::error_code error;
-    fs::remove(run.log, error);
-    fs::remove(run.directory, error);  // unless something else is in it
+    if (points.keys.empty() || points.values.empty() || points.values.size() > most_points) {
+        throw WrongJson(fmt::format("{} keys and {} points, allowed: one key at least, and 1 to {} points",
+                                    points.keys.size(), points.values.size(), most_points));
+    }
+    std::set<std::vector<std::string>> known;
+    for (const std::vector<std::string>& values : points.values) {
+        if (values.size() != points.keys.size() || std::ranges::count(values, "") > 0) {
+            throw WrongJson("a point has not a value for each key");
+        }
+        if (!known.insert(values).second) {
+            throw WrongJson("a point stands twice");
+        }
+    }
 }
 
-/// Remove what a sweep has written and this one has no use for.
-void remove_sweep(const SweepPlan& old, const SweepPlan& plan, const fs::path& directory) {
+/// Take away what a run writes, and nothing else.
+void remove_run(const ChildRun& run) {
+    if (files::exists(run.directory / "run.json")) {
+        prepare_directory(run.directory);
+        files::try_to_remove(run.directory);  // unless something else is in it
+    }
+    files::try_to_remove(run.log);
+}
+
+/// Runs that a sweep has made and another one has no use for.
+std::vector<ChildRun> unwanted_runs(const SweepPlan& old, const SweepPlan& plan, const fs::path& directory) {
     std::map<std::string, std::vector<std::string>> wanted;
     for (const ChildRun& run : sweep_runs(plan, directory)) {
         wanted.emplace(run.name, run.settings);
     }
-    for (const ChildRun& run : sweep_runs(old, directory)) {
+    std::vector<ChildRun> runs;
+    for (ChildRun& run : sweep_runs(old, directory)) {
         const auto same_name = wanted.find(run.name);
         if (old.deck != plan.deck || same_name == wanted.end() || same_name->second != run.settings) {
-            remove_run(run);
+            runs.push_back(std::move(run));
         }
     }
-    std::error_code error;
-    fs::remove(directory / "sweep.csv", error);
+    return runs;
+}
+
+/// Runs that are in the way of a sweep: those of another one; nothing where there is none. Changes nothing.
+/// @throws InputError, DataError  as prepare_sweep()
+std::optional<std::vector<ChildRun>> runs_to_replace(const SweepPlan& plan, const fs::path& directory, bool force) {
+    const auto recorded = recorded_sweep(directory);
+    if (!recorded) {
+        for (const char* name : {"sweep.csv", "points"}) {
+            if (files::is_taken(directory / name)) {
+                throw InputError(
+                    fmt::format("{} holds '{}', but no sweep. Nothing was run.\n  choose another directory "
+                                "with --out",
+                                directory.string(), name));
+            }
+        }
+        return std::nullopt;
+    }
+    const std::string other = difference(*recorded, plan);
+    if (!other.empty() && !force) {
+        throw InputError(
+            fmt::format("{} holds a sweep with {}. Nothing was run.\n  choose another directory with "
+                        "--out, or replace it with --force",
+                        directory.string(), other));
+    }
+    return other.empty() ? std::nullopt : std::optional(unwanted_runs(*recorded, plan, directory));
+}
+
+/// @throws InputError  the files of a run cannot be removed, as something else is there
+void require_removable(const ChildRun& run) {
+    check_places(run);
+    static_cast<void>(existing_outputs(run.directory, run_output_names(), "Nothing was run"));
 }
 
 }  // namespace
@@ -84,56 +141,52 @@ std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const fs::path& director
 
 std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
     const fs::path path = directory / "sweep.json";
-    if (std::error_code error; !fs::exists(fs::symlink_status(path, error))) {
+    if (!files::is_taken(path)) {
         return std::nullopt;
     }
     return read_json(path, "the record of a sweep", [](const nlohmann::ordered_json& record) {
         SweepPlan plan{record.at("deck_file").get<std::string>(),
                        record.at("deck").get<std::string>(),
-                       record.at("settings").get<std::vector<std::string>>(),
-                       {record.at("keys").get<std::vector<std::string>>(), {}}};
+                       texts_of(record.at("settings"), "settings", most_settings),
+                       {texts_of(record.at("keys"), "keys", most_varied_keys), {}}};
         for (const auto& point : record.at("points")) {
-            plan.points.values.push_back(point.at("values").get<std::vector<std::string>>());
-            if (plan.points.values.back().size() != plan.points.keys.size()) {
-                throw WrongJson("a point has not a value for each key");
-            }
+            plan.points.values.push_back(texts_of(point.at("values"), "values", most_varied_keys));
         }
+        require_sound(plan.points, plan.settings);
         return plan;
     });
 }
 
-void prepare_sweep(const SweepPlan& plan, const fs::path& directory, bool force) {
-    for (const ChildRun& run : sweep_runs(plan, directory)) {
-        check_log(run);
-    }
-    const auto recorded = recorded_sweep(directory);
-    if (!recorded) {
-        for (const char* name : {"sweep.csv", "points"}) {
-            if (fs::exists(directory / name)) {
-                throw InputError(
-                    fmt::format("{} holds '{}', but no sweep. Nothing was run.\n  choose another directory "
-                                "with --out",
-                                directory.string(), name));
-            }
-        }
-    } else if (const std::string other = difference(*recorded, plan); !other.empty()) {
-        if (!force) {
-            throw InputError(
-                fmt::format("{} holds a sweep with {}. Nothing was run.\n  choose another directory with "
-                            "--out, or replace it with --force",
-                            directory.string(), other));
-        }
-        remove_sweep(*recorded, plan, directory);
-    }
-    for (const ChildRun& run : sweep_runs(plan, directory)) {
-        if (!force && holds_another_run(run)) {
+void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force) {
+    const fs::path& path = directory.path();
+    const auto replaced = runs_to_replace(plan, path, force);
+    const std::vector<ChildRun> old = replaced.value_or(std::vector<ChildRun>());
+    static_cast<void>(existing_outputs(path, {"sweep.json", "sweep.csv"}, "Nothing was run"));
+    std::ranges::for_each(old, require_removable);
+    const auto is_old = [&](const ChildRun& run) {
+        return std::ranges::find(old, run.directory, &ChildRun::directory) != old.end();
+    };
+    for (const ChildRun& run : sweep_runs(plan, path)) {
+        check_places(run);
+        if (!force && !is_old(run) && holds_another_run(run)) {
             throw InputError(
                 fmt::format("{} holds a run that is not of this sweep; --force makes it anew", run.directory.string()));
         }
     }
-    write_file_atomically(directory / "sweep.json", record_json(plan));
-    make_directory(directory / "points");
-    write_file_atomically(directory / "points" / "deck.toml", plan.deck);
+    // The record is on the disk before the first run is removed, and takes its place after the last one.
+    ReplacementFile record(directory / "sweep.json");
+    OutputFile file(record);
+    file.write(record_json(plan));
+    file.close_on_disk();
+    const OpenDirectory points = directory.made_within("points");
+    remove_left_over(points);
+    directory.require_at_its_path();
+    std::ranges::for_each(old, remove_run);
+    if (replaced) {
+        files::try_to_remove(path / "sweep.csv");
+    }
+    record.take_place();
+    write_file_atomically(points / "deck.toml", plan.deck);
 }
 
 }  // namespace ljmd

@@ -65,6 +65,14 @@ std::string remarks_of(const SweptPoint& point) {
     return text;
 }
 
+/// The members of an object, which an array would be taken for otherwise.
+auto members_of(const Json& value, std::string_view name) {
+    if (!value.is_object()) {
+        throw WrongJson(fmt::format("'{}' is no object", name));
+    }
+    return value.items();
+}
+
 double number_of(const Json& value) {
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
@@ -75,8 +83,13 @@ std::string number_or_nothing(double value) {
 
 /// A value of --set as JSON: itself where it is a number, a flag or an array, else a text.
 Json value_json(const std::string& value) {
-    Json json = Json::parse(value, nullptr, false);
-    return json.is_discarded() ? Json(value) : json;
+    try {
+        return parse_json(value);
+    } catch (const Json::exception&) {
+        return value;
+    } catch (const WrongJson&) {
+        return value;
+    }
 }
 
 /// The observables of all points, each once, in the order in which they come.
@@ -97,16 +110,19 @@ std::vector<std::string> observables_of(const SweptPoints& swept) {
 std::vector<ObservedMean> observed_means(const std::filesystem::path& results) {
     return read_json(results, "the result of a run", [](const Json& json) {
         std::vector<ObservedMean> found;
-        for (const auto& [name, entry] : json.at("observables").items()) {
+        for (const auto& [name, entry] : members_of(json.at("observables"), "observables")) {
             found.push_back(
                 {name, number_of(entry.at("mean")), number_of(entry.at("standard_error")), entry.value("remark", "")});
         }
         const Json analyses = json.value("analysis", Json::object());
-        for (const auto& [analysis, findings] : analyses.items()) {
-            for (const auto& [name, entry] : findings.items()) {
+        for (const auto& [analysis, findings] : members_of(analyses, "analysis")) {
+            for (const auto& [name, entry] : members_of(findings, analysis)) {
                 found.push_back({fmt::format("{}_{}", analysis, name), number_of(entry.at("value")),
                                  number_of(entry.at("standard_error"))});
             }
+        }
+        if (found.size() > most_json_keys) {
+            throw WrongJson(fmt::format("it has more than {} observables", most_json_keys));
         }
         return found;
     });
@@ -141,7 +157,7 @@ std::string sweep_csv(const SweptPoints& swept) {
         text += (text.empty() ? "" : ",") + csv_field(key);
     }
     for (const std::string& name : observables) {
-        text += fmt::format(",{0},{0}_standard_error", name);
+        text += fmt::format(",{},{}", csv_field(name), csv_field(name + "_standard_error"));
     }
     text += ",remarks";
     for (const SweptPoint& point : swept.points) {

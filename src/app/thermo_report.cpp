@@ -95,25 +95,26 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
     if (run.deck.kind == DeckKind::few_body) {
         throw InputError("a few-body run has no equilibrium: `ljmd analyze` wants one of a fluid");
     }
-    DataTable table = read_growing_csv(run.deck.directory / "thermo.csv");
+    const std::filesystem::path path = run.deck.directory / "thermo.csv";
+    DataTable table = read_growing_csv(path);
     const SampledSteps sampled(run.deck.stages);
-    const std::vector<double> all_steps = column(table, "step");
-    const std::vector<double> all_times = column(table, "time");
+    const std::vector<Index> all_steps = step_column(table, path);
+    const std::vector<double> all_times = full_column(table, "time", path);
     std::size_t row = 0;
     std::erase_if(table.rows, [&](const auto&) {
         const std::size_t k = row++;
-        return !sampled.contain(static_cast<Index>(all_steps[k])) || (from && is_before(all_times[k], *from));
+        return !sampled.contain(all_steps[k]) || (from && is_before(all_times[k], *from));
     });
     const auto rows = static_cast<Index>(table.rows.size());
     if (rows < 2) {
         throw DataError(fmt::format("{} has {} of the rows that are looked at: the sampled stages have hardly begun",
-                                    (run.deck.directory / "thermo.csv").string(), rows));
+                                    path.string(), rows));
     }
-    const std::vector<double> steps = column(table, "step");
+    const std::vector<Index> steps = step_column(table, path);
     const std::vector<double> times = column(table, "time");
     ThermoReport report{rows,
-                        static_cast<Index>(steps.front()),
-                        static_cast<Index>(steps.back()),
+                        steps.front(),
+                        steps.back(),
                         (times.back() - times.front()) / static_cast<double>(rows - 1),
                         std::max(rows / most_starts, Index{1}),
                         {},

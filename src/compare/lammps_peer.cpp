@@ -8,10 +8,11 @@
 #include "ljmd/compare/lammps.hpp"
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/compare/lammps_output.hpp"
-#include "ljmd/compare/process.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/input_file.hpp"
 #include "ljmd/io/lammps_dump.hpp"
 #include "ljmd/io/output_file.hpp"
+#include "ljmd/io/process.hpp"
 #include "ljmd/io/scratch_directory.hpp"
 
 namespace ljmd {
@@ -26,10 +27,13 @@ const std::vector<std::string> unwrapped{"xu", "yu", "zu"};
 
 /// The file from some byte before its end on.
 std::string end_of(const fs::path& path, std::streamoff bytes) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : 0;
+    std::ifstream file = open_input(path);
+    const auto size = static_cast<std::streamoff>(file.seekg(0, std::ios::end).tellg());
     file.seekg(std::max<std::streamoff>(0, size - bytes));
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::string text(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, bytes)), '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    return text;
 }
 
 /// The last lines of a file, indented.

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "ljmd/core/terminal_text.hpp"
+
 namespace ljmd {
 
 std::size_t utf8_length(std::string_view text) {
@@ -40,17 +42,13 @@ std::size_t find_invalid_utf8(std::string_view text) {
 std::vector<std::string> printable_characters(std::string_view text) {
     std::vector<std::string> characters;
     while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        const auto first = static_cast<unsigned char>(text[0]);
-        const bool c1_control = length == 2 && first == 0xC2u && static_cast<unsigned char>(text[1]) < 0xA0u;
-        if (text[0] == '\t') {
-            characters.emplace_back(" ");
-        } else if (length == 0 || c1_control || first < 0x20u || first == 0x7Fu) {
-            characters.emplace_back("?");
-        } else {
+        const std::size_t length = harmless_length(text);
+        if (length > 0) {
             characters.emplace_back(text.substr(0, length));
+        } else {
+            characters.emplace_back(text[0] == '\t' ? " " : "?");
         }
-        text.remove_prefix(length == 0 ? 1 : length);
+        text.remove_prefix(std::max<std::size_t>(utf8_length(text), 1));
     }
     return characters;
 }

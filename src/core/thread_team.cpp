@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 #include <pthread.h>
-#include <signal.h>  // NOLINT(modernize-deprecated-headers): POSIX's, for the mask of a thread
-#include <time.h>    // NOLINT(modernize-deprecated-headers): POSIX's, for the clock of a thread
+#include <time.h>  // NOLINT(modernize-deprecated-headers): POSIX's, for the clock of a thread
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +14,7 @@
 #include <system_error>
 #include <thread>
 
+#include "signals_blocked.hpp"
 #include "spin_until.hpp"
 #include "worker_account.hpp"
 
@@ -84,26 +84,6 @@ struct Failure {
             *this = other;
         }
     }
-};
-
-/// No signal is handled by a thread that is created meanwhile: those that ask the program to stop are for its first
-/// thread. Faults are no matter of choice.
-class SignalsBlocked {
-  public:
-    SignalsBlocked() {
-        sigset_t blocked;
-        sigfillset(&blocked);
-        for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGPROF}) {
-            sigdelset(&blocked, fault);
-        }
-        pthread_sigmask(SIG_SETMASK, &blocked, &before_);
-    }
-    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsBlocked(const SignalsBlocked&) = delete;
-    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
-  private:
-    sigset_t before_{};
 };
 
 }  // namespace
@@ -282,7 +262,7 @@ ThreadTeam::ThreadTeam(int threads) {
     forks_ = forks;
     time_without_processor();
     try {
-        const SignalsBlocked signals_blocked;
+        const SignalsBlocked signals_blocked;  // those that ask the program to stop are for its first thread
         const auto workers = static_cast<std::size_t>(threads - 1);
         workers_.reserve(workers);
         present_.reserve(workers);
@@ -293,8 +273,10 @@ ThreadTeam::ThreadTeam(int threads) {
     } catch (const std::system_error&) {
     } catch (const std::bad_alloc&) {
     }
-    throw ThreadsError(fmt::format("{} threads are asked for, and the system allows no more than {} here", threads,
-                                   workers_.size() + 1));
+    throw ThreadsError(
+        fmt::format("{} threads are asked for, and the system allows no more than {} here; ask for fewer "
+                    "(--threads, OMP_NUM_THREADS), or see the limits of processes and memory (ulimit -a)",
+                    threads, workers_.size() + 1));
 }
 
 ThreadTeam::~ThreadTeam() {

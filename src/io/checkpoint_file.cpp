@@ -14,7 +14,9 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/input_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -39,8 +41,8 @@ static_assert(sizeof(Head) == 32);
 constexpr std::size_t hash_length = sizeof(XXH128_canonical_t);
 constexpr std::size_t tail_length = hash_length + end_mark.size();
 
-fs::path file_of(const fs::path& directory, std::uint64_t slot) {
-    return directory / fmt::format("checkpoint.{}", slot + 1);
+std::string name_of(std::uint64_t slot) {
+    return fmt::format("checkpoint.{}", slot + 1);
 }
 
 /// Of one text behind the other.
@@ -72,34 +74,35 @@ void write_parts(OutputFile& file, const Parts& parts) {
     file.flush();
 }
 
-bool reads_back(const fs::path& path, const Parts& parts) {
-    std::ifstream file(path, std::ios::binary);
-    std::string read;
+bool reads_back(const OutputFile& file, const Parts& parts) {
+    std::int64_t begin = 0;
     for (const std::string_view part : parts) {
         for (std::size_t from = 0; from < part.size(); from += piece_length) {
             const std::string_view piece = part.substr(from, piece_length);
-            read.resize(piece.size());
-            if (!file.read(read.data(), static_cast<std::streamsize>(read.size())) || read != piece) {
+            if (!file.holds(piece, begin)) {
                 return false;
             }
+            begin += std::ssize(piece);
         }
     }
-    return file && file.peek() == std::ifstream::traits_type::eof();
+    return true;
 }
 
 /// A file whose head says another length than it has is not read: what it claims may not fit into memory.
 std::string read_whole(const fs::path& path) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) {  // opening a pipe would wait for ever
+    if (!files::is_regular_file(path)) {  // opening a pipe would wait for ever
         throw CheckpointError("it is not a file");
     }
-    const auto size = fs::file_size(path, error);
-    std::ifstream file(path, std::ios::binary);
-    if (error || !file) {
-        throw CheckpointError("it cannot be opened");
+    const std::uintmax_t size = files::size_of(path).value_or(0);
+    if (size == 0) {  // as are files of /proc, which may be waited for
+        throw CheckpointError("it is empty");
     }
+    std::ifstream file = open_input(path);
     Head head{};
     file.read(reinterpret_cast<char*>(&head), sizeof(Head));
+    if (file.bad()) {
+        throw CheckpointError("it " + why_reading_failed());
+    }
     if (std::string_view(head.word.data(), head.word.size()) != magic) {
         throw CheckpointError("it is not a checkpoint");
     }
@@ -110,7 +113,7 @@ std::string read_whole(const fs::path& path) {
     file.seekg(0);
     file.read(text.data(), static_cast<std::streamsize>(size));
     if (!file) {
-        throw CheckpointError("it cannot be read");
+        throw CheckpointError("it " + why_reading_failed());
     }
     return text;
 }
@@ -139,7 +142,7 @@ CheckpointFile parse(const fs::path& path) {
 
 }  // namespace
 
-CheckpointStore::CheckpointStore(fs::path directory, int keep) : directory_(std::move(directory)), keep_(keep) {
+CheckpointStore::CheckpointStore(OpenDirectory directory, int keep) : directory_(std::move(directory)), keep_(keep) {
     if (keep < 1 || keep > most_generations) {
         throw ContractViolation(fmt::format("{} generations of checkpoints cannot be kept", keep));
     }
@@ -155,10 +158,10 @@ void CheckpointStore::write(std::span<const std::byte> content) {
     std::string last(reinterpret_cast<const char*>(&hash), hash_length);
     last += end_mark;
     const Parts parts{first, second, last};
-    const fs::path path = file_of(directory_, generation % static_cast<std::uint64_t>(keep_));
-    write_file_atomically(path, [&](OutputFile& file) {
+    const OutputPlace place = directory_ / name_of(generation % static_cast<std::uint64_t>(keep_));
+    write_file_atomically(place, [&](OutputFile& file) {
         write_parts(file, parts);
-        if (!reads_back(file.path(), parts)) {
+        if (!reads_back(file, parts)) {
             throw FileError(
                 fmt::format("cannot write '{}': it does not read back as it was written", file.path().string()));
         }
@@ -169,7 +172,7 @@ void CheckpointStore::write(std::span<const std::byte> content) {
 std::vector<std::string> checkpoint_names() {
     std::vector<std::string> names;
     for (std::uint64_t slot = 0; slot < most_generations; ++slot) {
-        names.push_back(file_of({}, slot).string());
+        names.push_back(name_of(slot));
     }
     return names;
 }
@@ -178,14 +181,15 @@ FoundCheckpoints find_checkpoints(const fs::path& directory) {
     FoundCheckpoints found;
     for (const std::string& name : checkpoint_names()) {
         const fs::path path = directory / name;
-        std::error_code error;
-        if (!fs::exists(fs::symlink_status(path, error))) {
-            continue;
-        }
         try {
+            if (!files::is_taken(path)) {
+                continue;
+            }
             found.whole.push_back(parse(path));
         } catch (const CheckpointError& why) {
             found.damaged.push_back(fmt::format("{}: {}", path.string(), why.what()));
+        } catch (const Error& why) {  // the file system failed
+            found.damaged.emplace_back(why.what());
         }
     }
     std::sort(found.whole.begin(), found.whole.end(),

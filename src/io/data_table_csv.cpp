@@ -26,12 +26,17 @@ std::vector<std::string_view> fields_of(std::string_view line) {
     return fields;
 }
 
+constexpr double largest_step = 9007199254740992.0;  // 2^53: every whole number up to it is a double
+
+/// Of a file whose first line is the header.
+Index line_of_row(Index row) {
+    return row + 2;
+}
+
 /// Whether the last line of a file has its end. True for a file that cannot be read, which others will say.
 bool ends_with_a_line(const std::filesystem::path& path) {
-    if (!why_unreadable(path).empty()) {
-        return true;
-    }
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    std::ifstream file = open_input(path);
+    file.seekg(0, std::ios::end);
     char last = '\n';
     if (file && file.tellg() > 0) {
         file.seekg(-1, std::ios::end);
@@ -100,6 +105,28 @@ std::vector<double> column(const DataTable& table, const std::string& name) {
         values.push_back(row[k]);
     }
     return values;
+}
+
+std::vector<double> full_column(const DataTable& table, const std::string& name, const std::filesystem::path& path) {
+    std::vector<double> values = column(table, name);
+    const auto empty = std::ranges::find_if(values, [](double value) { return std::isnan(value); });
+    if (empty != values.end()) {
+        throw DataError(fmt::format("{}:{}: '{}' is empty", path.string(), line_of_row(empty - values.begin()), name));
+    }
+    return values;
+}
+
+std::vector<Index> step_column(const DataTable& table, const std::filesystem::path& path) {
+    std::vector<Index> steps;
+    for (const double value : full_column(table, "step", path)) {
+        const bool is_count = value >= 0.0 && value <= largest_step && std::floor(value) == value;
+        if (!is_count || (!steps.empty() && static_cast<Index>(value) <= steps.back())) {
+            throw DataError(fmt::format("{}:{}: 'step' is {}, allowed: whole numbers that grow from row to row",
+                                        path.string(), line_of_row(std::ssize(steps)), value));
+        }
+        steps.push_back(static_cast<Index>(value));
+    }
+    return steps;
 }
 
 }  // namespace ljmd

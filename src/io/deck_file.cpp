@@ -1,9 +1,7 @@
 #include "ljmd/io/deck_file.hpp"
 
-#include <cerrno>
 #include <fstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "ljmd/io/input_file.hpp"
@@ -38,14 +36,12 @@ DeckFile read_deck(const std::filesystem::path& path, Diagnostics& diagnostics) 
         diagnostics.error({none.source}, message);
         return none;
     };
-    if (const std::string why = why_unreadable(path); !why.empty()) return fail(why);
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return fail("cannot be read: " + std::generic_category().message(errno));
+    std::ifstream file;
+    if (const std::string why = open_input(path, file); !why.empty()) return fail(why);
     // One byte more than allowed tells a text that is too large, whatever its size.
     std::string text(max_bytes + 4, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (file.bad()) return fail("cannot be read");
+    if (file.bad()) return fail(why_reading_failed());
     text.resize(static_cast<std::size_t>(file.gcount()));
     if (const std::string why = why_no_text(std::string_view(text).substr(0, usual_beginning)); !why.empty()) {
         return fail(why);

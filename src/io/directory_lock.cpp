@@ -7,41 +7,40 @@
 
 #include <cerrno>
 #include <chrono>
-#include <system_error>
 #include <thread>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
 namespace {
 
-bool is_refused(int descriptor, int kind) {
-    return ::flock(descriptor, kind | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+enum class Answer { locked, refused, knows_no_locks };
+
+Answer ask_for_lock(int descriptor, int kind) {
+    if (::flock(descriptor, kind | LOCK_NB) == 0) {
+        return Answer::locked;
+    }
+    return errno == EWOULDBLOCK ? Answer::refused : Answer::knows_no_locks;
 }
 
 }  // namespace
 
-DirectoryLock::DirectoryLock(const std::filesystem::path& directory)
-    : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ < 0) {
-        throw FileError(fmt::format("cannot open the directory '{}': {}", directory.string(),
-                                    std::generic_category().message(errno)));
-    }
-    bool refused = is_refused(descriptor_, LOCK_EX);
-    if (refused) {  // is_held() of somebody else has it for a moment
+DirectoryLock::DirectoryLock(const OpenDirectory& directory) : directory_(directory) {
+    Answer answer = ask_for_lock(directory_.descriptor(), LOCK_EX);
+    if (answer == Answer::refused) {  // is_held() of somebody else has it for a moment
         constexpr std::chrono::milliseconds moment{20};
         std::this_thread::sleep_for(moment);
-        refused = is_refused(descriptor_, LOCK_EX);
+        answer = ask_for_lock(directory_.descriptor(), LOCK_EX);
     }
-    if (refused) {
-        ::close(descriptor_);
-        throw InUseError(fmt::format("another run is writing to {}. Nothing was run.", directory.string()));
+    if (answer == Answer::refused) {
+        throw InUseError(fmt::format("another run is writing to {}. Nothing was run.", directory.path().string()));
     }
-}
-
-DirectoryLock::~DirectoryLock() {
-    ::close(descriptor_);
+    if (answer == Answer::locked) {
+        directory_ = directory.held_alone();
+        remove_left_over(directory_);
+    }
 }
 
 bool DirectoryLock::is_held(const std::filesystem::path& directory) {
@@ -49,7 +48,7 @@ bool DirectoryLock::is_held(const std::filesystem::path& directory) {
     if (descriptor < 0) {
         return false;
     }
-    const bool held = is_refused(descriptor, LOCK_SH);
+    const bool held = ask_for_lock(descriptor, LOCK_SH) == Answer::refused;
     ::close(descriptor);
     return held;
 }

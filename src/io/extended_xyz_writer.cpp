@@ -8,6 +8,7 @@
 
 #include "ase_units.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/replacement_file.hpp"
 #include "unit_scale.hpp"
 
 namespace ljmd {
@@ -61,7 +62,7 @@ ExtendedXyzWriter::ExtendedXyzWriter(const State& first, const TrajectoryOptions
       si_(options.si),
       count_(first.count()),
       has_box_(first.has_box()) {
-    sync_folder_of(options.path);
+    options.path.directory.sync();
 }
 
 void ExtendedXyzWriter::write(const State& state) {
@@ -73,16 +74,15 @@ void ExtendedXyzWriter::write(const State& state) {
 }
 
 CommittedFrames ExtendedXyzWriter::commit() {
-    return {file_.commit(), {}};
+    return {.bytes = file_.commit()};
 }
 
 void ExtendedXyzWriter::close() {
-    file_.close();
-    sync_path(file_.path());
+    file_.close_on_disk();
 }
 
-void write_configuration(const std::filesystem::path& path, const State& state, bool velocities) {
-    write_file_atomically(path,
+void write_configuration(const OutputPlace& place, const State& state, bool velocities) {
+    write_file_atomically(place,
                           [&](OutputFile& file) { write_extended_xyz_frame(file, state, velocities, std::nullopt); });
 }
 

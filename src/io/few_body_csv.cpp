@@ -20,8 +20,8 @@ void append(std::string& line, const Vec3& vector, int dimensions) {
 
 }  // namespace
 
-FewBodyThermoCsv::FewBodyThermoCsv(const std::filesystem::path& path, int dimensions, std::optional<std::int64_t> kept)
-    : file_(path, kept), dimensions_(dimensions) {
+FewBodyThermoCsv::FewBodyThermoCsv(const OutputPlace& place, int dimensions, std::optional<std::int64_t> kept)
+    : file_(place, kept), dimensions_(dimensions) {
     if (kept) {
         return;
     }
@@ -47,9 +47,9 @@ void FewBodyThermoCsv::write(Index step, double time, const FewBodyTotals& total
     file_.write(line + '\n');
 }
 
-TrajectoryCsv::TrajectoryCsv(const std::filesystem::path& path, Index bodies, int dimensions, bool accelerations,
-                             bool angle, std::optional<std::int64_t> kept)
-    : file_(path, kept), dimensions_(dimensions), accelerations_(accelerations), angle_(angle) {
+TrajectoryCsv::TrajectoryCsv(const OutputPlace& place, Index bodies, int dimensions, bool accelerations, bool angle,
+                             std::optional<std::int64_t> kept)
+    : file_(place, kept), dimensions_(dimensions), accelerations_(accelerations), angle_(angle) {
     if (kept) {
         return;
     }

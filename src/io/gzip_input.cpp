@@ -4,6 +4,8 @@
 
 #include <new>
 
+#include "ljmd/io/input_file.hpp"
+
 namespace ljmd {
 
 namespace {
@@ -44,6 +46,9 @@ bool GzipInput::refill() {
     packed_.read(in_.data(), static_cast<std::streamsize>(in_.size()));
     stream_.next_in = reinterpret_cast<Bytef*>(in_.data());
     stream_.avail_in = static_cast<uInt>(packed_.gcount());
+    if (packed_.bad()) {
+        stop(why_reading_failed());
+    }
     return stream_.avail_in > 0;
 }
 

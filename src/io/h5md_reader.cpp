@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "ljmd/core/errors.hpp"
@@ -15,6 +16,7 @@ namespace ljmd {
 namespace {
 
 constexpr Index most_atoms = Index{1} << 30;
+constexpr Index numbers_at_once = Index{1} << 16;
 constexpr double largest_step = 1e15;  // that and what is below are exact in doubles
 
 }  // namespace
@@ -38,6 +40,7 @@ H5mdReader::H5mdReader(const std::filesystem::path& path, const std::optional<Su
     }
     edges_ = element("box/edges");
     id_ = element("id");
+    require_of_atoms("id", id_);
     check_box();
     check_kind();
     find_frames();
@@ -50,7 +53,7 @@ H5mdReader::H5mdReader(const std::filesystem::path& path, const std::optional<Su
     scale_ = h5md_scale(file_, {position_.value, group_ + "/position/time", velocity_.value, edges_.value, mass.value},
                         units);
     if (!mass.value.empty() && scale_.mass) {
-        const std::vector<double> masses = mass.fixed ? file_.numbers(mass.value) : file_.numbers_at(mass.value, 0);
+        const std::vector<double> masses = mass.fixed ? file_.numbers(mass.value) : file_.first_numbers(mass.value, 1);
         mass_ = masses.empty() ? std::nullopt : std::optional(masses[0] / *scale_.mass);
     }
     const std::vector<std::string> creator = file_.text_attribute("h5md/creator", "name");
@@ -194,7 +197,22 @@ void H5mdReader::check_box() const {
     }
 }
 
-/// Of all that tells kinds of atoms apart, in all entries: they may be at other steps than the positions.
+/// An array must have a number for each atom, or one for all of them, before it is read.
+void H5mdReader::require_of_atoms(const std::string& name, const Element& element) const {
+    if (element.value.empty()) {
+        return;
+    }
+    const std::vector<Index> extent = file_.extent(element.value);
+    double numbers = 1.0;
+    for (std::size_t axis = element.fixed || extent.empty() ? 0 : 1; axis < extent.size(); ++axis) {
+        numbers *= static_cast<double>(extent[axis]);
+    }
+    if (numbers != static_cast<double>(atom_count_) && numbers != 1.0) {
+        file_.fail(fmt::format("{} is of {} atoms, the positions are of {}", name, numbers, atom_count_));
+    }
+}
+
+/// Of all that tells kinds of atoms apart, in as many entries as there are frames: they may be at other steps.
 void H5mdReader::check_kind() const {
     OneKind kind;
     const auto add = [&](const std::string& name, const std::vector<double>& values) {
@@ -212,13 +230,16 @@ void H5mdReader::check_kind() const {
         if (found.value.empty()) {
             continue;
         }
+        require_of_atoms(name, found);
         const std::vector<Index> extent = file_.extent(found.value);
         if (found.fixed || extent.empty()) {
             add(name, file_.numbers(found.value));
             continue;
         }
-        for (Index entry = 0; entry < extent[0]; ++entry) {
-            add(name, file_.numbers_at(found.value, entry));
+        const Index end = std::min(extent[0], file_.extent(position_.value)[0]);
+        const Index at_once = std::max<Index>(1, numbers_at_once / atom_count_);
+        for (Index begin = 0; begin < end; begin += at_once) {
+            add(name, file_.numbers_between(found.value, begin, std::min(begin + at_once, end)));
         }
     }
 }
@@ -230,8 +251,13 @@ std::vector<double> H5mdReader::series(const std::string& array, Index entries) 
     if (!file_.exists(array)) {
         return {};
     }
-    std::vector<double> values = file_.numbers(array);
-    if (file_.extent(array).empty()) {
+    const std::vector<Index> extent = file_.extent(array);
+    if (std::accumulate(extent.begin() + std::min<std::ptrdiff_t>(1, std::ssize(extent)), extent.end(), 1.0,
+                        std::multiplies<>()) != 1.0) {
+        file_.fail(fmt::format("{} has more than a number for each frame", array));
+    }
+    std::vector<double> values = file_.first_numbers(array, entries);
+    if (extent.empty()) {
         const std::vector<double> offset = file_.number_attribute(array, "offset");
         const double increment = values.at(0);
         values.clear();

@@ -51,6 +51,7 @@ class H5mdReader : public TrajectoryReader {
     void require_same_steps(const std::string& name) const;
     void check_box() const;
     void check_kind() const;
+    void require_of_atoms(const std::string& name, const Element& element) const;
     [[nodiscard]] std::vector<double> series(const std::string& array, Index entries) const;
     [[nodiscard]] Vec3 edges_of(Index frame) const;
     [[nodiscard]] AtomOrder order_of(Index frame) const;

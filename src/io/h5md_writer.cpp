@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/input_file.hpp"
 #include "ljmd/io/output_file.hpp"
 
 namespace ljmd {
@@ -17,10 +18,10 @@ namespace {
 
 const std::string particles = "particles/trajectory";
 
-/// Chunks of the arrays with one small entry a frame: this many frames, a few kilobytes.
-constexpr hsize_t frames_per_chunk = 64;
+/// Chunks of the arrays with one small entry a frame; no chunk holds more frames.
+constexpr hsize_t most_frames_per_chunk = 64;
 
-/// One frame a chunk; a frame above a mebibyte is divided into equal pieces below it.
+/// A frame above a mebibyte is divided into equal pieces below it.
 Index atoms_per_chunk(Index atoms) {
     constexpr Index bytes_per_atom = 3 * sizeof(double);
     constexpr Index most_bytes = Index{1} << 20;
@@ -28,8 +29,19 @@ Index atoms_per_chunk(Index atoms) {
     return std::max<Index>(1, (atoms + pieces - 1) / pieces);
 }
 
-std::vector<hsize_t> frame_chunk(Index atoms) {
-    return {1, static_cast<hsize_t>(atoms_per_chunk(atoms)), 3};
+/// Frames in a chunk of vectors: a power of two, so that it divides those in a chunk of small entries.
+hsize_t frames_per_chunk(Index atoms) {
+    constexpr Index bytes_per_atom = 3 * sizeof(double);
+    constexpr Index most_bytes = Index{64} << 10;
+    hsize_t frames = most_frames_per_chunk;
+    while (frames > 1 && static_cast<Index>(frames) * atoms * bytes_per_atom > most_bytes) {
+        frames /= 2;
+    }
+    return frames;
+}
+
+std::vector<hsize_t> vector_chunk(Index atoms) {
+    return {frames_per_chunk(atoms), static_cast<hsize_t>(atoms_per_chunk(atoms)), 3};
 }
 
 /// Vectors in the order of ids, (N, 3) by rows.
@@ -44,25 +56,18 @@ std::vector<double> gathered(const State& state, double scale, VectorOf vector_o
     return result;
 }
 
-/// Vectors of all atoms from the chunks at these places; what the file does not hold is left zero.
-std::vector<double> vectors_at(std::ifstream& file, const std::vector<std::uint64_t>& places, Index atoms) {
-    std::vector<double> vectors;
-    const Index most = atoms_per_chunk(atoms);
-    for (const std::uint64_t place : places) {
-        const auto begin = vectors.size();
-        const Index rest = atoms - static_cast<Index>(begin / 3);
-        vectors.resize(begin + 3 * static_cast<std::size_t>(std::clamp<Index>(rest, 0, most)));
-        file.clear();
-        file.seekg(static_cast<std::streamoff>(place));
-        file.read(reinterpret_cast<char*>(vectors.data() + begin),
-                  static_cast<std::streamsize>((vectors.size() - begin) * sizeof(double)));
-    }
-    return vectors;
+/// Of the part of a frame that lies in its first chunk.
+std::uint64_t checksum(const std::vector<double>& positions, Index atoms) {
+    return XXH3_64bits(positions.data(), 3 * static_cast<std::size_t>(atoms_per_chunk(atoms)) * sizeof(double));
 }
 
-std::uint64_t checksum(const std::vector<double>& velocities, const std::vector<double>& positions) {
-    const std::uint64_t first = XXH3_64bits(velocities.data(), velocities.size() * sizeof(double));
-    return XXH3_64bits_withSeed(positions.data(), positions.size() * sizeof(double), first);
+/// What stands there in a file; zero where it ends.
+std::vector<double> numbers_at(const std::filesystem::path& path, std::uint64_t place, std::size_t count) {
+    std::vector<double> numbers(count);
+    std::ifstream file = open_input(path);
+    file.seekg(static_cast<std::streamoff>(place));
+    file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(count * sizeof(double)));
+    return numbers;
 }
 
 }  // namespace
@@ -72,8 +77,7 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
       has_box_(first.has_box()),
       has_velocities_(options.velocities),
       scale_(unit_scale(options.si, 1.0)),
-      temporary_(options.kept ? std::optional<TemporaryName>(options.path) : std::optional<TemporaryName>()),
-      file_(temporary_ ? temporary_->name() : options.path),
+      file_(options.path),
       step_{particles + "/position/step", {}, H5T_NATIVE_INT64},
       time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
       edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
@@ -83,29 +87,43 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
     create_parameters(options);
     create_particles(first, options.si.has_value());
     create_box(options.si.has_value());
-    file_.start_appending();
-    if (options.kept) {
-        copy_frames(options.path, options.kept->frames);
-        file_.commit();
-        temporary_->take_place();
-        file_.renamed(options.path);
+    if (!options.kept) {
+        file_.start_appending();
+        return;
     }
+    require_kept(options);
+    std::vector<Hdf5Output::Series*> series{&step_, &time_};  // in the order of write()
+    if (has_box_) {
+        series.push_back(&edges_);
+    }
+    if (has_velocities_) {
+        series.push_back(&velocity_);
+    }
+    series.push_back(&position_);
+    file_.continue_appending(series, static_cast<hsize_t>(options.kept->frames), frames_per_chunk(count_));
+    last_ = options.kept->last;
 }
 
-void H5mdWriter::copy_frames(const std::filesystem::path& from, const std::vector<FramePlace>& frames) {
-    require_bytes(from, 0);
-    std::ifstream file(from, std::ios::binary);
-    for (const FramePlace& frame : frames) {
-        const Vectors vectors{vectors_at(file, frame.velocities, count_), vectors_at(file, frame.positions, count_)};
-        const auto numbers = 3 * static_cast<std::size_t>(count_);
-        const bool whole = vectors.positions.size() == numbers &&
-                           vectors.velocities.size() == (has_velocities_ ? numbers : 0) &&
-                           checksum(vectors.velocities, vectors.positions) == frame.checksum;
-        if (!whole) {
-            throw CheckpointError(
-                fmt::format("the frame of step {} in '{}' is not what was written", frame.step, from.string()));
-        }
-        append(frame, vectors);
+/// The file must be the one that was committed, before it is changed.
+void H5mdWriter::require_kept(const TrajectoryOptions& options) {
+    const CommittedFrames& kept = *options.kept;
+    const std::string name = options.path.path().string();
+    require_bytes(options.path, kept.bytes);
+    if (kept.layout != file_.layout()) {
+        throw CheckpointError(
+            fmt::format("'{}' was written with another version of HDF5 than this one, or for another run", name));
+    }
+    const Index frame_bytes = 3 * static_cast<Index>(sizeof(double)) * count_;
+    if (kept.frames < 0 || kept.frames > kept.bytes / frame_bytes) {
+        throw CheckpointError(fmt::format("'{}' is too short for {} frames", name, kept.frames));
+    }
+    if (kept.frames == 0) {
+        return;
+    }
+    const auto numbers = 3 * static_cast<std::size_t>(atoms_per_chunk(count_));
+    if (checksum(numbers_at(options.path.path(), kept.last.place, numbers), count_) != kept.last.checksum) {
+        throw CheckpointError(
+            fmt::format("the frame of step {} in '{}' is not what was written", kept.last.step, name));
     }
 }
 
@@ -147,12 +165,12 @@ void H5mdWriter::create_particles(const State& first, bool si) {
     file_.create_group("particles");
     file_.create_group(particles);
     file_.create_group(particles + "/position");
-    file_.create_series(step_, {frames_per_chunk});
-    file_.create_series(time_, {frames_per_chunk});
-    file_.create_series(position_, frame_chunk(count_));
+    file_.create_series(step_, {most_frames_per_chunk});
+    file_.create_series(time_, {most_frames_per_chunk});
+    file_.create_series(position_, vector_chunk(count_));
     if (has_velocities_) {
         file_.create_group(particles + "/velocity");
-        file_.create_series(velocity_, frame_chunk(count_));
+        file_.create_series(velocity_, vector_chunk(count_));
         file_.link(step_.name, particles + "/velocity/step");
         file_.link(time_.name, particles + "/velocity/time");
     }
@@ -183,7 +201,7 @@ void H5mdWriter::create_box(bool si) {
     file_.set_fixed_texts(box, "boundary", std::vector<std::string>(3, has_box_ ? "periodic" : "none"));
     if (has_box_) {
         file_.create_group(box + "/edges");
-        file_.create_series(edges_, {frames_per_chunk, 3, 3});
+        file_.create_series(edges_, {most_frames_per_chunk, 3, 3});
         file_.link(step_.name, box + "/edges/step");
         file_.link(time_.name, box + "/edges/time");
         if (si) {
@@ -200,42 +218,32 @@ void H5mdWriter::write(const State& state) {
         throw FileError(fmt::format("cannot write '{}': an earlier write failed", file_.path().string()));
     }
     failed_ = true;  // until the frame is complete
-    FramePlace frame{state.step, scale_.time * state.time, {}, {}, {}, 0};
+    const std::int64_t step = state.step;
+    const double time = scale_.time * state.time;
+    file_.append(step_, &step);
+    file_.append(time_, &time);
     if (has_box_) {
         const Mat3 edges = (scale_.length * state.box().edges()).asDiagonal();
-        std::copy_n(edges.data(), frame.edges.size(), frame.edges.begin());
+        file_.append(edges_, edges.data());
     }
-    Vectors vectors;
     if (has_velocities_) {
         const auto v = state.velocities();
-        vectors.velocities = gathered(state, scale_.velocity, [&v](Index i) -> Vec3 { return v.col(i); });
+        const auto velocities = gathered(state, scale_.velocity, [&v](Index i) -> Vec3 { return v.col(i); });
+        file_.append(velocity_, velocities.data());
     }
-    vectors.positions = gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); });
-    append(frame, vectors);
+    // Positions go last: readers take the number of frames from them, so a frame that they count is complete.
+    const auto positions = gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); });
+    file_.append(position_, positions.data());
+    last_ = {step, 0, checksum(positions, count_)};
     failed_ = false;
 }
 
-void H5mdWriter::append(const FramePlace& frame, const Vectors& vectors) {
-    frames_.push_back(frame);
-    FramePlace& place = frames_.back();
-    file_.append(step_, &place.step);
-    file_.append(time_, &place.time);
-    if (has_box_) {
-        file_.append(edges_, place.edges.data());
-    }
-    if (has_velocities_) {
-        file_.append(velocity_, vectors.velocities.data());
-        place.velocities = file_.places_of_last(velocity_);
-    }
-    // Positions go last: readers take the number of frames from them, so a frame that they count is complete.
-    file_.append(position_, vectors.positions.data());
-    place.positions = file_.places_of_last(position_);
-    place.checksum = checksum(vectors.velocities, vectors.positions);
-}
-
 CommittedFrames H5mdWriter::commit() {
-    file_.commit();
-    return {0, frames_};
+    const std::int64_t bytes = file_.commit();
+    if (position_.length > 0) {
+        last_.place = file_.place_of_last(position_);
+    }
+    return {bytes, static_cast<std::int64_t>(position_.length), file_.layout(), last_};
 }
 
 void H5mdWriter::close() {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <optional>
-
 #include "hdf5_output.hpp"
-#include "ljmd/io/output_file.hpp"
 #include "ljmd/io/trajectory_writer.hpp"
 #include "unit_scale.hpp"
 
@@ -24,8 +21,11 @@ namespace ljmd {
 /// step and time of box and velocity are hard links to those of position. SI files have `unit` attributes nm, ps and
 /// nm ps-1; reduced ones have none, because readers refuse units that they do not know.
 ///
-/// A file is gone on with by copying the frames that stay into a new one, which then takes its place: HDF5 does not
-/// write to a file that was not closed. Frames are read from their places (FramePlace), not through HDF5.
+/// A chunk holds up to 64 frames and up to 64 KiB; larger frames have chunks of their own, those above 1 MiB several.
+/// So what HDF5 writes about chunks is small, and written as often as there are chunks, not frames.
+///
+/// An interrupted file is continued in place: HDF5's records are written again (Hdf5Output::continue_appending), frames
+/// are not touched.
 class H5mdWriter : public TrajectoryWriter {
   public:
     H5mdWriter(const State& first, const TrajectoryOptions& options);
@@ -34,15 +34,7 @@ class H5mdWriter : public TrajectoryWriter {
     void close() override;
 
   private:
-    /// Numbers of atoms in the order of their ids, (N, 3) by rows, in the units of the file.
-    struct Vectors {
-        std::vector<double> velocities;  ///< empty when they are not written
-        std::vector<double> positions;
-    };
-
-    /// Frames of a file that is to be replaced by this one.
-    void copy_frames(const std::filesystem::path& from, const std::vector<FramePlace>& frames);
-    void append(const FramePlace& frame, const Vectors& vectors);
+    void require_kept(const TrajectoryOptions& options);
 
     void create_metadata(const TrajectoryOptions& options);
     void create_parameters(const TrajectoryOptions& options);
@@ -53,9 +45,8 @@ class H5mdWriter : public TrajectoryWriter {
     bool has_box_;
     bool has_velocities_;
     bool failed_ = false;
-    std::vector<FramePlace> frames_;
+    FrameMark last_;
     UnitScale scale_;
-    std::optional<TemporaryName> temporary_;  ///< of the file, until it takes the place of one that is gone on with
     Hdf5Output file_;
     Hdf5Output::Series step_;
     Hdf5Output::Series time_;

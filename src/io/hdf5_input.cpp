@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <numeric>
 #include <type_traits>
@@ -16,6 +17,11 @@ namespace {
 
 /// What compression can make of a byte, at most: 1032 with deflate.
 constexpr double largest_compression = 1100.0;
+/// A compressed chunk is unpacked whole for any number in it: to this, or so many times what is stored of all chunks.
+constexpr double usual_chunk_bytes = 16 << 20;
+constexpr double chunk_compression = 100.0;
+/// What HDF5 has for the chunks of a dataset.
+constexpr std::size_t usual_cache = std::size_t{1} << 20;
 constexpr int most_axes = 8;
 /// Of what is written at the same time. HDF5 waits twice as long before each: milliseconds in all, and not for ever
 /// where a file is damaged.
@@ -46,7 +52,11 @@ bool holds_numbers(hid_t type) {
 
 bool is_hdf5(const std::filesystem::path& path) {
     const Hdf5Silence silence;
-    return H5Fis_hdf5(path.c_str()) > 0;
+    const htri_t found = H5Fis_hdf5(path.c_str());
+    if (found < 0) {
+        throw DataError(fmt::format("{}: cannot be read: {}", path.string(), hdf5_error_text()));
+    }
+    return found > 0;
 }
 
 Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {
@@ -105,6 +115,18 @@ hid_t Hdf5Input::open_dataset(const std::string& dataset) const {
         fail(fmt::format("{} is no dataset", dataset));
     }
     require_stored(handle.get(), dataset);
+    if (const double bytes = packed_chunk_bytes(handle.get(), dataset); bytes > 0.0) {
+        // Room for a chunk, else it is unpacked again for each entry in it. Closed first: who opens it decides.
+        handle.close();
+        const std::string doing = "opening " + dataset;
+        const Hdf5Handle access(checked(H5Pcreate(H5P_DATASET_ACCESS), doing), H5Pclose);
+        checked(H5Pset_elink_cb(access.get(), refuse_to_follow, nullptr), doing);
+        checked(H5Pset_chunk_cache(access.get(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT,
+                                   std::max<std::size_t>(usual_cache, static_cast<std::size_t>(bytes)),
+                                   H5D_CHUNK_CACHE_W0_DEFAULT),
+                doing);
+        handle = Hdf5Handle(checked(H5Dopen2(file_.get(), dataset.c_str(), access.get()), doing), H5Dclose);
+    }
     return datasets_.emplace(dataset, std::move(handle)).first->second.get();
 }
 
@@ -158,28 +180,49 @@ void Hdf5Input::require_stored(hid_t dataset, const std::string& name) const {
     }
 }
 
+/// Of a dataset whose chunks are compressed; else 0. @throws DataError  unpacked they are too large
+double Hdf5Input::packed_chunk_bytes(hid_t dataset, const std::string& name) const {
+    const Hdf5Handle creation(checked(H5Dget_create_plist(dataset), "reading " + name), H5Pclose);
+    if (H5Pget_layout(creation.get()) != H5D_CHUNKED || H5Pget_nfilters(creation.get()) == 0) {
+        return 0.0;
+    }
+    std::array<hsize_t, most_axes> chunk{};
+    const int axes = H5Pget_chunk(creation.get(), most_axes, chunk.data());
+    const Hdf5Handle type(checked(H5Dget_type(dataset), "reading " + name), H5Tclose);
+    auto bytes = static_cast<double>(H5Tget_size(type.get()));
+    for (int axis = 0; axis < axes; ++axis) {
+        bytes *= static_cast<double>(chunk[static_cast<std::size_t>(axis)]);
+    }
+    const auto stored = static_cast<double>(H5Dget_storage_size(dataset));
+    if (bytes > std::max(usual_chunk_bytes, chunk_compression * stored)) {
+        fail(fmt::format("a chunk of {} unpacks to {:.3g} MB, and {:.3g} MB are stored of all of it", name, bytes / 1e6,
+                         stored / 1e6));
+    }
+    return bytes;
+}
+
 template <class T>
-std::vector<T> Hdf5Input::read(const std::string& dataset, std::optional<Index> entry) const {
+std::vector<T> Hdf5Input::read(const std::string& dataset, std::optional<Entries> entries) const {
     const Hdf5Silence silence;
     const std::string doing = "reading " + dataset;
     const hid_t source = open_dataset(dataset);
     const Hdf5Handle space(checked(H5Dget_space(source), doing), H5Sclose);
     std::vector<Index> wanted = extent_of(space.get(), dataset);
-    if (entry) {
-        if (wanted.empty() || *entry >= wanted[0]) {
-            fail(fmt::format("{} has no entry {}", dataset, *entry));
+    if (entries) {
+        if (wanted.empty() || entries->end > wanted[0]) {
+            fail(fmt::format("{} has no entry {}", dataset, entries->end - 1));
         }
-        wanted[0] = 1;
+        wanted[0] = entries->end - entries->begin;
         std::vector<hsize_t> start(wanted.size());
-        start[0] = static_cast<hsize_t>(*entry);
+        start[0] = static_cast<hsize_t>(entries->begin);
         const std::vector<hsize_t> count(wanted.begin(), wanted.end());
         checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), doing);
     }
     std::vector<T> values(static_cast<std::size_t>(product(wanted)));
     const hsize_t length = values.size();
     const Hdf5Handle memory(checked(H5Screate_simple(1, &length, nullptr), doing), H5Sclose);
-    const hid_t file_space = entry ? space.get() : H5S_ALL;
-    const hid_t memory_space = entry ? memory.get() : H5S_ALL;
+    const hid_t file_space = entries ? space.get() : H5S_ALL;
+    const hid_t memory_space = entries ? memory.get() : H5S_ALL;
     checked(H5Dread(source, native_type<T>(), memory_space, file_space, H5P_DEFAULT, values.data()), doing);
     return values;
 }
@@ -188,8 +231,17 @@ std::vector<double> Hdf5Input::numbers(const std::string& dataset) const {
     return read<double>(dataset, std::nullopt);
 }
 
+std::vector<double> Hdf5Input::first_numbers(const std::string& dataset, Index entries) const {
+    const std::vector<Index> all = extent(dataset);
+    return all.empty() ? numbers(dataset) : numbers_between(dataset, 0, std::min(entries, all[0]));
+}
+
+std::vector<double> Hdf5Input::numbers_between(const std::string& dataset, Index begin, Index end) const {
+    return read<double>(dataset, Entries{begin, end});
+}
+
 std::vector<double> Hdf5Input::numbers_at(const std::string& dataset, Index entry) const {
-    return read<double>(dataset, entry);
+    return read<double>(dataset, Entries{entry, entry + 1});
 }
 
 std::vector<std::int64_t> Hdf5Input::integers(const std::string& dataset) const {
@@ -197,7 +249,7 @@ std::vector<std::int64_t> Hdf5Input::integers(const std::string& dataset) const 
 }
 
 std::vector<std::int64_t> Hdf5Input::integers_at(const std::string& dataset, Index entry) const {
-    return read<std::int64_t>(dataset, entry);
+    return read<std::int64_t>(dataset, Entries{entry, entry + 1});
 }
 
 struct Hdf5Input::Attribute {

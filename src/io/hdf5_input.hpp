@@ -12,11 +12,12 @@
 
 namespace ljmd {
 
-/// Whether the file begins as HDF5 files do.
+/// Whether the file begins as HDF5 files do. @throws DataError when it cannot be read
 [[nodiscard]] bool is_hdf5(const std::filesystem::path& path);
 
 /// An HDF5 file that is read. Objects are named by their paths, "particles/trajectory/id". Every failure of HDF5 is a
-/// DataError with file, object and cause. Memory is bounded by the size of the file, whatever the extents in it claim.
+/// DataError with file, object and cause. Memory is bounded by the size of the file, whatever extents and chunks in it
+/// claim.
 class Hdf5Input {
   public:
     /// @throws DataError  it is no HDF5 file, is damaged, or was not closed by a program that cannot append for readers
@@ -38,6 +39,10 @@ class Hdf5Input {
 
     /// All of a dataset, by rows.
     [[nodiscard]] std::vector<double> numbers(const std::string& dataset) const;
+    /// The first entries along the first axis of a dataset, by rows: so many, or all where there are fewer.
+    [[nodiscard]] std::vector<double> first_numbers(const std::string& dataset, Index entries) const;
+    /// These entries along the first axis of a dataset, by rows.
+    [[nodiscard]] std::vector<double> numbers_between(const std::string& dataset, Index begin, Index end) const;
     /// One entry along the first axis of a dataset, by rows.
     [[nodiscard]] std::vector<double> numbers_at(const std::string& dataset, Index entry) const;
     [[nodiscard]] std::vector<std::int64_t> integers(const std::string& dataset) const;
@@ -52,14 +57,19 @@ class Hdf5Input {
     [[noreturn]] void fail(const std::string& message) const;
 
   private:
+    struct Entries {
+        Index begin;
+        Index end;
+    };
     template <class T>
-    [[nodiscard]] std::vector<T> read(const std::string& dataset, std::optional<Index> entry) const;
+    [[nodiscard]] std::vector<T> read(const std::string& dataset, std::optional<Entries> entries) const;
     [[nodiscard]] Hdf5Handle open(const std::string& object) const;
     [[nodiscard]] hid_t open_dataset(const std::string& dataset) const;
     struct Attribute;
     [[nodiscard]] std::optional<Attribute> open_attribute(const std::string& object, const std::string& name) const;
     [[nodiscard]] std::vector<Index> extent_of(hid_t space, const std::string& what) const;
     void require_stored(hid_t dataset, const std::string& name) const;
+    [[nodiscard]] double packed_chunk_bytes(hid_t dataset, const std::string& name) const;
     hid_t checked(hid_t id, const std::string& doing) const;
 
     std::string name_;

@@ -1,16 +1,20 @@
 #include "hdf5_output.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
+#include <sys/stat.h>
+#include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
 #include <utility>
 
+#include "file_calls.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/memory_at_hand.hpp"
 #include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -40,26 +44,41 @@ void Hdf5Output::fail(const std::string& doing, const std::string& cause) {
         dataset.abandon();
     }
     file_.abandon();
-    throw FileError(fmt::format("cannot write '{}': {}: {}", path_.string(), doing, cause));
+    throw FileError(fmt::format("cannot write '{}': {}: {}", path().string(), doing, cause));
 }
 
-Hdf5Output::Hdf5Output(std::filesystem::path path) : path_(std::move(path)) {
+Hdf5Output::Hdf5Output(OutputPlace place) : place_(std::move(place)) {
     const Hdf5Silence silence;
-    const std::string doing = "creating the file";
-    const Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), doing), H5Pclose);
-    // The format of HDF5 1.10: the first that can be appended to safely, and readable by all later versions.
-    checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), doing);
-    checked(H5Pset_fapl_sec2(access.get()), doing);
+    const std::string doing = "creating its objects";
+    const Hdf5Handle access = access_properties();
+    checked(memory_.use_for(access.get()), doing);
     const Hdf5Handle creation = without_times(H5P_FILE_CREATE);
     require_memory(hdf5_file_memory);
-    file_ = Hdf5Handle(checked(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), doing), H5Fclose);
+    file_ = Hdf5Handle(checked(H5Fcreate(memory_.name().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), doing),
+                       H5Fclose);
 }
 
 Hdf5Output::~Hdf5Output() {
+    if (!is_on_disk_) {
+        return;
+    }
     try {
         close();
     } catch (const FileError&) {  // a destructor has nobody to tell
     }
+}
+
+Hdf5Handle Hdf5Output::access_properties() {
+    const std::string doing = "preparing to write";
+    Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), doing), H5Pclose);
+    // The format of HDF5 1.10: the first that can be appended to safely, and readable by all later versions.
+    checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), doing);
+    // The directory of a run is locked, the file need not be, and there are file systems that know no locks.
+    checked(H5Pset_file_locking(access.get(), false, true), doing);
+    // No room is set aside for what comes later: where it is left over would depend on when the file was flushed.
+    checked(H5Pset_meta_block_size(access.get(), 0), doing);
+    checked(H5Pset_small_data_block_size(access.get(), 0), doing);
+    return access;
 }
 
 Hdf5Handle Hdf5Output::without_times(hid_t kind) {
@@ -142,11 +161,12 @@ void Hdf5Output::write_dataset(const std::string& name, hid_t file_type, hid_t m
     const std::string doing = "writing " + name;
     const Hdf5Handle space = axis(length);
     const Hdf5Handle creation = without_times(H5P_DATASET_CREATE);
-    const Hdf5Handle dataset(
+    Hdf5Handle dataset(
         checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
                 doing),
         H5Dclose);
     checked(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), doing);
+    checked(dataset.close(), doing);  // only then a small array is written to the file
 }
 
 void Hdf5Output::write_numbers(const std::string& name, const std::vector<double>& values) {
@@ -176,6 +196,10 @@ void Hdf5Output::create_series(const Series& series, const std::vector<hsize_t>&
     const Hdf5Handle space(checked(H5Screate_simple(rank, extent.data(), limit.data()), doing), H5Sclose);
     const Hdf5Handle creation = without_times(H5P_DATASET_CREATE);
     checked(H5Pset_chunk(creation.get(), rank, chunk.data()), doing);
+    // A chunk gets its place when the first of its entries is to come, and is not filled: entries are written one by
+    // one.
+    checked(H5Pset_alloc_time(creation.get(), H5D_ALLOC_TIME_EARLY), doing);
+    checked(H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER), doing);
     const hid_t file_type = series.type == H5T_NATIVE_DOUBLE ? H5T_IEEE_F64LE : H5T_STD_I64LE;
     const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), series.name.c_str(), file_type, space.get(), H5P_DEFAULT,
                                                 creation.get(), H5P_DEFAULT),
@@ -189,74 +213,156 @@ void Hdf5Output::link(const std::string& existing, const std::string& name) {
             "linking " + name);
 }
 
-void Hdf5Output::start_appending() {
+void Hdf5Output::finish_objects() {
+    if (!objects_.empty()) {
+        return;
+    }
     const Hdf5Silence silence;
+    const std::string doing = "creating its objects";
+    checked(memory_.flush(file_.get()), doing);
+    checked(file_.close(), doing);
+    objects_ = memory_.take_bytes();
+}
+
+std::uint64_t Hdf5Output::layout() {
+    finish_objects();
+    std::array<unsigned, 3> version{};
+    H5get_libversion(&version[0], &version[1], &version[2]);
+    return XXH3_64bits_withSeed(objects_.data(), objects_.size(), XXH3_64bits(version.data(), sizeof version));
+}
+
+void Hdf5Output::open_file(const OutputPlace& place) {
+    is_on_disk_ = true;
+    const std::string doing = "opening the file";
+    const Hdf5Handle access = access_properties();
+    require_memory(hdf5_file_memory);
+    place.directory.require_at_its_path();  // HDF5 knows paths alone
+    file_ = Hdf5Handle(checked(H5Fopen(place.path().c_str(), H5F_ACC_RDWR, access.get()), doing), H5Fclose);
+    if (!place.holds(descriptor())) {
+        fail(doing, "its directory was replaced meanwhile");
+    }
+}
+
+void Hdf5Output::start_appending() {
+    finish_objects();
+    ReplacementFile replacement(place_);
+    OutputFile file(replacement);
+    file.write(objects_);
+    file.close();
+    const Hdf5Silence silence;
+    open_file(replacement.growing());
+    switch_to_appending();
+    replacement.take_place();
+}
+
+void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t entries, hsize_t stride) {
+    finish_objects();
+    overwrite_beginning(place_, objects_);
+    const Hdf5Silence silence;
+    open_file(place_);
+    // In one go up to the end of a chunk, and all series before the next: chunks get the places that they got when
+    // entries came one by one.
+    for (hsize_t begin = 0; begin < entries; begin += stride) {
+        for (Series* one : series) {
+            extend(*one, std::min(begin + stride, entries));
+        }
+    }
+    for (Series* one : series) {
+        one->dataset = -1;
+    }
+    datasets_.clear();  // to be opened again in the other mode
+    switch_to_appending();
+}
+
+void Hdf5Output::switch_to_appending() {
     checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flushing");
     checked(H5Fstart_swmr_write(file_.get()), "switching to appending");
     commit();
-    sync_folder_of(path_);
+}
+
+void Hdf5Output::open_series(Series& series) {
+    if (series.dataset >= 0) {
+        return;
+    }
+    const std::string doing = "opening " + series.name;
+    const Hdf5Handle access(checked(H5Pcreate(H5P_DATASET_ACCESS), doing), H5Pclose);
+    // Entries go straight to the file: a cache would write the whole chunk for each.
+    checked(H5Pset_chunk_cache(access.get(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT), doing);
+    series.dataset = checked(H5Dopen2(file_.get(), series.name.c_str(), access.get()), doing);
+    datasets_.emplace_back(series.dataset, H5Dclose);
+}
+
+void Hdf5Output::extend(Series& series, hsize_t entries) {
+    open_series(series);
+    std::vector<hsize_t> extent{entries};
+    extent.insert(extent.end(), series.entry.begin(), series.entry.end());
+    checked(H5Dset_extent(series.dataset, extent.data()), fmt::format("making {} longer", series.name));
+    series.length = entries;
 }
 
 void Hdf5Output::append(Series& series, const void* data) {
-    if (!file_) {
-        throw ContractViolation(fmt::format("'{}' is closed", path_.string()));
+    if (!file_ || !is_on_disk_) {
+        throw ContractViolation(fmt::format("'{}' is not open for appending", path().string()));
     }
     const Hdf5Silence silence;
-    const std::string doing = fmt::format("appending entry {} to {}", series.length + 1, series.name);
-    if (series.dataset < 0) {
-        series.dataset = checked(H5Dopen2(file_.get(), series.name.c_str(), H5P_DEFAULT), doing);
-        datasets_.emplace_back(series.dataset, H5Dclose);
-    }
-    std::vector<hsize_t> extent{series.length + 1};
-    std::vector<hsize_t> start{series.length};
+    extend(series, series.length + 1);
+    const std::string doing = fmt::format("appending entry {} to {}", series.length, series.name);
+    std::vector<hsize_t> start{series.length - 1};
     std::vector<hsize_t> count{1};
     for (const hsize_t n : series.entry) {
-        extent.push_back(n);
         start.push_back(0);
         count.push_back(n);
     }
-    checked(H5Dset_extent(series.dataset, extent.data()), doing);
     const Hdf5Handle where(checked(H5Dget_space(series.dataset), doing), H5Sclose);
     checked(H5Sselect_hyperslab(where.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), doing);
     const Hdf5Handle what(checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), doing),
                           H5Sclose);
     checked(H5Dwrite(series.dataset, series.type, what.get(), where.get(), H5P_DEFAULT, data), doing);
     checked(H5Dflush(series.dataset), doing);
-    ++series.length;
 }
 
-std::vector<std::uint64_t> Hdf5Output::places_of_last(const Series& series) {
+std::uint64_t Hdf5Output::place_of_last(Series& series) {
     const Hdf5Silence silence;
+    open_series(series);
     const std::string doing = fmt::format("asking where entry {} of {} lies", series.length, series.name);
     const Hdf5Handle creation(checked(H5Dget_create_plist(series.dataset), doing), H5Pclose);
     std::vector<hsize_t> chunk(series.entry.size() + 1);
     checked(H5Pget_chunk(creation.get(), static_cast<int>(chunk.size()), chunk.data()), doing);
-    std::vector<std::uint64_t> places;
     std::vector<hsize_t> corner(chunk.size());
-    corner[0] = series.length - 1;
-    for (; corner[1] < series.entry[0]; corner[1] += chunk[1]) {
-        unsigned filters = 0;
-        haddr_t place = HADDR_UNDEF;
-        hsize_t bytes = 0;
-        checked(H5Dget_chunk_info_by_coord(series.dataset, corner.data(), &filters, &place, &bytes), doing);
-        if (place == HADDR_UNDEF) {
-            fail(doing, "it has no place");
-        }
-        places.push_back(place);
+    const hsize_t before = (series.length - 1) % chunk[0];  // in the same chunk
+    corner[0] = series.length - 1 - before;
+    unsigned filters = 0;
+    haddr_t place = HADDR_UNDEF;
+    hsize_t bytes = 0;
+    checked(H5Dget_chunk_info_by_coord(series.dataset, corner.data(), &filters, &place, &bytes), doing);
+    if (place == HADDR_UNDEF) {
+        fail(doing, "it has no place");
     }
-    return places;
+    return place + before * (bytes / chunk[0]);
 }
 
-void Hdf5Output::commit() {
-    const Hdf5Silence silence;
+int Hdf5Output::descriptor() {
     void* descriptor = nullptr;
     checked(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), "asking for the descriptor");
-    if (::fsync(*static_cast<int*>(descriptor)) != 0) {
-        fail("waiting for the disk", std::generic_category().message(errno));
+    return *static_cast<int*>(descriptor);
+}
+
+std::int64_t Hdf5Output::commit() {
+    const Hdf5Silence silence;
+    if (const int error = sync_descriptor(descriptor()); error != 0) {
+        fail("waiting for the disk", std::generic_category().message(error));
     }
+    struct stat status {};
+    if (::fstat(descriptor(), &status) != 0) {
+        fail("asking for its length", std::generic_category().message(errno));
+    }
+    return status.st_size;
 }
 
 void Hdf5Output::close() {
+    if (!is_on_disk_ && file_) {
+        start_appending();
+    }
     if (!file_) {
         return;
     }
@@ -266,8 +372,18 @@ void Hdf5Output::close() {
     for (Hdf5Handle& dataset : datasets_) {
         checked(dataset.close(), doing);
     }
-    checked(file_.close(), doing);
-    sync_path(path_);
+    // HDF5 writes while it closes: what is to be on the disk then needs a descriptor that is still open.
+    const int kept_open = ::dup(descriptor());
+    if (kept_open < 0) {
+        fail(doing, std::generic_category().message(errno));
+    }
+    const herr_t closed = file_.close();
+    const int error = sync_descriptor(kept_open);
+    ::close(kept_open);
+    checked(closed, doing);
+    if (error != 0) {
+        fail(doing, std::generic_category().message(error));
+    }
 }
 
 }  // namespace ljmd

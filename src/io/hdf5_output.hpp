@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "hdf5_memory_file.hpp"
 #include "ljmd/io/hdf5_handle.hpp"
+#include "ljmd/io/open_directory.hpp"
 
 namespace ljmd {
 
@@ -13,8 +15,14 @@ namespace ljmd {
 /// Every failed call becomes a FileError with the name of the file and what was being done; after it nothing is written
 /// any more, and the file on disk stays as it was.
 ///
-/// First all objects are created. Then start_appending() switches to single-writer-multiple-reader mode, in which HDF5
-/// orders its writes so that the file is sound after each of them, and frames are appended.
+/// First all objects are created, in memory. Then start_appending() makes the file of them and switches to
+/// single-writer-multiple-reader mode, in which HDF5 orders its writes so that the file is sound after each of them,
+/// and entries are appended.
+///
+/// Where an entry lies in the file depends only on the objects, the number of entries and the version of HDF5: every
+/// chunk and every record about chunks is put behind all that is there, and none is given up. So a file that was left
+/// in any state is continued in place (continue_appending): all of HDF5's records are written again as they were after
+/// so many entries, by the calls that wrote them first, and the entries themselves stay where they are.
 class Hdf5Output {
   public:
     /// A dataset that grows by one entry along its first axis at each append.
@@ -26,8 +34,8 @@ class Hdf5Output {
         hid_t dataset = -1;  ///< owned by the output
     };
 
-    /// Create the file, replacing one of that name.
-    explicit Hdf5Output(std::filesystem::path path);
+    /// @param place  of the file that is to be; nothing is written to it yet
+    explicit Hdf5Output(OutputPlace place);
     Hdf5Output(const Hdf5Output&) = delete;
     Hdf5Output& operator=(const Hdf5Output&) = delete;
 
@@ -55,25 +63,33 @@ class Hdf5Output {
     /// A second name for the same object.
     void link(const std::string& existing, const std::string& name);
 
-    /// From here on only append() and commit().
+    /// What decides where entries will lie: a hash of all objects so far and of the version of HDF5. No object can be
+    /// created after it.
+    [[nodiscard]] std::uint64_t layout();
+
+    /// Create the file, replacing one of that name. From here on only append() and commit().
     void start_appending();
+
+    /// Continue a file with the same layout() from as many entries of each series, whatever else was done to it after
+    /// these were committed. From here on only append() and commit().
+    /// @param series  all, in the order in which each entry of them was appended
+    /// @param stride  entries that are appended without a new chunk after the first: divides each chunk's entries
+    /// @pre the file is at least as long as it was when these entries were committed
+    void continue_appending(const std::vector<Series*>& series, hsize_t entries, hsize_t stride);
 
     /// Append one entry and hand it to the operating system.
     /// @param data  as many numbers of series.type as an entry has
     void append(Series& series, const void* data);
 
-    /// Where the chunks of the last entry lie in the file, along its second axis. @pre one entry a chunk
-    [[nodiscard]] std::vector<std::uint64_t> places_of_last(const Series& series);
+    /// Where the last entry begins in the file. Not for each entry: HDF5 looks through all chunks. @pre there is one
+    [[nodiscard]] std::uint64_t place_of_last(Series& series);
 
-    /// Wait until everything appended is on the disk.
-    void commit();
+    /// Wait until everything appended is on the disk. @return bytes in the file
+    std::int64_t commit();
 
-    /// The file has another name now.
-    void renamed(const std::filesystem::path& path) { path_ = path; }
+    [[nodiscard]] std::filesystem::path path() const { return place_.path(); }
 
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-    /// Flush, close and fsync. A second call does nothing.
+    /// Flush, close and fsync. A second call does nothing. A file that nothing was to be appended to is created first.
     void close();
 
   private:
@@ -88,8 +104,21 @@ class Hdf5Output {
     void write_dataset(const std::string& name, hid_t file_type, hid_t memory_type, std::size_t length,
                        const void* data);
 
-    std::filesystem::path path_;
-    Hdf5Handle file_;
+    [[nodiscard]] Hdf5Handle access_properties();
+    void finish_objects();
+    /// @throws InUseError  its directory is another one by now
+    void open_file(const OutputPlace& place);
+    void open_series(Series& series);
+    void extend(Series& series, hsize_t entries);
+    void switch_to_appending();
+
+    [[nodiscard]] int descriptor();
+
+    OutputPlace place_;
+    Hdf5MemoryFile memory_;
+    std::string objects_;  // the file without entries, once all objects are created
+    bool is_on_disk_ = false;
+    Hdf5Handle file_;                   // in memory first, then on the disk
     std::vector<Hdf5Handle> datasets_;  // of the series; closed before the file
 };
 

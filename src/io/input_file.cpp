@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
@@ -17,13 +18,20 @@ namespace {
 
 constexpr const char* utf_16 = "is a text in UTF-16; UTF-8 is read: iconv -f UTF-16 -t UTF-8 OLD > NEW";
 
+/// Files that the kernel makes up have no size, and some of them, as /proc/kmsg, are waited for.
+bool is_of_kernel(const fs::path& path) {
+    std::error_code code;
+    const std::string place = fs::canonical(path, code).string();
+    return (place.starts_with("/proc/") || place.starts_with("/sys/")) && fs::file_size(path, code) == 0;
+}
+
 }  // namespace
 
 std::string why_unreadable(const fs::path& path) {
     std::error_code code;
     switch (fs::status(path, code).type()) {
         case fs::file_type::regular:
-            return {};
+            return is_of_kernel(path) ? "is made up by the kernel, not a file that is stored; copy it first" : "";
         case fs::file_type::not_found:
             return "no such file";
         case fs::file_type::directory:
@@ -37,20 +45,52 @@ std::string why_unreadable(const fs::path& path) {
     }
 }
 
-std::ifstream open_input(const fs::path& path) {
+bool input_is_there(const fs::path& path) {
+    try {
+        return files::is_taken(path);
+    } catch (const FileError& error) {
+        throw DataError(error.what());
+    }
+}
+
+std::string open_input(const fs::path& path, std::ifstream& file) {
     std::string complaint = why_unreadable(path);
-    std::ifstream file;
     if (complaint.empty()) {
         errno = 0;
         file.open(path, std::ios::binary);
         if (!file) {
-            complaint = "cannot be read: " + std::generic_category().message(errno);
+            complaint = why_reading_failed();
         }
     }
-    if (!complaint.empty()) {
+    return complaint;
+}
+
+std::ifstream open_input(const fs::path& path) {
+    std::ifstream file;
+    if (const std::string complaint = open_input(path, file); !complaint.empty()) {
         throw DataError(fmt::format("{}: {}", path.string(), complaint));
     }
     return file;
+}
+
+std::string read_input(const fs::path& path) {
+    std::ifstream file = open_input(path);
+    std::string text;
+    constexpr std::size_t piece = std::size_t{1} << 16;
+    while (file) {
+        const std::size_t before = text.size();
+        text.resize(before + piece);
+        file.read(text.data() + before, piece);
+        text.resize(before + static_cast<std::size_t>(file.gcount()));
+    }
+    if (file.bad()) {
+        throw DataError(fmt::format("{}: {}", path.string(), why_reading_failed()));
+    }
+    return text;
+}
+
+std::string why_reading_failed() {
+    return "cannot be read: " + std::generic_category().message(errno);
 }
 
 std::string why_no_text(std::string_view beginning) {

@@ -2,13 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
+#include "file_calls.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/replacement_file.hpp"
 
 namespace ljmd {
 
@@ -16,58 +18,75 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16;
 
-FileError file_error(const char* doing, const std::filesystem::path& path, int error) {
-    return FileError(fmt::format("cannot {} '{}': {}", doing, path.string(), std::generic_category().message(error)));
-}
-
-/// fsync; 0 or the error number. Pipes and devices cannot be synced, which is no failure.
-int sync_descriptor(int descriptor) {
-    if (::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP) {
-        return 0;
-    }
-    return errno;
-}
-
 }  // namespace
 
-void require_bytes(const std::filesystem::path& path, std::int64_t bytes) {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
-    if (!std::filesystem::exists(status)) {
-        throw CheckpointError(fmt::format("'{}' is not there any more", path.string()));
+void require_bytes(const OutputPlace& place, std::int64_t bytes) {
+    struct stat status {};
+    if (::fstatat(place.directory.descriptor(), place.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
+        throw CheckpointError(errno == ENOENT ? fmt::format("'{}' is not there any more", place.path().string())
+                                              : file_error("look at", place.path(), errno).what());
     }
-    if (!std::filesystem::is_regular_file(status)) {  // a link leads elsewhere, opening a pipe would wait for ever
-        throw CheckpointError(fmt::format("'{}' is not the file that the run wrote", path.string()));
+    if (!S_ISREG(status.st_mode)) {  // a link leads elsewhere, opening a pipe would wait for ever
+        throw CheckpointError(fmt::format("'{}' is not the file that the run wrote", place.path().string()));
     }
-    const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
-    if (size < bytes) {
-        throw CheckpointError(
-            fmt::format("'{}' has {} bytes, but had {} when the checkpoint was written", path.string(), size, bytes));
+    if (status.st_size < bytes) {
+        throw CheckpointError(fmt::format("'{}' has {} bytes, but had {} when the checkpoint was written",
+                                          place.path().string(), status.st_size, bytes));
     }
 }
 
-OutputFile::OutputFile(std::filesystem::path path, std::optional<std::int64_t> kept) : path_(std::move(path)) {
+void overwrite_beginning(const OutputPlace& place, std::string_view bytes) {
+    const int descriptor =
+        ::openat(place.directory.descriptor(), place.name.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) {
+        throw file_error("open", place.path(), errno);
+    }
+    int error = 0;
+    while (!bytes.empty() && error == 0) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno != EINTR) {
+            error = errno;
+        }
+    }
+    ::close(descriptor);
+    if (error != 0) {
+        throw file_error("write", place.path(), error);
+    }
+}
+
+void OutputFile::open(const OutputPlace& place, std::optional<std::int64_t> kept) {
     constexpr mode_t permissions = 0666;  // less what the user's umask takes away
-    if (kept) {
-        require_bytes(path_, *kept);
-    }
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (kept ? 0 : O_CREAT | O_TRUNC), permissions);
+    const int flags = O_RDWR | O_NOFOLLOW | O_CLOEXEC | (kept ? 0 : O_CREAT | O_TRUNC);
+    descriptor_ = ::openat(place.directory.descriptor(), place.name.c_str(), flags, permissions);
     if (descriptor_ < 0) {
-        throw file_error(kept ? "open" : "create", path_, errno);
+        throw file_error(kept ? "open" : "create", path(), errno);
     }
+    buffer_.reserve(buffer_size);
+}
+
+OutputFile::OutputFile(OutputPlace place, std::optional<std::int64_t> kept) : place_(std::move(place)) {
+    if (kept) {
+        require_bytes(place_, *kept);
+    }
+    open(place_, kept);
     if (kept) {
         written_ = committed_ = *kept;
         if (::ftruncate(descriptor_, *kept) != 0 || ::lseek(descriptor_, *kept, SEEK_SET) != *kept) {
             const int error = errno;
             ::close(descriptor_);
-            throw file_error("cut", path_, error);
+            throw file_error("cut", path(), error);
         }
     }
-    buffer_.reserve(buffer_size);
+}
+
+OutputFile::OutputFile(const ReplacementFile& file) : place_(file.place()) {
+    open(file.growing(), std::nullopt);
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
-    : path_(std::move(other.path_)),
+    : place_(std::move(other.place_)),
       buffer_(std::exchange(other.buffer_, {})),
       descriptor_(std::exchange(other.descriptor_, -1)),
       failed_(other.failed_),
@@ -83,10 +102,10 @@ OutputFile::~OutputFile() {
 
 void OutputFile::require_usable() const {
     if (failed_) {
-        throw FileError(fmt::format("cannot write '{}': an earlier write failed", path_.string()));
+        throw FileError(fmt::format("cannot write '{}': an earlier write failed", path().string()));
     }
     if (descriptor_ < 0) {
-        throw ContractViolation(fmt::format("'{}' is closed", path_.string()));
+        throw ContractViolation(fmt::format("'{}' is closed", path().string()));
     }
 }
 
@@ -95,7 +114,7 @@ void OutputFile::fail(const char* doing, int error) {
     buffer_.clear();
     // Best effort: a device has no length to cut, and the first error is the one worth telling.
     [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, committed_);
-    throw file_error(doing, path_, error);
+    throw file_error(doing, path(), error);
 }
 
 void OutputFile::spill() {
@@ -138,6 +157,21 @@ std::int64_t OutputFile::commit() {
     return committed_;
 }
 
+bool OutputFile::holds(std::string_view bytes, std::int64_t from) const {
+    std::string found(bytes.size(), '\0');
+    std::size_t read = 0;
+    while (read < found.size()) {
+        const ssize_t count = ::pread(descriptor_, found.data() + read, found.size() - read,
+                                      static_cast<off_t>(from + static_cast<std::int64_t>(read)));
+        if (count > 0) {
+            read += static_cast<std::size_t>(count);
+        } else if (count == 0 || errno != EINTR) {
+            return false;
+        }
+    }
+    return found == bytes;
+}
+
 void OutputFile::close() {
     if (descriptor_ < 0) {
         return;
@@ -151,63 +185,15 @@ void OutputFile::close() {
     // After EINTR the descriptor is gone on Linux: closing again could hit another file.
     if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) {
         failed_ = true;
-        throw file_error("close", path_, errno);
+        throw file_error("close", path(), errno);
     }
 }
 
-TemporaryName::TemporaryName(std::filesystem::path path) : path_(std::move(path)), name_(path_) {
-    // A fixed name: what a killed program left behind is replaced by the next write. It is removed first, so that a
-    // link of that name is never followed.
-    name_ += ".tmp";
-    remove();
-}
-
-TemporaryName::~TemporaryName() {
-    if (!taken_) {
-        remove();
+void OutputFile::close_on_disk() {
+    if (descriptor_ >= 0) {
+        sync();
+        close();
     }
-}
-
-void TemporaryName::remove() const {
-    std::error_code ignored;
-    std::filesystem::remove(name_, ignored);
-}
-
-void TemporaryName::take_place() {
-    if (::rename(name_.c_str(), path_.c_str()) != 0) {
-        throw file_error("replace", path_, errno);
-    }
-    taken_ = true;
-    sync_folder_of(path_);
-}
-
-void write_file_atomically(const std::filesystem::path& path, const std::function<void(OutputFile&)>& fill) {
-    TemporaryName temporary(path);
-    OutputFile file(temporary.name());
-    fill(file);
-    file.sync();
-    file.close();
-    temporary.take_place();
-}
-
-void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
-    write_file_atomically(path, [text](OutputFile& file) { file.write(text); });
-}
-
-void sync_path(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) {
-        throw file_error("open", path, errno);
-    }
-    const int error = sync_descriptor(descriptor);
-    ::close(descriptor);
-    if (error != 0) {
-        throw file_error("write", path, error);
-    }
-}
-
-void sync_folder_of(const std::filesystem::path& path) {
-    sync_path(path.has_parent_path() ? path.parent_path() : ".");
 }
 
 }  // namespace ljmd

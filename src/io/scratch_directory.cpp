@@ -6,28 +6,59 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
-#include <system_error>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
 
 namespace ljmd {
 
-ScratchDirectory::ScratchDirectory() {
-    std::error_code error;
-    const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-    if (error) {
-        throw FileError(fmt::format("no directory for temporary files: {}; does TMPDIR name one?", error.message()));
-    }
-    std::string pattern = (parent / "ljmd-").string() + std::string(6, 'X');  // mkdtemp replaces six X
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Waits for the end of its stdin. Signals that end this program and all of its group are not for it; and a program
+/// that writes into the directory may end a moment later than this one, so it tries more than once.
+constexpr const char* remove_at_end_of_input = R"(trap '' HUP INT QUIT TERM USR1 USR2
+read -r end
+for attempt in 1 2 3 4 5; do
+    rm -rf -- "$1" && exit
+    sleep 1
+done)";
+
+fs::path new_directory() {
+    std::string pattern =
+        (files::temporary_folder() / "ljmd-").string() + std::string(6, 'X');  // mkdtemp replaces six X
     if (mkdtemp(pattern.data()) == nullptr) {
         throw FileError(fmt::format("cannot create {}: {}", pattern, std::strerror(errno)));
     }
-    path_ = pattern;
+    return pattern;
+}
+
+}  // namespace
+
+ScratchDirectory::ScratchDirectory() : path_(new_directory()) {
+    try {
+        remover_.emplace(Process{.program = "/bin/sh",
+                                 .arguments = {"-c", remove_at_end_of_input, "ljmd-scratch", path_.string()},
+                                 .directory = ".",
+                                 .output = "/dev/null",
+                                 .own_group = true,
+                                 .at_our_end = 0,
+                                 .input = life_.read_end()});
+    } catch (...) {
+        files::try_to_remove_all(path_);
+        throw;
+    }
+    life_.close_read_end();
 }
 
 ScratchDirectory::~ScratchDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    files::try_to_remove_all(path_);
+    life_.close_write_end();
+    try {
+        static_cast<void>(remover_->wait());
+    } catch (const Error&) {  // the program waits for all its children elsewhere
+    }
 }
 
 }  // namespace ljmd

@@ -68,10 +68,11 @@ std::string beginning_of(std::istream& stream) {
 
 TextFile::TextFile(const fs::path& path) : name_(path.string()), buffer_(longest_line + 1) {
     file_ = open_input(path);
-    std::error_code code;
-    size_ = static_cast<Index>(fs::file_size(path, code));
-    if (code) fail_at(0, "cannot be opened: " + code.message());
+    size_ = static_cast<Index>(file_.seekg(0, std::ios::end).tellg());
+    if (size_ < 0) fail_at(0, why_reading_failed());
+    file_.seekg(0);
     const bool is_packed = is_gzip(beginning_of(file_));
+    if (file_.bad()) fail_at(0, why_reading_failed());
     file_.clear();
     file_.seekg(0);
     if (is_packed) {
@@ -80,6 +81,7 @@ TextFile::TextFile(const fs::path& path) : name_(path.string()), buffer_(longest
     }
     stream_.rdbuf(is_packed ? static_cast<std::streambuf*>(gzip_.get()) : file_.rdbuf());
     const std::string beginning = beginning_of(stream_);
+    if (stream_.bad()) fail_at(0, why_reading_failed());
     no_text_ = why_no_text(beginning);
     if (no_text_.empty() && beginning.find('\0') != std::string::npos) no_text_ = "is a binary file, not a text";
     rewind();
@@ -95,7 +97,7 @@ bool TextFile::next_line() {
     if (!no_text_.empty()) fail_at(0, no_text_);
     stream_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     const auto taken = static_cast<Index>(stream_.gcount());
-    if (stream_.bad()) fail("cannot be read to its end");
+    if (stream_.bad()) fail(why_reading_failed());
     if (gzip_ && stream_.eof() && !gzip_->fault().empty()) fail(gzip_->fault());
     if (taken == 0 && stream_.eof()) return false;
     ++line_number_;

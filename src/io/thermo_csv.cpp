@@ -12,9 +12,9 @@ std::string field(std::optional<double> value) {
 }
 }  // namespace
 
-ThermoCsv::ThermoCsv(const std::filesystem::path& path, const Extra& extra, std::optional<SubstanceUnits> units,
+ThermoCsv::ThermoCsv(const OutputPlace& place, const Extra& extra, std::optional<SubstanceUnits> units,
                      std::optional<std::int64_t> kept)
-    : file_(path, kept), extra_(extra), units_(units) {
+    : file_(place, kept), extra_(extra), units_(units) {
     if (kept) {
         return;
     }

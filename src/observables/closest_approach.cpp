@@ -22,14 +22,15 @@ void ClosestApproach::add(const State& state) {
     for (Index i = 0; i < bodies; ++i) {
         for (Index j = i + 1; j < bodies; ++j) {
             compare_within_step(now, i, j);
-            compare({(now.r.col(j) - now.r.col(i)).norm(), now.time, i + 1, j + 1});
+            const double path = last_ ? (now.v.col(j) - now.v.col(i)).norm() * (now.time - last_->time) : 0.0;
+            compare({(now.r.col(j) - now.r.col(i)).norm(), now.time, i + 1, j + 1, path});
         }
     }
     last_ = std::move(now);
 }
 
 void ClosestApproach::archive(Archive& a, const State& now) {
-    a(last_, closest_);
+    a(last_, closest_, first_unresolved_);
     if (last_ && (!(last_->time <= now.time) || last_->r.cols() != now.count() || last_->v.cols() != now.count())) {
         throw CheckpointError("its approaches are those of other bodies or times");
     }
@@ -53,7 +54,11 @@ void ClosestApproach::compare_within_step(const Sample& now, Index i, Index j) {
                                  now.v.col(j) - now.v.col(i)};
     if (pair.x0.dot(pair.v0) < 0.0 && pair.x1.dot(pair.v1) > 0.0) {
         const double s = root_in_step([&](double x) { return pair.value(x).dot(pair.rate(x)); });
-        compare({pair.value(s).norm(), pair.time(s), i + 1, j + 1});
+        const Approach found{pair.value(s).norm(), pair.time(s), i + 1, j + 1, pair.length * pair.rate(s).norm()};
+        compare(found);
+        if (!first_unresolved_ && !found.resolved()) {
+            first_unresolved_ = found;
+        }
     }
 }
 

@@ -125,6 +125,8 @@ def test_what_cannot_be_drawn(tmp: Path) -> None:
     sweep = write_sweep(tmp / "sweep")
     check_error(run_script("plot_sweep.py", sweep, "--out", tmp / "x.txt"), 2, "must end in .png")
     check_error(run_script("plot_sweep.py", sweep, "--observable", "viscosity"), 2, "viscosity", "pressure, temperature")
+    none = write_sweep(tmp / "none", "system.density,pressure,total_energy", ["0.1,,1"])  # a single atom has no pressure
+    check_error(run_script("plot_sweep.py", none), 2, "no point has a value of 'pressure' (values: total_energy)")
     check_error(run_script("plot_sweep.py", sweep, "--against", "seed"), 2, "no key 'seed'", "system.density")
     both = plot_sweep.load(write_sweep(tmp / "both", "stage.a.steps,stage.b.steps,pressure", ["1,2,3"]))
     refused(lambda: plot_sweep.choose_key(both, "steps"), "more than one", exit_code=2)

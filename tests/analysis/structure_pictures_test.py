@@ -63,6 +63,26 @@ def test_errors_that_are_not_known_are_no_obstacle(tmp: Path) -> None:
     assert run_script(run).returncode == 0
 
 
+def test_what_has_no_value_has_no_picture(tmp: Path) -> None:
+    """A single atom has no g(r), no spectrum and no viscosity: columns without any number, and a word instead of a picture."""
+    run = write_tables(write_run(tmp / "run"))
+    none = np.full(TIME.size, np.nan)
+    fixtures.write_csv(run / "rdf.csv", {"r": K, "g": np.full(K.size, np.nan), "g_standard_error": np.full(K.size, np.nan)})
+    fixtures.write_csv(run / "vacf.csv", {"time": TIME, "vacf": 0.0 * TIME, "vacf_standard_error": none, "vacf_normalized": none,
+                                          "diffusion": 0.0 * TIME, "diffusion_standard_error": none})
+    fixtures.write_csv(run / "vibrational_spectrum.csv", {"angular_frequency": TIME, "spectrum": none,
+                                                          "spectrum_standard_error": none})
+    fixtures.write_csv(run / "stress_autocorrelation.csv",
+                       {"time": TIME, "stress_autocorrelation": 0.0 * TIME, "stress_autocorrelation_standard_error": none,
+                        "viscosity": none, "viscosity_standard_error": none})
+    result = run_script(run)
+    assert result.returncode == 0, result.stderr
+    assert [Path(line).stem for line in result.stdout.splitlines()] == ["thermo", "sk", "msd"], result.stdout
+    said = [line.partition(": ")[2] for line in result.stderr.splitlines()]
+    assert said == [f"'{name}' has no value in this run, no picture of it"
+                    for name in ("g", "vacf_normalized", "spectrum", "viscosity")], result.stderr
+
+
 def test_damaged_tables(tmp: Path) -> None:
     for name, old, new, words in (
         ("sk", "k,S,", "k,s,", "no column 'S'"),

@@ -2,11 +2,16 @@
 
 #include <sys/stat.h>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
+#include <optional>
+#include <thread>
 
 #include "app/run_fixtures.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/directory_lock.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -123,17 +128,43 @@ TEST_CASE("each line is told of when it is at its end, and lines with nothing to
     CHECK(lines[2].statuses == std::vector<int>{0});
 }
 
-TEST_CASE("a log that leads elsewhere is refused") {
+TEST_CASE("places that lead elsewhere are refused") {
     const DeckFolder folder;
     const ChildRun run = run_in(folder);
-    CHECK_NOTHROW(check_log(run));
+    CHECK_NOTHROW(check_places(run));
     std::ofstream(run.log) << "error: of an earlier time\n";
-    CHECK_NOTHROW(check_log(run));
+    CHECK_NOTHROW(check_places(run));
     fs::remove(run.log);
     fs::create_symlink(folder / "precious", run.log);
-    CHECK_THROWS_AS(check_log(run), InputError);
+    CHECK_THROWS_AS(check_places(run), InputError);
     fs::remove(run.log);
     REQUIRE(mkfifo(run.log.c_str(), 0600) == 0);
-    CHECK_THROWS_WITH(check_log(run), Catch::Matchers::Contains("hot.log is in the way"));
+    CHECK_THROWS_WITH(check_places(run), Catch::Matchers::Contains("hot.log is in the way"));
     CHECK(failure_of(run, 5) == "hot: exit code 5: ");
+    fs::remove(run.log);
+    fs::create_directory(folder / "elsewhere");
+    fs::create_directory_symlink(folder / "elsewhere", run.directory);
+    CHECK_THROWS_WITH(check_places(run), Catch::Matchers::Contains(run.directory.string() + " is in the way"));
+    fs::remove(run.directory);
+    fs::create_directory(run.directory);
+    CHECK_NOTHROW(check_places(run));
+}
+
+TEST_CASE("runs that still write into a folder are waited for") {
+    const DeckFolder folder;
+    fs::create_directories(folder / "runs/free");
+    fs::create_directories(folder / "runs/held");
+    std::ofstream(folder / "runs/file") << "text";
+    wait_for_runs(folder / "runs/absent");
+    auto lock = std::make_optional<DirectoryLock>(folder / "runs/held");
+    std::atomic<bool> released = false;
+    std::thread other([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        released = true;
+        lock.reset();
+    });
+    wait_for_runs(folder / "runs");
+    CHECK(released);
+    other.join();
+    wait_for_runs(folder / "runs");
 }

@@ -142,7 +142,13 @@ TEST_CASE("outputs that cannot be meant are refused at their key") {
 
 TEST_CASE("what is merely unlikely is refused, and only warned of when forced") {
     const std::vector<Wrong> unlikely{
-        {{{"density = 0.8", "density = 1.51"}, {"cutoff = 2.0", "cutoff = 1.9"}}, "density = 1.51", "above 1.5", ""},
+        // So hot that it is not known where the fluid freezes.
+        {{{"density = 0.8", "density = 1.51"},
+          {"cutoff = 2.0", "cutoff = 1.9"},
+          {"temperature = 1.0", "temperature = 6.0"}},
+         "density = 1.51",
+         "above 1.5",
+         ""},
         {{{"temperature = 1.0", "temperature = 86.5"}}, "temperature = 86.5", "'temperature' in [system]", ""},
         {{{"sample = true", "sample = true\nthermostat = { type = \"langevin\" }\ntemperature = 86.5"}},
          "temperature = 86.5",
@@ -155,7 +161,9 @@ TEST_CASE("what is merely unlikely is refused, and only warned of when forced") 
         wrong.hint = "--force";
         check_one(wrong, Severity::error, false);
     }
-    CHECK(complaints(changed(small_deck, {{"density = 0.8", "density = 1.5"}, {"cutoff = 2.0", "cutoff = 2.08"}}))
+    CHECK(complaints(changed(small_deck, {{"density = 0.8", "density = 1.5"},
+                                          {"cutoff = 2.0", "cutoff = 2.08"},
+                                          {"temperature = 1.0", "temperature = 6.0"}}))
               .empty());
     CHECK(complaints(changed(small_deck, {{"temperature = 1.0", "temperature = 50"}})).empty());
     CHECK(complaints(changed(small_deck, {{"time_step = 0.004", "time_step = 0.0199"}})).empty());

@@ -44,6 +44,7 @@ TEST_CASE("every kind of error has its exit code and one message") {
     CHECK(report(PhysicsError("the run")).text == "error: the run\n");
     CHECK(report(CheckpointError("damaged")).code == 6);
     CHECK(report(ThreadsError("1 thread")).code == 7);
+    CHECK(report(ProcessesError("no process")).code == 7);
     CHECK(report(ThreadsError("1 thread")).text == "error: 1 thread\n");
     CHECK(report(InUseError("another")).code == 9);
     CHECK(report(Interrupted("stopped", 143)).code == 143);

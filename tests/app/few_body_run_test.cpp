@@ -366,6 +366,26 @@ TEST_CASE("an encounter within a step of the adaptive method is found, however l
     }
 }
 
+TEST_CASE("an encounter that fixed steps do not resolve has no closest approach, and the results say why") {
+    // The first of them: 0.0097 at t = 1.8793, where the two move by half of that in 1.1e-4.
+    const auto run = [](double time_step) {
+        return Finished(changed(pythagorean(time_step, static_cast<int>(std::lround(2.0 / time_step))),
+                                {{"prince-dormand", "velocity-verlet"}}));
+    };
+    const Finished fine = run(5e-5);
+    CHECK(fine.finding("closest_approach", "distance") == Approx(0.0097).epsilon(0.01));
+    CHECK_THAT(fine.file("results.json"), !Contains("remark"));
+    const Finished coarse = run(1e-3);
+    const Json found = Json::parse(coarse.file("results.json")).at("analysis").at("closest_approach");
+    for (const char* name : {"distance", "time", "first_body", "second_body"}) {
+        INFO(name);
+        CHECK(found.at(name).at("value").is_null());
+        CHECK_THAT(found.at(name).at("remark").get<std::string>(),
+                   Contains("meet at time 1.8") && Contains("within a step") && Contains("take smaller steps"));
+    }
+    CHECK_THAT(coarse.file("results.txt"), Contains("no value  [1]\n") && Contains("\n  [1] bodies "));
+}
+
 TEST_CASE("what is measured within steps changes no bit of the motion") {
     const Finished with(pythagorean(0.25, 20));
     const Finished without(changed(pythagorean(0.25, 20), {{"closest_approach = {}", ""}}));

@@ -28,7 +28,7 @@ int end_of(const std::function<bool()>& body) {
 }  // namespace
 
 TEST_CASE("a signal asks to stop, and says with what exit code") {
-    const int number = GENERATE(SIGINT, SIGTERM, SIGHUP);
+    const int number = GENERATE(SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU);
     CHECK(end_of([number] {
               heed_signals();
               const bool before = Interruption().wanted();
@@ -44,13 +44,24 @@ TEST_CASE("a signal asks to stop, and says with what exit code") {
           }) == 0);
 }
 
-TEST_CASE("the second signal of a kind ends the program at once") {
-    CHECK(end_of([] {
+TEST_CASE("the second signal of a kind that a person sends ends the program at once") {
+    const int number = GENERATE(SIGINT, SIGTERM, SIGHUP);
+    CHECK(end_of([number] {
               heed_signals();
-              std::raise(SIGINT);
-              std::raise(SIGINT);
+              std::raise(number);
+              std::raise(number);
               return true;
-          }) == -SIGINT);
+          }) == -number);
+}
+
+TEST_CASE("warnings of a queue and of the system may be repeated") {
+    const int number = GENERATE(SIGUSR1, SIGXCPU);
+    CHECK(end_of([number] {
+              heed_signals();
+              std::raise(number);
+              std::raise(number);
+              return signal_received() == number;
+          }) == 0);
 }
 
 TEST_CASE("a signal that was ignored before stays so") {
@@ -59,6 +70,39 @@ TEST_CASE("a signal that was ignored before stays so") {
               heed_signals();
               std::raise(SIGHUP);
               return signal_received() == 0;
+          }) == 0);
+}
+
+TEST_CASE("what a parent has blocked is seen again, and what it ignored but for the terminal's signals") {
+    const int number = GENERATE(SIGTERM, SIGUSR1, SIGXCPU);
+    const bool ignored = GENERATE(false, true);
+    CHECK(end_of([number, ignored] {
+              sigset_t all;
+              sigfillset(&all);
+              sigprocmask(SIG_SETMASK, &all, nullptr);
+              if (ignored) {
+                  std::signal(number, SIG_IGN);
+              }
+              forget_inherited_signals();
+              heed_signals();
+              std::raise(number);
+              return signal_received() == number;
+          }) == 0);
+}
+
+TEST_CASE("children can be waited for, though a parent ignored their ends, and a hang-up stays ignored") {
+    CHECK(end_of([] {
+              std::signal(SIGCHLD, SIG_IGN);
+              std::signal(SIGHUP, SIG_IGN);
+              forget_inherited_signals();
+              heed_signals();
+              std::raise(SIGHUP);
+              const pid_t child = ::fork();
+              if (child == 0) {
+                  ::_exit(7);
+              }
+              int status = 0;
+              return ::waitpid(child, &status, 0) == child && WEXITSTATUS(status) == 7 && signal_received() == 0;
           }) == 0);
 }
 

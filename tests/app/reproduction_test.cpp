@@ -163,3 +163,18 @@ TEST_CASE("chi-square is over numbers that are sound") {
     CHECK(sum.u == Approx(18.0));
     CHECK(sum.u_count == 2);
 }
+
+TEST_CASE("a row whose files hold something else than its run has written is refused") {
+    const auto refused = [](const std::string& name, const std::string& text, const std::string& why) {
+        const MadeUpRun run(0.8, 0.7);
+        run.write(name, text);
+        CHECK_THROWS_WITH(evaluate_row(argon, run.path()), Contains(name) && Contains(why));
+    };
+    const std::string header = "step,temperature,potential_energy,pressure\n";
+    refused("rdf.csv", "r,g\n2.5,1\n", "has 1 rows");
+    refused("thermo.csv", header + "100,1,1,1\n", "has no row behind step 100");
+    refused("thermo.csv", header + "110,1,,1\n", "'potential_energy' is empty");
+    refused("thermo.csv", header + ",1,1,1\n", "'step' is empty");
+    refused("results.json", R"({"stages": [{"sampled": true, "first_step": [[]], "steps": 1}]})",
+            "'first_step' is [[]]");
+}

@@ -39,6 +39,7 @@ TEST_CASE("a stage in results.json has everything that is known of it") {
                                            {"thermostat", false},
                                            {"reversed", false},
                                            {"energy_drift", -1.5e-7},
+                                           {"time_step_error", nullptr},
                                            {"checksum_at_start", "xxh3:a"},
                                            {"checksum_at_end", "xxh3:b"}}));
     const Json json = stage_json(back);
@@ -68,6 +69,26 @@ TEST_CASE("a drift is too large when it adds up to more than 0.3 % of the kineti
     CHECK(drift_remark(brief, 1.5).empty());
     brief.energy_drift = 1.01 * 0.02 * 1.5 / 0.16;
     CHECK_THAT(drift_remark(brief, 1.5), Contains("2 % of the kinetic energy"));
+}
+
+TEST_CASE(
+    "a time step is too long when it sets temperatures of velocities and of configurations apart by more than 1 %") {
+    StageResult stage = there;
+    CHECK(time_step_remark(stage).empty());
+    stage.time_step = 0.016;
+    stage.time_step_error = 0.0099;
+    CHECK(time_step_remark(stage).empty());
+    stage.time_step_error = 0.016;
+    const std::string remark = time_step_remark(stage);
+    CHECK_THAT(remark, Contains("1.6 % apart") && Contains("a time step of 0.004 makes it 0.1 %"));
+    stage.integrator = "forest-ruth";  // of fourth order: what its step does is another matter
+    CHECK(time_step_remark(stage).empty());
+
+    stage.time_step_remark = remark;
+    CHECK_THAT(stage_lines({stage}, "per hour"),
+               Contains("  the time step of stage 'there' is too long:\n    " + remark));
+    CHECK(stage_json(stage).at("time_step_error") == 0.016);
+    CHECK(stage_json(stage).at("time_step_remark") == remark);
 }
 
 TEST_CASE("the table tells of drifts, and of checksums when the motion was turned round") {

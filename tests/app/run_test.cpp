@@ -119,6 +119,24 @@ TEST_CASE("energy drift is told of stages without a thermostat, which hold their
     CHECK(std::abs(*run.result.stages[1].energy_drift) < 1e-2);
 }
 
+TEST_CASE("a time step that makes pressures wrong is told of, though the energy does not drift") {
+    const auto run = [](const std::string& time_step) {
+        return Finished(small_deck, {"stage.production.steps=200", "stage.production.time_step=" + time_step,
+                                     "system.temperature=0.722"});
+    };
+    const Finished usual = run("0.004");
+    CHECK_FALSE(usual.result.stages[0].time_step_error.has_value());  // it is not sampled
+    CHECK(usual.result.stages[1].time_step_error.value() == Approx(0.001).epsilon(0.4));
+    CHECK_THAT(usual.file("results.txt"), !Contains("too long"));
+    const Finished coarse = run("0.016");
+    CHECK(coarse.result.stages[1].time_step_error.value() == Approx(0.016).epsilon(0.4));
+    CHECK(coarse.result.stages[1].drift_remark.empty());
+    CHECK_THAT(coarse.file("results.txt"), Contains("the time step of stage 'production' is too long:\n"));
+    CHECK(std::ranges::any_of(coarse.result.warnings, [](const std::string& warning) {
+        return warning.starts_with("the time step of stage 'production' is too long: it sets the temperatures");
+    }));
+}
+
 TEST_CASE("a thermostat holds the temperature of its stage") {
     const Finished run(small_deck, {"stage.equilibrate.temperature=1.7", "stage.production.steps=0"});
     CHECK(temperature(run.simulation.state).value() == Approx(1.7).epsilon(1e-13));

@@ -107,3 +107,17 @@ TEST_CASE("warnings are said, errors are not: those are thrown") {
     }
     CHECK(pipe.read() == "warning: unlikely\n");
 }
+
+TEST_CASE("control characters of what others have written reach neither stream") {
+    const Pipe results;
+    const Pipe said;
+    {
+        const Redirected out(stdout, results.ends[1]);
+        const Redirected err(stderr, said.ends[1]);
+        print_result("a\tb\x1B]0;title\a\r\n\xC2\x9B\xFF\xC3\x85\x7F");
+        talk("error: \x1B[2J\n");
+        talk_over_line("50 % \x1B[31m\n");
+    }
+    CHECK(results.read() == "a\tb?]0;title??\n??\xC3\x85?");
+    CHECK(said.read() == "error: ?[2J\n\r50 % ?[31m\n\033[K");
+}

@@ -48,3 +48,12 @@ TEST_CASE("no two points have one name, and no directory that of another's log")
 TEST_CASE("a point is made by the settings of its keys") {
     CHECK(point_settings({{"a.b", "c"}, {{"1", "x"}, {"2", "[1, 2]"}}}, 1) == Values{"a.b=2", "c=[1, 2]"});
 }
+
+TEST_CASE("names of many points that look alike are found one after the other") {
+    SweepPoints alike{{"k"}, {}};
+    for (std::size_t point = 0; point < most_points; ++point) {
+        alike.values.push_back({std::string(300, 'a') + std::to_string(point)});
+    }
+    const Values names = point_names(alike);
+    CHECK(names.back() == names.front() + "-" + std::to_string(most_points));
+}

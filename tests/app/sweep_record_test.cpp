@@ -118,14 +118,34 @@ TEST_CASE("what no sweep has written is not touched, with force or without") {
 }
 
 TEST_CASE("a record that is damaged is told of") {
-    for (const char* text :
-         {"", "[]", "{\"deck\": 1}",
-          R"({"deck_file": "", "deck": "", "settings": [], "keys": ["a"], "points": [{"values": []}]})",
-          R"({"deck_file": "", "deck": "", "settings": [], "keys": ["a"], "points": 3})"}) {
+    for (
+        const char* text :
+        {"", "[]", "{\"deck\": 1}",
+         R"({"deck_file": "", "deck": "", "settings": [], "keys": ["a"], "points": [{"values": []}]})",
+         R"({"deck_file": "", "deck": "", "settings": [], "keys": ["a"], "points": 3})",
+         R"({"deck_file": "", "deck": "", "settings": [], "keys": ["a"], "points": []})",
+         R"({"deck_file": "", "deck": "", "settings": [], "keys": [], "points": [{"values": []}]})",
+         R"({"deck_file": "", "deck": "", "settings": [], "keys": ["a"], "points": [{"values": [""]}]})",
+         R"({"deck_file": "", "deck": "", "settings": [], "keys": ["a"], "points": [{"values": ["1"]}, {"values": ["1"]}]})"}) {
         INFO(text);
         const TemporaryFolder folder;
         std::ofstream(folder / "sweep.json") << text;
         CHECK_THROWS_AS(prepare_sweep(plan(), folder / "", true), DataError);
         CHECK(content_of(folder / "sweep.json") == text);
     }
+}
+
+TEST_CASE("keys that no deck has are refused in a record as they are in --grid") {
+    for (const char* key : {"", ".", "a..b", ".a", "a.", "'a", "a=b", " "}) {
+        INFO(key);
+        const TemporaryFolder folder;
+        std::ofstream(folder / "sweep.json") << R"({"deck_file": "", "deck": "", "settings": [], "keys": [")" << key
+                                             << R"("], "points": [{"values": ["1"]}]})";
+        CHECK_THROWS_WITH(recorded_sweep(folder / ""),
+                          Contains("sweep.json is not the record of a sweep: ") && Contains("is no key of a deck"));
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder / "sweep.json")
+        << R"({"deck_file": "", "deck": "", "settings": ["a=1"], "keys": ["a"], "points": [{"values": ["1"]}]})";
+    CHECK_THROWS_WITH(recorded_sweep(folder / ""), Contains("'a' is varied, and given by --set as well"));
 }

@@ -131,3 +131,38 @@ TEST_CASE("results that are not there or damaged are told of") {
         CHECK_THROWS_AS(observed_means(path), DataError);
     }
 }
+
+TEST_CASE("a value that is nested too deeply for JSON is a text") {
+    SweptPoints swept = fluids();
+    swept.points[0].values[1] = std::string(100'000, '[') + std::string(100'000, ']');
+    CHECK(nlohmann::json::parse(sweep_json(swept))["points"][0]["values"]["title"] == swept.points[0].values[1]);
+}
+
+TEST_CASE("results that hold something else than a run writes are refused") {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& text) {
+        std::ofstream(folder / "results.json") << text;
+        CHECK_THROWS_WITH(observed_means(folder / "results.json"),
+                          Contains("results.json is not the result of a run: "));
+    };
+    refused(R"({"observables": [{"mean": 1, "standard_error": 0.1}]})");
+    refused(R"({"observables": {}, "analysis": [[{"value": 1, "standard_error": 0.1}]]})");
+    refused(R"({"observables": {}, "analysis": {"orbit": [{"value": 1, "standard_error": 0.1}]}})");
+    refused(R"({"observables": {"a": 1}})");
+    refused(R"({"observables": {"a": {"mean": "1", "standard_error": null}}})");
+    std::string many = R"({"observables": {}, "analysis": {)";
+    for (int analysis = 0; analysis < 3; ++analysis) {
+        many +=
+            fmt::format(R"({}"a{}": {{"b0": {{"value": 1, "standard_error": 1}})", analysis == 0 ? "" : ", ", analysis);
+        for (int k = 1; k < 500; ++k) {
+            many += fmt::format(R"(, "b{}": {{"value": 1, "standard_error": 1}})", k);
+        }
+        many += "}";
+    }
+    refused(many + "}}");
+}
+
+TEST_CASE("a name with a comma is one field of the CSV") {
+    const SweptPoints swept{{"a"}, {{"a=1", {"1"}, "x", {{"orbit_b,c", 1.0, 0.5}}, ""}}};
+    CHECK(sweep_csv(swept) == "a,\"orbit_b,c\",\"orbit_b,c_standard_error\",remarks\n1,1,0.5,\n");
+}

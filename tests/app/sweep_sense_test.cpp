@@ -48,8 +48,9 @@ TEST_CASE("a mistake of some points is told with these points, whatever the numb
     CHECK_THAT(found[0], Contains("--grid system.density: 'density' in [system] is -0.2") &&
                              Contains("(density=-0.2; density=0)"));
     // Half the box is less than the cutoff at these densities only.
-    const Values box =
-        mistakes_of({"system.density=0.5:1.4:10"}, changed(small_deck, {{"cutoff = 2.0", "cutoff = 2.3"}}));
+    const Values box = mistakes_of(
+        {"system.density=0.5:1.4:10"},
+        changed(small_deck, {{"cutoff = 2.0", "cutoff = 2.3"}, {"temperature = 1.0", "temperature = 6.0"}}));
     REQUIRE(box.size() == 1);
     CHECK_THAT(box[0], Contains("deck.toml:") && Contains("(density=1.2; density=1.3; density=1.4)"));
     const Values more = mistakes_of({"system.density=-1:0.8:19"});

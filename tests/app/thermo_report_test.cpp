@@ -156,3 +156,20 @@ TEST_CASE("the heat capacity is that of the run, from all rows, and there is non
     CHECK_FALSE(several.report().heat_capacity.has_value());
     CHECK_THAT(thermo_table(several.report()), !Contains("heat capacity"));
 }
+
+TEST_CASE("rows without a step or a time, or with one that is none, are refused with their line") {
+    const SmallRun run;
+    const std::filesystem::path file = run.directory() / "thermo.csv";
+    const std::string whole = content_of(file);
+    const std::size_t row = whole.find("\n25,") + 1;
+    const auto refused = [&](const std::string& beginning, const std::string& why) {
+        const std::size_t end = whole.find(',', whole.find(',', row) + 1);
+        std::ofstream(file) << whole.substr(0, row) << beginning << whole.substr(end);
+        CHECK_THROWS_WITH(run.report(), Contains("thermo.csv:27: ") && Contains(why));
+    };
+    refused(",0.1", "'step' is empty");
+    refused("nan,0.1", "step must be a finite number");
+    refused("1e300,0.1", "'step' is 1e+300, allowed: whole numbers that grow");
+    refused("24,0.1", "'step' is 24, allowed: whole numbers that grow");
+    refused("25,", "'time' is empty");
+}

@@ -6,7 +6,7 @@ A pipe that is opened is waited for, so each of these commands would hang.
 import os
 import shutil
 
-from harness import Case, snapshot
+from harness import Case, Skip, clean_environment, snapshot
 
 SWEEP = ("sweep", "deck.toml", "--grid", "system.density=0.8|0.85", "--jobs", "1", "--quiet", "--out", "out")
 WORDS = {"directory": "is a directory, not a regular file", "pipe": "is a pipe, not a regular file"}
@@ -94,8 +94,38 @@ def logs_are_not_written_through(t):
     t.equal(t.read("precious"), "mine", "the file that the links lead to")
 
 
+def files_of_the_kernel(t):
+    """Under /proc there are files that are waited for as pipes are."""
+    for path in ("/proc/kmsg", "/proc/self/status"):
+        if not os.path.exists(path):
+            raise Skip("no /proc")
+        word = f"error: {path}: is made up by the kernel, not a file that is stored; copy it first\n"
+        t.contains(t.expect(2, t.run("run", path)).err, word)
+        t.contains(t.expect(3, t.run("analyze", path)).err, word)
+        t.deck()
+        t.contains(t.expect(3, t.run("sweep", "deck.toml", "--list", path)).err, word)
+        (t.dir / "deck.toml").unlink()
+        t.deck(('lattice = { type = "fcc", cells = 3 }', f'file = "{path}"'), ("density = 0.8442\n", ""))
+        t.contains(t.expect(3, t.run("run", "deck.toml")).err, word)
+        t.deck()
+        t.run_well("run", "deck.toml", "--quiet", "--out", "out")
+        for checkpoint in (t.dir / "out").glob("checkpoint.*"):
+            checkpoint.unlink()
+            checkpoint.symlink_to(path)
+        t.contains(t.expect(6, t.run("resume", "out")).err, "it is empty")
+        shutil.rmtree(t.dir / "out")
+
+
+def plugins_of_the_kernel(t):
+    """A folder of plug-ins in which there is something else, as a pipe."""
+    os.mkfifo(t.dir / "libOpenMMpipe.so")
+    for folder in (t.dir, "/proc", "/dev"):
+        t.run_well("info", env={**clean_environment(), "OPENMM_PLUGIN_DIR": str(folder)})
+
+
 def cases():
-    tests = [Case("logs that lead elsewhere", logs_are_not_written_through)]
+    tests = [Case("logs that lead elsewhere", logs_are_not_written_through),
+             Case("files of the kernel", files_of_the_kernel), Case("plug-ins of the kernel", plugins_of_the_kernel)]
     for kind in WORDS:
         tests += [Case(f"the record of a run is a {kind}", record_of_a_run(kind)),
                   Case(f"the rows of a run are a {kind}", rows_of_a_run(kind)),

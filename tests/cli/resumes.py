@@ -175,6 +175,24 @@ def longer(t):
     t.contains(t.run_well("info", "out").out, "after step 120 of 120, 100 of 100 in stage 'production'")
 
 
+def few_bodies_longer(t):
+    """Where the end of a run lies between two rows it has a row of its own, which goes when the run is made longer."""
+    t.deck(text=STARS)
+    shorter = ("--set", "stage.orbits.steps=33", "--quiet")
+    t.run_well("run", "deck.toml", "--out", "out", *shorter)
+    t.equal(t.columns("out/thermo.csv")["step"], [0, 10, 20, 30, 33], "steps")
+    t.equal(t.json("out/results.json")["observables"]["total_energy"]["at_end"], t.columns("out/thermo.csv")["total_energy"][-1],
+            "energy at the end")
+    before = run_outputs(t.dir / "out")
+    t.run_well("resume", "out", "--quiet")  # finished: nothing is new
+    t.equal(run_outputs(t.dir / "out"), before, "files")
+    t.run_well("resume", "out", "--steps", "+22", "--quiet")
+    t.run_well("run", "deck.toml", "--out", "whole", "--quiet", "--set", "stage.orbits.steps=55")
+    for name in ("thermo.csv", "final.xyz", "results.json"):
+        found, expected = run_outputs(t.dir / "out")[name], run_outputs(t.dir / "whole")[name]
+        t.equal(found, expected, name)
+
+
 def finished(t):
     """Going on with what has come to its end changes nothing."""
     t.deck(*OUTPUTS)
@@ -356,10 +374,10 @@ def told(t):
     text = t.run_well("info", "out").out
     t.contains(text, "out: small\n")
     t.contains(text, "finished      no\n")
-    t.contains(text, "checkpoint    after step 1 of 60, 1 of 20 in stage 'melt'\n")
+    t.contains(text, "checkpoint    after step 16 of 60, 16 of 20 in stage 'melt'\n")
     t.contains(text, "to go on: ljmd resume out\n")
     found = json.loads(t.run_well("info", "out", "--json").out)
-    t.equal(found["checkpoint"], {"step": 1, "stage": "melt", "atoms": 108}, "checkpoint")
+    t.equal(found["checkpoint"], {"step": 16, "stage": "melt", "atoms": 108}, "checkpoint")
     t.equal((found["finished"], found["running"], found["total_steps"]), (False, False, 60), "what it tells")
     t.golden(t.expect(2, t.run("run", "deck.toml", "--out", "out")).err)
 
@@ -390,13 +408,15 @@ def cases():
         Case("SIGTERM", stopped_by(signal.SIGTERM)),
         Case("SIGINT", stopped_by(signal.SIGINT)),
         Case("SIGHUP", stopped_by(signal.SIGHUP)),
+        Case("SIGUSR1", stopped_by(signal.SIGUSR1)),
+        Case("SIGXCPU", stopped_by(signal.SIGXCPU)),
         Case("stopped while the start is made", stopped_while_the_start_is_made),
         Case("a second SIGINT", second_signal),
         Case("SIGSTOP and SIGCONT", held_and_let_go),
         Case("SIGHUP under nohup", ignored_hangup),
         Case("in parts of a wall time", in_parts),
         Case("a few bodies in parts of a wall time", bodies_in_parts),
-        Case("made longer", longer),
+        Case("made longer", longer), Case("few bodies made longer", few_bodies_longer),
         Case("finished before", finished),
         Case("threads and SIMD level as before", threads_and_simd),
         Case("a directory in use", in_use),

@@ -1,5 +1,6 @@
 """stdout, stderr and terminals: who is told what, and what happens when nobody listens."""
 
+import json
 import os
 import pty
 import re
@@ -52,6 +53,22 @@ def plain_lines_off_a_terminal(t):
     for line in lines:
         t.check(re.fullmatch(RATE, line), f"not a line of progress: {line!r}")
     t.check(len(lines) <= 11, f"{len(lines)} lines of progress")
+
+
+def words_of_others(t):
+    """A title, a time and a path that hold what a terminal would obey."""
+    t.deck(('title = "small"', 'title = "small\\u001b]0;owned\\u0007"'))
+    (t.dir / "deck.toml").rename(t.dir / "deck\x1b[2J.toml")
+    result = t.run_well("run", "deck\x1b[2J.toml", "--out", "out")
+    texts = [result.out, result.err, t.read("out/results.txt")]
+    record = t.json("out/run.json")
+    (t.dir / "out/run.json").write_text(json.dumps({**record, "began": "\x9b31mnow\nfinished      never"}))
+    texts += [t.run_well("info", "out").out, t.run_well("info", "out", "--json").out, t.expect(3, t.run("info", "\x1b[2J")).err]
+    (t.dir / "out/run.json").write_text(json.dumps({**record, "deck": "\x1b[2J = \x9b"}))
+    texts.append(t.expect(2, t.run("info", "out")).err)
+    for text in texts:
+        t.check(not re.search("[\x00-\x08\x0b-\x1f\x7f-\x9f]", text), f"a control character in {text!r}")
+    t.contains(texts[3], "began         ?31mnow?finished      never\n")
 
 
 def one_line_on_a_terminal(t):
@@ -176,7 +193,7 @@ def locale_with_decimal_comma(t):
 
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (plain_lines_off_a_terminal, one_line_on_a_terminal, an_error_on_a_terminal, stdout_holds_results_only,
+            for test in (plain_lines_off_a_terminal, words_of_others, one_line_on_a_terminal, an_error_on_a_terminal, stdout_holds_results_only,
                          quiet_is_quiet, warnings_of_a_short_run, full_stdout, full_stderr, pipe_into_head, reader_gone,
                          stderr_reader_gone, locale_with_decimal_comma)] + [
         Case("closed stdin", closed("<&-", 0)), Case("closed stdout", closed(">&-", 4)),

@@ -156,6 +156,23 @@ def stopped_and_gone_on_with(number, code):
     return test
 
 
+def ended_and_gone_on_with(*numbers):
+    """A sweep that is ended without a chance to stop its points: they stop by themselves, and the same command goes on
+    with them at once."""
+    def test(t):
+        t.deck()
+        t.run_well(*LONG, "out", "--quiet")
+        process = begin_long(t, "again")
+        victims = children(process)
+        t.equal(len(victims), 1, "processes of the sweep")
+        for number in numbers:
+            process.send_signal(number)
+        process.communicate(timeout=60)
+        t.run_well(*LONG, "again", "--quiet")
+        check_resumed(t)
+    return test
+
+
 def the_deck_may_change_meanwhile(t):
     """What is gone on with is the deck as it was; the changed one is another sweep."""
     t.deck()
@@ -281,6 +298,10 @@ def cases():
                          in_use, warnings_are_said_once)] + [
         Case("stopped by SIGINT", stopped_and_gone_on_with(signal.SIGINT, 130)),
         Case("stopped by SIGTERM", stopped_and_gone_on_with(signal.SIGTERM, 143)),
+        Case("stopped by SIGUSR1", stopped_and_gone_on_with(signal.SIGUSR1, 138)),
+        Case("killed and given again at once", ended_and_gone_on_with(signal.SIGKILL)),
+        Case("quit and given again at once", ended_and_gone_on_with(signal.SIGQUIT)),
+        Case("interrupted twice and given again at once", ended_and_gone_on_with(signal.SIGINT, signal.SIGINT)),
         Case("no points", refused()), Case("points twice", refused("--grid", "system.density=1|2", "--list", "points.csv")),
         Case("a key that --set gives too", refused("--grid", "system.density=0.5|0.6", "--set", "system.density=0.7"))] + [
         Case(what, refused("--grid", text)) for what, text in grid] + [

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ljmd/compare/openmm.hpp"
-#include "ljmd/compare/process.hpp"
+#include "ljmd/io/process.hpp"
 
 namespace ljmd::test {
 

@@ -1,174 +1,201 @@
-// A library to be preloaded: at one of the calls by which a program changes files, something happens.
+// A library to be preloaded: at one of the calls by which a program uses files, something happens.
 //
-//   LJMD_FAULT=kill:N   the program is killed instead of its call number N (counted from 1)
+//   LJMD_FAULT=kill:N   the program is killed instead of its call number N (counted from 1) that changes a file
 //   LJMD_FAULT=tear:N   of call N, if it writes, half of the bytes are written, and then it is killed
-//   LJMD_FAULT=full:N   from call N on there is no space left for what writes
+//   LJMD_FAULT=full:N   from call N on there is no space left for what writes or makes files
 //   LJMD_FAULT=late:N   from the N-th time on that a file is synced, or closed that was open for writing, it turns out
 //                       that there was no space left: so do file systems over a network, and quotas
 //   LJMD_FAULT=names:N, none:N, blocks:N   the power is cut instead of the N-th call that syncs, names, removes or
-//   shortens
-//                       a file; what becomes of the folder LJMD_FAULT_FOLDER is told in disk.hpp
+//                       shortens a file; what becomes of the folder LJMD_FAULT_FOLDER is told in disk.hpp
+//   LJMD_FAULT=EIO:N    of all calls that may end with this error, the N-th does; so for EINTR, ENOSPC, EACCES, EMFILE
+//   LJMD_FAULT=short:N  the N-th call that reads or writes takes half of the bytes
 //   LJMD_FAULT=clock:S  the clock on the wall jumps at each look, S seconds on and as many back
-//   LJMD_FAULT=count:F  nothing happens, and at the end the file F tells the number of calls
+//   LJMD_FAULT=count:F  nothing happens, and at the end the file F tells the number of calls of each kind, of those
+//   that
+//                       change a file, and of those that may end with each error
 //
-// Standard input, output and error are left alone.
+// Standard input, output and error are left alone, and so are the programs that are started. The lists of functions are
+// those that ljmd, libstdc++ and HDF5 import from the C library: faults of a kind that is never counted test nothing.
+#include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <spawn.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <optional>
 
-#include "disk.hpp"
+#include "fault.hpp"
 
 namespace {
 
-using ljmd::faults::Disk;
-
-enum class Mode { nothing, kill, tear, full, late, cut, clock, count };
-
-struct Fault {
-    Mode mode = Mode::nothing;
-    long at = 0;
-    const char* file = nullptr;
-    std::atomic<long> calls = 0;
-    Disk::Rest left = Disk::Rest::names;
-    std::optional<Disk> disk;  // where the power is cut
-
-    Fault() {
-        const char* text = std::getenv("LJMD_FAULT");
-        if (text == nullptr) {
-            return;
-        }
-        const char* rest = std::strchr(text, ':');
-        if (rest == nullptr) {
-            std::abort();
-        }
-        at = std::atol(rest + 1);
-        file = rest + 1;
-        const auto is = [&](const char* name) { return std::strncmp(text, name, std::strlen(name)) == 0; };
-        mode = is("kill:")    ? Mode::kill
-               : is("tear:")  ? Mode::tear
-               : is("full:")  ? Mode::full
-               : is("late:")  ? Mode::late
-               : is("clock:") ? Mode::clock
-               : is("count:") ? Mode::count
-                              : Mode::cut;
-        if (mode == Mode::cut) {
-            left = is("none:") ? Disk::Rest::none : is("blocks:") ? Disk::Rest::blocks : Disk::Rest::names;
-            disk.emplace(std::getenv("LJMD_FAULT_FOLDER"));
-        }
-    }
-
-    ~Fault() {
-        if (mode == Mode::count) {
-            std::FILE* out = std::fopen(file, "w");
-            std::fprintf(out, "%ld\n", calls.load());
-            std::fclose(out);
-        }
-    }
-};
-
-Fault& fault() {
-    static Fault the_one;
-    return the_one;
-}
-
-[[maybe_unused]] const Fault& made_at_load = fault();
-
-enum class Call { goes_on, torn, fails };
-
-/// What becomes of the next call.
-Call next(bool writes) {
-    Fault& f = fault();
-    if (f.mode == Mode::cut && writes) {  // does not change what is on the disk
-        return Call::goes_on;
-    }
-    const long number = ++f.calls;
-    if (f.mode == Mode::cut && number == f.at) {
-        f.disk->cut(f.left, static_cast<std::uint64_t>(number));
-        std::raise(SIGKILL);
-    }
-    if ((f.mode == Mode::kill || (f.mode == Mode::tear && !writes)) && number == f.at) {
-        std::raise(SIGKILL);
-    }
-    if (f.mode == Mode::tear && number == f.at) {
-        return Call::torn;
-    }
-    if (f.mode == Mode::full && number >= f.at && writes) {
-        errno = ENOSPC;
-        return Call::fails;
-    }
-    return Call::goes_on;
-}
-
-/// Whether it turns out now that what was written has found no space.
-bool too_late() {
-    static std::atomic<long> times = 0;
-    if (fault().mode != Mode::late || ++times < fault().at) {
-        return false;
-    }
-    errno = ENOSPC;
-    return true;
-}
+using ljmd::faults::Fate;
+using ljmd::faults::fault;
+using ljmd::faults::Kind;
 
 template <class Function>
 Function original(const char* name) {
     return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
 }
 
-template <class Write>
-ssize_t write_or_not(int descriptor, size_t count, const Write& write) {
+Fate next(Kind kind) {
+    return fault() == nullptr ? Fate::goes_on : fault()->next(kind);
+}
+
+template <class Transfer>
+ssize_t transferred(Kind kind, int descriptor, size_t count, const Transfer& transfer) {
     if (descriptor <= STDERR_FILENO) {
-        return write(count);
+        return transfer(count);
     }
-    switch (next(true)) {
-        case Call::torn:
-            static_cast<void>(write(count / 2));
+    switch (next(kind)) {
+        case Fate::is_short:
+            return transfer(count > 1 ? count / 2 : count);
+        case Fate::torn:
+            static_cast<void>(transfer(count / 2));
             std::raise(SIGKILL);
             return -1;
-        case Call::fails:
+        case Fate::fails:
             return -1;
         default:
-            return write(count);
+            return transfer(count);
     }
+}
+
+Kind kind_of_open(int flags) {
+    return (flags & (O_CREAT | O_TRUNC)) != 0 || (flags & O_TMPFILE) == O_TMPFILE ? Kind::create : Kind::open;
+}
+
+Kind kind_of_open(const char* mode) {
+    return mode[0] == 'w' || mode[0] == 'a' ? Kind::create : Kind::open;
+}
+
+/// The third argument of open(), where there is one.
+mode_t permissions(int flags, va_list rest) {
+    return kind_of_open(flags) == Kind::create ? va_arg(rest, mode_t) : 0;
 }
 
 }  // namespace
 
+// What has nothing special to it: FAULTY(kind, value when it fails, type, name, parameters, arguments).
+#define FAULTY(kind, failure, type, name, parameters, arguments)           \
+    type name parameters {                                                 \
+        static const auto call = original<type(*) parameters>(#name);      \
+        return next(Kind::kind) == Fate::fails ? failure : call arguments; \
+    }
+
+// What moves bytes.
+#define TRANSFERRING(kind, name, parameters, arguments)                                                 \
+    ssize_t name parameters {                                                                           \
+        static const auto call = original<ssize_t(*) parameters>(#name);                                \
+        return transferred(Kind::kind, descriptor, size, [&](size_t count) { return call arguments; }); \
+    }
+
+// With an argument more, sometimes.
+#define OPENING(name, parameters, arguments)                                   \
+    int name parameters {                                                      \
+        static const auto call = original<int(*) parameters>(#name);           \
+        va_list rest;                                                          \
+        va_start(rest, flags);                                                 \
+        const mode_t mode = permissions(flags, rest);                          \
+        va_end(rest);                                                          \
+        return next(kind_of_open(flags)) == Fate::fails ? -1 : call arguments; \
+    }
+
+#define OPENING_STREAM(name)                                                           \
+    FILE* name(const char* path, const char* mode) {                                   \
+        static const auto call = original<FILE* (*)(const char*, const char*)>(#name); \
+        return next(kind_of_open(mode)) == Fate::fails ? nullptr : call(path, mode);   \
+    }
+
+// Which return the number of an error.
+#define SPAWNING(name)                                                                                                 \
+    int name(pid_t* id, const char* path, const posix_spawn_file_actions_t* actions,                                   \
+             const posix_spawnattr_t* attributes, char* const* arguments, char* const* environment) noexcept {         \
+        static const auto call = original<decltype(&name)>(#name);                                                     \
+        return next(Kind::spawn) == Fate::fails ? errno : call(id, path, actions, attributes, arguments, environment); \
+    }
+
 extern "C" {
 
-ssize_t write(int descriptor, const void* data, size_t count) {
-    static const auto call = original<ssize_t (*)(int, const void*, size_t)>("write");
-    return write_or_not(descriptor, count, [&](size_t n) { return call(descriptor, data, n); });
-}
+TRANSFERRING(read, read, (int descriptor, void* data, size_t size), (descriptor, data, count))
+TRANSFERRING(read, pread, (int descriptor, void* data, size_t size, off_t at), (descriptor, data, count, at))
+TRANSFERRING(read, pread64, (int descriptor, void* data, size_t size, off64_t at), (descriptor, data, count, at))
+TRANSFERRING(write, write, (int descriptor, const void* data, size_t size), (descriptor, data, count))
+TRANSFERRING(write, pwrite, (int descriptor, const void* data, size_t size, off_t at), (descriptor, data, count, at))
+TRANSFERRING(write, pwrite64, (int descriptor, const void* data, size_t size, off64_t at),
+             (descriptor, data, count, at))
 
-ssize_t pwrite(int descriptor, const void* data, size_t count, off_t offset) {
-    static const auto call = original<ssize_t (*)(int, const void*, size_t, off_t)>("pwrite");
-    return write_or_not(descriptor, count, [&](size_t n) { return call(descriptor, data, n, offset); });
-}
+OPENING(open, (const char* path, int flags, ...), (path, flags, mode))
+OPENING(open64, (const char* path, int flags, ...), (path, flags, mode))
+OPENING(openat, (int folder, const char* path, int flags, ...), (folder, path, flags, mode))
+OPENING(openat64, (int folder, const char* path, int flags, ...), (folder, path, flags, mode))
+OPENING_STREAM(fopen)
+OPENING_STREAM(fopen64)
+FAULTY(open, nullptr, DIR*, opendir, (const char* path), (path))
 
-ssize_t pwrite64(int descriptor, const void* data, size_t count, off64_t offset) {
-    static const auto call = original<ssize_t (*)(int, const void*, size_t, off64_t)>("pwrite64");
-    return write_or_not(descriptor, count, [&](size_t n) { return call(descriptor, data, n, offset); });
-}
+FAULTY(truncate, -1, int, truncate, (const char* path, off_t length) noexcept, (path, length))
+FAULTY(truncate, -1, int, truncate64, (const char* path, off64_t length) noexcept, (path, length))
+FAULTY(truncate, -1, int, ftruncate, (int descriptor, off_t length) noexcept, (descriptor, length))
+FAULTY(truncate, -1, int, ftruncate64, (int descriptor, off64_t length) noexcept, (descriptor, length))
+
+FAULTY(rename, -1, int, rename, (const char* from, const char* to) noexcept, (from, to))
+FAULTY(rename, -1, int, renameat, (int from_folder, const char* from, int to_folder, const char* to) noexcept,
+       (from_folder, from, to_folder, to))
+FAULTY(rename, -1, int, renameat2,
+       (int from_folder, const char* from, int to_folder, const char* to, unsigned int flags) noexcept,
+       (from_folder, from, to_folder, to, flags))
+FAULTY(link, -1, int, link, (const char* from, const char* to) noexcept, (from, to))
+FAULTY(link, -1, int, linkat, (int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept,
+       (from_folder, from, to_folder, to, flags))
+FAULTY(link, -1, int, symlink, (const char* target, const char* path) noexcept, (target, path))
+
+FAULTY(remove, -1, int, unlink, (const char* path) noexcept, (path))
+FAULTY(remove, -1, int, unlinkat, (int folder, const char* path, int flags) noexcept, (folder, path, flags))
+FAULTY(remove, -1, int, rmdir, (const char* path) noexcept, (path))
+FAULTY(remove, -1, int, remove, (const char* path) noexcept, (path))
+
+FAULTY(mkdir, -1, int, mkdir, (const char* path, mode_t mode) noexcept, (path, mode))
+FAULTY(mkdir, -1, int, mkdirat, (int folder, const char* path, mode_t mode) noexcept, (folder, path, mode))
+FAULTY(mkdir, nullptr, char*, mkdtemp, (char* pattern) noexcept, (pattern))
+
+FAULTY(stat, -1, int, stat, (const char* path, struct stat* found) noexcept, (path, found))
+FAULTY(stat, -1, int, stat64, (const char* path, struct stat64* found) noexcept, (path, found))
+FAULTY(stat, -1, int, lstat, (const char* path, struct stat* found) noexcept, (path, found))
+FAULTY(stat, -1, int, lstat64, (const char* path, struct stat64* found) noexcept, (path, found))
+FAULTY(stat, -1, int, fstat, (int descriptor, struct stat* found) noexcept, (descriptor, found))
+FAULTY(stat, -1, int, fstat64, (int descriptor, struct stat64* found) noexcept, (descriptor, found))
+FAULTY(stat, -1, int, fstatat, (int folder, const char* path, struct stat* found, int flags) noexcept,
+       (folder, path, found, flags))
+FAULTY(stat, -1, int, fstatat64, (int folder, const char* path, struct stat64* found, int flags) noexcept,
+       (folder, path, found, flags))
+FAULTY(stat, -1, int, access, (const char* path, int how) noexcept, (path, how))
+
+FAULTY(list, nullptr, struct dirent*, readdir, (DIR * folder), (folder))
+FAULTY(list, nullptr, struct dirent64*, readdir64, (DIR * folder), (folder))
+FAULTY(lookup, -1, ssize_t, readlink, (const char* path, char* text, size_t size) noexcept, (path, text, size))
+FAULTY(lookup, nullptr, char*, realpath, (const char* path, char* text) noexcept, (path, text))
+FAULTY(lookup, nullptr, char*, getcwd, (char* text, size_t size) noexcept, (text, size))
+FAULTY(lock, -1, int, flock, (int descriptor, int how) noexcept, (descriptor, how))
+
+SPAWNING(posix_spawn)
+SPAWNING(posix_spawnp)
 
 int fsync(int descriptor) {
     static const auto call = original<int (*)(int)>("fsync");
-    static_cast<void>(next(false));
-    if (too_late()) {
+    if (next(Kind::sync) == Fate::fails || (fault() != nullptr && fault()->is_too_late())) {
         return -1;
     }
     const int result = call(descriptor);
-    if (result == 0 && fault().disk) {
-        fault().disk->synced(descriptor);
+    if (result == 0 && fault() != nullptr) {
+        fault()->synced(descriptor);
     }
     return result;
 }
@@ -176,43 +203,39 @@ int fsync(int descriptor) {
 int close(int descriptor) {
     static const auto call = original<int (*)(int)>("close");
     const int flags = ::fcntl(descriptor, F_GETFL);
+    const int result = call(descriptor);  // also where it fails the descriptor is gone
     const bool written = flags >= 0 && (flags & O_ACCMODE) != O_RDONLY && descriptor > STDERR_FILENO;
-    const int result = call(descriptor);
-    return written && too_late() ? -1 : result;
+    if (!written) {
+        return result;
+    }
+    return next(Kind::close) == Fate::fails || (fault() != nullptr && fault()->is_too_late()) ? -1 : result;
 }
 
-int ftruncate(int descriptor, off_t length) noexcept {
-    static const auto call = original<int (*)(int, off_t)>("ftruncate");
+int renameat(int from_where, const char* from, int to_where, const char* to) noexcept {
+    static const auto call = original<int (*)(int, const char*, int, const char*)>("renameat");
     static_cast<void>(next(false));
-    return call(descriptor, length);
+    return call(from_where, from, to_where, to);
 }
 
-int ftruncate64(int descriptor, off64_t length) noexcept {
-    static const auto call = original<int (*)(int, off64_t)>("ftruncate64");
+int unlinkat(int where, const char* name, int flags) noexcept {
+    static const auto call = original<int (*)(int, const char*, int)>("unlinkat");
     static_cast<void>(next(false));
-    return call(descriptor, length);
+    return call(where, name, flags);
 }
 
-int rename(const char* from, const char* to) noexcept {
-    static const auto call = original<int (*)(const char*, const char*)>("rename");
+int mkdirat(int where, const char* name, mode_t mode) noexcept {
+    static const auto call = original<int (*)(int, const char*, mode_t)>("mkdirat");
     static_cast<void>(next(false));
-    return call(from, to);
+    return call(where, name, mode);
 }
 
 int clock_gettime(clockid_t clock, struct timespec* now) noexcept {
     static const auto call = original<int (*)(clockid_t, struct timespec*)>("clock_gettime");
     const int result = call(clock, now);
-    if (fault().mode == Mode::clock && clock == CLOCK_REALTIME) {
-        static std::atomic<long> looks = 0;
-        now->tv_sec += ++looks % 2 == 0 ? fault().at : -fault().at;
+    if (clock == CLOCK_REALTIME && fault() != nullptr) {
+        now->tv_sec += fault()->clock_jump();
     }
     return result;
-}
-
-int unlink(const char* path) noexcept {
-    static const auto call = original<int (*)(const char*)>("unlink");
-    static_cast<void>(next(false));
-    return call(path);
 }
 
 }  // extern "C"

@@ -73,7 +73,7 @@ class Runner:
         self.library = library
         self.random = random_source
 
-    def start(self, arguments: list[str], fault: Optional[str] = None, folder: Optional[Path] = None) -> subprocess.Popen:
+    def environment(self, fault: Optional[str], folder: Optional[Path] = None) -> dict[str, str]:
         """@param folder  the one that a power cut is felt in"""
         environment = dict(os.environ)
         if fault is not None:
@@ -84,8 +84,11 @@ class Runner:
             # HDF5 loses some memory when a file cannot be closed.
             environment["ASAN_OPTIONS"] = ":".join(filter(None, [environment.get("ASAN_OPTIONS"),
                                                                  "verify_asan_link_order=0", "detect_leaks=0"]))
-        return subprocess.Popen([str(self.program), *arguments, "--quiet"], env=environment, stdout=subprocess.DEVNULL,
-                                stderr=subprocess.PIPE, text=True)
+        return environment
+
+    def start(self, arguments: list[str], fault: Optional[str] = None, folder: Optional[Path] = None) -> subprocess.Popen:
+        return subprocess.Popen([str(self.program), *arguments, "--quiet"], env=self.environment(fault, folder),
+                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
     def finish(self, process: subprocess.Popen, allowed: tuple[int, ...]) -> int:
         _, talk = process.communicate(timeout=120)
@@ -152,13 +155,18 @@ class Command:
         """That change a file."""
         folder.mkdir(exist_ok=True)
         arguments, _ = self.prepare(folder)
-        runner.finish(runner.start(arguments, f"count:{folder / 'number'}"), (0,))
-        return int((folder / "number").read_text())
+        runner.finish(runner.start(arguments, f"count:{folder / 'numbers'}"), (0,))
+        return read_counts(folder / "numbers")["changes"]
+
+
+def read_counts(path: Path) -> dict[str, int]:
+    """Calls of each kind, of those that change a file, and of those that may end with each error."""
+    return {name: int(number) for name, number in (line.split() for line in path.read_text().splitlines())}
 
 
 def commands(runner: Runner, case: Case, folder: Path) -> list[Command]:
     run = Command("run", case)
-    half = run.count_calls(runner, folder) // 2
+    half = 2 * run.count_calls(runner, folder) // 5  # of the steps: the end has more calls than the beginning
     arguments, directory = run.prepare(folder)
     runner.finish(runner.start(arguments, f"kill:{half}"), (-signal.SIGKILL,))
     if not list(directory.glob("checkpoint.?")):
@@ -198,22 +206,29 @@ class Tally:
         return 1 if self.failed or not self.passed else 0
 
 
+@dataclass
+class NumberOption:
+    name: str
+    default: int
+    help: str
+
+
 def run_tests(arguments: list[str], description: str, tests: Callable[[Runner, Path, Tally, int], None],
-              kills: Optional[int] = None) -> int:
+              option: Optional[NumberOption] = None) -> int:
     """Read the options, let the tests be made in a folder of their own, and tell how they went.
 
-    @param kills  that many at random times, if nothing else is asked for; none: there is no such option
+    @param option  whose number the tests get; 0 where there is none
     @return the exit code
     """
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--ljmd", type=Path, required=True)
     parser.add_argument("--faults", type=Path, required=True, help="the library fault_at_call")
     parser.add_argument("--seed", type=int, default=1)
-    if kills is not None:
-        parser.add_argument("--kills", type=int, default=kills, help="at random times, in all formats together")
+    if option is not None:
+        parser.add_argument(option.name, dest="number", type=int, default=option.default, help=option.help)
     options = parser.parse_args(arguments)
     runner = Runner(options.ljmd.resolve(), options.faults.resolve(), random.Random(options.seed))
     tally = Tally()
     with tempfile.TemporaryDirectory() as folder:
-        tests(runner, Path(folder), tally, getattr(options, "kills", 0))
+        tests(runner, Path(folder), tally, getattr(options, "number", 0))
     return tally.finish()

@@ -41,8 +41,8 @@ def run_without_space(runner: Runner, command: Command, folder: Path, fault: str
         if process.returncode != OUTPUT_ERROR:
             raise Failure(f"ended with {process.returncode}: {talk.strip()}")
         check_message(talk)
-        before = [path.name for path in command.killed.glob("*.tmp")] if command.killed else []
-        if left := [path.name for path in directory.glob("*.tmp") if path.name not in before]:
+        before = [path.name for path in command.killed.glob(".*")] if command.killed else []
+        if left := [path.name for path in directory.glob(".*") if path.name not in before]:
             raise Failure(f"has left {left}")
         runner.go_on(directory, command.case.deck, kill_again=False)
     elif not json.loads((directory / "run.json").read_text())["finished"]:

@@ -17,8 +17,8 @@ import signal
 import sys
 from pathlib import Path
 
-from faulty_runs import (FORMATS, Case, Command, Failure, Runner, Tally, check_same_run, commands, make_case, measure,
-                         run_tests)
+from faulty_runs import (FORMATS, Case, Command, Failure, NumberOption, Runner, Tally, check_same_run, commands,
+                         make_case, measure, run_tests)
 
 
 def kill_at_call(runner: Runner, command: Command, folder: Path, mode: str, call: int) -> None:
@@ -61,4 +61,5 @@ def tests(runner: Runner, folder: Path, tally: Tally, all_kills: int) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(run_tests(sys.argv[1:], "Kill runs, go on with them, and look whether anything was lost.", tests, kills=60))
+    sys.exit(run_tests(sys.argv[1:], "Kill runs, go on with them, and look whether anything was lost.", tests,
+                       NumberOption("--kills", 60, "at random times, in all formats together")))

@@ -11,7 +11,7 @@
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/output_file.hpp"
+#include "ljmd/io/replacement_file.hpp"
 #include "ljmd/io/scratch_directory.hpp"
 
 /// Going on from a checkpoint whose checksum is right, whatever it holds. Inputs are the contents of checkpoints.

@@ -8,15 +8,8 @@
 namespace ljmd::fuzz {
 
 /// What holds of the points of a sweep, whatever they were read from.
-inline void check_promises(const SweepPoints& points, const Diagnostics& diagnostics) {
-    require(points.values.empty() == diagnostics.has_errors(), "either points or errors");
-    require(points.values.size() <= most_points, "no more points than are allowed");
-    if (points.values.empty()) {
-        for (const Diagnostic& entry : diagnostics.entries()) {
-            static_cast<void>(format(entry));
-        }
-        return;
-    }
+inline void check_points(const SweepPoints& points) {
+    require(!points.values.empty() && points.values.size() <= most_points, "no more points than are allowed");
     ++inputs_accepted;
     for (std::size_t point = 0; point < points.values.size(); ++point) {
         require(points.values[point].size() == points.keys.size(), "a value for each key");
@@ -29,6 +22,18 @@ inline void check_promises(const SweepPoints& points, const Diagnostics& diagnos
     for (const std::string& name : point_names(points)) {
         require(names.insert(name).second, "a name of its own for each point");
         require(name.find('/') == std::string::npos && name.size() < 250, "names that directories can have");
+    }
+}
+
+/// What holds of them when mistakes are told of one by one.
+inline void check_promises(const SweepPoints& points, const Diagnostics& diagnostics) {
+    require(points.values.empty() == diagnostics.has_errors(), "either points or errors");
+    if (!points.values.empty()) {
+        check_points(points);
+        return;
+    }
+    for (const Diagnostic& entry : diagnostics.entries()) {
+        static_cast<void>(format(entry));
     }
 }
 

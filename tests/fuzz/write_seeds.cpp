@@ -69,7 +69,7 @@ void write_checkpoints(const fuzz::FuzzedDeck& fuzzed, const fs::path& corpora, 
     }
 }
 
-/// Two frames of two atoms: the file, and where they lie in front of it.
+/// Two frames of two atoms: the file, and what a checkpoint knows of it in front.
 void write_trajectory(const fs::path& corpus) {
     const test::WrittenFile file("");
     State state = fuzz::two_atoms();

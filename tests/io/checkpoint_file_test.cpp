@@ -129,8 +129,8 @@ TEST_CASE("a checkpoint that cannot be written leaves the earlier ones") {
 }
 
 TEST_CASE("at least one generation is kept, and at most nine") {
-    CHECK_THROWS_AS(CheckpointStore(".", 0), ContractViolation);
-    CHECK_THROWS_AS(CheckpointStore(".", 10), ContractViolation);
+    CHECK_THROWS_AS(CheckpointStore(std::filesystem::path("."), 0), ContractViolation);
+    CHECK_THROWS_AS(CheckpointStore(std::filesystem::path("."), 10), ContractViolation);
     CHECK(checkpoint_names().size() == 9);
     CHECK(checkpoint_names().front() == "checkpoint.1");
 }

@@ -1,5 +1,7 @@
 #include "ljmd/io/data_table_csv.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <charconv>
 #include <clocale>
@@ -99,4 +101,21 @@ TEST_CASE("of a table that is still written the last line counts when it has its
     CHECK(rows("a,b") == 0);
     const test::WrittenFile damaged("a,b\n1\n3,4", "t.csv");
     CHECK_THROWS_AS(read_growing_csv(damaged.path()), DataError);
+}
+
+TEST_CASE("the steps of a history are whole numbers that grow") {
+    const auto steps = [](const std::string& text) {
+        const test::WrittenFile file("time,step\n" + text, "h.csv");
+        return step_column(read_csv(file.path()), "h.csv");
+    };
+    CHECK(steps("0,0\n1,5\n2,9007199254740992\n") == std::vector<Index>{0, 5, 9007199254740992});
+    CHECK(steps("").empty());
+    CHECK_THROWS_WITH(steps("0,0\n1,\n"), "h.csv:3: 'step' is empty");
+    for (const char* wrong : {"-1", "0.5", "1e300", "9007199254740994", "0"}) {
+        CHECK_THROWS_WITH(steps(fmt::format("0,0\n1,{}\n", wrong)), Catch::Contains("h.csv:3: 'step' is "));
+    }
+    for (const char* no_number : {"nan", "inf", "-nan"}) {
+        CHECK_THROWS_AS(steps(fmt::format("0,{}\n", no_number)), DataError);
+    }
+    CHECK_THROWS_WITH(step_column({"h", {"time"}, {}}, "h.csv"), "h.csv has no column 'step'");
 }

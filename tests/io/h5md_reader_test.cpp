@@ -83,6 +83,7 @@ struct Foreign {
         }
         append_all(output, all);
         output.commit();
+        output.take_place();
         const std::filesystem::path open_copy = path.string() + ".open";
         std::filesystem::copy_file(path, open_copy);
         output.close();
@@ -150,6 +151,9 @@ struct Foreign {
             const auto first = static_cast<std::size_t>(atoms * f);
             if (first < all_ids.size()) output.append(id, &all_ids[first]);
             if (!all_species.empty()) output.append(kinds, &all_species[first]);
+        }
+        for (std::size_t more = atoms * frames; more < all_species.size(); more += atoms) {
+            output.append(kinds, &all_species[more]);
         }
     }
 };
@@ -305,6 +309,15 @@ TEST_CASE("atoms of an H5MD file are of one kind, fixed and in time") {
               .configuration.masses.empty());
 }
 
+TEST_CASE(
+    "arrays of other atoms than the positions are refused before they are read, entries without a frame are not") {
+    CHECK_THAT(complaint({.species = {0, 0, 0}}), Contains("species is of 3 atoms, the positions are of 2"));
+    CHECK_THAT(complaint({.masses = {1, 1, 1}}), Contains("mass is of 3 atoms, the positions are of 2"));
+    CHECK_THAT(complaint({.ids = {1, 2, 3}}), Contains("id is of 3 atoms, the positions are of 2"));
+    CHECK(read({.species = {7}}).frames.size() == frames);
+    CHECK(read({.all_species = {3, 3, 3, 3, 3, 3, 4, 4}}).frames.size() == frames);
+}
+
 TEST_CASE("species and velocities as other programs write them") {
     // By h5py: an enumeration of argon and krypton, all argon; two species in time; velocities at the second of two
     // steps.
@@ -336,7 +349,7 @@ TEST_CASE("H5MD files that cannot be used are refused, with the reason") {
     CHECK_THAT(complaint({.all_ids = {1, 2, 2, 1, 1, 7}}),
                Contains("frame 3: other atoms than in frame 1: id 7, where that has id 2"));
     CHECK_THAT(complaint({.ids = {3, -1}}), Contains("frame 1: id -1: an atom is missing"));
-    CHECK_THAT(complaint({.ids = {1, 2, 3}}), Contains("frame 1: 3 ids, but 2 atoms"));
+    CHECK_THAT(complaint({.ids = {1}}), Contains("frame 1: 1 ids, but 2 atoms"));
     CHECK_THAT(complaint({.first_step = -10}), Contains("frame 1: the step must be an integer of at least 0"));
     CHECK_THAT(complaint({.first_coordinate = std::nan("")}), Contains("frame 1: atom 1 has a position that is not"));
     CHECK_THAT(complaint({.first_coordinate = 1e8}), Contains("frame 1: atom 1 is more than"));
@@ -348,6 +361,7 @@ TEST_CASE("H5MD files that cannot be used are refused, with the reason") {
     {
         Hdf5Output empty(folder / "a.h5");
         empty.create_group("other");
+        empty.take_place();
         empty.close();
     }
     CHECK_THAT(data_error([&] { static_cast<void>(read_all(folder / "a.h5")); }), Contains("not H5MD"));

@@ -275,14 +275,18 @@ TEST_CASE("an unbounded system has no edges") {
     CHECK(file.frame(group + "position/value", 1) == expected_positions(1));
 }
 
-TEST_CASE("one frame a chunk, up to a mebibyte") {
+TEST_CASE("a chunk holds up to 64 frames and 64 KiB, a larger frame is one, up to a mebibyte") {
     const TemporaryFolder folder;
     const auto chunk_of = [&folder](Index atoms) {
         const State state(atoms, Box(Vec3(9.0, 9.0, 9.0)));
         make_trajectory_writer("h5md", state, {.path = folder / "a.h5md"})->close();
         return Reader(folder / "a.h5md").chunk(group + "position/value");
     };
-    CHECK(chunk_of(1) == std::vector<hsize_t>{1, 1, 3});
+    CHECK(chunk_of(1) == std::vector<hsize_t>{64, 1, 3});
+    CHECK(chunk_of(42) == std::vector<hsize_t>{64, 42, 3});
+    CHECK(chunk_of(108) == std::vector<hsize_t>{16, 108, 3});
+    CHECK(chunk_of(864) == std::vector<hsize_t>{2, 864, 3});
+    CHECK(chunk_of(2000) == std::vector<hsize_t>{1, 2000, 3});
     CHECK(chunk_of(43690) == std::vector<hsize_t>{1, 43690, 3});
     CHECK(chunk_of(43691) == std::vector<hsize_t>{1, 21846, 3});
 }

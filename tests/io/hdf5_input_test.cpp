@@ -27,6 +27,7 @@ void write_all(const std::filesystem::path& path, const std::filesystem::path& o
     Hdf5Output::Series series{"g/h/value", {2, 3}, H5T_NATIVE_DOUBLE};
     output.create_series(series, {1, 2, 3});
     output.start_appending();
+    output.take_place();
     for (double first : {10.0, 20.0}) {
         const std::vector<double> entry{first, first + 1, first + 2, first + 3, first + 4, first + 5};
         output.append(series, entry.data());
@@ -59,6 +60,9 @@ TEST_CASE("numbers, extents, texts and members of an HDF5 file are read") {
     CHECK(input.numbers("g/integers") == std::vector<double>{7, -3});
     CHECK(Hdf5Input(LJMD_TEST_DATA "/h5md/species_enum.h5md").integers("particles/all/species").at(26) == 0);
     CHECK(input.numbers_at("g/h/value", 1) == std::vector<double>{20, 21, 22, 23, 24, 25});
+    CHECK(input.numbers_between("g/integers", 1, 2) == std::vector<double>{-3});
+    CHECK(input.first_numbers("g/integers", 1) == std::vector<double>{7});
+    CHECK(input.first_numbers("g/integers", 9) == std::vector<double>{7, -3});
     CHECK(input.integers_at("g/h/value", 0) == std::vector<std::int64_t>{10, 11, 12, 13, 14, 15});
     CHECK(input.number_attribute("g", "version") == std::vector<double>{1, 1});
     CHECK(input.number_attribute("g", "none").empty());
@@ -163,4 +167,28 @@ TEST_CASE("an extent that nothing stands behind is not believed") {
     const Hdf5Input input(folder / "a.h5");
     CHECK_THAT(data_error([&] { static_cast<void>(input.numbers_at("huge", 0)); }),
                Contains("huge is larger than what is stored of it"));
+}
+
+TEST_CASE("a compressed chunk that unpacks to far more than what is stored is refused") {
+    const TemporaryFolder folder;
+    const auto write = [&](hsize_t chunk) {
+        const Hdf5Handle file(H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+        constexpr hsize_t extent = 4;
+        const hsize_t limit = H5S_UNLIMITED;
+        const Hdf5Handle space(H5Screate_simple(1, &extent, &limit), H5Sclose);
+        const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        H5Pset_chunk(creation.get(), 1, &chunk);
+        H5Pset_deflate(creation.get(), 6);
+        const Hdf5Handle dataset(
+            H5Dcreate2(file.get(), "few", H5T_NATIVE_DOUBLE, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+            H5Dclose);
+        const std::vector<double> values{1, 2, 3, 4};
+        REQUIRE(H5Dwrite(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    };
+    const auto last_two = [&] { return Hdf5Input(folder / "a.h5").numbers_between("few", 2, 4); };
+    constexpr hsize_t numbers_of_16_mib = hsize_t{2} << 20;
+    write(numbers_of_16_mib);
+    CHECK(last_two() == std::vector<double>{3, 4});
+    write(numbers_of_16_mib + 1);
+    CHECK_THAT(data_error([&] { static_cast<void>(last_two()); }), Contains("a chunk of few unpacks to 16.8 MB"));
 }

@@ -35,6 +35,17 @@ TEST_CASE("only regular files are read, and links to them") {
     CHECK(line == "some text");
 }
 
+TEST_CASE("files that the kernel makes up are not opened: some are waited for") {
+    CHECK(why_unreadable(WrittenFile("").path()).empty());
+    const ScratchDirectory folder;
+    fs::create_symlink("/proc/self/status", folder.path() / "link");
+    for (const fs::path& path : {fs::path("/proc/self/status"), fs::path("/proc/kmsg"), folder.path() / "link"}) {
+        if (fs::exists(path)) {
+            CHECK_THAT(why_unreadable(path), Contains("is made up by the kernel"));
+        }
+    }
+}
+
 TEST_CASE("what is not read is named") {
     CHECK(data_error([] { static_cast<void>(open_input("no/such.file")); }) == "no/such.file: no such file");
 }

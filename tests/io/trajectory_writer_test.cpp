@@ -1,17 +1,35 @@
 #include "ljmd/io/trajectory_writer.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "io/output_fixtures.hpp"
+#include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/hdf5_handle.hpp"
+#include "ljmd/io/trajectory_reader.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
 
 // What the formats hold is tested in extended_xyz_writer_test.cpp and h5md_writer_test.cpp; here, what both promise.
+
+namespace {
+
+int chunk_lookups = 0;
+
+}  // namespace
+
+/// In the place of HDF5's function, which looks through all chunks of a dataset.
+extern "C" herr_t H5Dget_chunk_info_by_coord(hid_t dataset, const hsize_t* corner, unsigned* filters, haddr_t* place,
+                                             hsize_t* bytes) {
+    static const auto original =
+        reinterpret_cast<decltype(&H5Dget_chunk_info_by_coord)>(::dlsym(RTLD_NEXT, "H5Dget_chunk_info_by_coord"));
+    ++chunk_lookups;
+    return original(dataset, corner, filters, place, bytes);
+}
 
 namespace {
 
@@ -117,13 +135,13 @@ TEST_CASE("a trajectory is gone on with from the frames that are kept, whether i
                         committed = writer->commit();
                     }
                 }
-                if (closed) {
-                    writer->close();
-                }
-                // A writer that is never destroyed closes nothing, as in a program that is killed.
-                auto* left = writer.release();
-                static std::vector<TrajectoryWriter*>& all_left = *new std::vector<TrajectoryWriter*>;
-                all_left.push_back(left);
+                // The copy is what a kill leaves. HDF5 would find the file itself still open.
+                const auto path = folder / name;
+                const auto copy = folder / "copy";
+                std::filesystem::copy_file(path, copy);
+                writer->close();
+                std::filesystem::rename(closed ? path : copy, path);
+                std::filesystem::remove(copy);
                 return committed;
             };
             write("whole", 0, 5, std::nullopt);
@@ -131,8 +149,32 @@ TEST_CASE("a trajectory is gone on with from the frames that are kept, whether i
             write("parts", 3, 5, kept);
             CHECK(frames_of(folder / "parts", format) == frames_of(folder / "whole", format));
             CHECK(frames_of(folder / "parts", format).size() > 0);
-            CHECK_FALSE(std::filesystem::exists(folder / "parts.tmp"));
+            CHECK(folder.count_files() == 2);
+            if (closed) {
+                CHECK((content_of(folder / "parts") == content_of(folder / "whole")));
+            }
         }
+    }
+}
+
+TEST_CASE("a trajectory that was resumed is committed as it was, before its first new frame") {
+    for (const char* format : {"xyz", "h5md"}) {
+        INFO(format);
+        const TemporaryFolder folder;
+        TrajectoryOptions options{.path = folder / "t", .velocities = true};
+        auto writer = make_trajectory_writer(format, sample(), options);
+        for (int frame = 0; frame < 70; ++frame) {
+            writer->write(sample());
+        }
+        options.kept = writer->commit();
+        writer->close();
+        writer = make_trajectory_writer(format, sample(), options);
+        const CommittedFrames again = writer->commit();
+        CHECK(again.frames == options.kept->frames);
+        CHECK(again.layout == options.kept->layout);
+        CHECK(again.last.place == options.kept->last.place);
+        CHECK(again.last.checksum == options.kept->last.checksum);
+        writer->close();
     }
 }
 
@@ -141,7 +183,7 @@ TEST_CASE("a trajectory that has lost frames is not gone on with and not touched
         INFO(format);
         const TemporaryFolder folder;
         const auto path = folder / "t";
-        const TrajectoryOptions options{.path = path, .kept = CommittedFrames{100000, std::vector<FramePlace>(7)}};
+        const TrajectoryOptions options{.path = path, .kept = CommittedFrames{.bytes = 100000, .frames = 7}};
         CHECK_THROWS_AS(make_trajectory_writer(format, sample(), options), CheckpointError);
         CHECK(folder.count_files() == 0);
         auto writer = make_trajectory_writer(format, sample(), {.path = path});
@@ -151,5 +193,101 @@ TEST_CASE("a trajectory that has lost frames is not gone on with and not touched
         CHECK_THROWS_AS(make_trajectory_writer(format, sample(), options), CheckpointError);
         CHECK(content_of(path) == before);
         CHECK(folder.count_files() == 1);
+    }
+}
+
+namespace {
+
+/// What this process has read and written so far, by the system's count.
+struct Transfer {
+    double bytes_read = 0.0;
+    double bytes_written = 0.0;
+    double writes = 0.0;
+
+    static Transfer until_now() {
+        std::ifstream file("/proc/self/io");
+        Transfer all;
+        std::string name;
+        for (double number = 0.0; file >> name >> number;) {
+            if (name == "rchar:") all.bytes_read = number;
+            if (name == "wchar:") all.bytes_written = number;
+            if (name == "syscw:") all.writes = number;
+        }
+        return all;
+    }
+
+    Transfer operator-(const Transfer& earlier) const {
+        return {bytes_read - earlier.bytes_read, bytes_written - earlier.bytes_written, writes - earlier.writes};
+    }
+};
+
+/// What so many frames of a trajectory cost.
+struct Cost {
+    Transfer writing;
+    Transfer resuming;
+    Transfer reading;
+    std::size_t checkpoint = 0;  ///< bytes of what a checkpoint knows of the file
+    int lookups = 0;             ///< of chunks, while it is written
+};
+
+Cost cost_of(const std::string& format, int frames) {
+    const TemporaryFolder folder;
+    const State state = sample();
+    TrajectoryOptions options{.path = folder / "t", .velocities = true};
+    Cost cost;
+    auto writer = make_trajectory_writer(format, state, options);
+    chunk_lookups = 0;
+    const Transfer before = Transfer::until_now();
+    for (int frame = 0; frame < frames; ++frame) {
+        writer->write(state);
+    }
+    cost.writing = Transfer::until_now() - before;
+    cost.lookups = chunk_lookups;
+    options.kept = writer->commit();
+    Archive archive;
+    archive(*options.kept);
+    cost.checkpoint = archive.bytes().size();
+    writer->close();
+    const Transfer closed = Transfer::until_now();
+    make_trajectory_writer(format, state, options)->close();
+    cost.resuming = Transfer::until_now() - closed;
+    const Transfer resumed = Transfer::until_now();
+    const auto reader = open_trajectory(options.path, std::nullopt);
+    Frame frame;
+    int found = 0;
+    while (reader->next(frame)) {
+        ++found;
+    }
+    CHECK(found == 1);  // frames of one step are counted once
+    CHECK(reader->frames() == frames);
+    cost.reading = Transfer::until_now() - resumed;
+    return cost;
+}
+
+}  // namespace
+
+TEST_CASE("a frame costs the same in a long trajectory as in a short one, and so does a resume") {
+    if (Transfer::until_now().bytes_read == 0.0) {
+        WARN("this system does not count what a process reads and writes");
+        return;
+    }
+    for (const char* format : {"xyz", "h5md"}) {
+        INFO(format);
+        constexpr int frames = 512;
+        const Cost one = cost_of(format, frames);
+        const Cost four = cost_of(format, 4 * frames);
+        CHECK(four.writing.bytes_written < 4.2 * one.writing.bytes_written);
+        CHECK(four.writing.writes < 4.2 * one.writing.writes);
+        CHECK(four.writing.bytes_read < 4.2 * one.writing.bytes_read + 4096.0);
+        CHECK(four.reading.bytes_read < 4.2 * one.reading.bytes_read);
+        // Nothing for a frame: records about chunks, if anything.
+        CHECK(one.resuming.bytes_written < 16.0 * 1024.0);
+        CHECK(four.resuming.bytes_written < one.resuming.bytes_written + 4096.0);
+        CHECK(four.resuming.bytes_read < one.resuming.bytes_read + 4096.0);
+        CHECK(four.checkpoint == one.checkpoint);
+        CHECK(four.lookups == 0);
+        UNSCOPED_INFO(format << " " << one.resuming.bytes_written << " " << four.resuming.bytes_written << " "
+                             << one.resuming.bytes_read << " " << four.resuming.bytes_read << " "
+                             << one.writing.bytes_read << " " << four.writing.bytes_read);
     }
 }

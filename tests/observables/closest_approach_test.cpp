@@ -83,6 +83,33 @@ TEST_CASE("The pericentre of an ellipse is found, with an error of fourth order 
     CHECK(std::log2(error(0.2) / error(0.1)) == Approx(4.0).margin(0.2));
 }
 
+TEST_CASE("An encounter is resolved when bodies move by less than half of their distance in a step") {
+    // Body 2 passes body 1 at (0, 1), with speed v: the step is as long as its path.
+    const auto passing = [](double path) {
+        Eigen::Matrix3Xd r = Eigen::Matrix3Xd::Zero(3, 2);
+        Eigen::Matrix3Xd v = Eigen::Matrix3Xd::Zero(3, 2);
+        r.col(1) = Vec3(-0.4 * path, 1.0, 0.0);
+        v(0, 1) = 2.0 * path;
+        ClosestApproach approach;
+        approach.add(bodies(3.0, r, v));
+        approach.add(bodies(3.5, r + 0.5 * v, v));
+        // A nearer one, that is over within a thousandth of its distance, comes later: the motion is wrong before.
+        r.col(1) = Vec3(-1e-4, 0.5, 0.0);
+        v(0, 1) = 0.2;
+        approach.add(bodies(4.0, r, v));
+        approach.add(bodies(4.001, r + 0.001 * v, v));
+        CHECK(approach.closest().value().resolved());
+        CHECK(approach.closest().value().distance == Approx(0.5));
+        return approach.first_unresolved();
+    };
+    CHECK_FALSE(passing(0.499));
+    const auto unresolved = passing(0.501);
+    REQUIRE(unresolved);
+    CHECK(unresolved->distance == Approx(1.0).epsilon(1e-14));
+    CHECK(unresolved->time == Approx(3.2).epsilon(1e-14));
+    CHECK(unresolved->path_in_step == Approx(0.501).epsilon(1e-14));
+}
+
 TEST_CASE("A sample that is nearer than any minimum counts") {
     Eigen::Matrix3Xd r(3, 2);
     Eigen::Matrix3Xd v = Eigen::Matrix3Xd::Zero(3, 2);

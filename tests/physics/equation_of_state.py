@@ -61,7 +61,8 @@ LIQUID = [(0.85, 0.776), (0.85, 0.82), (0.85, 0.86), (0.9, 0.776), (0.9, 0.86)]
 # chance once in ten thousand times.
 SIGMAS = 4.0
 CHI_SQUARE = {5: 25.7}  # of so many degrees of freedom
-# In a vapour few pairs of atoms hold together, each for long: blocks of one run do not tell the error of its energy well.
+# In a vapour few pairs of atoms hold together, each for long: blocks of one run do not tell the error of its energy well. Over
+# seven seeds at (T 0.85, rho 0.007) energies scatter by 1.2 %, which is 1.3 times the errors stated; the gate is four times that.
 VAPOUR_ENERGY = 0.05  # relative
 
 

@@ -21,8 +21,13 @@ struct ChildRun {
     std::filesystem::path log;  ///< file for what the process says
 };
 
-/// Refuse a log that is a link, which would be written through, or a pipe. @throws InputError
-void check_log(const ChildRun& run);
+/// Refuse what leads elsewhere and would be written through: a log that is a link or a pipe, a directory, or the folder
+/// that both are in, that is a link. @throws InputError
+void check_places(const ChildRun& run);
+
+/// Wait until no process has a lock on a directory in `folder`, and say so: when the command that started them was
+/// killed, runs still write their last checkpoints for a moment. @throws Interrupted by a signal
+void wait_for_runs(const std::filesystem::path& folder);
 
 /// Whether the directory holds a run of another deck, or with other settings.
 /// @throws DataError  its run.json is damaged

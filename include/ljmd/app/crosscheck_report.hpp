@@ -13,10 +13,6 @@ namespace ljmd {
 /// {"checks": [{"name", "value", "tolerance", "passed"}, ...], "passed", ...}; see docs/crosscheck.md.
 [[nodiscard]] std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options);
 
-/// Refuse a directory that holds such a comparison, unless force is given. Changes nothing.
-/// @param with  the other program  @throws InputError
-void check_comparison(const std::filesystem::path& directory, const std::string& with, bool force);
-
 /// compare-WITH.json, compare-WITH-trajectory.csv and compare-WITH-rdf.csv in a directory, which is made if it is not
 /// there; the tables if there is anything in them. @throws FileError
 void write_crosscheck(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options,

@@ -9,6 +9,7 @@
 #include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/section.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/io/open_directory.hpp"
 
 namespace ljmd {
 
@@ -55,6 +56,7 @@ struct Deck {
     Section root;
     std::vector<Stage> stages;
     std::filesystem::path directory;
+    std::optional<OpenDirectory> locked;  ///< the same, when a command has locked it
     Index thermo_every;
     std::optional<TrajectoryOutput> trajectory;
     CheckpointOutput checkpoint;
@@ -69,6 +71,9 @@ struct Deck {
     [[nodiscard]] const std::vector<Section>& bodies() const { return root.sections("body"); }
 
     [[nodiscard]] Index total_steps() const;
+
+    /// Where the outputs go: the directory that was locked, whatever stands at its path by now. @throws FileError
+    [[nodiscard]] OpenDirectory outputs() const { return locked ? *locked : OpenDirectory(directory); }
 };
 
 /// Read and validate a deck.

@@ -33,7 +33,7 @@ struct FewBodyResult {
 
 /// Run all stages of a few-body deck and write its output directory (see docs/files.md).
 ///
-/// @pre  the output directory exists and is empty of earlier outputs (see prepare_directory), or it is the one of the
+/// @pre  the output directory exists and is empty of earlier outputs , or it is the one of the
 /// run
 ///       that is gone on with
 /// @throws PhysicsError, FileError, CheckpointError, Interrupted; what was written until then stays

@@ -19,8 +19,13 @@ class Interrupted : public Error {
     int exit_code_;
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP ask the program to stop, where they did not mean to be ignored; the second
-/// one of a kind ends it at once.
+/// Undo what a parent may have left to this program: a mask that keeps signals from it for ever, and SIGCHLD, SIGTERM,
+/// SIGUSR1 and SIGXCPU ignored. Without SIGCHLD no child could be waited for. SIGINT and SIGHUP stay ignored where they
+/// are: so nohup and shells keep a terminal's keys and its end from a program. @pre no threads yet
+void forget_inherited_signals();
+
+/// From now on SIGINT, SIGHUP, SIGTERM, SIGUSR1 and SIGXCPU ask the program to stop, where they are not ignored. The
+/// second SIGINT, SIGHUP or SIGTERM ends it at once; the other two, which queues and the system repeat, do not.
 void heed_signals();
 
 /// The signal that has asked to stop; 0: none.
@@ -28,6 +33,9 @@ void heed_signals();
 
 /// The exit code of a program that a signal has stopped: 128 + n, as a shell says it.
 [[nodiscard]] int signal_exit_code(int signal);
+
+/// End a command that makes many runs, when all of them have stopped. @pre signal_received() != 0  @throws Interrupted
+[[noreturn]] void stop_many_runs();
 
 /// Why a run has to stop before its end: a signal, or that its time is over.
 class Interruption {

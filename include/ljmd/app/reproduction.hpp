@@ -75,7 +75,9 @@ struct ReproducedRow {
 [[nodiscard]] ZAndU cutoff_bias(const std::vector<double>& r, const std::vector<double>& g, double density,
                                 double temperature, double cutoff);
 
-/// Read what a row's run has left. @throws DataError  its files are not there, or damaged
+/// Read what a row's run has left.
+/// @throws DataError  its files are not there, or damaged
+/// @throws PhysicsError  its temperature is one at which Thol's equation says nothing
 [[nodiscard]] ReproducedRow evaluate_row(const VerletRow& row, const std::filesystem::path& directory);
 
 /// Chi-square of the z-scores of rows that are sound, and the number of these scores: of Z and of U.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,11 +28,13 @@ struct StageResult {
     std::optional<double> energy_drift;  ///< least-squares slope of the conserved energy per atom [epsilon/tau]
     std::string checksum_at_start;       ///< of the positions, see checksum()
     std::string checksum_at_end;
-    std::string drift_remark = {};  ///< why the drift is too large; of a run that is done
+    std::optional<double> time_step_error = {};  ///< see TimeStepError; of sampled stages of a fluid
+    std::string drift_remark = {};               ///< why the drift is too large; of a run that is done
+    std::string time_step_remark = {};           ///< why the time step is too long; of a run that is done
 
     void archive(Archive& a) {
         a(name, integrator, first_step, last_step, time_step, sampled, thermostatted, reversed, energy_drift,
-          checksum_at_start, checksum_at_end);
+          checksum_at_start, checksum_at_end, time_step_error);
     }
 };
 
@@ -80,14 +83,15 @@ struct RunControl {
         EarlierParts earlier;
     };
     std::optional<Resumed> resumed = {};
+
+    /// Called when a run has its first checkpoint, from which it can be gone on with.
+    std::function<void()> has_begun = {};
 };
 
 /// Run all stages of a deck and write its output directory (see docs/files.md): run.json when the run begins and when
 /// it ends, thermo.csv and the trajectory while it goes, final.xyz, the analyses' tables and results.json at the end.
 ///
-/// @pre  the output directory exists and is empty of earlier outputs (see prepare_directory), or it is the one of the
-/// run
-///       that is gone on with
+/// @pre  the output directory exists and is empty of earlier outputs, or it is the one of the run that is gone on with
 /// @throws PhysicsError, FileError, CheckpointError, Interrupted; what was written until then stays
 RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener, const RunControl& control = {});
 

@@ -57,7 +57,9 @@ class RunCheckpoints {
   public:
     /// @param interruption  when to stop
     /// @param generation    of the checkpoint that the run goes on from; 0: none
-    RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation);
+    /// @param has_begun     called after the first checkpoint
+    RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation,
+                   std::function<void()> has_begun);
 
     /// @param last_of_stage  the stage has come to its end
     [[nodiscard]] bool due(Index step, bool last_of_stage);
@@ -75,9 +77,9 @@ class RunCheckpoints {
     const Deck& deck_;
     CheckpointStore store_;
     Interruption interruption_;
+    std::function<void()> has_begun_;
     Clock::time_point last_ = Clock::now();
     int calls_ = 0;
-    bool goes_on_;  ///< and has written none yet: those that are there know a trajectory file that was replaced
 };
 
 }  // namespace ljmd

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ljmd/app/run_checkpoints.hpp"
 #include "ljmd/app/run_record.hpp"
@@ -14,10 +15,14 @@ namespace ljmd {
 
 struct RunResult;
 
+/// Every name that a run may write into its directory. `--force` replaces these and nothing else.
+[[nodiscard]] std::vector<std::string> run_output_names();
+
 /// Refuse an output directory that cannot be used. Changes nothing.
 /// @param force  files of an earlier run in it are no reason to refuse
-/// @throws InputError  it holds a run and force is not given, it is not a directory, or a file that the run reads is
-///                     one of those that it would replace
+/// @throws InputError  it holds a run and force is not given, it cannot be written to (existing_outputs), or a file
+/// that
+///                     the run reads is one of those that it would replace
 void check_directory(const Deck& deck, bool force);
 
 /// Refuse outputs that are what is read: the deck, and the file that it starts from.

@@ -19,11 +19,17 @@ namespace ljmd {
 /// @param kinetic_energy  per atom, mean over the sampled stages
 [[nodiscard]] std::string drift_remark(const StageResult& stage, double kinetic_energy);
 
+/// What is wrong with the time step of a sampled stage of a fluid; empty where it is short enough, and for integrators
+/// of higher than second order. It is too long when it sets the temperatures of velocities and of configurations apart
+/// by more than 1 % (see TimeStepError): the pressure of a liquid is then off by several hundredths, while the energy
+/// need not drift.
+[[nodiscard]] std::string time_step_remark(const StageResult& stage);
+
 /// A stage as it stands in results.json.
 [[nodiscard]] nlohmann::ordered_json stage_json(const StageResult& stage);
 
-/// Lines about the stages for the table on the screen: the drift of the energy where it should be conserved and, when
-/// the motion was turned round, the checksums that tell whether it came back.
+/// Lines about the stages for the table on the screen: the drift of the energy where it should be conserved, time steps
+/// that are too long and, when the motion was turned round, the checksums that tell whether it came back.
 [[nodiscard]] std::string stage_lines(const std::vector<StageResult>& stages, const std::string& drift_unit);
 
 }  // namespace ljmd

@@ -13,7 +13,7 @@ namespace ljmd {
 void check_start_effects(const Section& root, bool keeps_velocities, Diagnostics& diagnostics);
 
 /// What can be said of a deck that starts from a file only when the file is known: cutoff and analyses against the box,
-/// and keys that have no effect.
+/// keys that have no effect, and a density beyond freezing.
 /// @param start  of that deck
 void check_start(const Deck& deck, const Start& start, Diagnostics& diagnostics);
 

@@ -44,6 +44,7 @@ void check_keys(const std::vector<std::string>& keys, const std::vector<std::str
                                       Diagnostics& diagnostics);
 
 /// Keys as headings: their last parts, "temperature", or all of them where that is not enough to tell them apart.
+/// @pre check_keys() finds nothing wrong with them, here and below
 [[nodiscard]] std::vector<std::string> short_keys(const std::vector<std::string>& keys);
 
 /// A name for each point, in which its values can be read, and which can be that of a directory:

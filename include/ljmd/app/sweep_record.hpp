@@ -7,6 +7,7 @@
 
 #include "ljmd/app/child_run.hpp"
 #include "ljmd/app/sweep_points.hpp"
+#include "ljmd/io/open_directory.hpp"
 
 namespace ljmd {
 
@@ -23,14 +24,14 @@ struct SweepPlan {
 [[nodiscard]] std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const std::filesystem::path& directory);
 
 /// The sweep that a directory holds; nothing when it holds none.
-/// @throws DataError  its sweep.json is damaged
+/// @throws DataError  its sweep.json is damaged, or not what `ljmd sweep` writes: the points are such as it takes
 [[nodiscard]] std::optional<SweepPlan> recorded_sweep(const std::filesystem::path& directory);
 
 /// Make a directory ready for a sweep: refuse what was not written by this one, or with `force` remove what another
 /// sweep has written, runs that both have in common excepted; then write sweep.json and the copy of the deck.
-/// @pre the directory exists, and is locked
+/// What can be known to fail is found before anything is removed. @pre the directory is locked
 /// @throws InputError  it holds another sweep, or points of none  @throws DataError  its sweep.json is damaged
 /// @throws FileError
-void prepare_sweep(const SweepPlan& plan, const std::filesystem::path& directory, bool force);
+void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force);
 
 }  // namespace ljmd

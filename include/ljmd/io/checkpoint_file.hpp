@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/io/open_directory.hpp"
+
 namespace ljmd {
 
 /// The checkpoints of a run: generations in the files checkpoint.1, checkpoint.2, ... of its directory. A new one takes
@@ -19,9 +21,9 @@ namespace ljmd {
 class CheckpointStore {
   public:
     /// @param keep  generations, >= 1
-    CheckpointStore(std::filesystem::path directory, int keep);
+    CheckpointStore(OpenDirectory directory, int keep);
 
-    /// Write the next generation: under a temporary name, read back and compare, fsync, rename, fsync of the folder.
+    /// Write the next generation (see ReplacementFile), read back and compared before it takes its place.
     /// @throws FileError; then the generations that were there still are
     void write(std::span<const std::byte> content);
 
@@ -29,7 +31,7 @@ class CheckpointStore {
     void go_on_after(std::uint64_t generation) { generation_ = generation; }
 
   private:
-    std::filesystem::path directory_;
+    OpenDirectory directory_;
     int keep_;
     std::uint64_t generation_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/core/types.hpp"
 #include "ljmd/observables/analysis.hpp"
 
 namespace ljmd {
@@ -22,5 +23,15 @@ namespace ljmd {
 
 /// The values of a column, row by row. @throws DataError  there is no such column
 [[nodiscard]] std::vector<double> column(const DataTable& table, const std::string& name);
+
+/// The same where each row must have a value.
+/// @param path  that the table was read from, for messages
+/// @throws DataError  there is no such column, or an empty field in it: names the line
+[[nodiscard]] std::vector<double> full_column(const DataTable& table, const std::string& name,
+                                              const std::filesystem::path& path);
+
+/// The column `step` of a history: whole numbers, 0 or more, each larger than the one before.
+/// @throws DataError  as full_column, or they are not: names the line
+[[nodiscard]] std::vector<Index> step_column(const DataTable& table, const std::filesystem::path& path);
 
 }  // namespace ljmd

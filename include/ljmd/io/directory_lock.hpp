@@ -2,24 +2,27 @@
 
 #include <filesystem>
 
+#include "ljmd/io/open_directory.hpp"
+
 namespace ljmd {
 
-/// Keeps other runs out of a directory while it lives; a program that is killed leaves nothing behind. Of a file system
-/// that knows no such locks nothing is asked.
+/// Keeps other runs out of a directory while it lives; a program that is killed leaves no lock behind. Of a file system
+/// that knows no such locks nothing is asked, nor of a directory that may not be read.
 class DirectoryLock {
   public:
-    /// @pre the directory exists
+    /// Removes, too, what a holder of the lock that was killed has left over (see ReplacementFile).
     /// @throws InUseError when another run has it  @throws FileError when it cannot be opened
-    explicit DirectoryLock(const std::filesystem::path& directory);
-    ~DirectoryLock();
-    DirectoryLock(const DirectoryLock&) = delete;
-    DirectoryLock& operator=(const DirectoryLock&) = delete;
+    explicit DirectoryLock(const OpenDirectory& directory);
+
+    /// The directory that is locked, whatever stands at its path by now; held alone, unless the file system knows no
+    /// locks.
+    [[nodiscard]] const OpenDirectory& directory() const { return directory_; }
 
     /// Whether another has it now.
     [[nodiscard]] static bool is_held(const std::filesystem::path& directory);
 
   private:
-    int descriptor_;
+    OpenDirectory directory_;
 };
 
 }  // namespace ljmd

@@ -45,6 +45,6 @@ class ExtendedXyzWriter : public TrajectoryWriter {
 /// Write one configuration in reduced units, from which a later run can start, so that the file is either the old or
 /// the new one, never half of it. Positions are unwrapped, so that displacements continue.
 /// @throws FileError; then no new file is left behind
-void write_configuration(const std::filesystem::path& path, const State& state, bool velocities);
+void write_configuration(const OutputPlace& place, const State& state, bool velocities);
 
 }  // namespace ljmd

@@ -22,8 +22,7 @@ struct FewBodyTotals {
 class FewBodyThermoCsv {
   public:
     /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
-    FewBodyThermoCsv(const std::filesystem::path& path, int dimensions,
-                     std::optional<std::int64_t> kept = std::nullopt);
+    FewBodyThermoCsv(const OutputPlace& place, int dimensions, std::optional<std::int64_t> kept = std::nullopt);
 
     /// @throws FileError
     void write(Index step, double time, const FewBodyTotals& totals);
@@ -45,7 +44,7 @@ class FewBodyThermoCsv {
 class TrajectoryCsv {
   public:
     /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
-    TrajectoryCsv(const std::filesystem::path& path, Index bodies, int dimensions, bool accelerations, bool angle,
+    TrajectoryCsv(const OutputPlace& place, Index bodies, int dimensions, bool accelerations, bool angle,
                   std::optional<std::int64_t> kept = std::nullopt);
 
     /// @pre forces current where accelerations are written; an angle where the file has that column

@@ -1,13 +1,19 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "ljmd/io/pipe.hpp"
+#include "ljmd/io/process.hpp"
 
 namespace ljmd {
 
-/// A new directory among the temporary files of the system, removed with all that is in it at the end of the scope.
+/// A new directory among the temporary files of the system, removed with all that is in it at the end of the scope; or,
+/// when this program is ended before, even by SIGKILL, by a shell that waits for that.
 class ScratchDirectory {
   public:
     /// @throws FileError when it cannot be made, or the system names no directory for temporary files
+    /// @throws ProcessesError
     ScratchDirectory();
     ~ScratchDirectory();
     ScratchDirectory(const ScratchDirectory&) = delete;
@@ -16,7 +22,9 @@ class ScratchDirectory {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   private:
+    Pipe life_;  ///< its writer is this program
     std::filesystem::path path_;
+    std::optional<ChildProcess> remover_;
 };
 
 }  // namespace ljmd

@@ -31,7 +31,7 @@ class ThermoCsv {
     };
 
     /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
-    ThermoCsv(const std::filesystem::path& path, const Extra& extra, std::optional<SubstanceUnits> units,
+    ThermoCsv(const OutputPlace& place, const Extra& extra, std::optional<SubstanceUnits> units,
               std::optional<std::int64_t> kept = std::nullopt);
 
     /// @throws FileError

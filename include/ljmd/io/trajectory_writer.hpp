@@ -1,43 +1,39 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/units.hpp"
+#include "ljmd/io/open_directory.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
 
-/// A frame of an H5MD file by the places of its numbers, so that it can be read whatever became of the rest: what HDF5
-/// keeps around frames is written over again and again, and unreadable when the last time was cut off.
-struct FramePlace {
+/// By what the last frame of an H5MD file is known again.
+struct FrameMark {
     std::int64_t step = 0;
-    double time = 0.0;                      ///< in the units of the file, like the edges
-    std::array<double, 9> edges{};          ///< by rows; zero without a box
-    std::vector<std::uint64_t> velocities;  ///< of the chunks, first atoms first; none when they are not written
-    std::vector<std::uint64_t> positions;
-    std::uint64_t checksum = 0;  ///< XXH3 of velocities and positions
+    std::uint64_t place = 0;     ///< of its positions in the file
+    std::uint64_t checksum = 0;  ///< XXH3 of the positions in its first chunk
 
-    void archive(Archive& a) { a(step, time, edges, velocities, positions, checksum); }
+    void archive(Archive& a) { a(step, place, checksum); }
 };
 
 /// The part of a trajectory file that is on the disk for good.
 struct CommittedFrames {
-    std::int64_t bytes = 0;          ///< of a text file
-    std::vector<FramePlace> frames;  ///< of an H5MD file
+    std::int64_t bytes = 0;    ///< of the file
+    std::int64_t frames = 0;   ///< of an H5MD file, like all that follows
+    std::uint64_t layout = 0;  ///< what decides where its frames lie
+    FrameMark last = {};       ///< of the last frame; of no meaning without frames
 
-    void archive(Archive& a) { a(bytes, frames); }
+    void archive(Archive& a) { a(bytes, frames, layout, last); }
 };
 
 /// What a trajectory file is to hold, and who made it.
 struct TrajectoryOptions {
-    std::filesystem::path path = {};
+    OutputPlace path;                          ///< of the file; may be given as a path
     bool velocities = false;                   ///< write them beside the positions
     std::optional<SubstanceUnits> si = {};     ///< set: an SI file; else reduced units (unbounded: those of the deck)
     std::string creator_version = {};          ///< version of the program

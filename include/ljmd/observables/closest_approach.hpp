@@ -13,8 +13,14 @@ struct Approach {
     double time;
     Index first;  ///< ids counted from 1, first < second
     Index second;
+    double path_in_step;  ///< relative speed times the length of the step; 0 where there is no step
 
-    void archive(Archive& a) { a(distance, time, first, second); }
+    /// Whether steps follow the encounter: in one of them the two move by less than half of their distance. Otherwise a
+    /// force that grows as they come near is not felt where it is largest, and neither this distance nor the motion
+    /// afterwards is that of the bodies. At this limit velocity Verlet has the distance to about 1 %.
+    [[nodiscard]] bool resolved() const { return path_in_step <= 0.5 * distance; }
+
+    void archive(Archive& a) { a(distance, time, first, second, path_in_step); }
 };
 
 /// Smallest distance between any two bodies of a system without a box, sampled once a step of the integrator.
@@ -30,6 +36,9 @@ class ClosestApproach {
 
     /// Empty without samples and for fewer than two bodies. Of equal distances the earliest.
     [[nodiscard]] const std::optional<Approach>& closest() const { return closest_; }
+
+    /// The earliest minimum of a distance, closest or not, that steps do not resolve. Empty when there is none.
+    [[nodiscard]] const std::optional<Approach>& first_unresolved() const { return first_unresolved_; }
 
     /// @param now  from which samples go on  @throws CheckpointError for samples of other bodies or later times
     void archive(Archive& a, const State& now);
@@ -48,6 +57,7 @@ class ClosestApproach {
 
     std::optional<Sample> last_;
     std::optional<Approach> closest_;
+    std::optional<Approach> first_unresolved_;
 };
 
 }  // namespace ljmd

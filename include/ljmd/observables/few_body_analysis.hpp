@@ -25,8 +25,9 @@ struct FewBodySample {
 /// A number that was found. Units are those of the deck; angles in rad.
 struct Finding {
     std::string name;
-    double value;
+    double value;                          ///< NaN where it has none
     std::optional<double> standard_error;  ///< of a mean over orbits or swings
+    std::string remark = {};               ///< why it has no value
 };
 
 /// Something measured on a few bodies at every step of the sampled stages, and at those that an adaptive integrator

@@ -9,6 +9,8 @@
 
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/file_system.hpp"
+#include "ljmd/io/input_file.hpp"
 
 namespace ljmd {
 
@@ -21,10 +23,30 @@ std::string plugin_folder() {
     return named != nullptr ? named : LJMD_OPENMM_PLUGIN_DIR;
 }
 
+/// The regular files in it, by name. OpenMM itself would open whatever is there, and wait for what a pipe or a file of
+/// /proc has to say.
+std::vector<std::string> plugin_files() {
+    std::vector<std::string> names;
+    if (files::is_directory(plugin_folder())) {
+        for (const std::filesystem::path& path : files::list(plugin_folder())) {
+            if (why_unreadable(path).empty()) {
+                names.push_back(path.string());
+            }
+        }
+    }
+    return names;
+}
+
 /// Load what is in the folder, once. Plug-ins that cannot be loaded (for hardware that is not there, say) are left out.
 void load_plugins() {
     static const bool loaded = [] {
-        OpenMM::Platform::loadPluginsFromDirectory(plugin_folder());
+        for (const std::string& file : plugin_files()) {
+            try {
+                OpenMM::Platform::loadPluginLibrary(file);
+            } catch (const OpenMM::OpenMMException&) {
+                continue;
+            }
+        }
         return true;
     }();
     static_cast<void>(loaded);
@@ -58,7 +80,7 @@ OpenMM::Platform& openmm_platform(const std::string& name) {
         throw InputError(fmt::format(
             "OpenMM has no platform '{}'; loaded: {}\n  plug-ins were looked for in {}{}; the environment "
             "variable OPENMM_PLUGIN_DIR names another folder",
-            name, fmt::join(names, ", "), folder, std::filesystem::is_directory(folder) ? "" : ", which is not there"));
+            name, fmt::join(names, ", "), folder, files::is_directory(folder) ? "" : ", which is not there"));
     }
     return OpenMM::Platform::getPlatformByName(name);
 }

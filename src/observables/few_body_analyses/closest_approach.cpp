@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "ljmd/observables/few_body_analysis.hpp"
 
 namespace ljmd {
@@ -10,12 +12,28 @@ namespace {
 
 class Closest : public FewBodyAnalysis {
   public:
+    explicit Closest(bool attracted) : attracted_(attracted) {}
+
     void sample(const FewBodySample& now) override { approach_.add(now.state); }
 
     [[nodiscard]] std::vector<Finding> findings() const override {
         const auto& closest = approach_.closest();
         if (!closest) {
             return {};
+        }
+        const auto& unresolved = approach_.first_unresolved();
+        if (attracted_ && unresolved) {
+            const std::string remark = fmt::format(
+                "bodies {} and {} meet at time {:.6g} within a step, in which they move by {:.2g} times their "
+                "distance: "
+                "the motion is wrong from there on; take smaller steps, or the adaptive method prince-dormand",
+                unresolved->first, unresolved->second, unresolved->time,
+                unresolved->path_in_step / unresolved->distance);
+            std::vector<Finding> found;
+            for (const char* name : {"distance", "time", "first_body", "second_body"}) {
+                found.push_back({name, std::nan(""), std::nullopt, remark});
+            }
+            return found;
         }
         return {{"distance", closest->distance, std::nullopt},
                 {"time", closest->time, std::nullopt},
@@ -28,6 +46,7 @@ class Closest : public FewBodyAnalysis {
     void archive(Archive& a, const State& now) override { approach_.archive(a, now); }
 
   private:
+    bool attracted_;  ///< by a force that grows without limit as bodies come near: their encounters must be resolved
     ClosestApproach approach_;
 };
 
@@ -47,8 +66,8 @@ FewBodyAnalysisMethod closest_approach() {
                     }
                     return messages;
                 },
-            .make = [](const Section&, const FewBodyTarget&) -> std::unique_ptr<FewBodyAnalysis> {
-                return std::make_unique<Closest>();
+            .make = [](const Section&, const FewBodyTarget& target) -> std::unique_ptr<FewBodyAnalysis> {
+                return std::make_unique<Closest>(static_cast<bool>(target.force.gravitational_parameter));
             }};
 }
 

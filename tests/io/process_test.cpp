@@ -1,5 +1,10 @@
-#include "ljmd/compare/process.hpp"
+#include "ljmd/io/process.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -9,6 +14,7 @@
 #include "core/environment_guard.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/pipe.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -83,6 +89,62 @@ TEST_CASE("a signal that ends a program shows in its status, also one that we ig
     const int status = run_process({.program = piped, .directory = directory, .output = "said"});
     std::signal(SIGPIPE, before);
     CHECK(status == 128 + SIGPIPE);
+}
+
+TEST_CASE("a program has no signal blocked, no handler of ours, and ignores what we were told to ignore") {
+    const TemporaryFolder folder;
+    const fs::path program = script(
+        folder / "program", "grep SigBlk /proc/self/status; kill -HUP $$; echo here; kill -USR2 $$; echo here, too");
+    void (*handler)(int) = std::signal(SIGUSR2, [](int) {});
+    void (*ignored)(int) = std::signal(SIGHUP, SIG_IGN);
+    sigset_t blocked;
+    sigset_t before;
+    sigemptyset(&blocked);
+    sigaddset(&blocked, SIGTERM);
+    sigprocmask(SIG_BLOCK, &blocked, &before);
+    const int status = run_process({.program = program, .directory = folder / "", .output = "said"});
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    std::signal(SIGUSR2, handler);
+    std::signal(SIGHUP, ignored);
+    CHECK(status == 128 + SIGUSR2);
+    CHECK(content_of(folder / "said") == "SigBlk:\t0000000000000000\nhere\n");
+}
+
+TEST_CASE("a program reads what it is given, and no program inherits the pipe of another") {
+    const TemporaryFolder folder;
+    Pipe pipe;
+    ChildProcess reader({.program = "/bin/cat", .directory = folder / "", .output = "said", .input = pipe.read_end()});
+    ChildProcess other({.program = "/bin/sleep", .arguments = {"60"}, .directory = folder / "", .output = "nothing"});
+    REQUIRE(::write(pipe.write_end(), "text", 4) == 4);
+    pipe.close_write_end();
+    CHECK(reader.wait() == 0);
+    CHECK(content_of(folder / "said") == "text");
+    other.signal(SIGKILL);
+    CHECK(other.wait() == 128 + SIGKILL);
+}
+
+TEST_CASE("a program ends with the process that started it, however that ends") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", "echo here > begun; read word < never-written");
+    REQUIRE(::mkfifo((folder / "never-written").c_str(), 0600) == 0);
+    int alive[2] = {};  // inherited by both, so its end is seen when both are gone
+    REQUIRE(::pipe(alive) == 0);
+    const pid_t parent = ::fork();
+    if (parent == 0) {
+        const ChildProcess child({.program = program, .directory = folder / "", .output = "said"});
+        while (!fs::exists(folder / "begun")) {
+            ::usleep(1000);
+        }
+        std::raise(SIGKILL);
+    }
+    ::close(alive[1]);
+    pollfd ended{.fd = alive[0], .events = POLLIN, .revents = 0};
+    constexpr int patience = 60'000;
+    CHECK(::poll(&ended, 1, patience) == 1);
+    ::kill(parent, SIGKILL);
+    CHECK(::waitpid(parent, nullptr, 0) == parent);
+    ::close(::open((folder / "never-written").c_str(), O_RDWR | O_NONBLOCK));  // ends a program that lives on
+    ::close(alive[0]);
 }
 
 TEST_CASE("what cannot be started is an error that says what and where") {

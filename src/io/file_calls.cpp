@@ -1,0 +1,31 @@
+#include "file_calls.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+namespace ljmd {
+
+FileError file_error(const char* doing, const std::filesystem::path& path, int error) {
+    return FileError(fmt::format("cannot {} '{}': {}", doing, path.string(), std::generic_category().message(error)));
+}
+
+int sync_descriptor(int descriptor) {
+    while (::fsync(descriptor) != 0) {
+        if (errno == EINVAL || errno == EROFS || errno == ENOTSUP) {
+            return 0;
+        }
+        if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+bool is_same_file(const struct stat& a, const struct stat& b) {
+    return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,40 @@
+#include "ljmd/app/run_lock.hpp"
+
+#include "app/app_fixtures.hpp"
+#include "app/run_fixtures.hpp"
+#include "io/output_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/replacement_file.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+namespace fs = std::filesystem;
+
+TEST_CASE("a new run gets a directory that is made, locked and its own, wherever it is moved to") {
+    const DeckFolder folder;
+    Deck deck = folder.load();
+    RunLock lock(deck, false);
+    CHECK_THROWS_AS(RunLock(deck.directory), InUseError);
+    fs::rename(deck.directory, folder / "moved");
+    fs::create_directory(deck.directory);
+    write_file_atomically(deck.outputs() / "run.json", "new");
+    CHECK(content_of(folder / "moved/run.json") == "new");
+    CHECK(fs::is_empty(deck.directory));
+    lock.has_begun();
+}
+
+TEST_CASE("an earlier run is replaced by force alone, and not before the new one has begun") {
+    const DeckFolder folder;
+    Deck deck = folder.load();
+    fs::create_directory(deck.directory);
+    std::ofstream(deck.directory / "run.json") << "old";
+    CHECK_THROWS_AS(RunLock(deck, false), InputError);
+    {
+        const RunLock lock(deck, true);
+        CHECK_FALSE(fs::exists(deck.directory / "run.json"));
+    }
+    CHECK(content_of(deck.directory / "run.json") == "old");
+    RunLock lock(deck, true);
+    lock.has_begun();
+    CHECK(fs::is_empty(deck.directory));
+}

@@ -1,0 +1,22 @@
+#include "ljmd/app/sweep_record.hpp"
+#include "ljmd/app/study_report.hpp"
+#include "ljmd/core/errors.hpp"
+#include "sweep_promises.hpp"
+
+using namespace ljmd;
+
+// sweep.json, as `ljmd sweep` reads it in a directory that it finds, and `ljmd info` tells of it.
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const test::WrittenFile file("", "sweep.json");
+    file.rewrite(fuzz::text_of(data, size));
+    try {
+        const std::optional<SweepPlan> plan = recorded_sweep(file.directory());
+        fuzz::require(plan.has_value(), "a sweep where there is a record");
+        fuzz::check_points(plan->points);
+        fuzz::require(sweep_runs(*plan, file.directory()).size() == plan->points.values.size(), "a run for each point");
+        static_cast<void>(study_report(file.directory()));
+        static_cast<void>(study_json(file.directory()));
+    } catch (const DataError&) {
+    }
+    return 0;
+}

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Checks that an error of the file system can't become an error that no one expects, or be lost.
+
+    check_file_calls.py ROOT          check the tree at ROOT
+    check_file_calls.py --self-test   check that violations are caught, on made-up trees
+
+Operations of std::filesystem throw std::filesystem::filesystem_error, which would be reported as a bug of the program;
+so does reading through the buffer of a std::ifstream. What src/ and include/ ask of the file system goes through
+ljmd::files (include/ljmd/io/file_system.hpp), what they read through open_input() (include/ljmd/io/input_file.hpp),
+what they write through OutputFile: these report errors of one type, with path and cause.
+"""
+
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+# file -> why it may call what others may not
+ALLOWED = {
+    "include/ljmd/io/file_system.hpp": "the operations themselves",
+    "src/io/file_system.cpp": "the operations themselves",
+    "include/ljmd/io/input_file.hpp": "open_input() itself",
+    "src/io/input_file.cpp": "open_input() itself",
+    "src/io/text_file.cpp": "reads through a std::istream, which turns what its buffer throws into a state",
+    "src/app/bench.cpp": "the kernel's word on this process; where there is none, nothing is told",
+}
+
+# Types of std::filesystem, which do nothing.
+TYPES = {"path", "file_type", "file_status", "perms", "filesystem_error"}
+
+RULES = [
+    (re.compile(r"(?:\bstd::filesystem|\bfs)::(?!" + "|".join(rf"{name}\b" for name in sorted(TYPES)) + r")(\w+)"),
+     "call ljmd::files, which reports errors"),
+    # Found by the type of their argument, without a namespace.
+    (re.compile(r"(?<![\w:.>])(is_regular_file|is_directory|is_symlink|file_size|symlink_status|create_director\w+|"
+                r"remove_all|current_path|weakly_canonical|temp_directory_path|read_symlink|last_write_time|"
+                r"copy_file|resize_file)\("),
+     "call ljmd::files, which reports errors"),
+    (re.compile(r"\bstd::ifstream\s+\w+\s*[({]"), "open it with open_input()"),
+    (re.compile(r"\bstd::(o?fstream)\b"), "write with OutputFile"),
+    (re.compile(r"\b\w+\.open\("), "open it with open_input()"),
+    (re.compile(r"\bistreambuf_iterator\b|\.rdbuf\("), "read through the stream: its buffer throws"),
+    (re.compile(r"\bjson::parse\((?:file|stream|input|in)\b"), "read the text first, by read_input(): parsing uses the buffer"),
+    (re.compile(r"\b(?:std::)?(?:fopen|opendir|tmpfile|freopen)\(|\bstd::(?:rename|remove)\(\w+\)"),
+     "call ljmd::files, open_input() or OutputFile"),
+]
+
+
+def without_comments(text):
+    text = re.sub(r"/\*.*?\*/", lambda match: re.sub(r"[^\n]", " ", match.group()), text, flags=re.S)
+    return re.sub(r"//[^\n]*", "", text)
+
+
+def check(root):
+    complaints = []
+    for path in sorted([*(root / "src").rglob("*.?pp"), *(root / "include").rglob("*.?pp")]):
+        name = path.relative_to(root).as_posix()
+        if name in ALLOWED:
+            continue
+        for number, line in enumerate(without_comments(path.read_text(encoding="utf-8")).splitlines(), 1):
+            if line.lstrip().startswith("#include"):
+                continue
+            for pattern, advice in RULES:
+                if found := pattern.search(line):
+                    complaints.append(f"{name}:{number}: {found.group()}: {advice}")
+    return complaints
+
+
+SOUND = """#include <filesystem>
+namespace fs = std::filesystem;
+std::size_t length(const fs::path& path, std::filesystem::file_type type) {
+    std::ifstream file = open_input(path);
+    files::remove(path);  // not fs::remove(path)
+    return files::is_directory(path) || file_.exists("name") ? 0 : store.remove(path);
+}
+"""
+
+VIOLATIONS = [
+    "if (std::filesystem::exists(path)) {",
+    "fs::remove(path, error);",
+    "for (const fs::directory_entry& entry : list) {",
+    "return is_directory(path);",
+    "std::ifstream file(path, std::ios::binary);",
+    "std::ifstream file{path};",
+    "file.open(path);",
+    "std::ofstream(path) << text;",
+    "std::fstream both;",
+    "return {std::istreambuf_iterator<char>(file), {}};",
+    "out << file.rdbuf();",
+    "FILE* file = std::fopen(name, mode);",
+    "std::remove(name);",
+    "return nlohmann::json::parse(file);",
+]
+
+
+def self_test():
+    failures = []
+    with tempfile.TemporaryDirectory() as folder:
+        source = Path(folder) / "src" / "app" / "x.cpp"
+        source.parent.mkdir(parents=True)
+        source.write_text(SOUND, encoding="utf-8")
+        if complaints := check(Path(folder)):
+            failures.append(f"a sound tree gave {complaints}")
+        for line in VIOLATIONS:
+            source.write_text(SOUND + line + "\n", encoding="utf-8")
+            if len(check(Path(folder))) != 1:
+                failures.append(f"'{line}': expected one complaint, got {check(Path(folder))}")
+        (source.parents[1] / "io").mkdir()
+        (source.parents[1] / "io" / "file_system.cpp").write_text(VIOLATIONS[0], encoding="utf-8")
+        source.write_text(SOUND, encoding="utf-8")
+        if complaints := check(Path(folder)):
+            failures.append(f"what is allowed gave {complaints}")
+    print("\n".join(failures) or f"{len(VIOLATIONS)} violations caught")
+    return 1 if failures else 0
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    if len(arguments) != 1:
+        print(__doc__)
+        return 2
+    complaints = check(Path(arguments[0]))
+    print("\n".join(complaints) or "no violation")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

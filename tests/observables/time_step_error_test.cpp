@@ -1,0 +1,43 @@
+#include "ljmd/observables/time_step_error.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace ljmd;
+
+namespace {
+
+/// Atoms of masses 1 and 2, with these velocities and forces along x.
+State two_atoms(const Vec3& velocities, const Vec3& forces) {
+    State state(2, Box(Vec3(5.0, 5.0, 5.0)));
+    state.write_masses()[1] = 2.0;
+    for (Index i = 0; i < 2; ++i) {
+        state.write_velocities().col(i) = Vec3(velocities[i], 0.0, 0.0);
+        state.write_forces().col(i) = Vec3(forces[i], 0.0, 0.0);
+    }
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("The error of a time step is the mean kinetic energy that half a step adds, over that at the steps") {
+    TimeStepError error;
+    CHECK_FALSE(error.value());
+    error.add(two_atoms({3.0, 1.0, 0.0}, {10.0, 6.0, 0.0}), 0.1);
+    // 0.1^2/4 (100/1 + 36/2) over 9 + 2
+    CHECK(error.value().value() == Approx(0.0025 * 118.0 / 11.0).epsilon(1e-14));
+    error.add(two_atoms({1.0, 0.0, 0.0}, {0.0, 4.0, 0.0}), 0.1);
+    CHECK(error.value().value() == Approx(0.0025 * 126.0 / 12.0).epsilon(1e-14));
+}
+
+TEST_CASE("Atoms at rest tell nothing of a time step, and what was found is archived") {
+    TimeStepError error;
+    error.add(two_atoms({0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}), 0.1);
+    CHECK_FALSE(error.value());
+    error.add(two_atoms({1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}), 0.1);
+    Archive a;
+    error.archive(a);
+    TimeStepError other;
+    Archive same(a.bytes());
+    other.archive(same);
+    CHECK(other.value() == error.value());
+}
