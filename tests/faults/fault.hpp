@@ -57,6 +57,9 @@ class Fault {
     /// To be called after a file or folder has been synced.
     void synced(int descriptor);
 
+    /// No fault from here on: for the other side of a fork.
+    void spare_this_process() { mode_ = Mode::nothing; }
+
     /// What is to be added to the clock on the wall, in seconds.
     long clock_jump();
 

@@ -19,7 +19,6 @@
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -115,14 +114,6 @@ mode_t permissions(int flags, va_list rest) {
         return next(kind_of_open(mode)) == Fate::fails ? nullptr : call(path, mode);   \
     }
 
-// Which return the number of an error.
-#define SPAWNING(name)                                                                                                 \
-    int name(pid_t* id, const char* path, const posix_spawn_file_actions_t* actions,                                   \
-             const posix_spawnattr_t* attributes, char* const* arguments, char* const* environment) noexcept {         \
-        static const auto call = original<decltype(&name)>(#name);                                                     \
-        return next(Kind::spawn) == Fate::fails ? errno : call(id, path, actions, attributes, arguments, environment); \
-    }
-
 extern "C" {
 
 TRANSFERRING(read, read, (int descriptor, void* data, size_t size), (descriptor, data, count))
@@ -185,8 +176,17 @@ FAULTY(lookup, nullptr, char*, realpath, (const char* path, char* text) noexcept
 FAULTY(lookup, nullptr, char*, getcwd, (char* text, size_t size) noexcept, (text, size))
 FAULTY(lock, -1, int, flock, (int descriptor, int how) noexcept, (descriptor, how))
 
-SPAWNING(posix_spawn)
-SPAWNING(posix_spawnp)
+pid_t fork() noexcept {
+    static const auto call = original<pid_t (*)()>("fork");
+    if (next(Kind::spawn) == Fate::fails) {
+        return -1;
+    }
+    const pid_t id = call();
+    if (id == 0 && fault() != nullptr) {
+        fault()->spare_this_process();
+    }
+    return id;
+}
 
 int fsync(int descriptor) {
     static const auto call = original<int (*)(int)>("fsync");
@@ -209,24 +209,6 @@ int close(int descriptor) {
         return result;
     }
     return next(Kind::close) == Fate::fails || (fault() != nullptr && fault()->is_too_late()) ? -1 : result;
-}
-
-int renameat(int from_where, const char* from, int to_where, const char* to) noexcept {
-    static const auto call = original<int (*)(int, const char*, int, const char*)>("renameat");
-    static_cast<void>(next(false));
-    return call(from_where, from, to_where, to);
-}
-
-int unlinkat(int where, const char* name, int flags) noexcept {
-    static const auto call = original<int (*)(int, const char*, int)>("unlinkat");
-    static_cast<void>(next(false));
-    return call(where, name, flags);
-}
-
-int mkdirat(int where, const char* name, mode_t mode) noexcept {
-    static const auto call = original<int (*)(int, const char*, mode_t)>("mkdirat");
-    static_cast<void>(next(false));
-    return call(where, name, mode);
 }
 
 int clock_gettime(clockid_t clock, struct timespec* now) noexcept {
