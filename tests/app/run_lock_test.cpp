@@ -34,6 +34,7 @@ TEST_CASE("an earlier run is replaced by force alone, and not before the new one
         CHECK_FALSE(fs::exists(deck.directory / "run.json"));
     }
     CHECK(content_of(deck.directory / "run.json") == "old");
+    deck.locked.reset();  // it shares the lock
     RunLock lock(deck, true);
     lock.has_begun();
     CHECK(fs::is_empty(deck.directory));

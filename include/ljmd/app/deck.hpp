@@ -56,7 +56,7 @@ struct Deck {
     Section root;
     std::vector<Stage> stages;
     std::filesystem::path directory;
-    std::optional<OpenDirectory> locked;  ///< the same, when a command has locked it
+    std::optional<OpenDirectory> locked;  ///< the same, when a command has locked it; shares the lock
     Index thermo_every;
     std::optional<TrajectoryOutput> trajectory;
     CheckpointOutput checkpoint;
