@@ -15,13 +15,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_name = 64;
 
 void require_usable(const fs::path& directory, const std::string& consequence) {
-    if (files::is_no_directory(directory)) {
-        throw InputError(fmt::format("{} exists and is not a directory. {}.", directory.string(), consequence));
-    }
     if (files::is_too_long(directory / std::string(longest_name, 'x'))) {
         throw InputError(
             fmt::format("the path {} is too long: files in it cannot be named. {}.\n  choose a shorter one with --out",
                         directory.string(), consequence));
+    }
+    if (files::is_no_directory(directory)) {
+        throw InputError(fmt::format("{} exists and is not a directory. {}.", directory.string(), consequence));
     }
 }
 

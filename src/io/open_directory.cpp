@@ -75,8 +75,16 @@ OpenDirectory OpenDirectory::held_alone() const {
 bool OpenDirectory::is_at_its_path() const {
     struct stat held {};
     struct stat there {};
-    return ::fstat(descriptor(), &held) == 0 && ::stat(path_.empty() ? "." : path_.c_str(), &there) == 0 &&
-           is_same_file(held, there);
+    if (::fstat(descriptor(), &held) != 0) {
+        throw file_error("look at", path_, errno);
+    }
+    if (::stat(path_.empty() ? "." : path_.c_str(), &there) != 0) {
+        if (errno == ENOENT || errno == ENOTDIR) {
+            return false;
+        }
+        throw file_error("look at", path_, errno);
+    }
+    return is_same_file(held, there);
 }
 
 void OpenDirectory::require_at_its_path() const {

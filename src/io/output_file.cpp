@@ -165,8 +165,10 @@ bool OutputFile::holds(std::string_view bytes, std::int64_t from) const {
                                       static_cast<off_t>(from + static_cast<std::int64_t>(read)));
         if (count > 0) {
             read += static_cast<std::size_t>(count);
-        } else if (count == 0 || errno != EINTR) {
+        } else if (count == 0) {
             return false;
+        } else if (errno != EINTR) {
+            throw file_error("read back", path(), errno);
         }
     }
     return found == bytes;

@@ -83,7 +83,6 @@ struct Foreign {
         }
         append_all(output, all);
         output.commit();
-        output.take_place();
         const std::filesystem::path open_copy = path.string() + ".open";
         std::filesystem::copy_file(path, open_copy);
         output.close();
@@ -361,7 +360,6 @@ TEST_CASE("H5MD files that cannot be used are refused, with the reason") {
     {
         Hdf5Output empty(folder / "a.h5");
         empty.create_group("other");
-        empty.take_place();
         empty.close();
     }
     CHECK_THAT(data_error([&] { static_cast<void>(read_all(folder / "a.h5")); }), Contains("not H5MD"));

@@ -30,7 +30,6 @@ H5mdScale scale(const std::vector<std::string>& file_units, const std::optional<
             output.set_variable_text(name, "unit", file_units[k]);
         }
     }
-    output.take_place();
     output.close();
     return h5md_scale(Hdf5Input(folder / "a.h5"), quantities, units);
 }

@@ -27,7 +27,6 @@ void write_all(const std::filesystem::path& path, const std::filesystem::path& o
     Hdf5Output::Series series{"g/h/value", {2, 3}, H5T_NATIVE_DOUBLE};
     output.create_series(series, {1, 2, 3});
     output.start_appending();
-    output.take_place();
     for (double first : {10.0, 20.0}) {
         const std::vector<double> entry{first, first + 1, first + 2, first + 3, first + 4, first + 5};
         output.append(series, entry.data());

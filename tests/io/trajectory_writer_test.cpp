@@ -252,7 +252,7 @@ Cost cost_of(const std::string& format, int frames) {
     make_trajectory_writer(format, state, options)->close();
     cost.resuming = Transfer::until_now() - closed;
     const Transfer resumed = Transfer::until_now();
-    const auto reader = open_trajectory(options.path, std::nullopt);
+    const auto reader = open_trajectory(options.path.path(), std::nullopt);
     Frame frame;
     int found = 0;
     while (reader->next(frame)) {

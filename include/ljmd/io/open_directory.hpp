@@ -33,10 +33,10 @@ class OpenDirectory {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] int descriptor() const { return *descriptor_; }
 
-    /// Whether its path still leads to it.
+    /// Whether its path still leads to it. @throws FileError when that cannot be told
     [[nodiscard]] bool is_at_its_path() const;
 
-    /// @throws InUseError unless its path still leads to it
+    /// @throws InUseError unless its path still leads to it; FileError when that cannot be told
     void require_at_its_path() const;
 
     /// The names of the files in it are on the disk. @throws FileError

@@ -48,7 +48,7 @@ class OutputFile {
     /// sync(). @return bytes in the file
     std::int64_t commit();
 
-    /// Whether the file holds these bytes from there on. @pre they were flushed
+    /// Whether the file holds these bytes from there on. @pre they were flushed  @throws FileError
     [[nodiscard]] bool holds(std::string_view bytes, std::int64_t from) const;
 
     /// flush() and close. A second call does nothing. @throws FileError
