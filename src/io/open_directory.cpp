@@ -44,7 +44,7 @@ OpenDirectory::OpenDirectory(fs::path path, const char* doing, const fs::path& w
     descriptor_ = closed_at_the_end(descriptor);
 }
 
-OpenDirectory::OpenDirectory(fs::path path) : OpenDirectory(path, "open the directory", path) {}
+OpenDirectory::OpenDirectory(const fs::path& path) : OpenDirectory(path, "open the directory", path) {}
 
 OutputPlace OpenDirectory::operator/(const std::string& name) const {
     return {*this, name};

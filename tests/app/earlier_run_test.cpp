@@ -96,7 +96,7 @@ TEST_CASE("a kill in the middle of replacing a run leaves the old one or the new
     }
     SECTION("before the new one has a checkpoint") {
         fs::create_directory(folder / ".ljmd-earlier");
-        for (const char* name : {"run.json", "thermo.csv", "checkpoint.1"}) {
+        for (const std::string name : {"run.json", "thermo.csv", "checkpoint.1"}) {
             fs::rename(folder / name, folder / ".ljmd-earlier" / name);
         }
         folder.write("run.json", "new");

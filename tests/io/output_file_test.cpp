@@ -47,6 +47,14 @@ TEST_CASE("an existing file is replaced") {
     CHECK(content_of(folder / "a.txt") == "short\n");
 }
 
+TEST_CASE("no link is written through") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "precious") << "mine";
+    std::filesystem::create_symlink(folder / "precious", folder / "a.txt");
+    CHECK_THROWS_AS(OutputFile(folder / "a.txt"), FileError);
+    CHECK(content_of(folder / "precious") == "mine");
+}
+
 TEST_CASE("a file that cannot be created is an error that names it and the cause") {
     const TemporaryFolder folder;
     const auto missing = folder / "no/a.txt";

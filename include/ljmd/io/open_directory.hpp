@@ -16,7 +16,7 @@ class OpenDirectory {
     /// Not explicit: a function that writes into a directory can be given its path.
     /// @param path  empty: the working directory
     /// @throws FileError
-    OpenDirectory(std::filesystem::path path);
+    OpenDirectory(const std::filesystem::path& path);
 
     /// The place of this name in it.
     [[nodiscard]] OutputPlace operator/(const std::string& name) const;
