@@ -8,7 +8,6 @@
 #include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
@@ -59,7 +58,7 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
                                    .creator_version = build_info().version,
                                    .author = user(),
                                    .title = deck.title,
-                                   .kept = std::move(kept)});
+                                   .kept = kept});
 }
 
 std::string save_failure(const Deck& deck, const State& state) {

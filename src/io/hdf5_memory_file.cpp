@@ -47,7 +47,7 @@ herr_t Hdf5MemoryFile::use_for(hid_t access) {
     constexpr std::size_t growth = std::size_t{64} << 10;
     H5FD_file_image_callbacks_t callbacks{&Image::allocate, &Image::copy,   &Image::reallocate, &Image::release,
                                           &Image::share,    &Image::forget, image_.get()};
-    const herr_t in_memory = H5Pset_fapl_core(access, growth, 0);
+    const herr_t in_memory = H5Pset_fapl_core(access, growth, hbool_t{false});
     return in_memory < 0 ? in_memory : H5Pset_file_image_callbacks(access, &callbacks);
 }
 
