@@ -99,7 +99,7 @@ TEST_CASE("a run of another deck or with other settings is another one, and made
 TEST_CASE("a failure is told by the last error in the log, or its last line, as a terminal may show it") {
     const DeckFolder folder;
     const ChildRun run = run_in(folder);
-    CHECK(failure_of(run, 137) == "hot: exit code 137: ");
+    CHECK(failure_of(run, 137) == "hot: exit code 137: " + run.log.string() + ": no such file");
     std::ofstream(run.log) << "warning: x\nkilled \x1B[31m\n\n";
     CHECK(failure_of(run, 137) == "hot: exit code 137: killed ?[31m");
     std::ofstream(run.log) << "error: a\nerror: blown up\n  the configuration is in failed.xyz\n";
@@ -140,7 +140,7 @@ TEST_CASE("places that lead elsewhere are refused") {
     fs::remove(run.log);
     REQUIRE(mkfifo(run.log.c_str(), 0600) == 0);
     CHECK_THROWS_WITH(check_places(run), Catch::Matchers::Contains("hot.log is in the way"));
-    CHECK(failure_of(run, 5) == "hot: exit code 5: ");
+    CHECK(failure_of(run, 5) == "hot: exit code 5: " + run.log.string() + ": is a pipe, not a regular file");
     fs::remove(run.log);
     fs::create_directory(folder / "elsewhere");
     fs::create_directory_symlink(folder / "elsewhere", run.directory);
