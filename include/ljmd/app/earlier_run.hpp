@@ -12,7 +12,7 @@ namespace ljmd {
 /// A program that is killed meanwhile leaves them aside, see settle_earlier_run().
 class EarlierRun {
   public:
-    /// Set aside what is there of these names.
+    /// Move the files with these names aside.
     /// @pre the directory is held alone, and there is no such folder (settle_earlier_run)
     /// @throws FileError; then all is as it was
     EarlierRun(OpenDirectory directory, std::vector<std::string> names);
@@ -21,7 +21,7 @@ class EarlierRun {
     EarlierRun(const EarlierRun&) = delete;
     EarlierRun& operator=(const EarlierRun&) = delete;
 
-    /// Remove it: the new run can be gone on with.
+    /// Remove the earlier run: the new one can be resumed now.
     void discard();
 
   private:

@@ -8,7 +8,7 @@ namespace ljmd {
 
 // What every command that writes asks before it begins, so that nothing is lost that it was not told to replace.
 
-/// Those of these names that are files, or links, in a directory.
+/// The files and links in a directory that have one of these names.
 /// @param consequence  what was not done, when it is refused: "Nothing was run"
 /// @throws InputError  the directory is none, its path is too long to name files in it, or one of the names is there
 /// and
