@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "ljmd/core/archived_count.hpp"
@@ -74,8 +76,7 @@ void BlockingAccumulator::add(const Eigen::VectorXd& sample) {
     Eigen::VectorXd block = sample;
     for (std::size_t k = 0;; ++k) {
         if (k == levels_.size()) {
-            const Index columns = covariance_ == Covariance::full ? width_ : 1;
-            levels_.push_back({0, Eigen::VectorXd::Zero(width_), Eigen::MatrixXd::Zero(width_, columns), {}});
+            levels_.push_back({0, Eigen::VectorXd::Zero(width_), Eigen::VectorXd::Zero(kept_products()), {}});
         }
         Level& level = levels_[k];
         accumulate(level, block);
@@ -92,11 +93,27 @@ void BlockingAccumulator::accumulate(Level& level, const Eigen::VectorXd& block)
     const double n = static_cast<double>(level.blocks);
     const Eigen::VectorXd step = block - level.mean;
     level.mean += step / n;
-    if (covariance_ == Covariance::full) {
-        level.deviation.noalias() += ((n - 1.0) / n * step) * step.transpose();
-    } else {
-        level.deviation.col(0) += (n - 1.0) / n * step.cwiseAbs2();
+    if (covariance_ == Covariance::diagonal) {
+        level.deviation += (n - 1.0) / n * step.cwiseAbs2();
+        return;
     }
+    for (Index column = 0; column < width_; ++column) {
+        const Index below = width_ - column;
+        level.deviation.segment(diagonal(column), below) += (n - 1.0) / n * step[column] * step.tail(below);
+    }
+}
+
+Index BlockingAccumulator::products(Index width, Covariance covariance) {
+    return covariance == Covariance::full ? width * (width + 1) / 2 : width;
+}
+
+double BlockingAccumulator::bytes(Index width, Covariance covariance, Index samples) {
+    const auto levels = std::bit_width(static_cast<std::uint64_t>(std::max<Index>(samples, 0)));
+    return 8.0 * static_cast<double>(levels) * static_cast<double>(2 * width + products(width, covariance));
+}
+
+Index BlockingAccumulator::diagonal(Index component) const {
+    return covariance_ == Covariance::full ? component * width_ - component * (component - 1) / 2 : component;
 }
 
 void BlockingAccumulator::archive(Archive& a) {
@@ -104,13 +121,12 @@ void BlockingAccumulator::archive(Archive& a) {
     // Two blocks of a level make one of the next; the last level has one block.
     Index expected = samples();
     require_count(expected);
-    const Index columns = covariance_ == Covariance::full ? width_ : 1;
     for (const Level& level : levels_) {
         if (level.blocks < 1 || level.blocks != expected) {
             throw CheckpointError("its block averages are not those of any number of samples");
         }
         expected /= 2;
-        if (level.mean.size() != width_ || level.deviation.rows() != width_ || level.deviation.cols() != columns ||
+        if (level.mean.size() != width_ || level.deviation.size() != kept_products() ||
             level.pending.size() != width_) {
             throw CheckpointError(fmt::format("its block averages are not {} wide", width_));
         }
@@ -165,8 +181,7 @@ void BlockingAccumulator::check(Index component) const {
 
 std::vector<BlockLevel> BlockingAccumulator::levels(Index component) const {
     check(component);
-    const Index column = covariance_ == Covariance::full ? component : 0;
-    return curve([&](const Eigen::MatrixXd& deviation) { return deviation(component, column); });
+    return curve([&](const Eigen::VectorXd& deviation) { return deviation[diagonal(component)]; });
 }
 
 Estimate BlockingAccumulator::estimate(Index component) const {
@@ -183,8 +198,13 @@ Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& grad
             fmt::format("a gradient of {} components was given to block averages of {}", gradient.size(), width_));
     }
     // Round-off may leave a combination that does not vary at all slightly below zero; NaN passes through.
-    const auto along_gradient = [&](const Eigen::MatrixXd& deviation) {
-        const double sum = gradient.dot(deviation * gradient);
+    const auto along_gradient = [&](const Eigen::VectorXd& deviation) {
+        double sum = 0.0;
+        for (Index column = 0; column < width_; ++column) {
+            const Index below = width_ - column - 1;
+            const double others = deviation.segment(diagonal(column) + 1, below).dot(gradient.tail(below));
+            sum += gradient[column] * (gradient[column] * deviation[diagonal(column)] + 2.0 * others);
+        }
         return sum < 0.0 ? 0.0 : sum;
     };
     return choose_level(value, samples(), curve(along_gradient));

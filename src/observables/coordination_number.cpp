@@ -11,7 +11,7 @@ namespace ljmd {
 namespace {
 
 constexpr double widest_shell = 0.04;         // [sigma]
-constexpr Index most_shells = 128;            // 2.5 sigma at least; their covariance takes memory in each checkpoint
+constexpr double farthest_shell = 3.2;        // [sigma]: behind the second peak; covariances fill checkpoints
 constexpr double half_window = 0.25;          // [sigma] of the fit
 constexpr double smoothing = 0.1;             // [sigma] to each side, where the lowest shell is looked for
 constexpr double significance = 5.0;          // standard errors: one of many wiggles of noise reaches 3
@@ -142,8 +142,9 @@ CoordinationNumber::Division CoordinationNumber::division(Index bins, double rad
     const auto parts = std::max(static_cast<Index>(std::ceil(bin / widest_shell - rounding)), Index{1});
     const double part = bin / static_cast<double>(parts);
     const auto in_a_shell = std::max(static_cast<Index>(widest_shell / part + rounding), Index{1});
-    return {parts, in_a_shell, std::min(parts * bins / in_a_shell, most_shells),
-            static_cast<double>(in_a_shell) * part};
+    const double width = static_cast<double>(in_a_shell) * part;
+    const auto most_shells = std::max(static_cast<Index>(farthest_shell / width + rounding), Index{1});
+    return {parts, in_a_shell, std::min(parts * bins / in_a_shell, most_shells), width};
 }
 
 CoordinationNumber::CoordinationNumber(const Division& division)

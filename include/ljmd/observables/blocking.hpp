@@ -48,9 +48,10 @@ enum class Covariance { diagonal, full };
 /// times the converged errors wherever there are more than 16 independent samples; with 50 of them 99 % of the series
 /// are called converged, with 10 of them one of five, with 5 one of twenty.
 ///
-/// Memory: O(width log n), or O(width^2 log n) with Covariance::full. Means are pairwise sums: their round-off grows
-/// like log n. A sample that is not finite makes mean and error of its component NaN. Sources: Flyvbjerg and Petersen
-/// (1989), doi:10.1063/1.457480; choice of the level: Lee et al. (2011), doi:10.1103/PhysRevE.83.066706.
+/// Memory: 24 width bytes for each doubling of n, or 4 width (width + 5) with Covariance::full. Means are pairwise
+/// sums: their round-off grows like log n. A sample that is not finite makes mean and error of its component NaN.
+/// Sources: Flyvbjerg and Petersen (1989), doi:10.1063/1.457480; choice of the level: Lee et al. (2011),
+/// doi:10.1103/PhysRevE.83.066706.
 class BlockingAccumulator {
   public:
     /// @param width  components of a sample
@@ -59,6 +60,9 @@ class BlockingAccumulator {
 
     /// Add the next sample of the series. @throws ContractViolation unless it has `width` components
     void add(const Eigen::VectorXd& sample);
+
+    /// Bytes that the averages of so many samples take, in memory and in a checkpoint.
+    [[nodiscard]] static double bytes(Index width, Covariance covariance, Index samples);
 
     [[nodiscard]] Index width() const { return width_; }
     [[nodiscard]] Index samples() const;
@@ -87,13 +91,18 @@ class BlockingAccumulator {
   private:
     struct Level {
         Index blocks = 0;
-        Eigen::VectorXd mean;  // running mean of the blocks
-        Eigen::MatrixXd
-            deviation;            // running sum of their squared deviations: (width, width), or (width, 1) if diagonal
-        Eigen::VectorXd pending;  // the block that waits for its partner, when `blocks` is odd
+        Eigen::VectorXd mean;       // running mean of the blocks
+        Eigen::VectorXd deviation;  // running sum of their squared deviations, as the covariance is kept
+        Eigen::VectorXd pending;    // the block that waits for its partner, when `blocks` is odd
 
         void archive(Archive& a) { a(blocks, mean, deviation, pending); }
     };
+
+    /// What is kept of products of deviations: a number a component; or, with Covariance::full, the lower triangle of
+    /// their matrix, column by column from the diagonal down.
+    [[nodiscard]] static Index products(Index width, Covariance covariance);
+    [[nodiscard]] Index kept_products() const { return products(width_, covariance_); }
+    [[nodiscard]] Index diagonal(Index component) const;  ///< its place among them
 
     void accumulate(Level& level, const Eigen::VectorXd& block) const;
     void check(Index component) const;

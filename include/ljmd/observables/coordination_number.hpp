@@ -10,10 +10,11 @@ namespace ljmd {
 
 /// Atoms within the first minimum of the density around an atom, whose place is found by a fit.
 ///
-/// The density rho(r) = N_k/shell_k is known as the mean number N_k of atoms in shells of 0.02 to 0.04 sigma. Around
-/// each r a cubic is fitted to the shells within 0.25 sigma, with weights that fall to zero there (1 - x^2); it is
-/// compared with shells by its integral over them, so that their width does not matter. The minimum r_m lies
-/// between the highest peak and twice its distance, where the slope of these cubics vanishes. The number of atoms is
+/// The density rho(r) = N_k/shell_k is known as the mean number N_k of atoms in shells of 0.02 to 0.04 sigma, up to
+/// 3.2 sigma. Around each r a cubic is fitted to the shells within 0.25 sigma, with weights that fall to zero there
+/// (1 - x^2); it is compared with shells by its integral over them, so that their width does not matter. The minimum
+/// r_m lies between the highest peak and twice its distance, where the slope of these cubics vanishes. The number of
+/// atoms is
 ///
 ///     n = sum of N_k over the shells within r_m, of the last one the share of its volume
 ///
