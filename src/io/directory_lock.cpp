@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "file_calls.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/replacement_file.hpp"
 
@@ -46,7 +47,10 @@ DirectoryLock::DirectoryLock(const OpenDirectory& directory) : directory_(direct
 bool DirectoryLock::is_held(const std::filesystem::path& directory) {
     const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) {
-        return false;
+        if (errno == ENOENT || errno == ENOTDIR || errno == EACCES) {
+            return false;
+        }
+        throw file_error("open", directory, errno);
     }
     const bool held = ask_for_lock(descriptor, LOCK_SH) == Answer::refused;
     ::close(descriptor);

@@ -64,12 +64,14 @@ Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {
     links_ = Hdf5Handle(checked(H5Pcreate(H5P_LINK_ACCESS), "preparing to open it"), H5Pclose);
     checked(H5Pset_elink_cb(links_.get(), refuse_to_follow, nullptr), "preparing to open it");
     require_memory(hdf5_file_memory);
-    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    const Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), "preparing to open it"), H5Pclose);
+    // Not locked: there are file systems that know no locks, and whoever writes the file asks for none either.
+    checked(H5Pset_file_locking(access.get(), false, true), "preparing to open it");
+    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
     if (file_) {
         return;
     }
     const std::string cause = hdf5_error_text();
-    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     checked(H5Pset_metadata_read_attempts(access.get(), read_attempts), "opening it");
     file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()), H5Fclose);
     was_closed_ = false;
@@ -92,11 +94,15 @@ hid_t Hdf5Input::checked(hid_t id, const std::string& doing) const {
 bool Hdf5Input::exists(const std::string& object) const {
     const Hdf5Silence silence;
     for (std::size_t end = object.find('/'); true; end = object.find('/', end + 1)) {
-        if (H5Lexists(file_.get(), object.substr(0, end).c_str(), links_.get()) <= 0) {
+        const std::string part = object.substr(0, end);
+        if (checked(H5Lexists(file_.get(), part.c_str(), links_.get()), "looking for " + part) == 0) {
             return false;
         }
         if (end == std::string::npos) {
             return true;
+        }
+        if (H5Iget_type(open(part).get()) != H5I_GROUP) {
+            return false;
         }
     }
 }
@@ -267,7 +273,7 @@ std::optional<Hdf5Input::Attribute> Hdf5Input::open_attribute(const std::string&
         return std::nullopt;
     }
     const Hdf5Handle owner = open(object);
-    if (H5Aexists(owner.get(), name.c_str()) <= 0) {
+    if (checked(H5Aexists(owner.get(), name.c_str()), fmt::format("looking for {} of {}", name, object)) == 0) {
         return std::nullopt;
     }
     const std::string what = fmt::format("{} of {}", name, object);

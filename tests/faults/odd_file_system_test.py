@@ -4,7 +4,7 @@
 Usage: odd_file_system_test.py --ljmd PROGRAM --faults LIBRARY [--seed N]
 
 LIBRARY is preloaded, see odd_file_system.cpp. For each format of a trajectory a run and, from its first checkpoint, `ljmd
-resume` must end with exit code 0 and the files of the run to which nothing happened.
+resume` must end with exit code 0 and the files of the run to which nothing happened; `ljmd analyze` must read them.
 
 Prints one line for each format, and "N passed, M failed". Exit code 1 when something failed.
 """
@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import errno
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
-from faulty_runs import FORMATS, Case, Runner, Tally, check_same_run, make_case, run_tests
+from faulty_runs import FORMATS, Case, Failure, Runner, Tally, check_same_run, make_case, run_tests
 
 FAULTS = [f"flock:{errno.ENOLCK}", f"flock:{errno.EOPNOTSUPP}", f"fsync:{errno.EINVAL}", "signal"]
 STOPPED = 75
@@ -36,6 +37,14 @@ def two_parts(runner: Runner, case: Case, directory: Path, fault: str) -> None:
     check_same_run(directory, case.whole)
 
 
+def analyzed(runner: Runner, case: Case, directory: Path, fault: str) -> None:
+    shutil.rmtree(directory, ignore_errors=True)
+    arguments = [str(runner.program), "analyze", str(case.whole), "rdf", "--out", str(directory)]
+    done = subprocess.run(arguments, env=runner.environment(fault), capture_output=True, text=True, timeout=120)
+    if done.returncode != 0:
+        raise Failure(f"{arguments[1:]} ended with {done.returncode}: {done.stderr.strip()}")
+
+
 def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
     for form in FORMATS:
         case = make_case(runner, folder / form, form, 6, 12, 5)
@@ -43,6 +52,8 @@ def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
         for fault in FAULTS:
             tally.attempt(f"{form}, run with {fault}", lambda: whole_run(runner, case, folder / "out", fault))
             tally.attempt(f"{form}, resume with {fault}", lambda: two_parts(runner, case, folder / "out", fault))
+            if form != "csv":
+                tally.attempt(f"{form}, analyze with {fault}", lambda: analyzed(runner, case, folder / "read", fault))
         print(f"{form}: {len(FAULTS)} odd file systems: {tally.failed - before} failed", flush=True)
 
 

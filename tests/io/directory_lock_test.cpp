@@ -19,6 +19,10 @@ TEST_CASE("a directory is one run's at a time, and free again when that ends") {
     first.reset();
     CHECK_FALSE(DirectoryLock::is_held(folder.path()));
     CHECK_FALSE(DirectoryLock::is_held(folder.path() / "none"));
+    const std::filesystem::path in_a_circle = folder.path() / "circle";
+    std::filesystem::create_symlink(in_a_circle, in_a_circle);
+    CHECK_THROWS_WITH(DirectoryLock::is_held(in_a_circle), Contains("circle': "));
+    std::filesystem::remove(in_a_circle);
     CHECK_NOTHROW(DirectoryLock(folder.path()));
     CHECK(std::filesystem::is_empty(folder.path()));
 }

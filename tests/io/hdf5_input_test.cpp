@@ -49,6 +49,7 @@ TEST_CASE("numbers, extents, texts and members of an HDF5 file are read") {
     CHECK(input.name() == (folder / "a.h5").string());
     CHECK(input.exists("g/h/value"));
     CHECK_FALSE(input.exists("g/none/value"));
+    CHECK_FALSE(input.exists("g/numbers/value"));
     CHECK(input.is_dataset("g/numbers"));
     CHECK_FALSE(input.is_dataset("g/h"));
     CHECK_FALSE(input.is_dataset("none"));
@@ -141,6 +142,8 @@ TEST_CASE("a file that leads to others is not followed") {
     const Hdf5Input input(folder / "a.h5");
     for (const char* name : {"elsewhere", "by two steps"}) {
         CHECK_THAT(data_error([&] { static_cast<void>(input.numbers(name)); }),
+                   Contains(std::string("a.h5: opening ") + name + ": "));
+        CHECK_THAT(data_error([&] { static_cast<void>(input.exists(std::string(name) + "/value")); }),
                    Contains(std::string("a.h5: opening ") + name + ": "));
     }
     for (const char* name : {"raw", "virtual"}) {

@@ -18,7 +18,8 @@ class DirectoryLock {
     /// locks.
     [[nodiscard]] const OpenDirectory& directory() const { return directory_; }
 
-    /// Whether another has it now.
+    /// Whether another has it now: not of what is no directory, or is one that may not be read.
+    /// @throws FileError when it cannot be opened for another reason
     [[nodiscard]] static bool is_held(const std::filesystem::path& directory);
 
   private:
