@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
+#include "ljmd/app/size_forecast.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
@@ -24,19 +24,8 @@ constexpr Index stand_in_atoms = 4000;
 constexpr double usual_time_step = 0.004;
 constexpr double hottest_trial = 2.0;  // [epsilon/k_B]; stable with the usual time step
 
-// Bytes a row of thermo.csv takes, without and with SI columns.
-constexpr double thermo_row = 240.0;
-constexpr double thermo_row_si = 350.0;
-
-/// Bytes that a run of few atoms takes.
-constexpr double program_itself = 1.1e6;
-
 double density_of(const Start& start) {
     return static_cast<double>(start.atoms) / start.box.volume();
-}
-
-double skin_of(const Deck& deck) {
-    return deck.neighbors().text("method") == "verlet-list" ? deck.neighbors().number("skin") : 0.0;
 }
 
 /// Seconds that a step takes here, pair search and integration included.
@@ -91,36 +80,6 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
     return sum / static_cast<double>(atoms);
 }
 
-double memory(const Deck& deck, const Start& start) {
-    const double range = deck.potential().number("cutoff") + skin_of(deck);
-    const double neighbors = density_of(start) * 4.0 / 3.0 * std::numbers::pi * range * range * range;
-    const double with_images = (start.box.edges().array() + 2.0 * range).prod() / start.box.volume();
-    const std::string method = deck.neighbors().text("method");
-    double per_atom = 4.0 * 32.0 + 28.0;  // position, velocity, force, room for sorting; mass, id, image
-    if (method == "cells") {
-        per_atom += (with_images - 1.0) * 32.0 + with_images * 8.0;
-    } else if (method == "verlet-list") {
-        per_atom += 32.0 + 174.0;  // old positions; clusters and candidates, guests of tiles, their forces
-        per_atom += 4.0 * (0.125 * neighbors + 4.0);  // clusters on the list, each pair once
-    }
-    return program_itself + per_atom * static_cast<double>(start.atoms);
-}
-
-double disk(const Deck& deck, const Start& start) {
-    const auto steps = static_cast<double>(deck.total_steps());
-    const auto atoms = static_cast<double>(start.atoms);
-    double bytes = (1.0 + steps / static_cast<double>(deck.thermo_every)) * (deck.units ? thermo_row_si : thermo_row);
-    const double text_atom = 3.0 * 20.0 + 10.0;
-    const double text_vectors = 3.0;  // position, velocity, momentum
-    if (deck.trajectory) {
-        const bool velocities = deck.trajectory->velocities;
-        const double atom = deck.trajectory->format == "h5md" ? (velocities ? 48.0 : 24.0)
-                                                              : text_atom * (velocities ? text_vectors : 1.0);
-        bytes += (1.0 + steps / static_cast<double>(deck.trajectory->every)) * atoms * atom;
-    }
-    return bytes + atoms * text_vectors * text_atom;  // final.xyz
-}
-
 std::string bytes(double n) {
     return n < 1e6   ? fmt::format("{:.0f} kB", n / 1e3)
            : n < 1e9 ? fmt::format("{:.1f} MB", n / 1e6)
@@ -140,7 +99,8 @@ std::string threads_text() {
 }  // namespace
 
 Forecast forecast(const Deck& deck, const Start& start) {
-    return {memory(deck, start), disk(deck, start), static_cast<double>(start.atoms) * seconds_per_atom(deck, start)};
+    const auto [memory, disk] = forecast_size(deck, start);
+    return {memory, disk, static_cast<double>(start.atoms) * seconds_per_atom(deck, start)};
 }
 
 std::string check_report(const Deck& deck, const Start& start, const Forecast& forecast) {
@@ -156,7 +116,7 @@ std::string check_report(const Deck& deck, const Start& start, const Forecast& f
                             stage.time_step, static_cast<double>(stage.steps) * stage.time_step,
                             stage.sample ? ", sampled" : "");
     }
-    text += fmt::format("  memory    about {}, analyses not counted\n", bytes(forecast.memory_bytes));
+    text += fmt::format("  memory    about {}\n", bytes(forecast.memory_bytes));
     text += fmt::format("  disk      about {} in {}\n", bytes(forecast.disk_bytes), deck.directory.string());
     text += fmt::format("  time      about {} on this machine with {}, analyses not counted\n",
                         duration(forecast.seconds), threads_text());

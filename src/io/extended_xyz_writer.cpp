@@ -81,6 +81,15 @@ void ExtendedXyzWriter::close() {
     file_.close_on_disk();
 }
 
+double extended_xyz_bytes(Index atoms, Index frames, bool velocities) {
+    constexpr double header = 200.0;
+    constexpr double number = 20.0;
+    constexpr double species_and_id = 8.0;
+    const double vectors = velocities ? 3.0 : 1.0;  // position, velocity, momentum
+    return static_cast<double>(frames) *
+           (header + (species_and_id + 3.0 * vectors * number) * static_cast<double>(atoms));
+}
+
 void write_configuration(const OutputPlace& place, const State& state, bool velocities) {
     write_file_atomically(place,
                           [&](OutputFile& file) { write_extended_xyz_frame(file, state, velocities, std::nullopt); });

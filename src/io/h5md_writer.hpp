@@ -55,4 +55,7 @@ class H5mdWriter : public TrajectoryWriter {
     Hdf5Output::Series position_;
 };
 
+/// See trajectory_bytes().
+[[nodiscard]] double h5md_bytes(Index atoms, Index frames, bool velocities);
+
 }  // namespace ljmd

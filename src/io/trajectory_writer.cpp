@@ -19,4 +19,8 @@ std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::string& form
     throw InputError(fmt::format("unknown trajectory format '{}': allowed are 'h5md' and 'xyz'", format));
 }
 
+double trajectory_bytes(const std::string& format, Index atoms, Index frames, bool velocities) {
+    return format == "h5md" ? h5md_bytes(atoms, frames, velocities) : extended_xyz_bytes(atoms, frames, velocities);
+}
+
 }  // namespace ljmd

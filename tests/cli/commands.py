@@ -1,10 +1,12 @@
 """The command line itself: help, version, info, check, and what is no command."""
 
 import json
+import os
 import re
+import subprocess
 from pathlib import Path
 
-from harness import ARGON, DECK, STARS, Case, compare_refused
+from harness import ARGON, DECK, STARS, Case, Skip, clean_environment, compare_refused
 
 INPUTS = Path(__file__).resolve().parents[2] / "inputs"
 
@@ -130,12 +132,40 @@ def check_json(t):
 
 
 def check_predicts(t):
-    """The disk that a run takes is what check foretold, within a factor of two."""
+    """The disk that a run takes is what check foretold, within a factor of 1.3."""
     t.deck(("thermo = { every = 5 }", 'thermo = { every = 1 }\ntrajectory = { every = 1, format = "xyz" }'))
     foretold = json.loads(t.run_well("check", "deck.toml", "--json").out)["disk_bytes"]
     t.run_well("run", "deck.toml", "--quiet")
     taken = sum((t.dir / "runs/deck" / name).stat().st_size for name in t.files("runs/deck"))
-    t.check(0.5 < taken / foretold < 2, f"foretold {foretold:.0f} bytes, taken {taken}")
+    t.check(1 / 1.3 < taken / foretold < 1.3, f"foretold {foretold:.0f} bytes, taken {taken}")
+
+
+def peak_memory(t, *arguments):
+    """Resident, at the highest."""
+    with subprocess.Popen([t.ljmd, *arguments], cwd=t.dir, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          env=clean_environment()) as program:
+        _, status, usage = os.wait4(program.pid, 0)
+        program.returncode = os.waitstatus_to_exitcode(status)
+    t.equal(program.returncode, 0, "exit code of " + " ".join(arguments))
+    return 1024 * usage.ru_maxrss
+
+
+def check_predicts_memory(t):
+    """For each pair search and precision, and for the analyses that keep most, within a factor of 1.3."""
+    if peak_memory(t, "info") > 40e6:
+        raise Skip("this ljmd is instrumented: it takes more memory")
+    analyses = ("msd = { every = 1, origins = 10 }", "vacf = { every = 1 }", "structure_factor = { every = 4 }",
+                "rdf = { every = 4 }", "chemical_potential = { every = 4, insertions = 100 }")
+    cases = [(24, 'method = "cells"', ""), (24, "skin = 0.3", ""), (24, 'skin = 0.3\n[performance]\nprecision = "mixed"', ""),
+             (12, 'method = "all-pairs"', "")] + [(20, "skin = 0.3", analysis) for analysis in analyses]
+    for cells, search, analysis in cases:
+        t.deck(("cells = 3", f"cells = {cells}"), ("skin = 0.3", search), ("steps = 20", "steps = 0"),
+               ("steps = 40", f"steps = {40 if analysis else 1}"),
+               ("thermo = { every = 5 }", "thermo = { every = 5 }\n" + (f"[analysis]\n{analysis}" if analysis else "")))
+        foretold = json.loads(t.run_well("check", "deck.toml", "--json").out)["memory_bytes"]
+        taken = peak_memory(t, "run", "deck.toml", "--quiet", "--force")
+        t.check(1 / 1.3 < taken / foretold < 1.3,
+                f"{cells} cells, {search}, {analysis}: foretold {foretold / 1e6:.1f} MB, taken {taken / 1e6:.1f}")
 
 
 def check_tells_of_warnings(t):
@@ -212,7 +242,7 @@ def cases():
     result = [Case(test.__name__.replace("_", " "), test)
               for test in (no_arguments, help_goes_to_stdout, version, info, info_keys, check_text, check_json,
                            info_json, bench, threads_and_simd_change_no_result, unknown_simd_level, check_few_bodies, compare_text, compare_files, compare_halved,
-                           check_predicts, check_tells_of_warnings, a_large_cutoff_is_warned_of,
+                           check_predicts, check_predicts_memory, check_tells_of_warnings, a_large_cutoff_is_warned_of,
                            forced_values_are_warned_of)]
     for name, arguments in [
             ("unknown command", ["rnu", "deck.toml"]), ("unknown command without a likeness", ["simulate", "deck.toml"]),

@@ -291,3 +291,29 @@ TEST_CASE("a frame costs the same in a long trajectory as in a short one, and so
                              << one.writing.bytes_read << " " << four.writing.bytes_read);
     }
 }
+
+TEST_CASE("the bytes that a trajectory was said to take are about those of its file") {
+    for (const std::string format : {"xyz", "h5md"}) {
+        for (const Index atoms : {3, 108, 4000}) {
+            for (const Index frames : {1, 10, 100}) {
+                for (const bool velocities : {false, true}) {
+                    State state(atoms, Box(Vec3(7.0, 7.0, 7.0)));
+                    state.write_positions().setRandom();
+                    state.write_velocities().setRandom();
+                    const TemporaryFolder folder;
+                    const std::filesystem::path path = folder / "a.trajectory";
+                    const auto writer = make_trajectory_writer(format, state, {.path = path, .velocities = velocities});
+                    for (Index frame = 0; frame < frames; ++frame) {
+                        writer->write(state);
+                    }
+                    writer->close();
+                    const double said = trajectory_bytes(format, atoms, frames, velocities);
+                    const auto taken = static_cast<double>(std::filesystem::file_size(path));
+                    CAPTURE(format, atoms, frames, velocities, said, taken);
+                    CHECK(said < 1.3 * taken);
+                    CHECK(said > taken / 1.3);
+                }
+            }
+        }
+    }
+}

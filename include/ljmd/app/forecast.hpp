@@ -8,9 +8,9 @@ namespace ljmd {
 
 /// What a run will need.
 struct Forecast {
-    double memory_bytes;  ///< of per-atom data and neighbour list
-    double disk_bytes;    ///< of all outputs
-    double seconds;       ///< of the time loop, on this machine, from a short trial on a stand-in crystal
+    double memory_bytes;  ///< see SizeForecast
+    double disk_bytes;
+    double seconds;  ///< of the time loop, on this machine, from a short trial on a stand-in crystal
 };
 
 /// Estimate the cost of a run. Integrates a crystal of at most a few thousand atoms at the deck's density, potential

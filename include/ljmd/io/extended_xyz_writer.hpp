@@ -42,6 +42,9 @@ class ExtendedXyzWriter : public TrajectoryWriter {
     bool has_box_;
 };
 
+/// See trajectory_bytes().
+[[nodiscard]] double extended_xyz_bytes(Index atoms, Index frames, bool velocities);
+
 /// Write one configuration in reduced units, from which a later run can start, so that the file is either the old or
 /// the new one, never half of it. Positions are unwrapped, so that displacements continue.
 /// @throws FileError; then no new file is left behind

@@ -80,4 +80,8 @@ class TrajectoryWriter {
 [[nodiscard]] std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::string& format, const State& first,
                                                                        const TrajectoryOptions& options);
 
+/// Bytes of a file of so many frames of a fluid, about. An H5MD file grows by chunks, see H5mdWriter.
+/// @pre a format of make_trajectory_writer()
+[[nodiscard]] double trajectory_bytes(const std::string& format, Index atoms, Index frames, bool velocities);
+
 }  // namespace ljmd

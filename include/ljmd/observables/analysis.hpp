@@ -72,6 +72,13 @@ struct AnalysisNeeds {
     bool fixed_box = true;     ///< it is made for SampledRun::box; else that of each configuration counts
 };
 
+/// Bytes that an analysis takes in a run, about.
+struct AnalysisSize {
+    double kept;           ///< from one sample to the next, at most; a checkpoint holds them, too
+    double fixed = 0.0;    ///< beside them, from its first sample on
+    double passing = 0.0;  ///< beside these, while it samples
+};
+
 /// A kind of analysis that [analysis] can ask for. One file in src/observables/analyses each.
 struct AnalysisMethod {
     std::string name;  ///< the key in [analysis]
@@ -84,6 +91,7 @@ struct AnalysisMethod {
     /// Reasons why the values in the section do not fit the run: (key, message). Empty when all is well.
     std::function<std::vector<std::pair<std::string, std::string>>(const Section&, const SampledRun&)> check;
     std::function<std::unique_ptr<Analysis>(const Section&, const SampledRun&)> make;
+    std::function<AnalysisSize(const Section&, const SampledRun&)> size;
 };
 
 /// Every analysis there is, in alphabetical order.

@@ -31,6 +31,18 @@ std::vector<std::pair<std::string, std::string>> mistakes(const Section& section
     return found;
 }
 
+AnalysisSize size_of(const Section& section, const SampledRun& run) {
+    const LagTimes lags = times_of(section, run);
+    const Index frames = run.steps / lags.every + 1;
+    const Index between =
+        std::max((lags.count + section.integer("origins") - 1) / section.integer("origins"), Index{1});
+    const auto origins = static_cast<double>((std::min(frames, lags.count) + between - 1) / between);
+    const double positions = 24.0 * static_cast<double>(run.atoms);
+    return {.kept = origins * (positions + 4.0 * static_cast<double>(lags.count)) +
+                    BlockingAccumulator::bytes(lags.count + 2, Covariance::diagonal, (frames - lags.count) / between),
+            .passing = positions};
+}
+
 }  // namespace
 
 /// Mean-square displacement, see mean_square_displacement.hpp.
@@ -58,7 +70,8 @@ AnalysisMethod msd() {
                 const LagTimes lags = times_of(section, run);
                 return std::make_unique<MeanSquareDisplacement>(run.atoms, lags, section.integer("origins"),
                                                                 fit_start(section, lags));
-            }};
+            },
+            .size = size_of};
 }
 
 }  // namespace ljmd

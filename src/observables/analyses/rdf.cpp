@@ -14,6 +14,21 @@ double largest_radius(const Box& box) {
     return 0.5 * box.shortest_edge();
 }
 
+double radius_of(const Section& section, const SampledRun& run) {
+    return section.has("radius") ? section.number("radius") : std::min(usual_radius, largest_radius(run.box));
+}
+
+AnalysisSize size_of(const Section& section, const SampledRun& run) {
+    constexpr double of_atom = 36.0;   // of a pair histogram: place, cell, what one thread finds
+    constexpr double of_part = 512.0;  // a counter in each block of atoms
+    const Index bins = section.integer("bins");
+    const Index samples = run.steps / section.integer("every") + 1;
+    const CoordinationNumber::Division division = CoordinationNumber::division(bins, radius_of(section, run));
+    return {.kept = BlockingAccumulator::bytes(3 * bins, Covariance::diagonal, samples) +
+                    BlockingAccumulator::bytes(division.shells, Covariance::full, samples),
+            .passing = of_atom * static_cast<double>(run.atoms) + of_part * static_cast<double>(bins * division.parts)};
+}
+
 }  // namespace
 
 /// Radial distribution function, see radial_distribution.hpp.
@@ -50,11 +65,10 @@ AnalysisMethod rdf() {
                     return mistakes;
                 },
             .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
-                const double radius =
-                    section.has("radius") ? section.number("radius") : std::min(usual_radius, largest_radius(run.box));
-                return std::make_unique<RadialDistribution>(section.integer("bins"), radius,
+                return std::make_unique<RadialDistribution>(section.integer("bins"), radius_of(section, run),
                                                             Every(section.integer("every")));
-            }};
+            },
+            .size = size_of};
 }
 
 }  // namespace ljmd

@@ -16,6 +16,19 @@ double grid_points(const Box& box, double k_max) {
     return box.volume() * std::pow(per_length * k_max, 3);
 }
 
+AnalysisSize size_of(const Section& section, const SampledRun& run) {
+    constexpr double of_point = 16.0;  // of the grid: density, and half as many complex numbers
+    constexpr double of_atom = 424.0;  // its weights on the grid, its place in the order of planes
+    constexpr double of_power = 16.0;  // of exp(i k r), a complex number
+    const double k_max = section.number("k_max");
+    const auto shells = static_cast<Index>(k_max / section.number("width")) + 1;
+    const auto atoms = static_cast<double>(run.atoms);
+    const double powers = (k_max * run.box.edges() / (2.0 * std::numbers::pi)).sum() + 3.0;
+    return {.kept = BlockingAccumulator::bytes(shells, Covariance::diagonal, run.steps / section.integer("every") + 1),
+            .fixed = section.text("method") == "grid" ? of_point * grid_points(run.box, k_max) + of_atom * atoms
+                                                      : of_power * powers * atoms};
+}
+
 }  // namespace
 
 /// Structure factor, see structure_factor.hpp.
@@ -60,7 +73,8 @@ AnalysisMethod structure_factor() {
                     section.text("method") == "grid" ? StructureFactor::Method::grid : StructureFactor::Method::direct;
                 return std::make_unique<StructureFactor>(run.box, section.number("k_max"), section.number("width"),
                                                          method, Every(section.integer("every")));
-            }};
+            },
+            .size = size_of};
 }
 
 }  // namespace ljmd

@@ -23,6 +23,15 @@ AnalysisMethod vacf() {
             .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
                 const LagTimes lags = lag_times(section, run, usual);
                 return std::make_unique<VelocityAutocorrelation>(run.atoms, lags, correlation_window(lags, run));
+            },
+            .size = [](const Section& section, const SampledRun& run) -> AnalysisSize {
+                const LagTimes lags = lag_times(section, run, usual);
+                const Index window = correlation_window(lags, run);
+                const Index frames = run.steps / lags.every + 1;
+                const double frame = 24.0 * static_cast<double>(run.atoms);
+                return {.kept = frame * static_cast<double>(std::min(frames, window)) +
+                                BlockingAccumulator::bytes(3 * lags.count + 4, Covariance::diagonal, frames / window),
+                        .passing = frame};
             }};
 }
 

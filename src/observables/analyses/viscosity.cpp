@@ -23,6 +23,13 @@ AnalysisMethod viscosity() {
             .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
                 const LagTimes lags = lag_times(section, run, usual);
                 return std::make_unique<StressAutocorrelation>(run.box, lags, correlation_window(lags, run));
+            },
+            .size = [](const Section& section, const SampledRun& run) -> AnalysisSize {
+                const LagTimes lags = lag_times(section, run, usual);
+                const Index window = correlation_window(lags, run);
+                const Index frames = run.steps / lags.every + 1;
+                return {.kept = 48.0 * static_cast<double>(std::min(frames, window)) +
+                                BlockingAccumulator::bytes(2 * lags.count + 4, Covariance::diagonal, frames / window)};
             }};
 }
 
