@@ -98,7 +98,7 @@ std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const W
     } else if (names.empty()) {
         names = usual_analyses(trajectory.summary, trajectory.selection);
         if (!trajectory.summary.positions.positions) {
-            talk(fmt::format("warning: msd is left out: {}\n", trajectory.summary.positions.reason));
+            warn(fmt::format("msd is left out: {}", trajectory.summary.positions.reason));
         }
     }
     const std::vector<FrameAnalysis> analyses =
@@ -107,7 +107,7 @@ std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const W
 
     const TrajectoryResult result = analyze_trajectory(trajectory, analyses);
     for (const std::string& warning : result.warnings) {
-        talk(fmt::format("warning: {}\n", warning));
+        warn(warning);
     }
     if (!result.tables.empty()) {
         make_directory(directory);

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "ljmd/app/at_temperature.hpp"
-#include "ljmd/app/equation_report.hpp"
 #include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/reference/equation_doubts.hpp"
 
 namespace ljmd {
 

@@ -7,9 +7,7 @@
 #include <fstream>
 #include <thread>
 
-#include "ljmd/app/interruption.hpp"
 #include "ljmd/app/recorded_run.hpp"
-#include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/io/checkpoint_file.hpp"
@@ -79,18 +77,19 @@ void check_places(const ChildRun& run) {
     }
 }
 
-void wait_for_runs(const fs::path& folder) {
+void wait_for_runs(const fs::path& folder, const Interruption& interruption,
+                   const std::function<void(const std::string&)>& tell) {
     constexpr std::chrono::milliseconds moment{50};
     if (!files::exists(folder)) {
         return;
     }
     for (const fs::path& entry : files::list(folder)) {
         for (bool told = false; DirectoryLock::is_held(entry); told = true) {
-            if (signal_received() != 0) {
-                stop_many_runs();
+            if (interruption.request()) {
+                interruption.stop_many_runs();
             }
             if (!told) {
-                talk(fmt::format("waiting for the run that is still writing to {}\n", entry.string()));
+                tell(fmt::format("waiting for the run that is still writing to {}\n", entry.string()));
             }
             std::this_thread::sleep_for(moment);
         }

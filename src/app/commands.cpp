@@ -21,6 +21,7 @@
 #include "ljmd/app/run.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/run_lock.hpp"
+#include "ljmd/app/signals.hpp"
 #include "ljmd/app/start_sense.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
@@ -108,7 +109,7 @@ Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
     Start start = checked_start(deck, options, diagnostics);
     Simulation simulation = make_simulation(deck, std::move(start), [&](const std::string& text) {
         if (!options.quiet) {
-            talk(fmt::format("warning: {}\n", text));
+            warn(text);
         }
     });
     return {deck, std::move(simulation.state)};
@@ -168,7 +169,7 @@ void run_fluid(Deck& deck, Start start, const DeckOptions& options, RunControl& 
     Simulation simulation =
         make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
     heed_signals();  // until here nothing would be lost
-    RunLock lock(deck, options.force);
+    RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
     const RunResult result = run_deck(deck, simulation, progress, control);
     print_result(options.json ? results_json(deck, result) + "\n" : results_table(deck, result));
@@ -187,7 +188,7 @@ void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
     FewBodySystem system = make_few_body_system(deck);
     Progress progress(std::nullopt, deck.total_steps(), options.quiet);
     heed_signals();
-    RunLock lock(deck, options.force);
+    RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
     const FewBodyResult result = run_few_body(deck, system, progress, control);
     print_result(options.json ? few_body_results_json(deck, result) + "\n" : few_body_results_table(deck, result));
@@ -249,7 +250,7 @@ void check_compare_options(const CrosscheckOptions& compared) {
 }  // namespace
 
 void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
-    RunControl control{.interruption = Interruption(wall_time(walltime))};
+    RunControl control{.interruption = until_signal(wall_time(walltime))};
     Diagnostics diagnostics;
     Deck deck = load(options, diagnostics);
     if (!out.empty()) {
@@ -264,11 +265,11 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
 }
 
 void resume_command(const ResumeOptions& options) {
-    RunControl control{.interruption = Interruption(wall_time(options.walltime))};
+    RunControl control{.interruption = until_signal(wall_time(options.walltime))};
     heed_signals();
     std::optional<RunLock> lock;
     if (files::is_directory(options.directory)) {
-        lock.emplace(options.directory);
+        lock.emplace(options.directory, warn);
     }
     RecordedRun run = recorded_run(options.directory, options.more_steps);
     run.deck.locked = lock->directory();
@@ -362,7 +363,7 @@ void export_command(const DeckOptions& options, const std::string& to, const std
     const Exported written = export_configuration(what.deck, what.state, to, directory);
     if (!options.quiet) {
         for (const std::string& warning : written.warnings) {
-            talk(fmt::format("warning: {}\n", warning));
+            warn(warning);
         }
     }
     print_result(options.json ? export_json(what, written, to) : export_report(what, written));

@@ -8,7 +8,6 @@
 #include "ljmd/app/effect_sense.hpp"
 #include "ljmd/app/few_body_sense.hpp"
 #include "ljmd/app/phase_sense.hpp"
-#include "ljmd/app/stage_sense.hpp"
 #include "ljmd/app/start_sense.hpp"
 #include "ljmd/io/deck_file.hpp"
 #include "ljmd/io/deck_setting.hpp"
@@ -137,11 +136,6 @@ Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& f
 }
 
 }  // namespace
-
-bool conserves_energy(const Stage& stage) {
-    const auto thermostat = thermostat_method(stage.section);
-    return (!thermostat || thermostat->canonical) && !stage.section.has("barostat");
-}
 
 Index Deck::total_steps() const {
     Index sum = 0;

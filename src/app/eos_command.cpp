@@ -6,6 +6,7 @@
 #include "ljmd/app/equation_report.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/reference/equation_doubts.hpp"
 
 namespace ljmd {
 
@@ -20,7 +21,7 @@ void require_number(const char* option, double value, bool or_zero) {
 
 void warn(const std::string& doubt) {
     if (!doubt.empty()) {
-        talk(fmt::format("warning: {}\n", doubt));
+        warn(doubt);
     }
 }
 

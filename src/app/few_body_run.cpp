@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ljmd/app/checksum.hpp"
+#include "ljmd/app/deck_stages.hpp"
 #include "ljmd/app/few_body_directory.hpp"
-#include "ljmd/app/time_loop.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/model/velocities.hpp"

@@ -6,7 +6,6 @@
 #include <csignal>
 #include <thread>
 
-#include "ljmd/app/interruption.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/file_system.hpp"
 #include "ljmd/io/process.hpp"
@@ -84,14 +83,15 @@ class Pool {
 
 }  // namespace
 
-void run_jobs(const std::filesystem::path& program, const std::vector<Job>& first, int at_most, const NextJob& next) {
+void run_jobs(const std::filesystem::path& program, const std::vector<Job>& first, int at_most, const NextJob& next,
+              const Interruption& interruption) {
     Pool pool(program, at_most);
     std::size_t begun = 0;
     bool stopped = false;
     while (pool.size() > 0 || (begun < first.size() && !stopped)) {
-        if (!stopped && signal_received() != 0) {
+        if (const auto request = stopped ? std::nullopt : interruption.request()) {
             stopped = true;
-            pool.stop(signal_received());
+            pool.stop(request->signal);
         }
         while (!stopped && begun < first.size() && pool.size() < static_cast<std::size_t>(at_most)) {
             pool.start(begun, first[begun]);
@@ -110,7 +110,7 @@ void run_jobs(const std::filesystem::path& program, const std::vector<Job>& firs
         }
     }
     if (stopped) {
-        stop_many_runs();
+        interruption.stop_many_runs();
     }
 }
 

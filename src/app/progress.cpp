@@ -95,7 +95,7 @@ std::string Progress::line(Index step, double steps_per_second) const {
 
 void Progress::warning(const std::string& text) {
     clear_line();
-    talk(fmt::format("warning: {}\n", text));
+    warn(text);
 }
 
 void Progress::clear_line() {

@@ -5,10 +5,10 @@
 
 #include "ljmd/app/child_run.hpp"
 #include "ljmd/app/commands.hpp"
-#include "ljmd/app/interruption.hpp"
 #include "ljmd/app/output_guard.hpp"
 #include "ljmd/app/reproduction_report.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/signals.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
@@ -151,16 +151,16 @@ void reproduce_command(const ReproduceOptions& options) {
     const DirectoryLock lock(out);
     const OpenDirectory& directory = lock.directory();
     const OpenDirectory folder = directory.made_within(rows_folder);
-    wait_for_runs(folder.path());
+    wait_for_runs(folder.path(), until_signal(), talk);
     remove_left_over(folder);
     for (const RowRun& run : runs) {
         run.prepare(folder);
     }
 
-    run_lines(runs, options.jobs, [&](const RowRun& run, std::size_t done) {
+    run_lines(runs, options.jobs, until_signal(), [&](const RowRun& run, std::size_t done) {
         directory.require_at_its_path();  // runs are begun by their paths
         if (!run.failure().empty()) {
-            talk(fmt::format("warning: {}\n", run.failure()));
+            warn(run.failure());
         } else if (!options.quiet) {
             tell(run, done, runs.size());
         }

@@ -8,12 +8,12 @@
 
 #include "ljmd/app/checksum.hpp"
 #include "ljmd/app/deck_sense.hpp"
+#include "ljmd/app/deck_stages.hpp"
 #include "ljmd/app/results.hpp"
 #include "ljmd/app/run_directory.hpp"
 #include "ljmd/app/run_report.hpp"
 #include "ljmd/app/sampled_run.hpp"
 #include "ljmd/app/stability.hpp"
-#include "ljmd/app/time_loop.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/core/stopwatch.hpp"

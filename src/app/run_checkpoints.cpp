@@ -135,7 +135,7 @@ RunCheckpoints::RunCheckpoints(const Deck& deck, const Interruption& interruptio
 }
 
 bool RunCheckpoints::due(Index step, bool last_of_stage) {
-    if (last_of_stage || signal_received() != 0 ||
+    if (last_of_stage || interruption_.request() ||
         (deck_.checkpoint.every.steps && step % *deck_.checkpoint.every.steps == 0)) {
         return true;
     }

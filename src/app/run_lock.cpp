@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "ljmd/app/run_directory.hpp"
-#include "ljmd/app/streams.hpp"
 
 namespace ljmd {
 
@@ -16,16 +17,14 @@ const std::filesystem::path& made(const std::filesystem::path& directory) {
 
 }  // namespace
 
-RunLock::RunLock(const std::filesystem::path& directory) : lock_(directory) {
+RunLock::RunLock(const std::filesystem::path& directory, Warn warn) : lock_(directory), warn_(std::move(warn)) {
     if (settle_earlier_run(lock_.directory(), run_output_names())) {
-        talk(
-            fmt::format("warning: the earlier run in {} was put back: the one that was to replace it had no checkpoint "
-                        "yet\n",
-                        directory.string()));
+        warn_(fmt::format("the earlier run in {} was put back: the one that was to replace it had no checkpoint yet",
+                          directory.string()));
     }
 }
 
-RunLock::RunLock(Deck& deck, bool force) : RunLock(made(deck.directory)) {
+RunLock::RunLock(Deck& deck, bool force, Warn warn) : RunLock(made(deck.directory), std::move(warn)) {
     check_directory(deck, force);  // again: another run may have come to its end in it since
     directory().require_at_its_path();
     earlier_.emplace(directory(), run_output_names());
@@ -38,9 +37,9 @@ void RunLock::has_begun() {
 
 void RunLock::warn_if_moved() const {
     if (!directory().is_at_its_path()) {
-        talk(
-            fmt::format("warning: {} was moved or replaced while the run went on: the files of the run are in the "
-                        "directory that was moved\n",
+        warn_(
+            fmt::format("{} was moved or replaced while the run went on: the files of the run are in the directory "
+                        "that was moved",
                         directory().path().string()));
     }
 }

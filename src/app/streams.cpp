@@ -86,6 +86,10 @@ void talk(const std::string& text) noexcept {
     static_cast<void>(std::fflush(stderr));
 }
 
+void warn(const std::string& text) noexcept {
+    talk("warning: " + text + "\n");
+}
+
 void talk_over_line(const std::string& text) noexcept {
     static_cast<void>(std::fputs("\r", stderr));
     static_cast<void>(write_harmless(text, stderr));

@@ -4,8 +4,8 @@
 
 #include "ljmd/app/child_run.hpp"
 #include "ljmd/app/commands.hpp"
-#include "ljmd/app/interruption.hpp"
 #include "ljmd/app/run_directory.hpp"
+#include "ljmd/app/signals.hpp"
 #include "ljmd/app/streams.hpp"
 #include "ljmd/app/sweep_record.hpp"
 #include "ljmd/app/sweep_report.hpp"
@@ -94,11 +94,11 @@ SweptPoints sweep(const SweepPlan& plan, const OpenDirectory& directory, const S
     for (ChildRun& run : sweep_runs(plan, directory.path())) {
         runs.emplace_back(std::move(run), plan.points.values[runs.size()]);
     }
-    run_lines(runs, options.jobs, [&](const PointRun& run, std::size_t done) {
+    run_lines(runs, options.jobs, until_signal(), [&](const PointRun& run, std::size_t done) {
         directory.require_at_its_path();  // runs are begun by their paths
         const SweptPoint& point = run.point();
         if (!point.failure.empty()) {
-            talk(fmt::format("warning: {}\n", point.failure));
+            warn(point.failure);
         } else if (!options.quiet) {
             talk(fmt::format("[{}/{}] {}: {}\n", done, runs.size(), point.name, point_line(point)));
         }
@@ -135,7 +135,7 @@ void sweep_command(const SweepOptions& options) {
     const fs::path directory = directory_of(options);
     make_directory(directory);
     const DirectoryLock lock(directory);
-    wait_for_runs(directory / "points");
+    wait_for_runs(directory / "points", until_signal(), talk);
     prepare_sweep(plan, lock.directory(), options.force);
     const SweptPoints swept = sweep(plan, lock.directory(), options);
     lock.directory().require_at_its_path();

@@ -5,8 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "ljmd/app/run_record.hpp"
-#include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/integrators/barostat.hpp"
@@ -202,17 +200,6 @@ LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceFiel
     } catch (const PhysicsError& error) {
         throw PhysicsError(
             fmt::format("step {}{}: {}", loop ? loop->step() : state.step, loop ? loop->where() : "", error.what()));
-    }
-}
-
-LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer,
-                       const std::optional<LoopPosition>& from) {
-    try {
-        const auto interaction =
-            deck.kind == DeckKind::fluid ? std::optional(interaction_of(deck)) : std::optional<Interaction>();
-        return run_stages(deck.stages, state, force_field, observer, from, interaction);
-    } catch (const PhysicsError& error) {
-        throw PhysicsError(error.what() + save_failure(deck, state));
     }
 }
 

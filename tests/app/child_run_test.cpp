@@ -116,7 +116,7 @@ TEST_CASE("each line is told of when it is at its end, and lines with nothing to
     std::vector<Line> lines{{{help, help}}, {{}}, {{help}}};
     std::vector<std::size_t> counts;
     std::vector<const Line*> ended;
-    run_lines(lines, 1, [&](const Line& line, std::size_t done) {
+    run_lines(lines, 1, Interruption(), [&](const Line& line, std::size_t done) {
         counts.push_back(done);
         ended.push_back(&line);
     });
@@ -155,7 +155,9 @@ TEST_CASE("runs that still write into a folder are waited for") {
     fs::create_directories(folder / "runs/free");
     fs::create_directories(folder / "runs/held");
     std::ofstream(folder / "runs/file") << "text";
-    wait_for_runs(folder / "runs/absent");
+    std::vector<std::string> told;
+    const auto tell = [&told](const std::string& text) { told.push_back(text); };
+    wait_for_runs(folder / "runs/absent", Interruption(), tell);
     auto lock = std::make_optional<DirectoryLock>(folder / "runs/held");
     std::atomic<bool> released = false;
     std::thread other([&] {
@@ -163,8 +165,13 @@ TEST_CASE("runs that still write into a folder are waited for") {
         released = true;
         lock.reset();
     });
-    wait_for_runs(folder / "runs");
+    wait_for_runs(folder / "runs", Interruption(), tell);
     CHECK(released);
+    CHECK(told == std::vector<std::string>{"waiting for the run that is still writing to " +
+                                           (folder / "runs/held").string() + "\n"});
     other.join();
-    wait_for_runs(folder / "runs");
+    wait_for_runs(folder / "runs", Interruption(), tell);
+    lock.emplace(folder / "runs/held");
+    const Interruption stopped(std::nullopt, [] { return std::optional(StopRequest{15, "SIGTERM"}); });
+    CHECK_THROWS_AS(wait_for_runs(folder / "runs", stopped, tell), Interrupted);
 }

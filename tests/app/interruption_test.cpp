@@ -1,110 +1,9 @@
 #include "ljmd/app/interruption.hpp"
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
-#include <csignal>
-#include <functional>
 
 using namespace ljmd;
 using Catch::Matchers::Contains;
-
-namespace {
-
-/// What becomes of a process that does this: its exit code, or minus the signal that ended it. A process that was asked
-/// to stop stays so, which must not be this one.
-int end_of(const std::function<bool()>& body) {
-    const pid_t child = ::fork();
-    REQUIRE(child >= 0);
-    if (child == 0) {
-        ::_exit(body() ? 0 : 1);
-    }
-    int status = 0;
-    REQUIRE(::waitpid(child, &status, 0) == child);
-    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
-}
-
-}  // namespace
-
-TEST_CASE("a signal asks to stop, and says with what exit code") {
-    const int number = GENERATE(SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU);
-    CHECK(end_of([number] {
-              heed_signals();
-              const bool before = Interruption().wanted();
-              std::raise(number);
-              const Interruption asked;
-              try {
-                  asked.stop(7, "out");
-              } catch (const Interrupted& stopped) {
-                  return !before && asked.wanted() && signal_received() == number &&
-                         stopped.exit_code() == 128 + number &&
-                         std::string(stopped.what()).find("after step 7 by SIG") != std::string::npos;
-              }
-          }) == 0);
-}
-
-TEST_CASE("the second signal of a kind that a person sends ends the program at once") {
-    const int number = GENERATE(SIGINT, SIGTERM, SIGHUP);
-    CHECK(end_of([number] {
-              heed_signals();
-              std::raise(number);
-              std::raise(number);
-              return true;
-          }) == -number);
-}
-
-TEST_CASE("warnings of a queue and of the system may be repeated") {
-    const int number = GENERATE(SIGUSR1, SIGXCPU);
-    CHECK(end_of([number] {
-              heed_signals();
-              std::raise(number);
-              std::raise(number);
-              return signal_received() == number;
-          }) == 0);
-}
-
-TEST_CASE("a signal that was ignored before stays so") {
-    CHECK(end_of([] {
-              std::signal(SIGHUP, SIG_IGN);
-              heed_signals();
-              std::raise(SIGHUP);
-              return signal_received() == 0;
-          }) == 0);
-}
-
-TEST_CASE("what a parent has blocked is seen again, and what it ignored but for the terminal's signals") {
-    const int number = GENERATE(SIGTERM, SIGUSR1, SIGXCPU);
-    const bool ignored = GENERATE(false, true);
-    CHECK(end_of([number, ignored] {
-              sigset_t all;
-              sigfillset(&all);
-              sigprocmask(SIG_SETMASK, &all, nullptr);
-              if (ignored) {
-                  std::signal(number, SIG_IGN);
-              }
-              forget_inherited_signals();
-              heed_signals();
-              std::raise(number);
-              return signal_received() == number;
-          }) == 0);
-}
-
-TEST_CASE("children can be waited for, though a parent ignored their ends, and a hang-up stays ignored") {
-    CHECK(end_of([] {
-              std::signal(SIGCHLD, SIG_IGN);
-              std::signal(SIGHUP, SIG_IGN);
-              forget_inherited_signals();
-              heed_signals();
-              std::raise(SIGHUP);
-              const pid_t child = ::fork();
-              if (child == 0) {
-                  ::_exit(7);
-              }
-              int status = 0;
-              return ::waitpid(child, &status, 0) == child && WEXITSTATUS(status) == 7 && signal_received() == 0;
-          }) == 0);
-}
 
 TEST_CASE("a run has to stop when its wall time is over, and only then") {
     CHECK_FALSE(Interruption().wanted());
@@ -117,4 +16,19 @@ TEST_CASE("a run has to stop when its wall time is over, and only then") {
         CHECK(stopped.exit_code() == 75);
         CHECK_THAT(stopped.what(), Contains("after step 12") && Contains("ljmd resume runs/argon"));
     }
+}
+
+TEST_CASE("a run has to stop when it is asked to, and says by whom") {
+    bool asked = false;
+    const Interruption interruption(std::nullopt, [&asked] {
+        return asked ? std::optional(StopRequest{15, "SIGTERM"}) : std::nullopt;
+    });
+    CHECK_FALSE(interruption.wanted());
+    CHECK_THROWS_AS(interruption.stop_many_runs(), ContractViolation);
+    asked = true;
+    CHECK(interruption.wanted());
+    CHECK(interruption.request()->signal == 15);
+    CHECK(interruption.request()->exit_code() == 143);
+    CHECK_THROWS_WITH(interruption.stop(3, "out"), Contains("after step 3 by SIGTERM"));
+    CHECK_THROWS_AS(interruption.stop_many_runs(), Interrupted);
 }

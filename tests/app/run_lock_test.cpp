@@ -8,19 +8,26 @@
 
 using namespace ljmd;
 using namespace ljmd::test;
+using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 TEST_CASE("a new run gets a directory that is made, locked and its own, wherever it is moved to") {
     const DeckFolder folder;
     Deck deck = folder.load();
-    RunLock lock(deck, false);
-    CHECK_THROWS_AS(RunLock(deck.directory), InUseError);
+    std::vector<std::string> warnings;
+    const auto keep = [&warnings](const std::string& text) { warnings.push_back(text); };
+    RunLock lock(deck, false, keep);
+    CHECK_THROWS_AS(RunLock(deck.directory, keep), InUseError);
     fs::rename(deck.directory, folder / "moved");
     fs::create_directory(deck.directory);
     write_file_atomically(deck.outputs() / "run.json", "new");
     CHECK(content_of(folder / "moved/run.json") == "new");
     CHECK(fs::is_empty(deck.directory));
     lock.has_begun();
+    CHECK(warnings.empty());
+    lock.warn_if_moved();
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], Contains(deck.directory.string() + " was moved or replaced"));
 }
 
 TEST_CASE("an earlier run is replaced by force alone, and not before the new one has begun") {
@@ -28,14 +35,15 @@ TEST_CASE("an earlier run is replaced by force alone, and not before the new one
     Deck deck = folder.load();
     fs::create_directory(deck.directory);
     std::ofstream(deck.directory / "run.json") << "old";
-    CHECK_THROWS_AS(RunLock(deck, false), InputError);
+    const auto keep = [](const std::string& text) { FAIL("not expected: " + text); };
+    CHECK_THROWS_AS(RunLock(deck, false, keep), InputError);
     {
-        const RunLock lock(deck, true);
+        const RunLock lock(deck, true, keep);
         CHECK_FALSE(fs::exists(deck.directory / "run.json"));
     }
     CHECK(content_of(deck.directory / "run.json") == "old");
     deck.locked.reset();  // it shares the lock
-    RunLock lock(deck, true);
+    RunLock lock(deck, true, keep);
     lock.has_begun();
     CHECK(fs::is_empty(deck.directory));
 }

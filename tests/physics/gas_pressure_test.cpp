@@ -7,7 +7,7 @@
 
 #include "app/app_fixtures.hpp"
 #include "core/same_bits.hpp"
-#include "ljmd/app/time_loop.hpp"
+#include "ljmd/app/deck_stages.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/observables/blocking.hpp"

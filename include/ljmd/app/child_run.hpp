@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,9 +26,11 @@ struct ChildRun {
 /// that both are in, that is a link. @throws InputError
 void check_places(const ChildRun& run);
 
-/// Wait until no process has a lock on a directory in `folder`, and say so: when the command that started them was
-/// killed, runs still write their last checkpoints for a moment. @throws Interrupted by a signal
-void wait_for_runs(const std::filesystem::path& folder);
+/// Wait until no process has a lock on a directory in `folder`: when the command that started them was killed, runs
+/// still write their last checkpoints for a moment. @throws Interrupted by a signal
+/// @param tell  receives one line for each run that is waited for
+void wait_for_runs(const std::filesystem::path& folder, const Interruption& interruption,
+                   const std::function<void(const std::string&)>& tell);
 
 /// Whether the directory holds a run of another deck, or with other settings.
 /// @throws DataError  its run.json is damaged
@@ -54,7 +57,7 @@ void wait_for_runs(const std::filesystem::path& folder);
 /// @param ended  is called as ended(line, done) for each line at its end, when `done` of them are there
 /// @throws Interrupted, FileError  as run_jobs()
 template <class Line, class Ended>
-void run_lines(std::vector<Line>& lines, int jobs, const Ended& ended) {
+void run_lines(std::vector<Line>& lines, int jobs, const Interruption& interruption, const Ended& ended) {
     std::vector<Job> first;
     std::vector<Line*> with_jobs;
     std::size_t done = 0;
@@ -66,13 +69,14 @@ void run_lines(std::vector<Line>& lines, int jobs, const Ended& ended) {
             ended(line, ++done);
         }
     }
-    run_jobs(this_program(), first, jobs > 0 ? jobs : available_processors(), [&](std::size_t k, int exit_status) {
+    const auto next = [&](std::size_t k, int exit_status) {
         auto job = with_jobs[k]->after(exit_status);
         if (!job) {
             ended(*with_jobs[k], ++done);
         }
         return job;
-    });
+    };
+    run_jobs(this_program(), first, jobs > 0 ? jobs : available_processors(), next, interruption);
 }
 
 }  // namespace ljmd

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "ljmd/reference/phase_equilibrium.hpp"
 
@@ -24,10 +23,5 @@ namespace ljmd {
 /// @throws InputError at and above the critical temperature
 [[nodiscard]] std::string coexistence_table(const EquationOfState& equation, double temperature);
 [[nodiscard]] std::string coexistence_json(const EquationOfState& equation, double temperature);
-
-/// Why the numbers are not to be relied upon; empty when they are: beyond what the equation was fitted to; between the
-/// densities of liquid and vapour, where the fluid separates; above the density at which the full Lennard-Jones fluid
-/// freezes, between the triple point and the highest temperature of freezing_densities().
-[[nodiscard]] std::vector<std::string> doubts(const EquationOfState& equation, double temperature, double density);
 
 }  // namespace ljmd

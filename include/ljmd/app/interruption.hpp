@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -9,7 +10,7 @@
 
 namespace ljmd {
 
-/// A run was stopped from outside, between two steps and with a checkpoint written. The text tells how to go on.
+/// A run was stopped from outside, between two steps and with a checkpoint written. The text tells how to resume it.
 class Interrupted : public Error {
   public:
     Interrupted(const std::string& text, int exit_code) : Error(text), exit_code_(exit_code) {}
@@ -19,41 +20,41 @@ class Interrupted : public Error {
     int exit_code_;
 };
 
-/// Undo what a parent may have left to this program: a mask that keeps signals from it for ever, and SIGCHLD, SIGTERM,
-/// SIGUSR1 and SIGXCPU ignored. Without SIGCHLD no child could be waited for. SIGINT and SIGHUP stay ignored where they
-/// are: so nohup and shells keep a terminal's keys and its end from a program. @pre no threads yet
-void forget_inherited_signals();
+/// A signal that asks the program to stop.
+struct StopRequest {
+    int signal;
+    std::string name;  ///< "SIGTERM"
 
-/// From now on SIGINT, SIGHUP, SIGTERM, SIGUSR1 and SIGXCPU ask the program to stop, where they are not ignored. The
-/// second SIGINT, SIGHUP or SIGTERM ends it at once; the other two, which queues and the system repeat, do not.
-void heed_signals();
+    /// 128 + n, as a shell says it.
+    [[nodiscard]] int exit_code() const;
+};
 
-/// The signal that has asked to stop; 0: none.
-[[nodiscard]] int signal_received();
+/// Tells whether somebody has asked to stop. Called after every step.
+using AskedToStop = std::function<std::optional<StopRequest>()>;
 
-/// The exit code of a program that a signal has stopped: 128 + n, as a shell says it.
-[[nodiscard]] int signal_exit_code(int signal);
-
-/// End a command that makes many runs, when all of them have stopped. @pre signal_received() != 0  @throws Interrupted
-[[noreturn]] void stop_many_runs();
-
-/// Why a run has to stop before its end: a signal, or that its time is over.
+/// Why a run has to stop before its end: somebody has asked for it, or its time is over.
 class Interruption {
   public:
     /// @param walltime  [s] from now; none: no limit
-    explicit Interruption(std::optional<double> walltime = std::nullopt);
+    /// @param asked     none: nobody asks
+    explicit Interruption(std::optional<double> walltime = std::nullopt, AskedToStop asked = {});
 
-    [[nodiscard]] bool wanted() const { return signal_received() != 0 || time_is_over(); }
+    [[nodiscard]] std::optional<StopRequest> request() const { return asked_ ? asked_() : std::nullopt; }
+    [[nodiscard]] bool wanted() const { return request().has_value() || time_is_over(); }
 
     /// @pre wanted(), and a checkpoint has been written
     /// @throws Interrupted
     [[noreturn]] void stop(Index step, const std::string& directory) const;
+
+    /// End a command that makes many runs, when all of them have stopped. @pre request()  @throws Interrupted
+    [[noreturn]] void stop_many_runs() const;
 
   private:
     using Clock = std::chrono::steady_clock;
     [[nodiscard]] bool time_is_over() const { return end_ && Clock::now() >= *end_; }
 
     std::optional<Clock::time_point> end_;
+    AskedToStop asked_;
 };
 
 }  // namespace ljmd

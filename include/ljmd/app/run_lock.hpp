@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "ljmd/app/deck.hpp"
 #include "ljmd/app/earlier_run.hpp"
@@ -13,13 +15,15 @@ namespace ljmd {
 /// middle of replacing a run (settle_earlier_run).
 class RunLock {
   public:
-    /// For a run that is gone on with. @throws FileError, InUseError
-    explicit RunLock(const std::filesystem::path& directory);
+    using Warn = std::function<void(const std::string&)>;  ///< receives one line for each thing a user should know
+
+    /// For a run that is resumed. @throws FileError, InUseError
+    RunLock(const std::filesystem::path& directory, Warn warn);
 
     /// For a new run, which then writes to the directory that is locked (Deck::locked). The directory is made if it is
     /// not there; with `force` an earlier run in it is set aside until has_begun().
     /// @throws InputError  as check_directory()  @throws FileError, InUseError; then all is as it was
-    RunLock(Deck& deck, bool force);
+    RunLock(Deck& deck, bool force, Warn warn);
 
     [[nodiscard]] const OpenDirectory& directory() const { return lock_.directory(); }
 
@@ -31,6 +35,7 @@ class RunLock {
 
   private:
     DirectoryLock lock_;
+    Warn warn_;
     std::optional<EarlierRun> earlier_;
 };
 

@@ -24,6 +24,9 @@ void print_result(const std::string& text);
 /// Say something to the user on stderr. That nobody listens is no reason to stop.
 void talk(const std::string& text) noexcept;
 
+/// The same for a warning, of one line.
+void warn(const std::string& text) noexcept;
+
 /// Write over the line of the terminal that the cursor is in. An empty text clears it.
 void talk_over_line(const std::string& text) noexcept;
 

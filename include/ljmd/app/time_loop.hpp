@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ljmd/app/deck.hpp"
+#include "ljmd/app/stage.hpp"
 #include "ljmd/core/archive.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
@@ -84,10 +84,5 @@ class StepObserver {
 LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
                        const std::optional<LoopPosition>& from = std::nullopt,
                        const std::optional<Interaction>& interaction = std::nullopt);
-
-/// The same for a run with an output directory, where a failure leaves failed.xyz.
-/// @throws PhysicsError naming the step, the stage and that file
-LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer,
-                       const std::optional<LoopPosition>& from = std::nullopt);
 
 }  // namespace ljmd

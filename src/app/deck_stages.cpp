@@ -1,0 +1,20 @@
+#include "ljmd/app/deck_stages.hpp"
+
+#include "ljmd/app/run_record.hpp"
+#include "ljmd/app/simulation.hpp"
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer,
+                       const std::optional<LoopPosition>& from) {
+    try {
+        const auto interaction =
+            deck.kind == DeckKind::fluid ? std::optional(interaction_of(deck)) : std::optional<Interaction>();
+        return run_stages(deck.stages, state, force_field, observer, from, interaction);
+    } catch (const PhysicsError& error) {
+        throw PhysicsError(error.what() + save_failure(deck, state));
+    }
+}
+
+}  // namespace ljmd
