@@ -11,11 +11,11 @@ set(ljmd_flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${ljmd_build_type}} ${ljmd_
 string(REGEX REPLACE " +" " " ljmd_flags "${ljmd_flags}")
 string(STRIP "${ljmd_flags}" ljmd_flags)
 
-# ljmd/app/bench_deck.hpp: the deck that `ljmd bench` runs when it is given none.
+# ljmd/cli/bench_deck.hpp: the deck that `ljmd bench` runs when it is given none.
 set(ljmd_melt ${PROJECT_SOURCE_DIR}/inputs/examples/melt-32k.toml)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ljmd_melt})
 file(READ ${ljmd_melt} ljmd_melt_text)
-file(CONFIGURE OUTPUT ${ljmd_version_include}/ljmd/app/bench_deck.hpp CONTENT
+file(CONFIGURE OUTPUT ${ljmd_version_include}/ljmd/cli/bench_deck.hpp CONTENT
 "#pragma once
 // Written by cmake/LjmdGenerated.cmake from inputs/examples/melt-32k.toml.
 #include <string_view>

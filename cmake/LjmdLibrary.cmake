@@ -1,6 +1,6 @@
 # The library ljmd::ljmd and the program ljmd.
 file(GLOB_RECURSE ljmd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
-list(REMOVE_ITEM ljmd_sources ${PROJECT_SOURCE_DIR}/src/app/main.cpp ${ljmd_simd_sources})
+list(REMOVE_ITEM ljmd_sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp ${ljmd_simd_sources})
 
 # What needs a library that may be absent has a stand-in that says so.
 if(OpenMM_FOUND)
@@ -36,5 +36,5 @@ if(OpenMM_FOUND)
     ljmd_includes_openmm(${openmm_sources})
 endif()
 
-add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/app/main.cpp)
+add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
 target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)

@@ -1,7 +1,7 @@
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 
 /// Tests run on as many threads as OMP_NUM_THREADS says, one without it.
 int main(int argc, char** argv) {

@@ -7,7 +7,7 @@
 #include "ljmd/compare/point_comparison.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/radial_distribution.hpp"
+#include "ljmd/observables/structure/radial_distribution.hpp"
 
 namespace ljmd {
 

@@ -9,11 +9,11 @@
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/compare/lammps_output.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/input_file.hpp"
-#include "ljmd/io/lammps_dump.hpp"
-#include "ljmd/io/output_file.hpp"
-#include "ljmd/io/process.hpp"
-#include "ljmd/io/scratch_directory.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/output_file.hpp"
+#include "ljmd/io/files/process.hpp"
+#include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/io/formats/lammps_dump.hpp"
 
 namespace ljmd {
 

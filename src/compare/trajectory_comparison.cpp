@@ -7,7 +7,7 @@
 
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/model/velocities.hpp"
-#include "ljmd/observables/linear_trend.hpp"
+#include "ljmd/observables/statistics/linear_trend.hpp"
 
 namespace ljmd {
 

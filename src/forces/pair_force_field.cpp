@@ -7,9 +7,9 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
-#include "ljmd/core/thread_team.hpp"
-#include "ljmd/core/threads.hpp"
-#include "ljmd/core/tiny_is_zero.hpp"
+#include "ljmd/execution/thread_team.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/tiny_is_zero.hpp"
 #include "ljmd/forces/pair_sum.hpp"
 #include "simd/pair_kernel.hpp"
 

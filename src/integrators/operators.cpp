@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/model/time_over_mass.hpp"
 
 namespace ljmd {

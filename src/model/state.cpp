@@ -11,7 +11,7 @@
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/model/time_over_mass.hpp"
 
 namespace ljmd {

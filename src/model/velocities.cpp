@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ljmd/core/random.hpp"
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 
 namespace ljmd {
 

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 
 namespace ljmd {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/neighbors/columns_around.hpp"
 
 namespace ljmd {

@@ -10,7 +10,7 @@
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/neighbors/missed_pairs.hpp"
 #include "simd/list_kernel.hpp"
 

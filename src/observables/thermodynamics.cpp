@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/model/velocities.hpp"
 
 namespace ljmd {

@@ -1,6 +1,6 @@
 #include "ljmd/observables/time_step_error.hpp"
 
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 
 namespace ljmd {
 

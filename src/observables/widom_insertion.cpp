@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/pair_term.hpp"

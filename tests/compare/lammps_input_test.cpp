@@ -7,7 +7,7 @@
 #include "forces/every_potential.hpp"
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/configuration_reader.hpp"
+#include "ljmd/io/formats/configuration_reader.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

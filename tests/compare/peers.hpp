@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ljmd/compare/openmm.hpp"
-#include "ljmd/io/process.hpp"
+#include "ljmd/io/files/process.hpp"
 
 namespace ljmd::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/environment_guard.hpp"
-#include "ljmd/core/simd.hpp"
+#include "ljmd/execution/simd.hpp"
 
 namespace ljmd::test {
 

@@ -1,5 +1,5 @@
 #include "fuzzed_decks.hpp"
-#include "ljmd/app/few_body_run.hpp"
+#include "ljmd/run/few_body_run.hpp"
 #include "resumed_run.hpp"
 
 using namespace ljmd;

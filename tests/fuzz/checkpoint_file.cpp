@@ -1,4 +1,4 @@
-#include "ljmd/io/checkpoint_file.hpp"
+#include "ljmd/io/files/checkpoint_file.hpp"
 #include "fuzz_target.hpp"
 
 using namespace ljmd;

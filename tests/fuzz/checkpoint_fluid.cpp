@@ -1,5 +1,5 @@
 #include "fuzzed_decks.hpp"
-#include "ljmd/app/simulation.hpp"
+#include "ljmd/deck/simulation.hpp"
 #include "resumed_run.hpp"
 
 using namespace ljmd;

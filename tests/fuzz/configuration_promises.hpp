@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "fuzz_target.hpp"
-#include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/simulation.hpp"
 #include "ljmd/model/configuration.hpp"
 
 namespace ljmd::fuzz {

@@ -1,7 +1,7 @@
 #include "deck_promises.hpp"
-#include "ljmd/app/few_body_check.hpp"
-#include "ljmd/app/simulation.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/few_body_check.hpp"
+#include "ljmd/deck/simulation.hpp"
 
 using namespace ljmd;
 

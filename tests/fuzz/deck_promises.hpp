@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "fuzz_target.hpp"
-#include "ljmd/app/deck.hpp"
+#include "ljmd/deck/deck.hpp"
 
 namespace ljmd::fuzz {
 

@@ -1,4 +1,4 @@
-#include "app/sample_decks.hpp"
+#include "deck/sample_decks.hpp"
 #include "deck_promises.hpp"
 
 using namespace ljmd;

@@ -1,4 +1,4 @@
-#include "ljmd/io/configuration_reader.hpp"
+#include "ljmd/io/formats/configuration_reader.hpp"
 #include "trajectory_promises.hpp"
 
 using namespace ljmd;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/sample_decks.hpp"
+#include "deck/sample_decks.hpp"
 
 /// Decks whose checkpoints are tried: runs of a millisecond that have a bit of everything in their state.
 namespace ljmd::fuzz {

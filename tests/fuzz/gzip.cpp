@@ -2,7 +2,7 @@
 
 #include "fuzz_target.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/text_file.hpp"
+#include "ljmd/io/files/text_file.hpp"
 
 using namespace ljmd;
 

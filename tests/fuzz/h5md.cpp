@@ -1,7 +1,7 @@
 #include <span>
 
 #include "ljmd/core/archive.hpp"
-#include "ljmd/io/trajectory_writer.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
 #include "trajectory_promises.hpp"
 #include "two_atoms.hpp"
 

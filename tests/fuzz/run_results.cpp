@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
-#include "ljmd/app/reproduction.hpp"
-#include "ljmd/app/sweep_report.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/study/reproduction.hpp"
+#include "ljmd/study/sweep_report.hpp"
 
 using namespace ljmd;
 

@@ -1,6 +1,6 @@
-#include "ljmd/app/sweep_record.hpp"
-#include "ljmd/app/study_report.hpp"
+#include "ljmd/study/sweep_record.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/study/study_report.hpp"
 #include "sweep_promises.hpp"
 
 using namespace ljmd;

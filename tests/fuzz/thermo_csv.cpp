@@ -1,9 +1,9 @@
 #include "fuzz_target.hpp"
 #include "fuzzed_decks.hpp"
-#include "ljmd/app/recorded_run.hpp"
-#include "ljmd/app/reproduction.hpp"
-#include "ljmd/app/thermo_report.hpp"
+#include "ljmd/analyze/thermo_report.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/study/reproduction.hpp"
 
 using namespace ljmd;
 

@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "fuzzed_decks.hpp"
-#include "ljmd/app/few_body_run.hpp"
-#include "ljmd/app/simulation.hpp"
-#include "ljmd/io/trajectory_writer.hpp"
+#include "ljmd/deck/simulation.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/run/few_body_run.hpp"
 #include "resumed_run.hpp"
 #include "two_atoms.hpp"
 

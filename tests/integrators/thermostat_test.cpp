@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/thread_guard.hpp"
+#include "execution/thread_guard.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/registry.hpp"

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-#include "ljmd/io/scratch_directory.hpp"
+#include "ljmd/io/files/scratch_directory.hpp"
 
 namespace ljmd::test {
 

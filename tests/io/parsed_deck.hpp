@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/io/deck_file.hpp"
+#include "ljmd/input/deck_file.hpp"
 
 namespace ljmd::test {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/io/extended_xyz_writer.hpp"
-#include "ljmd/io/trajectory_writer.hpp"
+#include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
 
 namespace {
 

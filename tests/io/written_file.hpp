@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/scratch_directory.hpp"
+#include "ljmd/io/files/scratch_directory.hpp"
 
 namespace ljmd::test {
 

@@ -6,7 +6,7 @@
 
 Operations of std::filesystem throw std::filesystem::filesystem_error, which would be reported as a bug of the program;
 so does reading through the buffer of a std::ifstream. What src/ and include/ ask of the file system goes through
-ljmd::files (include/ljmd/io/file_system.hpp), what they read through open_input() (include/ljmd/io/input_file.hpp),
+ljmd::files (include/ljmd/io/files/file_system.hpp), what they read through open_input() (include/ljmd/io/files/input_file.hpp),
 what they write through OutputFile: these report errors of one type, with path and cause.
 """
 
@@ -17,12 +17,12 @@ from pathlib import Path
 
 # file -> why it may call what others may not
 ALLOWED = {
-    "include/ljmd/io/file_system.hpp": "the operations themselves",
-    "src/io/file_system.cpp": "the operations themselves",
-    "include/ljmd/io/input_file.hpp": "open_input() itself",
-    "src/io/input_file.cpp": "open_input() itself",
-    "src/io/text_file.cpp": "reads through a std::istream, which turns what its buffer throws into a state",
-    "src/app/bench.cpp": "the kernel's word on this process; where there is none, nothing is told",
+    "include/ljmd/io/files/file_system.hpp": "the operations themselves",
+    "src/io/files/file_system.cpp": "the operations themselves",
+    "include/ljmd/io/files/input_file.hpp": "open_input() itself",
+    "src/io/files/input_file.cpp": "open_input() itself",
+    "src/io/files/text_file.cpp": "reads through a std::istream, which turns what its buffer throws into a state",
+    "src/cli/bench.cpp": "the kernel's word on this process; where there is none, nothing is told",
 }
 
 # Types of std::filesystem, which do nothing.
@@ -96,7 +96,7 @@ VIOLATIONS = [
 def self_test():
     failures = []
     with tempfile.TemporaryDirectory() as folder:
-        source = Path(folder) / "src" / "app" / "x.cpp"
+        source = Path(folder) / "src" / "run" / "x.cpp"
         source.parent.mkdir(parents=True)
         source.write_text(SOUND, encoding="utf-8")
         if complaints := check(Path(folder)):
@@ -105,8 +105,8 @@ def self_test():
             source.write_text(SOUND + line + "\n", encoding="utf-8")
             if len(check(Path(folder))) != 1:
                 failures.append(f"'{line}': expected one complaint, got {check(Path(folder))}")
-        (source.parents[1] / "io").mkdir()
-        (source.parents[1] / "io" / "file_system.cpp").write_text(VIOLATIONS[0], encoding="utf-8")
+        (source.parents[1] / "io" / "files").mkdir(parents=True)
+        (source.parents[1] / "io" / "files" / "file_system.cpp").write_text(VIOLATIONS[0], encoding="utf-8")
         source.write_text(SOUND, encoding="utf-8")
         if complaints := check(Path(folder)):
             failures.append(f"what is allowed gave {complaints}")

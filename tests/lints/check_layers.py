@@ -18,28 +18,26 @@ import sys
 import tempfile
 from pathlib import Path
 
-# layer -> what it may include besides itself
-LAYERS = {
-    "core": set(),
-    "model": {"core"},
-    "parallel": {"core", "model"},
-    "reference": {"core"},
-    "potentials": {"core", "model"},
-    "neighbors": {"core", "model", "potentials", "parallel"},
-    "forces": {"core", "model", "potentials", "neighbors", "parallel"},
-    "integrators": {"core", "model", "potentials", "neighbors", "forces"},
-    "observables": {"core", "model", "potentials", "neighbors", "forces", "integrators", "parallel"},
-    "io": {"core", "model", "potentials", "neighbors", "forces", "integrators", "observables", "parallel"},
-    "compare": {"core", "model", "potentials", "neighbors", "forces", "integrators", "observables", "io", "parallel",
-                "reference"},
-    "app": {"core", "model", "potentials", "neighbors", "forces", "integrators", "observables", "io", "parallel",
-            "reference", "compare"},
+# From the ground up. A room may include every room that stands before it, but for those that it is kept from.
+ROOMS = ["core", "execution", "model", "reference", "potentials", "domain", "neighbors", "forces", "integrators",
+         "observables", "engine", "io", "input", "deck", "run", "analyze", "compare", "study", "cli"]
+KEPT_FROM = {
+    "reference": {"execution", "model"},
+    "potentials": {"execution", "reference"},
+    "domain": {"reference", "potentials"},
+    "neighbors": {"reference"},
+    "forces": {"reference"},
+    "integrators": {"reference", "domain"},
+    "engine": {"reference", "domain"},
+    "io": {"reference", "domain", "engine"},
+    "input": {"reference", "domain", "engine"},
 }
+LAYERS = {room: set(ROOMS[:place]) - KEPT_FROM.get(room, set()) for place, room in enumerate(ROOMS)}
 
-PHYSICS = {"model", "potentials", "neighbors", "forces", "integrators", "observables", "reference"}
+PHYSICS = {"model", "potentials", "domain", "neighbors", "forces", "integrators", "observables", "reference", "engine"}
 
 # Written by the build, not in the tree.
-GENERATED = {"ljmd/app/bench_deck.hpp", "ljmd/core/simd_levels.hpp", "ljmd/core/version.hpp", "ljmd/potentials/formula_list.hpp"}
+GENERATED = {"ljmd/cli/bench_deck.hpp", "ljmd/execution/simd_levels.hpp", "ljmd/core/version.hpp", "ljmd/potentials/formula_list.hpp"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 CONDITIONAL = re.compile(r"^\s*#\s*(if|ifdef|ifndef|elif|elifdef|elifndef)\b")
@@ -135,8 +133,8 @@ def check(root):
 SOUND = {
     "include/ljmd/core/a.hpp": "// A comment first.\n#pragma once\n#include <vector>\n",
     "include/ljmd/model/b.hpp": '#pragma once\n#include "ljmd/core/a.hpp"\n',
-    "include/ljmd/parallel/p.hpp": '#pragma once\n#include "ljmd/model/b.hpp"\n',
-    "include/ljmd/forces/f.hpp": '#pragma once\n#include "ljmd/parallel/p.hpp"\n// #include "ljmd/app/x.hpp"\n',
+    "include/ljmd/domain/p.hpp": '#pragma once\n#include "ljmd/model/b.hpp"\n',
+    "include/ljmd/forces/f.hpp": '#pragma once\n#include "ljmd/domain/p.hpp"\n// #include "ljmd/deck/x.hpp"\n',
     "src/core/a.cpp": '#include "ljmd/core/a.hpp"\n#include "ljmd/core/version.hpp"\n#ifdef __linux__\n#endif\n',
     "src/io/private.hpp": "#pragma once\n",
     "src/io/h.cpp": '#include "private.hpp"\n',
@@ -146,8 +144,8 @@ SOUND = {
 VIOLATIONS = [
     ("include/ljmd/model/b.hpp", '#pragma once\n#include "ljmd/forces/f.hpp"\n', "model must not include forces"),
     ("src/core/a.cpp", '#include "ljmd/model/b.hpp"\n', "core must not include model"),
-    ("src/potentials/q.cpp", '#include "ljmd/parallel/p.hpp"\n', "potentials must not include parallel"),
-    ("src/integrators/q.cpp", '#include "ljmd/parallel/p.hpp"\n', "integrators must not include parallel"),
+    ("src/potentials/q.cpp", '#include "ljmd/domain/p.hpp"\n', "potentials must not include domain"),
+    ("src/integrators/q.cpp", '#include "ljmd/domain/p.hpp"\n', "integrators must not include domain"),
     ("src/reference/q.cpp", '#include "ljmd/model/b.hpp"\n', "reference must not include model"),
     ("src/io/q.cpp", '#include "../../../outside.hpp"\n', "is not in the tree"),
     ("src/model/q.cpp", '#include "ljmd/potentials/formula_list.hpp"\n', "model must not include potentials"),

@@ -23,7 +23,7 @@ from pathlib import Path
 
 # sources without a test of their own -> why
 WITHOUT_TEST = {
-    "src/app/main.cpp": "hands the command line over; the tests in tests/cli run the program",
+    "src/cli/main.cpp": "hands the command line over; the tests in tests/cli run the program",
     "src/forces/few_body/*.cpp": "plug-ins: the tests that loop over the registry try each",
     "src/integrators/methods/*.cpp": "plug-ins: the tests that loop over the registry try each",
 }
@@ -124,7 +124,7 @@ def check_commands(entries):
 
 SOUND = {
     "CMakeLists.txt": "# -ffast-math is never used\nproject(x)\n",
-    "src/app/main.cpp": "",
+    "src/cli/main.cpp": "",
     "src/core/a.cpp": "\n" * MAXIMUM_LINES,
     "tests/core/a_test.cpp": "\n" * (MAXIMUM_LINES + 1),
     "README.md": "We do not use -ffast-math.\n",

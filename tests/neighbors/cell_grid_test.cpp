@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/parallel/ghost_exchange.hpp"
+#include "ljmd/domain/ghost_exchange.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ljmd/core/random.hpp"
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/thread_guard.hpp"
 #include "core/through_archive.hpp"
+#include "execution/thread_guard.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"

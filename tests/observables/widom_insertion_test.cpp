@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/thread_guard.hpp"
+#include "execution/thread_guard.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/potentials/second_virial.hpp"
 #include "neighbors/sample_states.hpp"

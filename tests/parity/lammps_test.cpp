@@ -6,17 +6,17 @@
 #include <cmath>
 #include <map>
 
-#include "app/app_fixtures.hpp"
 #include "compare/peers.hpp"
 #include "compare/small_fluid.hpp"
+#include "deck/deck_fixtures.hpp"
 #include "forces/every_potential.hpp"
-#include "ljmd/app/commands.hpp"
-#include "ljmd/app/recorded_run.hpp"
+#include "ljmd/cli/commands.hpp"
 #include "ljmd/compare/lammps.hpp"
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/text_file.hpp"
+#include "ljmd/io/files/text_file.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/run/recorded_run.hpp"
 #include "physics/liquid.hpp"
 
 using namespace ljmd;

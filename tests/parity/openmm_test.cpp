@@ -8,7 +8,7 @@
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/compare/point_comparison.hpp"
 #include "ljmd/compare/trajectory_comparison.hpp"
-#include "ljmd/core/simd.hpp"
+#include "ljmd/execution/simd.hpp"
 #include "physics/liquid.hpp"
 
 using namespace ljmd;

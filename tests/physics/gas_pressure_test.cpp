@@ -5,14 +5,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/app_fixtures.hpp"
 #include "core/same_bits.hpp"
-#include "ljmd/app/deck_stages.hpp"
+#include "deck/deck_fixtures.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/integrators/thermostat.hpp"
-#include "ljmd/observables/blocking.hpp"
+#include "ljmd/observables/statistics/blocking.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/second_virial.hpp"
+#include "ljmd/run/deck_stages.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

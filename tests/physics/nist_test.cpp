@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/io/configuration_reader.hpp"
+#include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/potentials/tail_correction.hpp"
 #include "physics/liquid.hpp"
 

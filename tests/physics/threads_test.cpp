@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "core/thread_guard.hpp"
-#include "ljmd/observables/order_parameter.hpp"
-#include "ljmd/observables/radial_distribution.hpp"
+#include "execution/thread_guard.hpp"
+#include "ljmd/observables/structure/order_parameter.hpp"
+#include "ljmd/observables/structure/radial_distribution.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "physics/liquid.hpp"
 

@@ -8,7 +8,7 @@
 #include "ljmd/compare/peer.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/observables/analysis.hpp"
-#include "ljmd/observables/blocking.hpp"
+#include "ljmd/observables/statistics/blocking.hpp"
 
 namespace ljmd {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ljmd/core/types.hpp"
-#include "ljmd/io/text_file.hpp"
+#include "ljmd/io/files/text_file.hpp"
 
 namespace ljmd {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ljmd/core/aligned_vector.hpp"
-#include "ljmd/core/simd.hpp"
+#include "ljmd/execution/simd.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/neighbors/tile_positions.hpp"

@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/forces/force_sum.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"

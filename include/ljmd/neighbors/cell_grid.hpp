@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ljmd/core/types.hpp"
+#include "ljmd/domain/ghost_exchange.hpp"
 #include "ljmd/model/state.hpp"
-#include "ljmd/parallel/ghost_exchange.hpp"
 
 namespace ljmd {
 

@@ -2,11 +2,11 @@
 
 #include <string_view>
 
+#include "ljmd/domain/ghost_exchange.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/neighbors/cell_grid.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
 #include "ljmd/neighbors/search_statistics.hpp"
-#include "ljmd/parallel/ghost_exchange.hpp"
 
 namespace ljmd {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ljmd/core/aligned_vector.hpp"
-#include "ljmd/core/simd.hpp"
+#include "ljmd/execution/simd.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/neighbors/candidates.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"

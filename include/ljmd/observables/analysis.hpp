@@ -10,7 +10,7 @@
 #include "ljmd/core/section.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
-#include "ljmd/observables/observable_average.hpp"
+#include "ljmd/observables/statistics/observable_average.hpp"
 #include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {

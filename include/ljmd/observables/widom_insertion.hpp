@@ -4,7 +4,7 @@
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/neighbors/cell_grid.hpp"
 #include "ljmd/observables/analysis.hpp"
-#include "ljmd/observables/blocking.hpp"
+#include "ljmd/observables/statistics/blocking.hpp"
 
 namespace ljmd {
 

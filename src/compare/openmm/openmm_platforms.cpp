@@ -9,8 +9,8 @@
 
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/file_system.hpp"
-#include "ljmd/io/input_file.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 
 namespace ljmd {
 

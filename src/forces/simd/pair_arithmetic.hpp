@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ljmd/core/simd_vector.hpp"
+#include "ljmd/execution/simd_vector.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 #include "pair_kernel.hpp"

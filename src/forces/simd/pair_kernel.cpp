@@ -2,7 +2,7 @@
 #include "pair_kernel.hpp"
 
 #include "cluster_forces.hpp"
-#include "ljmd/core/simd_vector.hpp"
+#include "ljmd/execution/simd_vector.hpp"
 #include "pair_arithmetic.hpp"
 
 namespace ljmd {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <variant>
 
-#include "ljmd/core/simd_levels.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/execution/simd_levels.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"
 #include "ljmd/neighbors/row_shape.hpp"
 #include "ljmd/potentials/pair_potential.hpp"

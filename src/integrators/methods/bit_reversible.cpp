@@ -1,5 +1,5 @@
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {

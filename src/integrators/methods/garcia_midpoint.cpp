@@ -1,4 +1,4 @@
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "ljmd/core/threads.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {

@@ -1,7 +1,7 @@
 // Compiled once for each SIMD level, see cmake/LjmdSimd.cmake.
 #include "list_kernel.hpp"
 
-#include "ljmd/core/simd_vector.hpp"
+#include "ljmd/execution/simd_vector.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "ljmd/observables/mean_square_displacement.hpp"
+#include "ljmd/observables/transport/mean_square_displacement.hpp"
 
 namespace ljmd {
 

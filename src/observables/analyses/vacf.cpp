@@ -1,4 +1,4 @@
-#include "ljmd/observables/velocity_autocorrelation.hpp"
+#include "ljmd/observables/transport/velocity_autocorrelation.hpp"
 
 namespace ljmd {
 

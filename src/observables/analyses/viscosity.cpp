@@ -1,4 +1,4 @@
-#include "ljmd/observables/stress_autocorrelation.hpp"
+#include "ljmd/observables/transport/stress_autocorrelation.hpp"
 
 namespace ljmd {
 

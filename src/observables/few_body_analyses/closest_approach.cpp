@@ -1,10 +1,10 @@
-#include "ljmd/observables/closest_approach.hpp"
+#include "ljmd/observables/few_body/closest_approach.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "ljmd/observables/few_body_analysis.hpp"
+#include "ljmd/observables/few_body/few_body_analysis.hpp"
 
 namespace ljmd {
 

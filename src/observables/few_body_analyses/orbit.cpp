@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "ljmd/observables/few_body_analysis.hpp"
-#include "ljmd/observables/orbital_elements.hpp"
-#include "ljmd/observables/turning_points.hpp"
+#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "ljmd/observables/few_body/orbital_elements.hpp"
+#include "ljmd/observables/few_body/turning_points.hpp"
 
 namespace ljmd {
 

@@ -1,6 +1,6 @@
 #include "cosine_kernel.hpp"
 
-#include "ljmd/core/simd_vector.hpp"
+#include "ljmd/execution/simd_vector.hpp"
 
 namespace ljmd {
 

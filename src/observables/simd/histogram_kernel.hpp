@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "ljmd/core/simd_levels.hpp"
+#include "ljmd/execution/simd_levels.hpp"
 
 namespace ljmd {
 

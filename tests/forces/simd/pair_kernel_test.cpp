@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/thread_guard.hpp"
+#include "execution/thread_guard.hpp"
 #include "forces/every_potential.hpp"
 #include "ljmd/forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"

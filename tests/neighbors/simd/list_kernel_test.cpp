@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/thread_guard.hpp"
+#include "execution/thread_guard.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
 #include "neighbors/sample_states.hpp"
 

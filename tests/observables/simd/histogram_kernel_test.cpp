@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "ljmd/core/simd.hpp"
+#include "ljmd/execution/simd.hpp"
 #include "ljmd/model/box.hpp"
 
 using namespace ljmd;

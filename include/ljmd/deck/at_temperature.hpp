@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+
+#include "ljmd/core/types.hpp"
+#include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/reference/equation_of_state.hpp"
+
+namespace ljmd {
+
+/// What a fluid has at a temperature other than the one at which it was measured.
+struct AtTemperature {
+    Estimate potential_energy;        ///< U/N [epsilon]
+    Estimate pressure;                ///< p [epsilon/sigma^3]
+    Estimate compressibility_factor;  ///< Z
+};
+
+/// Means of temperature, potential energy per atom and pressure, in this order.
+using MeansOfState = Vec3;
+
+/// A value that is computed from such means, with its error; the gradient is that of the value with respect to them.
+using EstimateFromMeans = std::function<Estimate(double value, const Vec3& gradient)>;
+
+/// Bring means from the temperature T that was measured to another one, T_0, by an equation of state of the same fluid:
+///
+///     Z(T_0) = <p>/(rho <T>) + Z_m(T_0) - Z_m(<T>),    U(T_0) = <u> + U_m(T_0) - U_m(<T>),    p(T_0) = rho T_0 Z(T_0)
+///
+/// The errors follow from those of the three series together (delta method): at constant energy they swing together,
+/// and what a swing of T explains is no error at a given T. What the equation of state is wrong by in the difference is
+/// not in them; it vanishes with T_0 - <T>.
+/// @pre density > 0, <T> > 0, T_0 > 0
+[[nodiscard]] AtTemperature at_temperature(const EquationOfState& equation, double density, double temperature,
+                                           const MeansOfState& means, const EstimateFromMeans& estimate);
+
+}  // namespace ljmd

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ljmd/deck/deck.hpp"
+#include "ljmd/forces/few_body_force.hpp"
+#include "ljmd/model/state.hpp"
+#include "ljmd/observables/few_body/few_body_analysis.hpp"
+
+namespace ljmd {
+
+/// The bodies of a deck where they start, without a box; ids in the order of the deck. Their masses are what the force
+/// has for inertia.
+/// @pre position and velocity of every [[body]] have one to three components
+[[nodiscard]] State few_body_start(const std::vector<Section>& bodies, const FewBodyForceMethod& force,
+                                   const Section& force_section);
+
+/// Everything that moves and is moved in a few-body run.
+struct FewBodySystem {
+    State state;
+    int dimensions;
+    FewBodyForceMethod force;
+    std::unique_ptr<ForceField> force_field;
+    std::vector<std::pair<std::string, std::unique_ptr<FewBodyAnalysis>>> analyses;
+};
+
+/// @pre the deck is a few-body deck and has been checked
+[[nodiscard]] FewBodySystem make_few_body_system(const Deck& deck);
+
+}  // namespace ljmd

@@ -1,0 +1,183 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "ljmd/execution/simd_intel.hpp"
+#include "ljmd/execution/simd_raw.hpp"
+
+namespace ljmd::simd::native {
+
+/// Stands for processors without an overload of their own, which the names below must find something of.
+struct None {};
+void keep_where(None);
+void larger(None);
+void multiply_add(None);
+void square_root(None);
+void widened(None);
+void joined(None);
+void inverse_root(None);
+void bits_of(None);
+void repeated(None);
+void each_repeated(None);
+
+}  // namespace ljmd::simd::native
+
+#if defined(__x86_64__)
+#include "ljmd/execution/simd_x86.hpp"
+#endif
+
+/// What the vector extension of the compilers has no operator for: one instruction where the processor has it, else a
+/// portable body.
+namespace ljmd::simd {
+
+/// a b + c
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> multiply_add(RawVector<T, lanes> a, RawVector<T, lanes> b, RawVector<T, lanes> c) {
+    if constexpr (requires { native::multiply_add(a, b, c); }) {
+        return native::multiply_add(a, b, c);
+    } else {
+        return a * b + c;
+    }
+}
+
+/// Whether roots are slow, but 1/sqrt(x) is not: within 2 units in the last place, NaN for 0 and infinity.
+template <class T, int lanes>
+inline constexpr bool has_inverse_root = requires(RawVector<T, lanes> x) {
+    native::inverse_root(x);
+};
+
+/// Each lane in double. With gcc 12 the compilers' own conversion goes through memory.
+template <int lanes>
+LJMD_INLINE RawVector<double, lanes> widened(RawVector<float, lanes> x) {
+    if constexpr (requires { native::widened(x); }) {
+        return native::widened(x);
+    } else {
+        return __builtin_convertvector(x, RawVector<double, lanes>);
+    }
+}
+
+/// Lanes from `first` on. (Copies of bytes would keep the vector in memory.)
+template <class T, int lanes, int first, int... lane>
+LJMD_INLINE RawVector<T, sizeof...(lane)> lanes_from(RawVector<T, lanes> v, std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(v, v, (first + lane)...);
+}
+
+/// Two vectors of half the length.
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes / 2> low_half(RawVector<T, lanes> v) {
+    return lanes_from<T, lanes, 0>(v, std::make_integer_sequence<int, lanes / 2>());
+}
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes / 2> high_half(RawVector<T, lanes> v) {
+    return lanes_from<T, lanes, lanes / 2>(v, std::make_integer_sequence<int, lanes / 2>());
+}
+
+/// One vector of two: the opposite of low_half and high_half.
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, 2 * lanes> joined(RawVector<T, lanes> low, RawVector<T, lanes> high) {
+    if constexpr (requires { native::joined(low, high); }) {
+        return native::joined(low, high);
+    } else {
+        RawVector<T, 2 * lanes> both;
+        __builtin_memcpy(&both, &low, sizeof low);
+        __builtin_memcpy(reinterpret_cast<char*>(&both) + sizeof low, &high, sizeof high);
+        return both;
+    }
+}
+
+/// What does not fit into a register is better worked on by halves: of comparisons and roots compilers make one for
+/// each lane.
+template <class T, int lanes>
+inline constexpr bool needs_two_registers = lanes > 2 && sizeof(RawVector<T, lanes>) > register_bytes;
+
+/// x in the lanes where a < b, 0 elsewhere, also where x is infinite or NaN.
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> keep_where_less(RawVector<T, lanes> a, RawVector<T, lanes> b, RawVector<T, lanes> x) {
+    if constexpr (needs_two_registers<T, lanes>) {
+        return joined<T, lanes / 2>(
+            keep_where_less<T, lanes / 2>(low_half<T, lanes>(a), low_half<T, lanes>(b), low_half<T, lanes>(x)),
+            keep_where_less<T, lanes / 2>(high_half<T, lanes>(a), high_half<T, lanes>(b), high_half<T, lanes>(x)));
+    } else if constexpr (requires { native::keep_where(a < b, x); }) {
+        return native::keep_where(a < b, x);
+    } else {
+        using Bits = RawVector<typename Integer<T>::Type, lanes>;
+        return reinterpret<RawVector<T, lanes>>((a < b) & reinterpret<Bits>(x));
+    }
+}
+
+/// Lane by lane the larger one; b where a is NaN. (Of the operators compilers make a comparison and a choice.)
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> larger(RawVector<T, lanes> a, RawVector<T, lanes> b) {
+    if constexpr (requires { native::larger(a, b); }) {
+        return native::larger(a, b);
+    } else if constexpr (needs_two_registers<T, lanes>) {
+        return joined<T, lanes / 2>(larger<T, lanes / 2>(low_half<T, lanes>(a), low_half<T, lanes>(b)),
+                                    larger<T, lanes / 2>(high_half<T, lanes>(a), high_half<T, lanes>(b)));
+    } else {
+        return a > b ? a : b;
+    }
+}
+
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> square_root(RawVector<T, lanes> x) {
+    if constexpr (requires { native::square_root(x); }) {
+        return native::square_root(x);
+    } else if constexpr (needs_two_registers<T, lanes>) {
+        return joined<T, lanes / 2>(square_root<T, lanes / 2>(low_half<T, lanes>(x)),
+                                    square_root<T, lanes / 2>(high_half<T, lanes>(x)));
+    } else {
+        RawVector<T, lanes> result;
+        for (int k = 0; k < lanes; ++k) {
+            result[k] = static_cast<T>(__builtin_sqrt(x[k]));  // of a float it is the float's, rounded once
+        }
+        return result;
+    }
+}
+
+/// One bit a lane. @param condition  all bits set or none in each lane
+template <int lanes>
+LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, lanes> condition) {
+    if constexpr (requires { native::bits_of(condition); }) {
+        return native::bits_of(condition);
+    } else {
+        unsigned bits = 0;
+        for (int k = 0; k < lanes; ++k) {
+            bits |= condition[k] != 0 ? 1U << k : 0U;
+        }
+        return bits;
+    }
+}
+
+/// Two or four numbers over and over.
+template <class T, int lanes, int count, int... lane>
+LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, count> few, std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(few, few, (lane % count)...);
+}
+template <class T, int lanes, int count>
+LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, count> few) {
+    if constexpr (lanes == count) {
+        return few;
+    } else if constexpr (requires { native::repeated(few, RawVector<T, lanes>{}); }) {
+        return native::repeated(few, RawVector<T, lanes>{});
+    } else {
+        return repeated<T, lanes, count>(few, std::make_integer_sequence<int, lanes>());
+    }
+}
+
+/// Two or four numbers, each in as many lanes that follow each other. With gcc 12 the portable body goes through
+/// memory.
+template <class T, int lanes, int count, int... lane>
+LJMD_INLINE RawVector<T, lanes> each_repeated(RawVector<T, count> few, std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(few, few, (lane / (lanes / count))...);
+}
+template <class T, int lanes, int count>
+LJMD_INLINE RawVector<T, lanes> each_repeated(RawVector<T, count> few) {
+    if constexpr (requires { native::each_repeated(few, RawVector<T, lanes>{}); }) {
+        return native::each_repeated(few, RawVector<T, lanes>{});
+    } else {
+        return each_repeated<T, lanes, count>(few, std::make_integer_sequence<int, lanes>());
+    }
+}
+
+}  // namespace ljmd::simd

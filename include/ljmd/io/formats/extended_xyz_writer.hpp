@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "ljmd/core/units.hpp"
+#include "ljmd/io/files/output_file.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/model/state.hpp"
+
+namespace ljmd {
+
+/// Append one frame in extended XYZ: the number of atoms, a line of keys, one line an atom in the order of ids.
+///
+///     Lattice="L 0 0 0 L 0 0 0 L" Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3:id:I:1 pbc="T T T" Time=..
+///     step=.. units=..                                                          (in one line)
+///
+/// `momenta` make the velocities of ASE right, which it takes from nothing else: the velocity in ASE's unit sqrt(eV/u),
+/// in a reduced file in sigma/tau, times the mass that ASE gives to the species [u].
+/// Numbers have as many digits as it takes to read back the same double. Positions are unwrapped; ids count from 1.
+/// Without a box there is no Lattice, and pbc="F F F".
+///
+/// @param si  empty: units=reduced, species X. Set: units=si, species Ar; positions [angstrom], velocities
+///            [angstrom/ps], Time [ps]
+/// @throws FileError
+void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocities,
+                              const std::optional<SubstanceUnits>& si);
+
+/// A trajectory in extended XYZ.
+class ExtendedXyzWriter : public TrajectoryWriter {
+  public:
+    ExtendedXyzWriter(const State& first, const TrajectoryOptions& options);
+    void write(const State& state) override;
+    CommittedFrames commit() override;
+    void close() override;
+
+  private:
+    OutputFile file_;
+    bool velocities_;
+    std::optional<SubstanceUnits> si_;
+    Index count_;
+    bool has_box_;
+};
+
+/// See trajectory_bytes().
+[[nodiscard]] double extended_xyz_bytes(Index atoms, Index frames, bool velocities);
+
+/// Write one configuration in reduced units, from which a later run can start, so that the file is either the old or
+/// the new one, never half of it. Positions are unwrapped, so that displacements continue.
+/// @throws FileError; then no new file is left behind
+void write_configuration(const OutputPlace& place, const State& state, bool velocities);
+
+}  // namespace ljmd

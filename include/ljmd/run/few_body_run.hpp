@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ljmd/deck/few_body.hpp"
+#include "ljmd/run/run.hpp"
+
+namespace ljmd {
+
+/// What became of a total of the system: conserved ones show the error of the integrator.
+struct FewBodyHistory {
+    std::string name;
+    double at_start;
+    double at_end;
+    double mean;               ///< over the rows of thermo.csv
+    double largest_deviation;  ///< from the start, over the same rows
+
+    void archive(Archive& a) { a(name, at_start, at_end, mean, largest_deviation); }
+};
+
+/// What a few-body run found.
+struct FewBodyResult {
+    Index bodies;
+    int dimensions;
+    std::string force;
+    std::vector<FewBodyHistory> histories;
+    std::vector<StageResult> stages;
+    std::vector<std::pair<std::string, std::vector<Finding>>> findings;  ///< of each analysis
+    double seconds;                                                      ///< wall time of the time loop
+};
+
+/// Run all stages of a few-body deck and write its output directory (see docs/files.md).
+///
+/// @pre  the output directory exists and is empty of earlier outputs , or it is the one of the
+/// run
+///       that is gone on with
+/// @throws PhysicsError, FileError, CheckpointError, Interrupted; what was written until then stays
+FewBodyResult run_few_body(const Deck& deck, FewBodySystem& system, RunListener& listener,
+                           const RunControl& control = {});
+
+/// results.json and the table on the screen.
+[[nodiscard]] std::string few_body_results_json(const Deck& deck, const FewBodyResult& result);
+[[nodiscard]] std::string few_body_results_table(const Deck& deck, const FewBodyResult& result);
+
+}  // namespace ljmd

@@ -1,0 +1,91 @@
+#include "ljmd/analyze/deck_against_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ljmd {
+
+namespace {
+
+/// Between 0 at constant energy and 1 in the canonical ensemble.
+constexpr double constant_or_canonical = 0.5;
+constexpr double temperature_errors = 5.0;
+constexpr double temperature_fraction = 0.05;
+
+/// Why the heat capacity of the deck's ensemble is not that of the frames; empty where nothing speaks against it.
+std::string against_heat_capacity(Ensemble ensemble, const EnergyFluctuations& energies,
+                                  std::optional<Index> box_changes) {
+    if (box_changes) {
+        return fmt::format("the box changes, in frame {}: the fluctuations are not those at constant volume",
+                           *box_changes);
+    }
+    const auto ratio = energies.total_over_kinetic();
+    if (!ratio) {
+        return "";
+    }
+    const std::string found =
+        fmt::format("the total energy of the frames fluctuates {:.2g} times as much as the kinetic energy", *ratio);
+    if (ensemble == Ensemble::constant_energy && *ratio > constant_or_canonical) {
+        return fmt::format("the deck is one of constant energy, but {}", found);
+    }
+    if (ensemble == Ensemble::canonical && *ratio < constant_or_canonical) {
+        return fmt::format("the deck is one of constant temperature, but {}", found);
+    }
+    return "";
+}
+
+std::string against_temperature(const std::vector<ObservableAverage>& averages, double held) {
+    const auto found = std::ranges::find(averages, "temperature", &ObservableAverage::name);
+    if (found == averages.end() || !found->estimate) {
+        return "";
+    }
+    const auto& [mean, error, independent, samples, converged] = *found->estimate;
+    const double off = std::abs(mean - held);
+    if (!(off > temperature_errors * error && off > temperature_fraction * held)) {
+        return "";
+    }
+    return fmt::format("the thermostat of the deck holds T = {:.4g}, but the frames have {:.4g}", held, mean);
+}
+
+void take_back(std::vector<ObservableAverage>& averages, const char* name, const std::string& remark) {
+    for (ObservableAverage& average : averages) {
+        if (average.name == name && !remark.empty()) {
+            average.estimate.reset();
+            average.remark = remark;
+        }
+    }
+}
+
+}  // namespace
+
+void EnergyFluctuations::add_to(Series& series, double value, double count) {
+    const double from_old = value - series.mean;
+    series.mean += from_old / count;
+    series.squares += from_old * (value - series.mean);
+}
+
+void EnergyFluctuations::add(const Thermodynamics& frame) {
+    count_ += 1.0;
+    add_to(total_, frame.total_energy, count_);
+    add_to(kinetic_, frame.kinetic_energy, count_);
+}
+
+std::optional<double> EnergyFluctuations::total_over_kinetic() const {
+    if (!(kinetic_.squares > 0.0)) {
+        return std::nullopt;
+    }
+    return std::sqrt(total_.squares / kinetic_.squares);
+}
+
+void take_back_contradicted(std::vector<ObservableAverage>& averages, const DeckClaims& deck,
+                            const EnergyFluctuations& energies, std::optional<Index> box_changes) {
+    take_back(averages, "heat_capacity_cv", against_heat_capacity(deck.ensemble, energies, box_changes));
+    if (deck.held_temperature) {
+        take_back(averages, "excess_chemical_potential", against_temperature(averages, *deck.held_temperature));
+    }
+}
+
+}  // namespace ljmd

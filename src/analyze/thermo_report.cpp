@@ -1,0 +1,190 @@
+#include "ljmd/analyze/thermo_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
+#include "ljmd/deck/sampled_run.hpp"
+#include "ljmd/deck/sampled_steps.hpp"
+#include "ljmd/deck/simulation.hpp"
+#include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/run/footnotes.hpp"
+#include "ljmd/run/json_number.hpp"
+#include "ljmd/run/results.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Align = TextTable::Align;
+
+constexpr Index most_starts = 100;  // of a series that are tried
+constexpr std::array<const char*, 4> reported{"temperature", "potential_energy", "total_energy", "pressure"};
+
+Estimate blocking(const std::vector<double>& series) {
+    BlockingAccumulator blocks(1, Covariance::diagonal);
+    for (const double value : series) {
+        blocks.add(Eigen::VectorXd::Constant(1, value));
+    }
+    return blocks.estimate(0);
+}
+
+/// The number of atoms, which thermo.csv does not have; nothing when the file that the run began from is gone.
+std::optional<Index> atoms_of(const Deck& deck) {
+    try {
+        return find_start(deck).atoms;
+    } catch (const DataError&) {
+        return std::nullopt;
+    }
+}
+
+/// From the fluctuations of temperature and potential energy.
+std::optional<ObservableAverage> heat_capacity(const DataTable& table, const Deck& deck) {
+    const auto atoms = atoms_of(deck);
+    if (!atoms) {
+        return std::nullopt;
+    }
+    RunAverages averages(*atoms, sampled_ensemble(deck));
+    const std::vector<double> temperatures = column(table, "temperature");
+    const std::vector<double> energies = column(table, "potential_energy");
+    for (std::size_t k = 0; k < energies.size(); ++k) {
+        Thermodynamics row;
+        row.temperature = temperatures[k];
+        row.potential_energy = energies[k];
+        averages.add(row);
+    }
+    for (const ObservableAverage& average : averages.averages()) {
+        if (average.name == "heat_capacity_cv") {
+            return average;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Fewer independent rows than this do not carry an error bar, see BlockingAccumulator.
+constexpr double few_samples = 16.0;
+
+std::string remark_on(const Equilibration& found) {
+    return found.independent_samples < few_samples ? std::string(guessed_error) : "";
+}
+
+/// Behind a number; nothing for an empty mark.
+std::string spaced(const std::string& mark) {
+    return mark.empty() ? "" : " " + mark;
+}
+
+/// (g - 1)/2 rows as a time.
+double correlation_time(const ThermoReport& report, const Equilibration& found) {
+    return 0.5 * (found.inefficiency - 1.0) * report.interval;
+}
+
+Index step_of_row(const ThermoReport& report, Index row) {
+    return report.first_step + row * ((report.last_step - report.first_step) / std::max(report.rows - 1, Index{1}));
+}
+
+}  // namespace
+
+ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
+    if (run.deck.kind == DeckKind::few_body) {
+        throw InputError("a few-body run has no equilibrium: `ljmd analyze` wants one of a fluid");
+    }
+    const std::filesystem::path path = run.deck.directory / "thermo.csv";
+    DataTable table = read_growing_csv(path);
+    const SampledSteps sampled(run.deck.stages);
+    const std::vector<Index> all_steps = step_column(table, path);
+    const std::vector<double> all_times = full_column(table, "time", path);
+    std::size_t row = 0;
+    std::erase_if(table.rows, [&](const auto&) {
+        const std::size_t k = row++;
+        return !sampled.contain(all_steps[k]) || (from && is_before(all_times[k], *from));
+    });
+    const auto rows = static_cast<Index>(table.rows.size());
+    if (rows < 2) {
+        throw DataError(fmt::format("{} has {} of the rows that are looked at: the sampled stages have hardly begun",
+                                    path.string(), rows));
+    }
+    const std::vector<Index> steps = step_column(table, path);
+    const std::vector<double> times = column(table, "time");
+    ThermoReport report{rows,
+                        steps.front(),
+                        steps.back(),
+                        (times.back() - times.front()) / static_cast<double>(rows - 1),
+                        std::max(rows / most_starts, Index{1}),
+                        {},
+                        heat_capacity(table, run.deck)};
+    for (const char* name : reported) {
+        const std::vector<double> series = column(table, name);
+        report.columns.push_back(
+            {name, detect_equilibration(series, report.stride), statistical_inefficiency(series), blocking(series)});
+    }
+    return report;
+}
+
+std::string thermo_table(const ThermoReport& report) {
+    Footnotes footnotes;
+    std::string text = fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n", report.rows,
+                                   report.first_step, report.last_step, report.interval);
+    TextTable table({{"observable", Align::left, 16},
+                     {"equilibrated at step", Align::right, 20},
+                     {"correlation time", Align::right, 16},
+                     {"independent", Align::right, 12},
+                     {"mean +- standard error", Align::right, 24},
+                     {"", Align::left}},
+                    2);
+    for (const ThermoReport::Column& column : report.columns) {
+        const Equilibration& found = column.found;
+        if (!std::isfinite(found.inefficiency)) {
+            table.add({column.name, "not defined"});
+            continue;
+        }
+        table.add({column.name, fmt::format("{}", step_of_row(report, found.start)),
+                   fmt::format("{:.3g} tau", correlation_time(report, found)),
+                   fmt::format("{:.0f}", found.independent_samples), with_error(found.mean, found.standard_error),
+                   footnotes.mark(remark_on(found))});
+    }
+    text += table.text();
+    if (report.heat_capacity) {
+        const auto& [name, symbol, unit, estimate, remark] = *report.heat_capacity;
+        const std::string value =
+            estimate ? with_error(estimate->mean, estimate->standard_error) + " " + unit : "no value";
+        text += fmt::format("  heat capacity {} of all rows, from their fluctuations: {}{}\n", symbol, value,
+                            spaced(footnotes.mark(remark)));
+    }
+    return text + footnotes.text();
+}
+
+std::string thermo_json(const ThermoReport& report) {
+    Json observables = Json::object();
+    for (const ThermoReport::Column& column : report.columns) {
+        const Equilibration& found = column.found;
+        Json& json = observables[column.name] = {
+            {"equilibrated_at_row", found.start},
+            {"equilibrated_at_step", step_of_row(report, found.start)},
+            {"statistical_inefficiency", number_or_null(found.inefficiency)},
+            {"correlation_time", number_or_null(correlation_time(report, found))},
+            {"independent_samples", number_or_null(found.independent_samples)},
+            {"mean", number_or_null(found.mean)},
+            {"standard_error", number_or_null(found.standard_error)},
+            {"statistical_inefficiency_of_all", number_or_null(column.whole_inefficiency)},
+            {"mean_of_all", number_or_null(column.by_blocking.mean)},
+            {"blocking_standard_error_of_all", number_or_null(column.by_blocking.standard_error)}};
+        if (const std::string remark = remark_on(found); !remark.empty()) {
+            json["remark"] = remark;
+        }
+    }
+    Json json = {{"rows", report.rows},         {"first_step", report.first_step}, {"last_step", report.last_step},
+                 {"interval", report.interval}, {"stride", report.stride},         {"observables", observables}};
+    if (report.heat_capacity) {
+        json["heat_capacity_cv"] = observables_json({*report.heat_capacity}, std::nullopt).at("heat_capacity_cv");
+    }
+    return json.dump(2) + "\n";
+}
+
+}  // namespace ljmd

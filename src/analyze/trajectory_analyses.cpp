@@ -1,0 +1,194 @@
+#include "ljmd/analyze/trajectory_analyses.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/deck/sampled_run.hpp"
+#include "ljmd/deck/simulation.hpp"
+#include "ljmd/input/deck_file.hpp"
+#include "ljmd/input/deck_setting.hpp"
+#include "ljmd/model/box_for_cutoff.hpp"
+
+namespace ljmd {
+
+namespace {
+
+const std::string analysis_table = "analysis";
+
+/// The [analysis] of a deck as it was written, with its settings; empty where it has none.
+Table written_analysis(const Deck& deck) {
+    Diagnostics none;  // the deck has been read before
+    DeckFile file = parse_deck(deck.path, deck.source, none);
+    for (const std::string& setting : deck.settings) {
+        apply_setting(file.table, setting, none);
+    }
+    const Entry* entry = find(file.table, analysis_table);
+    return entry != nullptr ? std::get<Table>(entry->value.data) : Table{};
+}
+
+/// Steps between configurations in a table of a deck.
+Index steps_between(const Table& table, const AnalysisMethod& method) {
+    if (const Entry* every = find(table, "every")) {
+        return std::get<std::int64_t>(every->value.data);
+    }
+    const auto key = std::ranges::find(method.keys, "every", &Key::name);
+    return std::get<std::int64_t>(*key->default_value);
+}
+
+/// The tables of these analyses, with `every` in frames.
+Table tables_of(const std::vector<AnalysisMethod>& methods, const Deck* deck, std::optional<Index> steps_apart) {
+    Table written = deck != nullptr ? written_analysis(*deck) : Table{};
+    Table tables;
+    for (const AnalysisMethod& method : methods) {
+        Entry* entry = find(written, method.name);
+        Table table = entry != nullptr ? std::get<Table>(entry->value.data) : Table{};
+        const Index steps = entry != nullptr ? steps_between(table, method) : 1;
+        const std::int64_t frames = std::max<Index>(steps / steps_apart.value_or(steps), 1);
+        std::erase_if(table, [](const Entry& e) { return e.key == "every"; });
+        table.push_back({"every", {}, Value{frames, {}}});
+        tables.push_back({method.name, {}, Value{table, {}}});
+    }
+    return tables;
+}
+
+/// What keys of the command line say goes over what stands there.
+Table with_settings(Table tables, const std::vector<std::string>& settings, const std::vector<std::string>& names) {
+    Table root;
+    root.push_back({analysis_table, {}, Value{std::move(tables), {}}});
+    Diagnostics diagnostics;
+    for (const std::string& setting : settings) {
+        const bool meant = std::ranges::any_of(names, [&](const std::string& name) {
+            return setting.starts_with(fmt::format("{}.{}.", analysis_table, name));
+        });
+        if (names.empty()) {
+            throw InputError(fmt::format("--set {}: thermo has no settings", setting));
+        }
+        if (!meant) {
+            throw InputError(fmt::format("--set {}: only settings of what is measured can be given, {}.{}.KEY=VALUE",
+                                         setting, analysis_table,
+                                         fmt::join(names, fmt::format(".KEY=VALUE, {}.", analysis_table))));
+        }
+        apply_setting(root, setting, diagnostics);
+    }
+    diagnostics.throw_if_errors();
+    return std::get<Table>(root.front().value.data);
+}
+
+/// The run that the trajectory stands for, its steps being frames.
+SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection) {
+    Box box(trajectory.smallest_edges);
+    if (deck != nullptr) {
+        box = box_for_cutoff(box, deck->potential().number("cutoff"));
+    }
+    SampledRun run = deck != nullptr ? sampled_run(deck->root, trajectory.atoms, box)
+                                     : SampledRun{trajectory.atoms, box, 1.0, 0, 1, std::nullopt, std::nullopt};
+    run.time_step = selection.spacing.value_or(1.0);
+    run.steps = selection.longest_part;
+    if (deck != nullptr) {
+        run.interaction = interaction_of(*deck);
+    }
+    return run;
+}
+
+/// Why an analysis cannot be had from a trajectory; empty when it can.
+std::string obstacle(const AnalysisMethod& method, const SampledRun& run, const TrajectorySummary& trajectory,
+                     const FrameSelection& selection) {
+    const AnalysisNeeds& needs = method.needs;
+    if (needs.velocities && !trajectory.has_velocities) {
+        return fmt::format("needs velocities, {}", trajectory.missing_velocities);
+    }
+    if (needs.unwrapped_positions && !trajectory.positions.positions) {
+        return fmt::format("needs displacements: {}", trajectory.positions.reason);
+    }
+    if (method.follows_time && !selection.spacing) {
+        return fmt::format("needs equally spaced frames: {}", selection.uneven);
+    }
+    if (needs.fixed_box && trajectory.box_changes) {
+        return fmt::format("needs a box that stays the same, but that of frame {} is another one than that of frame 1",
+                           *trajectory.box_changes);
+    }
+    if (needs.interaction && !run.interaction) {
+        return "needs the interaction: give a deck with --deck";
+    }
+    if (const double largest = 0.5 * run.box.shortest_edge();
+        needs.interaction && run.interaction->potential.cutoff().radius > largest) {
+        return fmt::format("needs the interaction, but the cutoff of the deck, {}, is more than half the box, {:.6g}",
+                           run.interaction->potential.cutoff().radius, largest);
+    }
+    return "";
+}
+
+}  // namespace
+
+std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory, const FrameSelection& selection) {
+    std::vector<std::string> names{"rdf"};
+    if (!trajectory.box_changes) {
+        names.emplace_back("structure_factor");
+        if (selection.spacing && trajectory.positions.positions) {
+            names.emplace_back("msd");
+        }
+    }
+    return names;
+}
+
+void check_thermo(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection) {
+    AnalysisMethod method;
+    method.needs = {.velocities = true, .interaction = true, .fixed_box = false};
+    if (const std::string reason = obstacle(method, run_of(deck, trajectory, selection), trajectory, selection);
+        !reason.empty()) {
+        throw InputError(fmt::format("thermo {}", reason));
+    }
+}
+
+void check_analysis_names(const std::vector<std::string>& names) {
+    std::vector<std::string> allowed = plugin_names(all_analyses());
+    allowed.emplace_back("thermo");
+    for (const std::string& name : names) {
+        if (std::ranges::find(allowed, name) == allowed.end()) {
+            const std::string nearest = nearest_name(name, allowed);
+            throw InputError(fmt::format("unknown analysis {}\n  {}", in_quotes(name),
+                                         nearest.empty() ? fmt::format("allowed: {}", fmt::join(allowed, ", "))
+                                                         : fmt::format("did you mean '{}'?", nearest)));
+        }
+    }
+}
+
+std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& names,
+                                               const std::vector<std::string>& settings, const Deck* deck,
+                                               const TrajectorySummary& trajectory, const FrameSelection& selection) {
+    const SampledRun run = run_of(deck, trajectory, selection);
+    std::vector<AnalysisMethod> methods;
+    Schema schema("[analysis]");
+    for (const std::string& name : names) {
+        const AnalysisMethod& method = methods.emplace_back(find_plugin(all_analyses(), name, "analysis"));
+        if (const std::string reason = obstacle(method, run, trajectory, selection); !reason.empty()) {
+            throw InputError(fmt::format("{} {}", name, reason));
+        }
+        schema = schema.with({Key::table(name, Schema(name, method.keys))});
+    }
+    const Table table = with_settings(tables_of(methods, deck, selection.steps_apart), settings, names);
+    Diagnostics diagnostics;
+    const Section sections = validate(table, {}, schema, deck != nullptr ? deck->units : std::nullopt, diagnostics);
+    for (const AnalysisMethod& method : methods) {
+        const Section& section = sections.section(method.name);
+        for (const auto& [key, message] : method.check(section, run)) {
+            if (section.sound(key)) {
+                diagnostics.error(section.location(key), message);
+            }
+        }
+    }
+    diagnostics.throw_if_errors();
+    std::vector<FrameAnalysis> analyses;
+    analyses.reserve(methods.size());
+    for (const AnalysisMethod& method : methods) {
+        analyses.push_back({method, method.make(sections.section(method.name), run)});
+    }
+    return analyses;
+}
+
+}  // namespace ljmd

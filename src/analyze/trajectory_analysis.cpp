@@ -1,0 +1,227 @@
+#include "ljmd/analyze/trajectory_analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/analyze/deck_against_frames.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/sampled_run.hpp"
+#include "ljmd/deck/simulation.hpp"
+#include "ljmd/io/formats/frame_unwrapper.hpp"
+#include "ljmd/model/box_for_cutoff.hpp"
+#include "ljmd/observables/thermodynamics.hpp"
+#include "ljmd/observables/transport/finite_size.hpp"
+#include "ljmd/run/json_number.hpp"
+#include "ljmd/run/results.hpp"
+
+namespace ljmd {
+
+namespace {
+
+DeckClaims claims_of(const AnalyzedTrajectory& trajectory) {
+    if (trajectory.deck == nullptr) {
+        return {};
+    }
+    const Box box(trajectory.summary.edges);
+    return {sampled_ensemble(*trajectory.deck),
+            sampled_run(trajectory.deck->root, trajectory.summary.atoms, box).held_temperature};
+}
+
+/// One pass over a trajectory.
+class Pass {
+  public:
+    Pass(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses)
+        : trajectory_(trajectory),
+          analyses_(analyses),
+          averages_(trajectory.summary.atoms, claims_of(trajectory).ensemble),
+          tail_(trajectory.thermo ? interaction_of(*trajectory.deck).tail : TailCorrection()) {}
+
+    void run() {
+        const auto reader =
+            open_trajectory(trajectory_.path, trajectory_.units(), trajectory_.group, trajectory_.xyz_comment);
+        const auto frames = static_cast<std::size_t>(trajectory_.summary.frames);
+        Frame frame;
+        for (std::size_t k = 0; k < frames; ++k) {
+            if (!reader->next(frame) || std::ssize(frame.configuration.positions) != trajectory_.summary.atoms) {
+                throw DataError(fmt::format("{} has changed while it was read", trajectory_.path.string()));
+            }
+            take(k, std::move(frame.configuration));
+        }
+    }
+
+    /// Of energies and pressures where they are wanted; of the temperature alone where there are velocities.
+    [[nodiscard]] std::vector<ObservableAverage> averages() const {
+        std::vector<ObservableAverage> found = averages_.averages();
+        std::erase_if(found, [&](const ObservableAverage& average) {
+            return !trajectory_.thermo && (average.name != "temperature" || !trajectory_.summary.has_velocities);
+        });
+        return found;
+    }
+
+    [[nodiscard]] const EnergyFluctuations& energies() const { return energies_; }
+
+  private:
+    void take(std::size_t k, Configuration configuration) {
+        if (!trajectory_.summary.box_changes) {
+            configuration.edges = trajectory_.summary.edges;
+        }
+        if (trajectory_.summary.positions.positions == Positions::wrapped) {
+            unwrapper_.unwrap(configuration);
+        }
+        const std::optional<std::size_t> part = trajectory_.selection.parts[k];
+        if (!part) {
+            return;
+        }
+        if (part != part_) {
+            for (const FrameAnalysis& each : analyses_) {
+                each.analysis->interrupt();
+            }
+            part_ = part;
+        }
+        const Index number = trajectory_.selection.numbers[k];
+        const auto is_due = [&](const FrameAnalysis& each) { return each.analysis->due(number); };
+        if (trajectory_.thermo || std::ranges::any_of(analyses_, is_due)) {
+            sample(number, k, configuration);
+        }
+    }
+
+    [[nodiscard]] Box box_of(const Configuration& configuration) const {
+        const Box box(configuration.edges);
+        return trajectory_.deck == nullptr ? box : box_for_cutoff(box, trajectory_.deck->potential().number("cutoff"));
+    }
+
+    void sample(Index number, std::size_t k, const Configuration& configuration) {
+        State state(trajectory_.summary.atoms, box_of(configuration));
+        place_configuration(state, configuration);
+        state.time = configuration.time;
+        state.step = configuration.step;  // random numbers go by it
+        Evaluation evaluation;
+        if (trajectory_.thermo || std::ranges::any_of(analyses_, [&](const FrameAnalysis& each) {
+                return each.analysis->due(number) && each.analysis->needs_energy();
+            })) {
+            evaluation = evaluate(state, k);
+        }
+        const Thermodynamics found = thermodynamics(state, evaluation, tail_);
+        averages_.add(found);
+        energies_.add(found);
+        for (const FrameAnalysis& each : analyses_) {
+            if (each.analysis->due(number)) {
+                each.analysis->sample(state, evaluation);
+            }
+        }
+    }
+
+    /// By a force field of its own for each frame: a list of neighbours does not last from one to the next.
+    [[nodiscard]] Evaluation evaluate(State& state, std::size_t k) const {
+        const Evaluation evaluation = make_force_field(*trajectory_.deck).evaluate(state, Request::forces_and_energy);
+        if (!std::isfinite(evaluation.potential_energy)) {
+            throw DataError(fmt::format("{}: frame {}: atoms overlap, the forces between them are not finite",
+                                        trajectory_.path.string(), k + 1));
+        }
+        return evaluation;
+    }
+
+    const AnalyzedTrajectory& trajectory_;
+    const std::vector<FrameAnalysis>& analyses_;
+    RunAverages averages_;
+    EnergyFluctuations energies_;
+    TailCorrection tail_;  ///< of energies and pressures, where they are wanted
+    FrameUnwrapper unwrapper_;
+    std::optional<std::size_t> part_;  ///< of the last frame
+};
+
+/// How positions were taken; null where no displacement was measured.
+nlohmann::ordered_json positions_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
+    const PositionReading& reading = trajectory.summary.positions;
+    if (!result.used_displacements) {
+        return nullptr;
+    }
+    return {{"taken_as", reading.positions == Positions::wrapped ? "wrapped" : "unwrapped"},
+            {"told_by", reading.told_by},
+            {"largest_step", trajectory.summary.motion.largest_step}};
+}
+
+std::string si_box(const Vec3& edges, const std::optional<SubstanceUnits>& units) {
+    if (!units) {
+        return "";
+    }
+    const Vec3 nm = units->nanometre() * edges;
+    return fmt::format(" ({:.6g} x {:.6g} x {:.6g} nm^3)", nm[0], nm[1], nm[2]);
+}
+
+}  // namespace
+
+TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses) {
+    Pass pass(trajectory, analyses);
+    pass.run();
+    TrajectoryResult result;
+    result.warnings = trajectory.summary.warnings;
+    result.used_displacements =
+        std::ranges::any_of(analyses, [](const auto& each) { return each.method.needs.unwrapped_positions; });
+    if (result.used_displacements && !trajectory.summary.positions.doubt.empty()) {
+        result.warnings.push_back(trajectory.summary.positions.doubt);
+    }
+    result.averages = pass.averages();
+    for (const auto& [method, analysis] : analyses) {
+        std::vector<DataTable> tables = analysis->tables();
+        std::vector<ObservableAverage> averages = analysis->observables();
+        if (tables.empty() && averages.empty()) {
+            result.warnings.push_back(
+                fmt::format("{} has found nothing: {} frames are too few for it", method.name, analysis->samples()));
+        }
+        std::ranges::move(tables, std::back_inserter(result.tables));
+        std::ranges::move(averages, std::back_inserter(result.averages));
+    }
+    if (const auto infinite = diffusion_in_infinite_system(result.averages, Box(trajectory.summary.edges))) {
+        result.averages.push_back(*infinite);
+    }
+    take_back_contradicted(result.averages, claims_of(trajectory), pass.energies(), trajectory.summary.box_changes);
+    if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
+        result.warnings.push_back(
+            fmt::format("the trajectory is too short for the error bars of {}: they are guesses", unsure));
+    }
+    return result;
+}
+
+std::string trajectory_table(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
+    const TrajectorySummary& summary = trajectory.summary;
+    const Vec3& edges = summary.edges;
+    std::string text = fmt::format("{}\n{} frames of {} atoms, box {:.6g} x {:.6g} x {:.6g} sigma^3{}{}\n{} measured",
+                                   trajectory.path.string(), summary.frames, summary.atoms, edges[0], edges[1],
+                                   edges[2], si_box(edges, trajectory.units()), summary.box_changes ? " at first" : "",
+                                   trajectory.selection.used);
+    if (trajectory.selection.spacing) {
+        text += fmt::format(", {:.6g} tau apart", *trajectory.selection.spacing);
+    }
+    if (result.used_displacements) {
+        text += "\n" + description(summary.positions, summary.motion);
+    }
+    text += "\n\n";
+    if (!result.averages.empty()) {
+        text += observables_table(result.averages, trajectory.units());
+        text += samples_footnote();
+    }
+    return text;
+}
+
+std::string trajectory_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
+    const TrajectorySummary& summary = trajectory.summary;
+    const auto& spacing = trajectory.selection.spacing;
+    const nlohmann::ordered_json json = {{"trajectory", trajectory.path.string()},
+                                         {"atoms", summary.atoms},
+                                         {"box_edges", {summary.edges[0], summary.edges[1], summary.edges[2]}},
+                                         {"frames", summary.frames},
+                                         {"frames_used", trajectory.selection.used},
+                                         {"spacing", number_or_null(spacing)},
+                                         {"positions", positions_json(trajectory, result)},
+                                         {"observables", observables_json(result.averages, trajectory.units())},
+                                         {"warnings", result.warnings}};
+    // A path need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ljmd

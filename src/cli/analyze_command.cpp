@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/analyze/thermo_report.hpp"
+#include "ljmd/analyze/trajectory_analysis.hpp"
+#include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/sampled_run.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/run/output_guard.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/run/results.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string thermo = "thermo";
+
+/// What is asked for: each once, in the order of the command line.
+struct Wanted {
+    bool thermo = false;
+    std::vector<std::string> analyses;
+};
+
+Wanted wanted(const AnalyzeOptions& options) {
+    check_analysis_names(options.names);
+    Wanted wanted;
+    for (const std::string& name : options.names) {
+        if (name == thermo) {
+            wanted.thermo = true;
+        } else if (std::ranges::find(wanted.analyses, name) == wanted.analyses.end()) {
+            wanted.analyses.push_back(name);
+        }
+    }
+    for (const auto& [option, time] : {std::pair{"--from", options.from}, {"--time-step", options.time_step}}) {
+        if (time && !std::isfinite(*time)) {
+            throw InputError(fmt::format("{}: {} is no time", option, *time));
+        }
+    }
+    if (options.time_step && *options.time_step <= 0.0) {
+        throw InputError(fmt::format("--time-step must be above 0, found {}", *options.time_step));
+    }
+    return wanted;
+}
+
+/// Refuse a directory that the tables cannot be written to.
+void check_out(const fs::path& directory, const std::vector<std::string>& files, bool force) {
+    require_no_run(directory, "Nothing was written");
+    require_no_outputs(directory, files, force, "Nothing was written");
+}
+
+std::vector<std::string> output_files(const std::vector<FrameAnalysis>& analyses) {
+    std::vector<std::string> files;
+    for (const FrameAnalysis& each : analyses) {
+        for (const std::string& file : each.method.files) {
+            files.push_back(file + ".csv");
+        }
+    }
+    return files;
+}
+
+std::optional<Positions> said_positions(const AnalyzeOptions& options) {
+    if (options.positions.empty()) {
+        return std::nullopt;
+    }
+    return options.positions == "wrapped" ? Positions::wrapped : Positions::unwrapped;
+}
+
+/// Analyze a trajectory and write the tables.
+/// @param is_run  the deck is that of the run that the trajectory is of
+/// @return what is to be printed
+std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
+                    const AnalyzeOptions& options, const fs::path& directory) {
+    set_thread_count(default_thread_count());
+    // A run has its thermo.csv.
+    AnalyzedTrajectory trajectory{path, deck, {}, {}, options.group, wanted.thermo && !is_run, options.xyz_comment};
+    trajectory.summary =
+        summarize(path, trajectory.units(), options.group, said_positions(options), options.xyz_comment);
+    std::optional<double> time_step = options.time_step;
+    if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
+        time_step = sampled_run(deck->root, trajectory.summary.atoms, Box(trajectory.summary.edges)).time_step;
+    }
+    trajectory.selection = select_frames(trajectory.summary, time_step, is_run ? &deck->stages : nullptr, options.from);
+    std::vector<std::string> names = wanted.analyses;
+    if (trajectory.thermo) {
+        check_thermo(deck, trajectory.summary, trajectory.selection);
+    } else if (names.empty()) {
+        names = usual_analyses(trajectory.summary, trajectory.selection);
+        if (!trajectory.summary.positions.positions) {
+            warn(fmt::format("msd is left out: {}", trajectory.summary.positions.reason));
+        }
+    }
+    const std::vector<FrameAnalysis> analyses =
+        make_frame_analyses(names, options.settings, deck, trajectory.summary, trajectory.selection);
+    check_out(directory, output_files(analyses), options.force);
+
+    const TrajectoryResult result = analyze_trajectory(trajectory, analyses);
+    for (const std::string& warning : result.warnings) {
+        warn(warning);
+    }
+    if (!result.tables.empty()) {
+        make_directory(directory);
+    }
+    for (const DataTable& table : result.tables) {
+        write_file_atomically(directory / (table.name + ".csv"), to_csv(with_si_columns(table, trajectory.units())));
+    }
+    if (options.json) {
+        return trajectory_json(trajectory, result);
+    }
+    return trajectory_table(trajectory, result) +
+           (result.tables.empty() ? "" : fmt::format("\nfiles: {}\n", directory.string()));
+}
+
+void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
+    std::optional<Deck> deck;
+    if (!options.deck.empty()) {
+        Diagnostics diagnostics;
+        deck = load_deck(options.deck, {}, true, diagnostics);
+        diagnostics.throw_if_errors();
+        if (deck->kind == DeckKind::few_body) {
+            throw InputError(
+                fmt::format("{} is a few-body deck: a trajectory of a fluid wants that of one", options.deck));
+        }
+    }
+    const fs::path path(options.path);
+    const fs::path directory =
+        options.out.empty() ? path.parent_path() / (path.stem().string() + "-analysis") : fs::path(options.out);
+    print_result(analyze(path, deck ? &*deck : nullptr, false, wanted, options, directory));
+}
+
+/// The trajectory that a run has written.
+fs::path trajectory_of(const Deck& deck) {
+    if (deck.kind == DeckKind::few_body) {
+        throw InputError("a few-body run has no box: `ljmd analyze` wants one of a fluid");
+    }
+    if (!deck.trajectory) {
+        throw DataError(
+            fmt::format("{} has no trajectory: its deck has no 'trajectory' in [output]", deck.directory.string()));
+    }
+    return deck.directory / fmt::format("trajectory.{}", deck.trajectory->format);
+}
+
+void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
+    if (!options.deck.empty()) {
+        throw InputError("--deck is for a trajectory alone; a run has its own deck");
+    }
+    if (wanted.analyses.empty() && (!options.settings.empty() || !options.out.empty() || options.time_step)) {
+        throw InputError(
+            "--set, --out and --time-step go with an analysis of frames, such as rdf; thermo of a run looks at its "
+            "thermo.csv and writes nothing");
+    }
+    if (!options.xyz_comment.empty()) {
+        throw InputError("--xyz-comment is for a trajectory alone; that of a run says all");
+    }
+    const RecordedRun run = recorded_run(options.path);
+    std::optional<ThermoReport> report;
+    if (wanted.thermo || wanted.analyses.empty()) {
+        report = thermo_report(run, options.from);
+    }
+    if (wanted.analyses.empty()) {
+        print_result(options.json ? thermo_json(*report) : thermo_table(*report));
+        return;
+    }
+    const fs::path directory = options.out.empty() ? fs::path(options.path) / "analysis" : fs::path(options.out);
+    std::string text = analyze(trajectory_of(run.deck), &run.deck, true, wanted, options, directory);
+    if (report && options.json) {
+        auto json = nlohmann::ordered_json::parse(text);
+        json[thermo] = nlohmann::ordered_json::parse(thermo_json(*report));
+        text = json.dump(2) + "\n";
+    } else if (report) {
+        text = fmt::format("{}\n{}", thermo_table(*report), text);
+    }
+    print_result(text);
+}
+
+}  // namespace
+
+void analyze_command(const AnalyzeOptions& options) {
+    const Wanted names = wanted(options);
+    if (files::is_directory(options.path)) {
+        analyze_run(options, names);
+    } else {
+        analyze_file(options, names);
+    }
+}
+
+}  // namespace ljmd

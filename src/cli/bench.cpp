@@ -1,0 +1,124 @@
+#include "ljmd/cli/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "ljmd/cli/bench_deck.hpp"
+#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/io/files/scratch_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Memory of this process [bytes], "VmRSS" in use or "VmHWM" the most so far, as the kernel counts it; 0 where it does
+/// not tell. (The peak that getrusage knows may be of the program that started this one.)
+double memory(std::string_view field) {
+    std::ifstream status("/proc/self/status");
+    for (std::string name; status >> name;) {
+        if (name.starts_with(field)) {
+            double kibibytes = 0.0;
+            return status >> kibibytes ? kibibytes * 1024.0 : 0.0;
+        }
+    }
+    return 0.0;
+}
+
+/// Says nothing, and looks at the memory when the last step is done: writing the results takes some more.
+struct MemoryAtEnd : RunListener {
+    explicit MemoryAtEnd(Index last) : last_step(last) {}
+    void step_done(Index step) override {
+        if (step == last_step) {
+            peak = memory("VmHWM");
+        }
+    }
+    Index last_step;
+    double peak = memory("VmHWM");
+};
+
+std::string list_policy(const Section& neighbors) {
+    if (neighbors.text("method") != "verlet-list") {
+        return neighbors.text("method");
+    }
+    return neighbors.has("every") ? fmt::format("every {} steps, pairs may be missed", neighbors.integer("every"))
+                                  : "by displacement, no pair missed";
+}
+
+}  // namespace
+
+std::string_view melt_deck() {
+    return melt_deck_text;
+}
+
+BenchResult bench(Deck deck, Start start) {
+    const ScratchDirectory scratch;
+    deck.directory = scratch.path();
+    const double before = memory("VmRSS");
+    const Index atoms = start.atoms;
+    Simulation simulation = make_simulation(deck, std::move(start), [](const std::string&) {});
+    MemoryAtEnd memory(deck.total_steps());
+    const RunResult result = run_deck(deck, simulation, memory);
+    return {atoms,
+            deck.total_steps(),
+            result.search.rebuilds,
+            list_policy(deck.neighbors()),
+            deck.performance().text("precision"),
+            result.seconds,
+            (memory.peak - before) / static_cast<double>(atoms),
+            result.first,
+            result.last};
+}
+
+std::string bench_report(const BenchResult& result) {
+    std::string text =
+        fmt::format("{} atoms, {} steps, {} precision, {}, {} thread{}\n", result.atoms, result.steps, result.precision,
+                    name(default_simd_level()), thread_count(), thread_count() == 1 ? "" : "s");
+    text += fmt::format("lists {}: built {} times\n\n", result.lists, result.rebuilds);
+    const double atom_steps = static_cast<double>(result.atoms) * static_cast<double>(result.steps);
+    text += "  phase        seconds   ns/atom-step\n";
+    const PhaseSeconds& s = result.seconds;
+    const std::array<std::pair<const char*, double>, 7> phases{{{"force", s.force},
+                                                                {"list", s.list},
+                                                                {"sort", s.sort},
+                                                                {"integrate", s.integrate},
+                                                                {"observe", s.observe},
+                                                                {"write", s.write},
+                                                                {"all", s.sum()}}};
+    for (const auto& [phase, seconds] : phases) {
+        text += fmt::format("  {:<9} {:>10.4f} {:>14.2f}\n", phase, seconds, 1e9 * seconds / atom_steps);
+    }
+    text += fmt::format("\n  {:.2f} million atom-steps per second, {:.0f} bytes per atom\n",
+                        1e-6 * result.atom_steps_per_second(), result.bytes_per_atom);
+    text += fmt::format("  E/N {:.10f} at the start, {:.10f} at the end\n", result.first.total_energy,
+                        result.last.total_energy);
+    return text;
+}
+
+std::string bench_json(const BenchResult& result) {
+    const nlohmann::ordered_json json = {
+        {"atoms", result.atoms},
+        {"steps", result.steps},
+        {"threads", thread_count()},
+        {"precision", result.precision},
+        {"simd", name(default_simd_level())},
+        {"lists", result.lists},
+        {"list_rebuilds", result.rebuilds},
+        {"atom_steps_per_second", result.atom_steps_per_second()},
+        {"seconds", result.seconds.sum()},
+        {"seconds_per_phase", phases_json(result.seconds)},
+        {"bytes_per_atom", result.bytes_per_atom},
+        {"potential_energy_initial", result.first.potential_energy},
+        {"total_energy_initial", result.first.total_energy},
+        {"potential_energy_final", result.last.potential_energy},
+        {"total_energy_final", result.last.total_energy},
+        {"temperature_final",
+         result.last.temperature ? nlohmann::ordered_json(*result.last.temperature) : nlohmann::ordered_json(nullptr)}};
+    return json.dump(2) + "\n";
+}
+
+}  // namespace ljmd

@@ -1,0 +1,390 @@
+#include "ljmd/cli/commands.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/cli/bench.hpp"
+#include "ljmd/cli/progress.hpp"
+#include "ljmd/cli/signals.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/compare/compare_gsl.hpp"
+#include "ljmd/compare/crosscheck_report.hpp"
+#include "ljmd/compare/export.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_sense.hpp"
+#include "ljmd/deck/few_body_check.hpp"
+#include "ljmd/deck/forecast.hpp"
+#include "ljmd/deck/start_sense.hpp"
+#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/output_guard.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/run/results.hpp"
+#include "ljmd/run/run.hpp"
+#include "ljmd/run/run_directory.hpp"
+#include "ljmd/run/run_lock.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// @throws InputError with every mistake of the deck
+Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
+    if (!options.simd.empty()) {
+        set_default_simd_level(usable_simd_level(options.simd));
+    }
+    static_cast<void>(default_simd_level());  // a wrong LJMD_SIMD is an error before anything is done
+    if (options.deck.empty()) {
+        throw InputError("the name of the deck is empty");
+    }
+    std::vector<std::string> settings = options.settings;
+    if (!options.precision.empty()) {
+        settings.push_back("performance.precision=" + options.precision);
+    }
+    auto deck = load_deck(options.deck, settings, options.force, diagnostics);
+    diagnostics.throw_if_errors();
+    return std::move(*deck);
+}
+
+/// The start of a fluid, with which its deck is right in every respect.
+Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
+    Start start = find_start(deck);
+    set_thread_count(options.threads > 0 ? options.threads : default_thread_count());
+    if (start.configuration) {  // only now is the box known
+        check_start(deck, start, diagnostics);
+        diagnostics.throw_if_errors();
+    }
+    if (!options.quiet) {
+        talk_of_warnings(diagnostics);
+    }
+    return start;
+}
+
+std::string check_json(const Deck& deck, const Start& start, const Forecast& forecast) {
+    const Vec3& edges = start.box.edges();
+    const nlohmann::ordered_json json = {{"deck", deck.path},
+                                         {"atoms", start.atoms},
+                                         {"box_edges", {edges[0], edges[1], edges[2]}},
+                                         {"cutoff", deck.potential().number("cutoff")},
+                                         {"largest_cutoff", 0.5 * start.box.shortest_edge()},
+                                         {"steps", deck.total_steps()},
+                                         {"memory_bytes", forecast.memory_bytes},
+                                         {"disk_bytes", forecast.disk_bytes},
+                                         {"seconds", forecast.seconds}};
+    // The path of a deck need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// What `ljmd export` takes: a deck with the configuration at the start, or that of a run with the one at its end.
+struct Exportable {
+    Deck deck;
+    State state;
+};
+
+void refuse_bodies(const Deck& deck) {
+    if (deck.kind == DeckKind::few_body) {
+        throw InputError("a few-body deck has no box and no pair potential: `ljmd export` wants a fluid");
+    }
+}
+
+Exportable end_of_run(const DeckOptions& options, Diagnostics& diagnostics) {
+    const Deck deck = recorded_deck(options.deck, options.settings, diagnostics);
+    refuse_bodies(deck);
+    State state = last_configuration(options.deck, deck);
+    check_box(deck.root, state.count(), state.box(), diagnostics);
+    diagnostics.throw_if_errors();
+    return {deck, std::move(state)};
+}
+
+Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
+    const Deck deck = load(options, diagnostics);
+    refuse_bodies(deck);
+    Start start = checked_start(deck, options, diagnostics);
+    Simulation simulation = make_simulation(deck, std::move(start), [&](const std::string& text) {
+        if (!options.quiet) {
+            warn(text);
+        }
+    });
+    return {deck, std::move(simulation.state)};
+}
+
+/// `argon.toml` or `runs/argon` with target `lammps`: argon-lammps, here.
+std::filesystem::path export_directory(const std::filesystem::path& source, bool is_run, const std::string& to) {
+    const std::filesystem::path whole = files::absolute(source).lexically_normal();
+    const std::filesystem::path name = !is_run                ? whole.stem()
+                                       : whole.has_filename() ? whole.filename()
+                                                              : whole.parent_path().filename();
+    return name.string() + "-" + to;
+}
+
+std::string export_json(const Exportable& what, const Exported& written, const std::string& to) {
+    std::vector<std::string> files;
+    for (const std::filesystem::path& file : written.files) {
+        files.push_back(file.string());
+    }
+    const nlohmann::ordered_json json = {{"target", to},
+                                         {"files", files},
+                                         {"atoms", what.state.count()},
+                                         {"step", what.state.step},
+                                         {"stage", exported_stage(what.deck).name},
+                                         {"time_step", exported_stage(what.deck).time_step},
+                                         {"warnings", written.warnings}};
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string export_report(const Exportable& what, const Exported& written) {
+    const Stage& stage = exported_stage(what.deck);
+    std::string text = fmt::format("{} atoms after {} steps; time step {} tau, of stage '{}'\n", what.state.count(),
+                                   what.state.step, stage.time_step, stage.name);
+    for (const std::filesystem::path& file : written.files) {
+        text += fmt::format("  {}\n", file.string());
+    }
+    return text + written.usage + "\n";
+}
+
+/// "90 s", "30 min", "2h", "1 d" in seconds; nothing for an empty text. @throws InputError
+std::optional<double> wall_time(const std::string& text) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const auto seconds = parse_wall_time(text);
+    if (!seconds) {
+        throw InputError(fmt::format(
+            "--walltime: '{}' is no wall time; allowed: a number > 0 with s, min, h or d, as in 90s or 2h", text));
+    }
+    return seconds;
+}
+
+void run_fluid(Deck& deck, Start start, const DeckOptions& options, RunControl& control) {
+    // The start is made before anything is touched: what refuses it must not cost an earlier run.
+    check_directory(deck, options.force);
+    Progress progress(start.atoms, deck.total_steps(), options.quiet);
+    Simulation simulation =
+        make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
+    heed_signals();  // until here nothing would be lost
+    RunLock lock(deck, options.force, warn);
+    control.has_begun = [&lock] { lock.has_begun(); };
+    const RunResult result = run_deck(deck, simulation, progress, control);
+    print_result(options.json ? results_json(deck, result) + "\n" : results_table(deck, result));
+    lock.warn_if_moved();
+}
+
+/// A few-body deck is known whole when it is read: what is to be warned of is said then.
+void talk_of_bodies(const DeckOptions& options, const Diagnostics& diagnostics) {
+    if (!options.quiet) {
+        talk_of_warnings(diagnostics);
+    }
+}
+
+void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
+    check_directory(deck, options.force);
+    FewBodySystem system = make_few_body_system(deck);
+    Progress progress(std::nullopt, deck.total_steps(), options.quiet);
+    heed_signals();
+    RunLock lock(deck, options.force, warn);
+    control.has_begun = [&lock] { lock.has_begun(); };
+    const FewBodyResult result = run_few_body(deck, system, progress, control);
+    print_result(options.json ? few_body_results_json(deck, result) + "\n" : few_body_results_table(deck, result));
+    lock.warn_if_moved();
+}
+
+void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
+    Progress progress(std::nullopt, deck.total_steps(), options.quiet);
+    const GslComparison comparison = compare_with_gsl(deck, progress);
+    if (!out.empty()) {
+        write_comparison(comparison, deck, out);
+    }
+    print_result(options.json ? comparison_json(comparison, deck) + "\n" : comparison_table(comparison, deck));
+    if (!comparison.passed()) {
+        throw PhysicsError("the reference does not conserve the energy: bodies come too close for it");
+    }
+}
+
+void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, const CrosscheckOptions& compared,
+                   const std::string& out) {
+    Progress progress(start.atoms, steps_before_crosscheck(deck), options.quiet);
+    const auto say = [&](const std::string& text) {
+        if (!options.quiet) {
+            talk(text + "\n");
+        }
+    };
+    Simulation simulation =
+        make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
+    const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
+    if (!out.empty()) {
+        write_crosscheck(found, deck, compared, out);
+    }
+    const std::string files =
+        out.empty() ? "" : fmt::format("\nfiles: {0}\nto draw them: analysis/plot_comparison.py {0}\n", out);
+    print_result(options.json ? crosscheck_json(found, deck, compared) + "\n"
+                              : crosscheck_table(found, deck, compared) + files);
+    if (!found.passed()) {
+        throw PhysicsError(fmt::format("ljmd and {} differ: {} of {} checks failed", found.peer, found.failures(),
+                                       found.checks.size()));
+    }
+}
+
+/// Refuse options that would have no effect.
+void check_compare_options(const CrosscheckOptions& compared) {
+    const CrosscheckOptions usual{.with = compared.with};
+    const bool follows = compared.steps == usual.steps && compared.frames == usual.frames;
+    if (compared.platform != usual.platform && compared.with != "openmm") {
+        throw InputError(fmt::format("--platform is OpenMM's: '{}' has none", compared.with));
+    }
+    if (compared.with == "gsl" && !(follows && compared.parts.empty())) {
+        throw InputError(
+            "--steps, --frames and --parts are for a fluid: few bodies are compared over the deck's steps");
+    }
+    if (!compared.wants("trajectory") && !follows) {
+        throw InputError("--steps and --frames are those of the trajectory, which --parts leaves out");
+    }
+}
+
+}  // namespace
+
+void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
+    RunControl control{.interruption = until_signal(wall_time(walltime))};
+    Diagnostics diagnostics;
+    Deck deck = load(options, diagnostics);
+    if (!out.empty()) {
+        deck.directory = out;
+    }
+    if (deck.kind == DeckKind::few_body) {
+        talk_of_bodies(options, diagnostics);
+        run_bodies(deck, options, control);
+    } else {
+        run_fluid(deck, checked_start(deck, options, diagnostics), options, control);
+    }
+}
+
+void resume_command(const ResumeOptions& options) {
+    RunControl control{.interruption = until_signal(wall_time(options.walltime))};
+    heed_signals();
+    std::optional<RunLock> lock;
+    if (files::is_directory(options.directory)) {
+        lock.emplace(options.directory, warn);
+    }
+    RecordedRun run = recorded_run(options.directory, options.more_steps);
+    run.deck.locked = lock->directory();
+    auto point = find_resume_point(run.deck);
+    if (!point) {
+        throw CheckpointError(fmt::format(
+            "{} has no checkpoint: the run ended before its first step, or they were removed", options.directory));
+    }
+    if (!run.simd.empty()) {
+        set_default_simd_level(usable_simd_level(run.simd));
+    }
+    set_thread_count(options.threads > 0 ? options.threads : run.threads);
+    EarlierParts earlier = run.earlier;
+    const Index atoms = point->head.atoms;
+    const Vec3 edges = point->head.edges;
+    const bool bodies = run.deck.kind == DeckKind::few_body;
+    Progress progress(bodies ? std::nullopt : std::optional(atoms), run.deck.total_steps(), options.quiet,
+                      point->head.step);
+    for (const std::string& warning : point->warnings) {
+        progress.warning(warning);
+    }
+    earlier.resumed_at_steps.push_back(point->head.step);
+    if (!options.quiet) {
+        const bool nothing_left = run.finished && point->head.step == run.deck.total_steps();
+        talk(nothing_left
+                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
+                               "ljmd resume {} --steps +N\n",
+                               point->head.step, options.directory)
+                 : fmt::format("going on after step {} of {}\n", point->head.step, run.deck.total_steps()));
+    }
+    control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
+    if (bodies) {
+        FewBodySystem system = make_few_body_system(run.deck);
+        const FewBodyResult result = run_few_body(run.deck, system, progress, control);
+        print_result(options.json ? few_body_results_json(run.deck, result) + "\n"
+                                  : few_body_results_table(run.deck, result));
+        lock->warn_if_moved();
+        return;
+    }
+    Simulation simulation = empty_simulation(run.deck, atoms, Box(edges));
+    const RunResult result = run_deck(run.deck, simulation, progress, control);
+    print_result(options.json ? results_json(run.deck, result) + "\n" : results_table(run.deck, result));
+    lock->warn_if_moved();
+}
+
+void check_command(const DeckOptions& options) {
+    Diagnostics diagnostics;
+    const Deck deck = load(options, diagnostics);
+    if (deck.kind == DeckKind::few_body) {
+        talk_of_bodies(options, diagnostics);
+        print_result(options.json ? few_body_check_json(deck) : few_body_check_report(deck));
+        return;
+    }
+    const Start start = checked_start(deck, options, diagnostics);
+    const Forecast cost = forecast(deck, start);
+    print_result(options.json ? check_json(deck, start, cost) : check_report(deck, start, cost));
+}
+
+void compare_command(const DeckOptions& options, const CrosscheckOptions& compared, const std::string& out) {
+    static const std::vector<std::string> programs{"gsl", "lammps", "openmm"};
+    if (std::find(programs.begin(), programs.end(), compared.with) == programs.end()) {
+        throw InputError(
+            fmt::format("unknown program '{}' to compare with, allowed: {}", compared.with, fmt::join(programs, ", ")));
+    }
+    check_compare_options(compared);
+    if (!out.empty()) {
+        const std::string name = "compare-" + compared.with;
+        require_no_outputs(out, {name + ".json", name + ".csv", name + "-trajectory.csv", name + "-rdf.csv"},
+                           options.force, "Nothing was compared");
+    }
+    Diagnostics diagnostics;
+    const Deck deck = load(options, diagnostics);
+    if (compared.with == "gsl") {
+        compare_bodies(deck, options, out);
+    } else if (deck.kind == DeckKind::few_body) {
+        throw InputError(fmt::format("{} is a few-body deck, which '{}' does not take; '--with gsl' compares it",
+                                     deck.path, compared.with));
+    } else {
+        compare_fluid(deck, checked_start(deck, options, diagnostics), options, compared, out);
+    }
+}
+
+void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
+    const bool is_run = files::is_directory(options.deck);
+    const std::filesystem::path directory =
+        out.empty() ? export_directory(options.deck, is_run, to) : std::filesystem::path(out);
+    check_export(to, directory, options.force);
+    Diagnostics diagnostics;
+    const Exportable what = is_run ? end_of_run(options, diagnostics) : start_of_deck(options, diagnostics);
+    require_no_input(what.deck, export_files(to, directory), "Nothing was written");
+    const Exported written = export_configuration(what.deck, what.state, to, directory);
+    if (!options.quiet) {
+        for (const std::string& warning : written.warnings) {
+            warn(warning);
+        }
+    }
+    print_result(options.json ? export_json(what, written, to) : export_report(what, written));
+}
+
+void bench_command(const DeckOptions& options) {
+    std::optional<ScratchDirectory> scratch;
+    DeckOptions chosen = options;
+    if (chosen.deck.empty()) {
+        scratch.emplace();
+        chosen.deck = (scratch->path() / "melt-32k.toml").string();
+        write_file_atomically(std::filesystem::path(chosen.deck), std::string(melt_deck()));
+    }
+    Diagnostics diagnostics;
+    Deck deck = load(chosen, diagnostics);
+    if (deck.kind == DeckKind::few_body) {
+        throw InputError("a few-body deck has no speed worth measuring: `ljmd bench` wants a fluid");
+    }
+    Start start = checked_start(deck, chosen, diagnostics);
+    const BenchResult result = bench(std::move(deck), std::move(start));
+    print_result(options.json ? bench_json(result) : bench_report(result));
+}
+
+}  // namespace ljmd

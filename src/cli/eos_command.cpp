@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/equation_report.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/reference/equation_doubts.hpp"
+
+namespace ljmd {
+
+namespace {
+
+void require_number(const char* option, double value, bool or_zero) {
+    if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !or_zero)) {
+        throw InputError(
+            fmt::format("{}: {} is not allowed: a finite number {} 0", option, value, or_zero ? ">=" : ">"));
+    }
+}
+
+void warn(const std::string& doubt) {
+    if (!doubt.empty()) {
+        warn(doubt);
+    }
+}
+
+}  // namespace
+
+void eos_command(const EosOptions& options) {
+    const EquationOfState equation = equation_of_state(options.model.empty() ? "thol2016" : options.model);
+    if (!options.temperature) {
+        if (!options.model.empty()) {
+            throw InputError("--model wants a --temperature; without one all equations are listed");
+        }
+        if (options.density) {
+            throw InputError("--density wants a --temperature");
+        }
+        print_result(options.json ? equations_json() : equations_table());
+        return;
+    }
+    require_number("--temperature", *options.temperature, false);
+    if (!options.density) {
+        const std::string found = options.json ? coexistence_json(equation, *options.temperature)
+                                               : coexistence_table(equation, *options.temperature);
+        warn(outside_of_range(equation, coexistence(equation, *options.temperature)->liquid));
+        print_result(found);
+        return;
+    }
+    require_number("--density", *options.density, true);
+    const std::string found = options.json ? state_json(equation, *options.temperature, *options.density)
+                                           : state_table(equation, *options.temperature, *options.density);
+    for (const std::string& doubt : doubts(equation, *options.temperature, *options.density)) {
+        warn(doubt);
+    }
+    print_result(found);
+}
+
+}  // namespace ljmd

@@ -1,0 +1,58 @@
+#include "ljmd/cli/exit_code.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+#include <string>
+
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/execution/thread_team.hpp"
+#include "ljmd/io/files/process.hpp"
+#include "ljmd/run/interruption.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// @return the code
+int say(const std::string& message, int code) {
+    // Diagnostics arrive with their own "error:" in front of each line that needs it.
+    talk(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
+    return code;
+}
+
+}  // namespace
+
+int report_current_exception() {
+    try {
+        throw;
+    } catch (const InputError& e) {
+        return say(e.what(), 2);
+    } catch (const DataError& e) {
+        return say(e.what(), 3);
+    } catch (const FileError& e) {
+        return say(e.what(), 4);
+    } catch (const PhysicsError& e) {
+        return say(e.what(), 5);
+    } catch (const CheckpointError& e) {
+        return say(e.what(), 6);
+    } catch (const std::bad_alloc&) {
+        return say("out of memory; `ljmd check` tells how much a deck needs", 7);
+    } catch (const ThreadsError& e) {
+        return say(e.what(), 7);
+    } catch (const ProcessesError& e) {
+        return say(e.what(), 7);
+    } catch (const InUseError& e) {
+        return say(e.what(), 9);
+    } catch (const Interrupted& e) {
+        talk(fmt::format("{}\n", e.what()));
+        return e.exit_code();
+    } catch (const std::exception& e) {
+        talk(fmt::format("internal error: {}\nThis is a bug in ljmd; please report it with the deck.\n", e.what()));
+        return 1;
+    }
+}
+
+}  // namespace ljmd

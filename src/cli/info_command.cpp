@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/compare/openmm.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/forces/few_body_force.hpp"
+#include "ljmd/integrators/barostat.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/neighbors/pair_search.hpp"
+#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "ljmd/potentials/pair_potential.hpp"
+#include "ljmd/reference/equation_of_state.hpp"
+#include "ljmd/run/directory_report.hpp"
+#include "ljmd/study/study_report.hpp"
+
+namespace ljmd {
+
+namespace {
+
+std::vector<std::string_view> usable_levels() {
+    std::vector<std::string_view> names;
+    for (const SimdLevel level : usable_simd_levels()) {
+        names.push_back(name(level));
+    }
+    return names;
+}
+
+/// What decks can select, by the word that `ljmd info` puts before it.
+std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
+    return {{"potentials", PairPotential::formula_names()},
+            {"truncations", PairPotential::truncation_names()},
+            {"pair search", pair_search_names()},
+            {"forces", plugin_names(all_few_body_forces())},
+            {"integrators", plugin_names(all_integrators())},
+            {"thermostats", plugin_names(all_thermostats())},
+            {"barostats", plugin_names(all_barostats())},
+            {"analyses", plugin_names(all_analyses())},
+            {"of few bodies", plugin_names(all_few_body_analyses())},
+            {"equations", plugin_names(all_equations_of_state())},
+            {"trajectories", {"h5md", "xyz", "csv (few bodies)"}}};
+}
+
+std::string openmm_line() {
+    return openmm_is_built_in() ? fmt::format("{}, platforms {}", openmm_version(), fmt::join(openmm_platforms(), ", "))
+                                : "not built in";
+}
+
+std::string info_text() {
+    const BuildInfo& build = build_info();
+    std::string text = fmt::format("ljmd {} (commit {})\n", build.version, build.commit);
+    text += fmt::format("compiler      {} {}, {}\nflags         {}\n", build.compiler, build.compiler_version,
+                        build.build_type, build.flags);
+    text += fmt::format("simd          {} (usable here: {})\n", name(default_simd_level()),
+                        fmt::join(usable_levels(), ", "));
+    text += fmt::format("threads       {} of {} processors, unless --threads says otherwise\n", default_thread_count(),
+                        available_processors());
+    text += fmt::format("openmm        {}\n", openmm_line());
+    for (const auto& [word, names] : selectable()) {
+        text += fmt::format("{:<14}{}\n", word, fmt::join(names, ", "));
+    }
+    return text;
+}
+
+std::string info_json() {
+    const BuildInfo& build = build_info();
+    nlohmann::ordered_json integrators = nlohmann::ordered_json::array();
+    for (const IntegratorMethod& method : all_integrators()) {
+        integrators.push_back({{"name", method.name},
+                               {"meaning", method.meaning},
+                               {"order", method.order},
+                               {"reversible", method.reversible},
+                               {"adaptive", method.adaptive},
+                               {"unbounded_only", method.unbounded_only}});
+    }
+    const nlohmann::ordered_json json = {{"version", build.version},
+                                         {"commit", build.commit},
+                                         {"compiler", build.compiler + " " + build.compiler_version},
+                                         {"build_type", build.build_type},
+                                         {"flags", build.flags},
+                                         {"simd", name(default_simd_level())},
+                                         {"simd_levels", usable_levels()},
+                                         {"processors", available_processors()},
+                                         {"openmm", openmm_version()},
+                                         {"openmm_platforms", openmm_platforms()},
+                                         {"potentials", PairPotential::formula_names()},
+                                         {"truncations", PairPotential::truncation_names()},
+                                         {"pair_searches", pair_search_names()},
+                                         {"forces", plugin_names(all_few_body_forces())},
+                                         {"integrators", integrators},
+                                         {"thermostats", plugin_names(all_thermostats())},
+                                         {"barostats", plugin_names(all_barostats())},
+                                         {"analyses", plugin_names(all_analyses())},
+                                         {"few_body_analyses", plugin_names(all_few_body_analyses())},
+                                         {"equations_of_state", plugin_names(all_equations_of_state())}};
+    return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+void info_command(const std::string& directory, bool keys, bool json) {
+    if (!directory.empty()) {
+        if (holds_study(directory)) {
+            print_result(json ? study_json(directory) : study_report(directory));
+        } else {
+            print_result(json ? directory_json(directory) : directory_report(directory));
+        }
+        return;
+    }
+    print_result(keys ? deck_reference_page() : json ? info_json() : info_text());
+}
+
+}  // namespace ljmd

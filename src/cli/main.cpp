@@ -1,0 +1,316 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+#include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/exit_code.hpp"
+#include "ljmd/cli/signals.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/compare/export.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/diagnostics.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/input/reduced_number.hpp"
+#include "ljmd/observables/analysis.hpp"
+
+namespace {
+
+constexpr int most_steps_compared = 1'000'000;
+
+/// For options that take a number in reduced units: tells what to write instead of "120 K".
+CLI::Validator reduced(const std::string& unit, ljmd::Dimension dimension) {
+    return {[=](const std::string& text) { return ljmd::not_reduced(text, unit, dimension); }, ""};
+}
+
+void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_is_required = true) {
+    command.add_option("deck", options.deck, "deck (TOML); all keys: ljmd info --keys")
+        ->required(deck_is_required)
+        ->type_name("DECK");
+    command.add_option("--set", options.settings, "replace a value of the deck, e.g. --set system.density=0.8")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_flag("--force", options.force, "accept unlikely values; replace an earlier run");
+    command.add_flag("--quiet", options.quiet, "no progress, no warnings about the deck");
+    command.add_flag("--json", options.json, "print the result as JSON");
+    command
+        .add_option("--threads", options.threads,
+                    "threads to share the work, 1 or OMP_NUM_THREADS by default; no result depends on it")
+        ->type_name("N")
+        ->check(CLI::Range(1, ljmd::most_threads));
+    command.add_option("--precision", options.precision, "double or mixed, instead of the deck's")->type_name("P");
+    command.add_option("--simd", options.simd, "instruction set of the kernels, one that `ljmd info` lists")
+        ->type_name("LEVEL");
+}
+
+void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
+    command
+        .add_option("--with", compared.with,
+                    "a fluid: openmm or lammps; few bodies: gsl, adaptive Runge-Kutta of order 8")
+        ->required()
+        ->type_name("PROGRAM");
+    command.add_option("--platform", compared.platform, "of OpenMM: Reference, CPU, OpenCL; Reference by default")
+        ->type_name("NAME");
+    command.add_option("--steps", compared.steps, "length of the trajectories, 1000 by default")
+        ->type_name("N")
+        ->check(CLI::Range(0, most_steps_compared));
+    command
+        .add_option("--frames", compared.frames,
+                    "steps at which trajectories are judged, 1,10,100,200,500,1000 by default")
+        ->type_name("N,...")
+        ->delimiter(',')
+        ->check(CLI::Range(1, most_steps_compared));
+    command.add_option("--parts", compared.parts, "what to compare of point,trajectory,averages,speed; all by default")
+        ->type_name("PART,...")
+        ->delimiter(',')
+        ->check(CLI::IsMember(ljmd::crosscheck_parts()));
+}
+
+void add_sweep_options(CLI::App& command, ljmd::SweepOptions& options) {
+    command.add_option("deck", options.deck, "deck (TOML)")->required()->type_name("DECK");
+    command
+        .add_option(
+            "--grid", options.grids,
+            "keys to vary, between commas: numbers at equal distances, KEY=FROM:TO:COUNT, or a list, KEY=A|B|C; "
+            "all combinations are run, at most 10000")
+        ->type_name("KEY=VALUES,...")
+        ->allow_extra_args(false);
+    command.add_option("--list", options.list, "points to run instead: CSV with a header of keys, each row a point")
+        ->type_name("FILE");
+    command.add_option("--set", options.settings, "replace a value of the deck at all points")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--jobs", options.jobs, "points at a time; one for each processor by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, ljmd::most_threads));
+    command.add_option("--out", options.out, "directory, runs/DECK-sweep by default")->type_name("DIR");
+    command.add_flag("--force", options.force, "accept unlikely values; replace another sweep");
+    command.add_flag("--quiet", options.quiet, "no progress, no warnings about the deck");
+    command.add_flag("--json", options.json, "print the table as JSON");
+}
+
+void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
+    command.add_option("path", options.path, "directory of a run; or a trajectory: H5MD, extended XYZ, LAMMPS dump")
+        ->required()
+        ->type_name("RUNDIR|TRAJECTORY");
+    command
+        .add_option("analysis", options.names,
+                    fmt::format("{}, thermo; by default thermo of a run, rdf, structure_factor and msd of a trajectory",
+                                fmt::join(ljmd::plugin_names(ljmd::all_analyses()), ", ")))
+        ->type_name("NAME");
+    command
+        .add_option("--deck", options.deck,
+                    "of a trajectory: interaction, [analysis], and [argon] for files in SI units")
+        ->type_name("DECK");
+    command.add_option("--from", options.from, "leave out what is before this time, in tau")
+        ->type_name("T")
+        ->check(reduced("tau", ljmd::Dimension::time));
+    command
+        .add_option("--time-step", options.time_step,
+                    "time between steps in tau, for trajectories that do not tell; that of the deck by default")
+        ->type_name("DT")
+        ->check(reduced("tau", ljmd::Dimension::time));
+    command
+        .add_option("--group", options.group, "of an H5MD file with several groups of particles, the one to measure")
+        ->type_name("NAME");
+    command
+        .add_option("--positions", options.positions,
+                    "wrapped or unwrapped, for displacements in trajectories where neither the file nor the motion of "
+                    "the atoms tells")
+        ->type_name("HOW")
+        ->check(CLI::IsMember({"wrapped", "unwrapped"}));
+    command
+        .add_option("--xyz-comment", options.xyz_comment,
+                    "what the comment lines of an XYZ file lack, e.g. 'Lattice=\"20 0 0 0 20 0 0 0 20\" units=si'")
+        ->type_name("KEY=VALUE...");
+    command.add_option("--set", options.settings, "e.g. --set analysis.rdf.bins=100; `every` counts frames")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--out", options.out,
+                    "directory for the tables; by default RUNDIR/analysis, or NAME-analysis beside the trajectory")
+        ->type_name("DIR");
+    command.add_flag("--force", options.force, "replace the tables of an earlier analysis");
+    command.add_flag("--json", options.json, "print the result as JSON");
+}
+
+constexpr int usage_error = 2;
+
+/// What was meant by a first word that is no command.
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        commands.push_back(command->get_name());
+    }
+    const std::string nearest = ljmd::nearest_name(word, commands);
+    return fmt::format("unknown command '{}'\n  {}", word,
+                       nearest.empty() ? fmt::format("commands: {}", fmt::join(commands, ", "))
+                                       : fmt::format("did you mean '{}'?", nearest));
+}
+
+/// Say what is wrong with the command line: CLI11 calls a command that it does not know a missing one.
+int report_usage(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<std::string> rest = app.remaining(true);
+    const std::vector<CLI::App*> used = app.get_subcommands();
+    std::string message = error.what();
+    if (used.empty() && !rest.empty() && !rest.front().starts_with('-')) {
+        message = unknown_command(app, rest.front());
+    } else {
+        if (!rest.empty()) {
+            message = fmt::format("not expected: {}", fmt::join(rest, " "));
+        }
+        message += fmt::format("\n  all options: ljmd {}--help", used.empty() ? "" : used.front()->get_name() + " ");
+    }
+    ljmd::talk(fmt::format("error: {}\n", message));
+    return usage_error;
+}
+
+/// What --help or --version asks for.
+int print_help(const CLI::App& app, const CLI::Success& asked) try {
+    std::ostringstream text;
+    const int code = app.exit(asked, text);
+    ljmd::print_result(text.str());
+    return code;
+} catch (...) {
+    return ljmd::report_current_exception();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    ljmd::forget_inherited_signals();
+    ljmd::prepare_standard_streams();
+    CLI::App app("Lennard-Jones molecular dynamics: Verlet's 1967 experiment and beyond", "ljmd");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "ljmd " + ljmd::build_info().version);
+
+    ljmd::DeckOptions options;
+    ljmd::ResumeOptions resumed;
+    std::string out;
+    std::string walltime;
+    ljmd::CrosscheckOptions compared;
+    std::string to;
+    bool keys = false;
+    bool json = false;
+    CLI::App& run = *app.add_subcommand("run", "run a deck and write its results");
+    add_deck_options(run, options);
+    run.add_option("--out", out, "output directory, instead of the deck's")->type_name("DIR");
+    run.add_option("--walltime", walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
+        ->type_name("TIME");
+    CLI::App& resume = *app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+    resume.add_option("directory", resumed.directory, "directory of the run")->required()->type_name("RUNDIR");
+    resume.add_option("--steps", resumed.more_steps, "make the last stage that much longer: +N")
+        ->type_name("+N")
+        ->check(CLI::Range(ljmd::Index{1}, ljmd::most_steps));
+    resume.add_option("--walltime", resumed.walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
+        ->type_name("TIME");
+    resume.add_option("--threads", resumed.threads, "threads to share the work; as many as before by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, ljmd::most_threads));
+    resume.add_flag("--quiet", resumed.quiet, "no progress");
+    resume.add_flag("--json", resumed.json, "print the result as JSON");
+    CLI::App& check = *app.add_subcommand("check", "find every mistake in a deck and tell what it would cost");
+    add_deck_options(check, options);
+    CLI::App& compare = *app.add_subcommand("compare", "hold a deck's motion against that of an independent program");
+    add_deck_options(compare, options);
+    add_compare_options(compare, compared);
+    compare.add_option("--out", out, "write the comparison into this directory too")->type_name("DIR");
+    CLI::App& convert = *app.add_subcommand(
+        "export", "write the start of a deck, or the end of a run, for another program; nothing is run");
+    add_deck_options(convert, options);
+    convert.get_option("deck")->description("deck (TOML), or directory of a run")->type_name("DECK|RUNDIR");
+    convert
+        .add_option("--to", to,
+                    fmt::format("{}: the last two are configurations alone", fmt::join(ljmd::export_targets(), ", ")))
+        ->required()
+        ->type_name("TARGET");
+    convert.add_option("--out", out, "directory for the files; by default NAME-TARGET in the working directory")
+        ->type_name("DIR");
+    CLI::App& bench = *app.add_subcommand(
+        "bench", "measure how fast a deck runs; without one, the Lennard-Jones melt of 32000 atoms");
+    add_deck_options(bench, options, false);
+    ljmd::EosOptions state;
+    CLI::App& eos = *app.add_subcommand(
+        "eos", "what equations of state say of the Lennard-Jones fluid; of coexistence, without a density");
+    eos.add_option("--temperature", state.temperature, "in epsilon/k_B")
+        ->type_name("T")
+        ->check(reduced("epsilon/k_B", ljmd::Dimension::temperature));
+    eos.add_option("--density", state.density, "atoms per sigma^3")
+        ->type_name("RHO")
+        ->check(reduced("atoms per sigma^3", ljmd::Dimension::density));
+    eos.add_option("--model", state.model, "one that `ljmd eos` lists, thol2016 by default")->type_name("NAME");
+    eos.add_flag("--json", state.json, "print it as JSON");
+    ljmd::ReproduceOptions table{.what = "", .out = "runs/verlet1967"};
+    CLI::App& reproduce = *app.add_subcommand(
+        "reproduce", "compute a published table anew, with error bars; what was stopped is gone on with");
+    reproduce.add_option("table", table.what, "verlet1967: Phys. Rev. 159, 98")->required()->type_name("TABLE");
+    reproduce.add_option("--rows", table.rows, "some of the rows: a density, or density:temperature")
+        ->type_name("RHO[:T],...")
+        ->delimiter(',');
+    reproduce.add_option("--jobs", table.jobs, "rows at a time; one for each processor by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, ljmd::most_threads));
+    reproduce.add_option("--out", table.out, "directory, runs/verlet1967 by default")->type_name("DIR");
+    reproduce.add_flag("--quick", table.quick, "runs as short as Verlet's own, 1200 steps");
+    reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
+    reproduce.add_flag("--quiet", table.quiet, "no progress");
+    reproduce.add_flag("--json", table.json, "print the table as JSON");
+    ljmd::SweepOptions swept;
+    CLI::App& sweep = *app.add_subcommand(
+        "sweep", "run a deck at many settings, several at a time; what was stopped is gone on with");
+    add_sweep_options(sweep, swept);
+    ljmd::AnalyzeOptions analyzed;
+    CLI::App& analyze = *app.add_subcommand(
+        "analyze", "where a run has come to equilibrium; structure and transport from the frames of a trajectory");
+    add_analyze_options(analyze, analyzed);
+    CLI::App& info =
+        *app.add_subcommand("info", "version, build and what decks can select; of a run or sweep, how far it got");
+    CLI::Option* of_run =
+        info.add_option("directory", resumed.directory, "directory of a run, a sweep or a reproduced table")
+            ->type_name("RUNDIR");
+    CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
+    page->excludes(of_run);
+    info.add_flag("--json", json, "print it as JSON")->excludes(page);
+
+    if (argc < 2) {
+        ljmd::talk(app.help());
+        return usage_error;
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return print_help(app, help);
+    } catch (const CLI::ParseError& error) {
+        return report_usage(app, error);
+    }
+    try {
+        if (run.parsed()) {
+            ljmd::run_command(options, out, walltime);
+        } else if (resume.parsed()) {
+            ljmd::resume_command(resumed);
+        } else if (check.parsed()) {
+            ljmd::check_command(options);
+        } else if (compare.parsed()) {
+            ljmd::compare_command(options, compared, out);
+        } else if (convert.parsed()) {
+            ljmd::export_command(options, to, out);
+        } else if (eos.parsed()) {
+            ljmd::eos_command(state);
+        } else if (reproduce.parsed()) {
+            ljmd::reproduce_command(table);
+        } else if (sweep.parsed()) {
+            ljmd::sweep_command(swept);
+        } else if (analyze.parsed()) {
+            ljmd::analyze_command(analyzed);
+        } else if (bench.parsed()) {
+            ljmd::bench_command(options);
+        } else {
+            ljmd::info_command(resumed.directory, keys, json);
+        }
+    } catch (...) {
+        return ljmd::report_current_exception();
+    }
+    return 0;
+}

@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/signals.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/run/output_guard.hpp"
+#include "ljmd/run/run_directory.hpp"
+#include "ljmd/study/child_run.hpp"
+#include "ljmd/study/reproduction_report.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The rows that "RHO" or "RHO:T" means. @throws InputError  none
+std::vector<VerletRow> rows_meant(const std::string& word) {
+    const std::size_t colon = word.find(':');
+    const auto density = to_number(std::string_view(word).substr(0, colon));
+    const auto temperature =
+        colon == std::string::npos ? std::nullopt : to_number(std::string_view(word).substr(colon + 1));
+    std::vector<VerletRow> found;
+    for (const VerletRow& row : verlet1967_table()) {
+        if (density == row.density && (colon == std::string::npos || temperature == row.temperature)) {
+            found.push_back(row);
+        }
+    }
+    if (found.empty()) {
+        throw InputError(fmt::format(
+            "--rows: the table has no row '{}'; a density, as in 0.85, means all of its rows, 0.85:0.786 one of them",
+            word));
+    }
+    return found;
+}
+
+/// The rows that were asked for, in the order of the table, each once.
+std::vector<VerletRow> chosen_rows(const std::vector<std::string>& words) {
+    if (words.empty()) {
+        return verlet1967_table();
+    }
+    std::vector<std::string> wanted;
+    for (const std::string& word : words) {
+        for (const VerletRow& row : rows_meant(word)) {
+            wanted.push_back(row_name(row));
+        }
+    }
+    std::vector<VerletRow> rows;
+    for (const VerletRow& row : verlet1967_table()) {
+        if (std::find(wanted.begin(), wanted.end(), row_name(row)) != wanted.end()) {
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+/// One row of the table on its way: a deck, a directory, runs that follow each other.
+class RowRun {
+  public:
+    RowRun(const VerletRow& row, const fs::path& folder, const ReproductionLength& length)
+        : row_(row),
+          length_(length),
+          run_{.name = row_name(row),
+               .deck = folder / deck_name(row),
+               .source = row_deck(row, length),
+               .directory = folder / row_name(row),
+               .log = folder / (row_name(row) + ".log")} {}
+
+    [[nodiscard]] static std::string deck_name(const VerletRow& row) { return row_name(row) + ".toml"; }
+
+    [[nodiscard]] const std::optional<ReproducedRow>& result() const { return result_; }
+    [[nodiscard]] const std::string& failure() const { return failure_; }
+
+    /// Refuse a directory in which another deck was run. @throws InputError
+    void check(bool force) const {
+        check_places(run_);
+        if (!force && holds_another_run(run_)) {
+            throw InputError(fmt::format("{} holds a run of another length or version; --force makes it anew",
+                                         run_.directory.string()));
+        }
+    }
+
+    /// Write the deck. @param folder  of the rows
+    void prepare(const OpenDirectory& folder) const { write_file_atomically(folder / deck_name(row_), run_.source); }
+
+    /// The first thing to do; nothing when the row is done already.
+    std::optional<Job> begin() {
+        const auto job = next_job(run_);
+        return job ? job : after(0);
+    }
+
+    /// What to do when a job of the row has ended; nothing when the row is done or has failed.
+    std::optional<Job> after(int exit_status) {
+        if (exit_status != 0) {
+            failure_ = failure_of(run_, exit_status);
+            return std::nullopt;
+        }
+        result_ = evaluate_row(row_, run_.directory);
+        return result_->precise(length_) ? std::nullopt : std::optional(longer(run_, length_.production));
+    }
+
+  private:
+    VerletRow row_;
+    ReproductionLength length_;
+    ChildRun run_;
+    std::optional<ReproducedRow> result_;
+    std::string failure_;
+};
+
+const std::string rows_folder = "rows";
+
+/// Refuse a directory whose files are not those of a reproduction. @throws InputError
+void require_usable(const fs::path& out, bool force) {
+    const std::string consequence = "Nothing was run";
+    require_no_run(out, consequence);
+    const bool begun = std::ranges::any_of(verlet1967_table(), [&](const VerletRow& row) {
+        return files::exists(out / rows_folder / RowRun::deck_name(row));
+    });
+    require_no_outputs(out, {"rows.csv", "isotherms.csv", "rows.md", "results.json"}, begun || force, consequence);
+}
+
+void tell(const RowRun& run, std::size_t done, std::size_t all) {
+    const auto& [verlet, steps, temperature, z, u, beyond, thol, kolafa] = *run.result();
+    talk(fmt::format("[{}/{}] rho {} T {}: Z {:.3f} +- {:.3f}, U {:.4f} +- {:.4f} in {} steps\n", done, all,
+                     verlet.density, verlet.temperature, z.mean, z.standard_error, u.mean, u.standard_error, steps));
+}
+
+}  // namespace
+
+void reproduce_command(const ReproduceOptions& options) {
+    if (options.what != "verlet1967") {
+        throw InputError(fmt::format("unknown table '{}' to reproduce, allowed: verlet1967", options.what));
+    }
+    heed_signals();
+    const ReproductionLength length = options.quick ? ReproductionLength::quick() : ReproductionLength::full();
+    const fs::path out = options.out;
+    require_usable(out, options.force);
+    std::vector<RowRun> runs;
+    for (const VerletRow& row : chosen_rows(options.rows)) {
+        runs.emplace_back(row, out / rows_folder, length).check(options.force);
+    }
+    make_directory(out);
+    const DirectoryLock lock(out);
+    const OpenDirectory& directory = lock.directory();
+    const OpenDirectory folder = directory.made_within(rows_folder);
+    wait_for_runs(folder.path(), until_signal(), talk);
+    remove_left_over(folder);
+    for (const RowRun& run : runs) {
+        run.prepare(folder);
+    }
+
+    run_lines(runs, options.jobs, until_signal(), [&](const RowRun& run, std::size_t done) {
+        directory.require_at_its_path();  // runs are begun by their paths
+        if (!run.failure().empty()) {
+            warn(run.failure());
+        } else if (!options.quiet) {
+            tell(run, done, runs.size());
+        }
+    });
+
+    std::vector<ReproducedRow> rows;
+    for (const RowRun& run : runs) {
+        if (run.failure().empty()) {
+            rows.push_back(*run.result());
+        }
+    }
+    directory.require_at_its_path();
+    write_file_atomically(directory / "rows.csv", reproduction_csv(rows));
+    write_file_atomically(directory / "isotherms.csv", isotherms_csv());
+    write_file_atomically(directory / "rows.md", reproduction_markdown(rows));
+    write_file_atomically(directory / "results.json", reproduction_json(rows));
+    print_result(options.json ? reproduction_json(rows)
+                              : reproduction_table(rows) +
+                                    fmt::format("\nfiles: {0}\nto draw them: analysis/plot_reproduction.py {0}\n",
+                                                out.string()));
+    if (rows.size() < runs.size()) {
+        throw PhysicsError(fmt::format("{} of {} rows failed; the same command tries them again",
+                                       runs.size() - rows.size(), runs.size()));
+    }
+}
+
+}  // namespace ljmd

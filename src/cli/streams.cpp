@@ -1,0 +1,108 @@
+#include "ljmd/cli/streams.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <string_view>
+#include <system_error>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/terminal_text.hpp"
+#include "ljmd/core/text.hpp"
+
+namespace ljmd {
+
+void prepare_standard_streams() {
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(descriptor, F_GETFD) == -1) {
+            // The lowest free number is this one. For stdout the wrong way round: results must not vanish without a
+            // word.
+            [[maybe_unused]] const int opened = ::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+    // A closed pipe or a file-size limit then shows as a failed write, which is reported, instead of a silent end.
+    static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+    static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+}
+
+namespace {
+
+/// Bytes at the beginning of a text that a terminal may get as they are.
+std::size_t harmless_beginning(std::string_view text) {
+    std::size_t end = 0;
+    while (end < text.size()) {
+        const bool is_layout = text[end] == '\n' || text[end] == '\t';
+        const std::size_t length = is_layout ? 1 : harmless_length(text.substr(end));
+        if (length == 0) {
+            break;
+        }
+        end += length;
+    }
+    return end;
+}
+
+/// The one way to a terminal for texts that hold what others have written: names of files, titles, words of other
+/// programs. Takes no memory, which may be what there is to tell of. @return false when it does not arrive
+bool write_harmless(std::string_view text, std::FILE* stream) noexcept {
+    while (!text.empty()) {
+        const std::size_t harmless = harmless_beginning(text);
+        if (std::fwrite(text.data(), 1, harmless, stream) != harmless) {
+            return false;
+        }
+        text.remove_prefix(harmless);
+        if (!text.empty()) {
+            if (std::fputc('?', stream) == EOF) {
+                return false;
+            }
+            text.remove_prefix(std::max<std::size_t>(utf8_length(text), 1));
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void print_result(const std::string& text) {
+    errno = 0;
+    if (write_harmless(text, stdout) && std::fflush(stdout) == 0) {
+        return;
+    }
+    const int error = errno;
+    if (error == EPIPE) {
+        static_cast<void>(std::signal(SIGPIPE, SIG_DFL));
+        static_cast<void>(std::raise(SIGPIPE));
+    }
+    throw FileError(
+        fmt::format("standard output: the results could not be written: {}", std::generic_category().message(error)));
+}
+
+void talk(const std::string& text) noexcept {
+    static_cast<void>(write_harmless(text, stderr));
+    static_cast<void>(std::fflush(stderr));
+}
+
+void warn(const std::string& text) noexcept {
+    talk("warning: " + text + "\n");
+}
+
+void talk_over_line(const std::string& text) noexcept {
+    static_cast<void>(std::fputs("\r", stderr));
+    static_cast<void>(write_harmless(text, stderr));
+    static_cast<void>(std::fputs("\033[K", stderr));
+    static_cast<void>(std::fflush(stderr));
+}
+
+void talk_of_warnings(const Diagnostics& diagnostics) {
+    for (const Diagnostic& entry : diagnostics.entries()) {
+        if (entry.severity == Severity::warning) {
+            talk(format(entry) + '\n');
+        }
+    }
+}
+
+}  // namespace ljmd

@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/signals.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/execution/simd.hpp"
+#include "ljmd/input/deck_file.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/run/run_directory.hpp"
+#include "ljmd/study/child_run.hpp"
+#include "ljmd/study/sweep_record.hpp"
+#include "ljmd/study/sweep_report.hpp"
+#include "ljmd/study/sweep_sense.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A point on its way: one run, to its end.
+class PointRun {
+  public:
+    PointRun(ChildRun run, std::vector<std::string> values)
+        : run_(std::move(run)), point_{run_.name, std::move(values), run_.directory, {}, ""} {}
+
+    [[nodiscard]] const SweptPoint& point() const { return point_; }
+
+    /// What is to be done; nothing when the point is done already.
+    std::optional<Job> begin() {
+        auto job = next_job(run_);
+        if (!job) {
+            take_results();
+        }
+        return job;
+    }
+
+    /// There is nothing to do when the run has ended.
+    std::optional<Job> after(int exit_status) {
+        if (exit_status == 0) {
+            take_results();
+        } else {
+            point_.failure = failure_of(run_, exit_status);
+        }
+        return std::nullopt;
+    }
+
+  private:
+    void take_results() {
+        try {
+            point_.found = observed_means(run_.directory / "results.json");
+        } catch (const DataError& error) {
+            point_.failure = fmt::format("{}: {}", run_.name, error.what());
+        }
+    }
+
+    ChildRun run_;
+    SweptPoint point_;
+};
+
+/// The deck and the points, checked: everything that can be wrong with them is told before anything is touched.
+SweepPlan checked_plan(const SweepOptions& options) {
+    if (options.grids.empty() == options.list.empty()) {
+        throw InputError("a sweep wants its points from --grid or from --list, one of the two");
+    }
+    Diagnostics diagnostics;
+    const DeckFile deck = read_deck(options.deck, diagnostics);
+    diagnostics.throw_if_errors();
+    SweepPlan plan{options.deck, deck.source->text, options.settings,
+                   options.list.empty() ? grid_points(options.grids, options.settings, diagnostics)
+                                        : list_points(options.list, options.settings, diagnostics)};
+    diagnostics.throw_if_errors();
+    check_points(*deck.source, plan.settings, plan.points, options.list.empty() ? "--grid" : "--list", options.force,
+                 diagnostics);
+    diagnostics.throw_if_errors();
+    if (!options.quiet) {
+        talk_of_warnings(diagnostics);
+    }
+    return plan;
+}
+
+fs::path directory_of(const SweepOptions& options) {
+    return options.out.empty() ? fs::path("runs") / fs::path(options.deck).stem().concat("-sweep")
+                               : fs::path(options.out);
+}
+
+/// Run all points to their ends. @throws InUseError  the directory was moved meanwhile
+SweptPoints sweep(const SweepPlan& plan, const OpenDirectory& directory, const SweepOptions& options) {
+    std::vector<PointRun> runs;
+    for (ChildRun& run : sweep_runs(plan, directory.path())) {
+        runs.emplace_back(std::move(run), plan.points.values[runs.size()]);
+    }
+    run_lines(runs, options.jobs, until_signal(), [&](const PointRun& run, std::size_t done) {
+        directory.require_at_its_path();  // runs are begun by their paths
+        const SweptPoint& point = run.point();
+        if (!point.failure.empty()) {
+            warn(point.failure);
+        } else if (!options.quiet) {
+            talk(fmt::format("[{}/{}] {}: {}\n", done, runs.size(), point.name, point_line(point)));
+        }
+    });
+    SweptPoints swept{plan.points.keys, {}};
+    for (const PointRun& run : runs) {
+        swept.points.push_back(run.point());
+    }
+    return swept;
+}
+
+/// @throws PhysicsError  when there are points that have failed
+void tell_of_failures(const SweptPoints& swept) {
+    std::string failures;
+    std::size_t count = 0;
+    for (const SweptPoint& point : swept.points) {
+        if (!point.failure.empty()) {
+            failures += "\n  " + point.failure;
+            ++count;
+        }
+    }
+    if (count > 0) {
+        throw PhysicsError(fmt::format("{} of {} points failed; the same command tries them again{}", count,
+                                       swept.points.size(), failures));
+    }
+}
+
+}  // namespace
+
+void sweep_command(const SweepOptions& options) {
+    heed_signals();
+    static_cast<void>(default_simd_level());  // a wrong LJMD_SIMD is an error before anything is done
+    const SweepPlan plan = checked_plan(options);
+    const fs::path directory = directory_of(options);
+    make_directory(directory);
+    const DirectoryLock lock(directory);
+    wait_for_runs(directory / "points", until_signal(), talk);
+    prepare_sweep(plan, lock.directory(), options.force);
+    const SweptPoints swept = sweep(plan, lock.directory(), options);
+    lock.directory().require_at_its_path();
+    write_file_atomically(lock.directory() / "sweep.csv", sweep_csv(swept));
+    print_result(options.json
+                     ? sweep_json(swept)
+                     : sweep_table(swept) +
+                           fmt::format("\nfiles: {0}\nto draw them: analysis/plot_sweep.py {0}\n", directory.string()));
+    tell_of_failures(swept);
+}
+
+}  // namespace ljmd

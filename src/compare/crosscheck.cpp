@@ -1,0 +1,259 @@
+#include "ljmd/compare/crosscheck.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <future>
+
+#include "ljmd/compare/lammps.hpp"
+#include "ljmd/compare/openmm.hpp"
+#include "ljmd/compare/point_comparison.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/stopwatch.hpp"
+#include "ljmd/engine/time_loop.hpp"
+#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/integrators/integrator.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Rows of a trajectory beside those that are judged: enough for a curve.
+constexpr Index rows_of_curve = 100;
+/// Coordinates of all rows together, of both programs, stay below half a gigabyte.
+constexpr Index most_places = 10'000'000;
+
+constexpr Index usual_bins = 250;
+constexpr Index usual_frames = 300;
+/// Thermodynamics is costly to ask for in other programs, and rows that follow closely tell nearly the same.
+constexpr Index most_samples = 2500;
+
+constexpr int rounds = 3;
+constexpr double seconds_per_round = 0.5;
+constexpr Index steps_to_calibrate = 20;
+
+/// Tells of steps alone.
+class Quiet : public StepObserver {
+  public:
+    Quiet(State& state, RunListener& listener) : state_(state), listener_(listener) {}
+    void started(const Evaluation&) override {}
+    void stage_begins(const Stage& stage) override { listener_.stage_begins(stage); }
+    [[nodiscard]] bool wants_energy(Index) const override { return false; }
+    void moved(Index) override {}
+    void step_done(const Stage&, const Evaluation&) override { listener_.step_done(state_.step); }
+    void stage_ends(const Stage&) override {}
+
+  private:
+    State& state_;
+    RunListener& listener_;
+};
+
+/// The stage that is compared: the first that is sampled, else the last.
+std::size_t compared_stage(const Deck& deck) {
+    const auto sampled = std::find_if(deck.stages.begin(), deck.stages.end(), [](const Stage& s) { return s.sample; });
+    return sampled != deck.stages.end() ? static_cast<std::size_t>(sampled - deck.stages.begin())
+                                        : deck.stages.size() - 1;
+}
+
+/// Find out that so many threads can be had beside those that there are: OpenMM waits for ever for one that the system
+/// refuses. @throws ThreadsError
+void require_threads(int count) {
+    try {
+        const ThreadTeam as_many(count + 1);  // with this one
+    } catch (const ThreadsError& refused) {
+        throw ThreadsError(fmt::format("OpenMM takes threads of its own, {}: {}", count, refused.what()));
+    }
+}
+
+Peers peers_of(const Fluid& fluid, const Situation& situation, bool mixed, const CrosscheckOptions& options) {
+    if (options.with == "lammps") {
+        return {make_lammps_peer(fluid, thread_count()), nullptr,
+                mixed ? single_agreement(situation) : lammps_agreement(situation)};
+    }
+    const bool exact = options.platform == "Reference";
+    const bool fast = exact && (options.wants("averages") || options.wants("speed"));
+    if (fast || options.platform == "CPU") {
+        require_threads(thread_count());
+    }
+    Peers peers{make_openmm_peer(fluid, {.platform = options.platform, .threads = thread_count()}), nullptr,
+                exact && !mixed ? double_agreement(situation) : single_agreement(situation)};
+    if (fast) {
+        peers.fast = make_openmm_peer(fluid, {.platform = "CPU", .threads = thread_count()});
+    }
+    return peers;
+}
+
+/// Steps at which trajectories are looked at: those that are judged, and evenly spread ones for the curve.
+std::vector<Index> steps_of_trajectory(const CrosscheckOptions& options, Index atoms) {
+    std::vector<Index> steps{0, options.steps};
+    for (const Index frame : options.frames) {
+        if (frame <= options.steps) {
+            steps.push_back(frame);
+        }
+    }
+    const Index stride = std::max<Index>(1, options.steps / rows_of_curve);
+    if (atoms * rows_of_curve <= most_places) {
+        for (Index step = stride; step < options.steps; step += stride) {
+            steps.push_back(step);
+        }
+    }
+    std::sort(steps.begin(), steps.end());
+    steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+    return steps;
+}
+
+EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const Box& box) {
+    const bool paired = stage.integrator == "leapfrog" || stage.integrator == "velocity-verlet";
+    EnsembleOptions options{.integrator = paired ? stage.integrator : "velocity-verlet",
+                            .time_step = stage.time_step,
+                            .steps = stage.steps,
+                            .every = deck.thermo_every,
+                            .frame_every = 0,
+                            .bins = usual_bins,
+                            .radius = 0.5 * box.shortest_edge()};
+    options.every *= std::max<Index>(1, options.steps / options.every / most_samples);
+    options.frame_every = options.every * std::max<Index>(1, options.steps / options.every / usual_frames);
+    return options;
+}
+
+/// Wall time of that many steps of ljmd [s].
+double our_seconds(const Fluid& fluid, ForceField& force_field, const EnsembleOptions& options, Index steps) {
+    State state = state_of(fluid);
+    const Integrator method(find_integrator(options.integrator), options.time_step);
+    for (Index n = 0; n < steps_to_calibrate; ++n) {
+        method.step(state, force_field, Request::forces);
+    }
+    Stopwatch watch;
+    for (Index n = 0; n < steps; ++n) {
+        method.step(state, force_field, Request::forces);
+    }
+    return watch.lap();
+}
+
+Index steps_for_a_round(double seconds_of_calibration) {
+    const double step = std::max(seconds_of_calibration, 1e-9) / static_cast<double>(steps_to_calibrate);
+    return std::max<Index>(steps_to_calibrate, std::llround(seconds_per_round / step));
+}
+
+SpeedComparison compare_speeds(const Fluid& fluid, const MakeForceField& make_force_field, Peer& peer,
+                               const EnsembleOptions& options) {
+    const auto ours = [&](Index steps) { return our_seconds(fluid, *make_force_field(), options, steps); };
+    const auto theirs = [&](Index steps) { return peer.seconds(options.time_step, steps); };
+    const Index our_steps = steps_for_a_round(ours(steps_to_calibrate));
+    const Index their_steps = steps_for_a_round(theirs(steps_to_calibrate));
+    std::array<double, rounds> our_rates{};
+    std::array<double, rounds> their_rates{};
+    const auto atoms = static_cast<double>(fluid.masses.size());
+    for (std::size_t k = 0; k < rounds; ++k) {
+        our_rates[k] = atoms * static_cast<double>(our_steps) / ours(our_steps);
+        their_rates[k] = atoms * static_cast<double>(their_steps) / theirs(their_steps);
+    }
+    std::sort(our_rates.begin(), our_rates.end());
+    std::sort(their_rates.begin(), their_rates.end());
+    return {our_rates[rounds / 2], their_rates[rounds / 2]};
+}
+
+void append(std::vector<Check>& checks, const std::vector<Check>& more) {
+    checks.insert(checks.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+bool CrosscheckOptions::wants(const std::string& part) const {
+    return parts.empty() || std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+const std::vector<std::string>& crosscheck_parts() {
+    static const std::vector<std::string> parts{"point", "trajectory", "averages", "speed"};
+    return parts;
+}
+
+bool Crosscheck::passed() const {
+    return failures() == 0;
+}
+
+Index Crosscheck::failures() const {
+    return std::count_if(checks.begin(), checks.end(), [](const Check& check) { return !check.passed(); });
+}
+
+Index steps_before_crosscheck(const Deck& deck) {
+    Index steps = 0;
+    for (std::size_t k = 0; k < compared_stage(deck); ++k) {
+        steps += deck.stages[k].steps;
+    }
+    return steps;
+}
+
+Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const CrosscheckOptions& options, RunListener& listener,
+                      const std::function<void(const std::string&)>& say) {
+    const std::size_t compared = compared_stage(deck);
+    const Stage& stage = deck.stages[compared];
+    if (stage.section.has("thermostat")) {
+        say(fmt::format("stage '{}' is compared at constant energy: its {} out", stage.name,
+                        stage.section.has("barostat") ? "thermostat and its barostat are left" : "thermostat is left"));
+    }
+    const auto fluid_now = [&] {
+        return fluid_of(simulation.state, simulation.force_field.potential(), wants_tail(deck));
+    };
+    const bool mixed = simulation.force_field.arithmetic().precision == Precision::mixed;
+    // A program that is not there should be missed before minutes have passed.
+    static_cast<void>(peers_of(fluid_now(), {}, mixed, options));
+
+    const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
+    Quiet quiet(simulation.state, listener);
+    run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, interaction_of(deck));
+
+    const Fluid fluid = fluid_now();
+    const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, options);
+    const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(deck)); };
+    const EnsembleOptions ensemble = ensemble_options(deck, stage, simulation.state.box());
+    const bool kernel = deck.neighbors().text("method") == "verlet-list";
+    Crosscheck result{.peer = peers.exact->name(),
+                      .fast_peer = peers.for_long_runs().name(),
+                      .atoms = simulation.state.count(),
+                      .steps_before = simulation.state.step,
+                      .search = deck.neighbors().text("method"),
+                      .simd = kernel ? std::string(name(default_simd_level())) : "scalar",
+                      .precision = deck.performance().text("precision"),
+                      .integrator = ensemble.integrator,
+                      .steps_of_averages = ensemble.steps,
+                      .checks = {},
+                      .trajectory = {},
+                      .ensemble = std::nullopt,
+                      .speed = std::nullopt};
+    // The other program's long run, meanwhile, where a processor is free for it and the system has a thread; or later.
+    const bool averages = options.wants("averages") && ensemble.steps >= ensemble.every;
+    std::future<EnsembleAverages> theirs;
+    if (averages) {
+        say(fmt::format("averaging over {} steps in {}", ensemble.steps, peers.for_long_runs().name()));
+        theirs = std::async(thread_count() < available_processors() && peers.fast
+                                ? std::launch::async | std::launch::deferred
+                                : std::launch::deferred,
+                            [&] { return their_averages(fluid, peers.for_long_runs(), ensemble); });
+    }
+    if (options.wants("point")) {
+        append(result.checks, compare_points(point_of(fluid, *make()), peers.exact->point(), fluid, peers.agreement));
+    }
+    if (options.wants("trajectory") && options.steps > 0) {
+        say(fmt::format("following trajectories over {} steps in {}", options.steps, peers.exact->name()));
+        result.trajectory = compare_trajectories(fluid, make, *peers.exact, stage.time_step,
+                                                 steps_of_trajectory(options, result.atoms));
+        append(result.checks, checks_of(result.trajectory, options.frames, peers.agreement));
+    }
+    if (averages) {
+        const EnsembleAverages ours = our_averages(fluid, *make(), ensemble);
+        result.ensemble = compare_ensembles(ours, theirs.get());
+        append(result.checks, checks_of(*result.ensemble, fluid));
+    }
+    if (options.wants("speed")) {
+        say("measuring speeds");
+        result.speed = compare_speeds(fluid, make, peers.for_long_runs(), ensemble);
+    }
+    return result;
+}
+
+}  // namespace ljmd

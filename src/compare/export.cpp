@@ -1,0 +1,194 @@
+#include "ljmd/compare/export.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ljmd/compare/fluid.hpp"
+#include "ljmd/compare/lammps_input.hpp"
+#include "ljmd/compare/openmm.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/run/output_guard.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One configuration on its way out.
+struct Export {
+    const Deck& deck;
+    const State& state;
+    fs::path directory;
+
+    [[nodiscard]] Fluid fluid() const {
+        const Section& potential = deck.potential();
+        return fluid_of(state, PairPotential::from(potential), potential.has("tail") && potential.flag("tail"));
+    }
+    [[nodiscard]] std::string in_directory() const { return fmt::format("cd '{}'", directory.string()); }
+};
+
+/// What of the deck has no place in the files for another program, which get a configuration, a potential and the time
+/// step of one stage.
+/// @param to_come  whether the configuration is from before the first stage, else from after the last one
+std::vector<std::string> left_out(const Deck& deck, bool to_come) {
+    const Stage& exported = exported_stage(deck);
+    std::vector<std::string> words;
+    std::vector<std::string> others;
+    for (const Stage& stage : deck.stages) {
+        if (&stage != &exported && stage.steps > 0) {
+            others.push_back(stage.name);
+        }
+    }
+    if (to_come && !others.empty()) {
+        words.push_back(fmt::format("left out: stage{} '{}'; the motion exported is that of '{}'",
+                                    others.size() == 1 ? "" : "s", fmt::join(others, "', '"), exported.name));
+    }
+    for (const char* held : {"thermostat", "barostat"}) {
+        if (exported.section.has(held)) {
+            words.push_back(fmt::format("the {} '{}' of stage '{}' is left out: the exported motion is at constant {}",
+                                        held, exported.section.section(held).text("type"), exported.name,
+                                        std::string_view(held) == "barostat" ? "volume" : "energy"));
+        }
+    }
+    if (exported.integrator != "velocity-verlet") {
+        words.push_back(fmt::format("stage '{}' moves the atoms by '{}', the exported motion is velocity Verlet's",
+                                    exported.name, exported.integrator));
+    }
+    if (exported.reverse) {
+        words.push_back(
+            fmt::format("stage '{}' turns the motion round, the exported motion goes forward", exported.name));
+    }
+    return words;
+}
+
+/// What follows upon an export: how to use it, and what to know.
+struct Notes {
+    std::string usage;
+    std::vector<std::string> warnings{};
+};
+
+Notes export_lammps(const Export& what) {
+    const Fluid fluid = what.fluid();
+    const Stage& stage = exported_stage(what.deck);
+    const std::string title = what.deck.title.empty() ? what.deck.path : what.deck.title;
+    // What LAMMPS does not have is refused before anything is written.
+    const std::string input = lammps_user_input(fluid, stage.time_step, stage.steps, title);
+    make_directory(what.directory);
+    write_file_atomically(what.directory / LammpsFiles::start, lammps_data(fluid));
+    write_file_atomically(what.directory / "in.lammps", input);
+    Notes notes{what.in_directory() + " && lmp -in in.lammps", left_out(what.deck, what.state.step == 0)};
+    if (fluid.tail && !lammps_has_tail(fluid.potential)) {
+        notes.warnings.push_back(
+            fmt::format("LAMMPS has no tail corrections for '{}' with truncation '{}': its energy and "
+                        "pressure are without them",
+                        fluid.potential.formula(), fluid.potential.truncation()));
+    }
+    return notes;
+}
+
+Notes export_openmm(const Export& what) {
+    const OpenmmXml xml = openmm_xml(what.fluid(), exported_stage(what.deck).time_step);
+    make_directory(what.directory);
+    write_file_atomically(what.directory / "system.xml", xml.system);
+    write_file_atomically(what.directory / "state.xml", xml.state);
+    write_file_atomically(what.directory / "integrator.xml", xml.integrator);
+    return {
+        "in Python: system, state, integrator = "
+        "[openmm.XmlSerializer.deserialize(open(name).read()) for name in\n"
+        "               (\"system.xml\", \"state.xml\", \"integrator.xml\")]\n"
+        "           context = openmm.Context(system, integrator); context.setState(state)",
+        left_out(what.deck, what.state.step == 0)};
+}
+
+Notes export_extxyz(const Export& what) {
+    make_directory(what.directory);
+    const fs::path path = what.directory / "start.xyz";
+    write_configuration(path, what.state, true);
+    return {fmt::format("in a deck: [system] file = \"{}\"; in Python: ase.io.read(\"start.xyz\")", path.string())};
+}
+
+/// A trajectory grows in its place, so it gets a place of its own until it is whole.
+Notes export_h5md(const Export& what) {
+    make_directory(what.directory);
+    const fs::path path = what.directory / "start.h5md";
+    ReplacementFile file(path);
+    const auto writer = make_trajectory_writer("h5md", what.state,
+                                               {.path = file.growing(),
+                                                .velocities = true,
+                                                .creator_version = build_info().version,
+                                                .title = what.deck.title});
+    writer->write(what.state);
+    writer->close();
+    file.take_place();
+    return {fmt::format("in a deck: [system] file = \"{}\"; it opens with MDAnalysis, VMD and h5py", path.string())};
+}
+
+struct Target {
+    const char* name;
+    std::vector<std::string> files;
+    Notes (*write)(const Export&);
+};
+
+const std::array<Target, 4>& all_targets() {
+    static const std::array<Target, 4> all{
+        Target{"lammps", {LammpsFiles::start, "in.lammps"}, export_lammps},
+        Target{"openmm", {"system.xml", "state.xml", "integrator.xml"}, export_openmm},
+        Target{"extxyz", {"start.xyz"}, export_extxyz}, Target{"h5md", {"start.h5md"}, export_h5md}};
+    return all;
+}
+
+const Target& find_target(const std::string& name) {
+    for (const Target& target : all_targets()) {
+        if (target.name == name) {
+            return target;
+        }
+    }
+    throw InputError(
+        fmt::format("unknown target '{}' to export to, allowed: '{}'", name, fmt::join(export_targets(), "', '")));
+}
+
+}  // namespace
+
+std::vector<std::string> export_targets() {
+    std::vector<std::string> names;
+    for (const Target& target : all_targets()) {
+        names.emplace_back(target.name);
+    }
+    return names;
+}
+
+const Stage& exported_stage(const Deck& deck) {
+    const auto sampled =
+        std::find_if(deck.stages.begin(), deck.stages.end(), [](const Stage& stage) { return stage.sample; });
+    return sampled != deck.stages.end() ? *sampled : deck.stages.back();
+}
+
+void check_export(const std::string& target, const fs::path& directory, bool force) {
+    require_no_outputs(directory, find_target(target).files, force, "Nothing was written");
+}
+
+std::vector<fs::path> export_files(const std::string& target, const fs::path& directory) {
+    std::vector<fs::path> files;
+    for (const std::string& name : find_target(target).files) {
+        files.push_back(directory / name);
+    }
+    return files;
+}
+
+Exported export_configuration(const Deck& deck, const State& state, const std::string& target,
+                              const fs::path& directory) {
+    const Target& chosen = find_target(target);
+    const Notes notes = chosen.write({deck, state, directory});
+    return {export_files(target, directory), notes.usage, notes.warnings};
+}
+
+}  // namespace ljmd

@@ -1,0 +1,270 @@
+#include "ljmd/deck/deck_sense.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "ljmd/deck/sampled_run.hpp"
+#include "ljmd/deck/stage_sense.hpp"
+#include "ljmd/model/box_for_cutoff.hpp"
+#include "ljmd/model/lattice.hpp"
+#include "ljmd/potentials/pair_potential.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double unlikely_time_step = 0.02;   // [tau]; Lennard-Jones is unstable a little above
+constexpr double unlikely_density = 1.5;      // [sigma^-3]; half again as dense as the crystal at its melting point
+constexpr double unlikely_temperature = 50;   // [epsilon/k_B]; argon would be at 6000 K
+constexpr double unlikely_cutoff = 6;         // [sigma]; 2.5 to 5 are usual
+constexpr Index most_atoms = Index{1} << 30;  // a process indexes atoms and images with 32 bits
+
+// Values that validation found wrong are passed over: their stand-ins say nothing about the deck, and one mistake is
+// reported once.
+
+/// The key has a value that the deck meant.
+bool given(const Section& section, const char* key) {
+    return section.has(key) && section.sound(key);
+}
+
+/// The key was left out, and not merely misspelled.
+bool absent(const Section& section, const char* key) {
+    return !section.has(key) && section.sound(key);
+}
+
+/// An error that --force turns into a warning.
+void unlikely(bool force, const Location& where, const std::string& message, const std::string& hint,
+              Diagnostics& diagnostics) {
+    if (force) {
+        diagnostics.warning(where, message);
+    } else {
+        diagnostics.error(where, message, hint + "; --force runs it as it is");
+    }
+}
+
+Lattice lattice_of(const std::string& type) {
+    return type == "fcc" ? Lattice::fcc : Lattice::simple_cubic;
+}
+
+void check_lattice(const Section& lattice, Diagnostics& diagnostics) {
+    if (!lattice.sound("type")) {
+        return;
+    }
+    const std::string& type = lattice.text("type");
+    const bool cells = lattice.has("cells");
+    const bool atoms = lattice.has("atoms");
+    if (type == "random") {
+        if (cells) {
+            diagnostics.error(lattice.location("cells"), "'cells' in lattice has no meaning for a random start",
+                              "give 'atoms'");
+        } else if (absent(lattice, "atoms")) {
+            diagnostics.error(lattice.location(), "missing key 'atoms' in lattice", "a random start needs it");
+        }
+    } else if (cells && atoms) {
+        diagnostics.error(lattice.location("atoms"), "'cells' and 'atoms' in lattice say the same", "give one of them");
+    } else if (absent(lattice, "cells") && absent(lattice, "atoms")) {
+        diagnostics.error(lattice.location(), "missing key 'cells' in lattice", "or give 'atoms'");
+    } else if (given(lattice, "atoms")) {
+        const Index wanted = lattice.integer("atoms");
+        const auto near = nearest_cells(lattice_of(type), wanted);
+        if (near.below != near.above) {
+            diagnostics.error(lattice.location("atoms"),
+                              fmt::format("'atoms' in lattice is {}, which fills no {} crystal", wanted, type),
+                              fmt::format("nearest: {} or {}", lattice_atoms(lattice_of(type), near.below),
+                                          lattice_atoms(lattice_of(type), near.above)));
+        }
+    } else if (given(lattice, "cells") && lattice_atoms(lattice_of(type), lattice.integer("cells")) > most_atoms) {
+        diagnostics.error(lattice.location("cells"),
+                          fmt::format("'cells' in lattice makes {} atoms, more than {}",
+                                      lattice_atoms(lattice_of(type), lattice.integer("cells")), most_atoms));
+    }
+}
+
+void check_system(const Section& system, bool force, Diagnostics& diagnostics) {
+    if (system.has("lattice") == system.has("file") && system.sound("lattice") && system.sound("file")) {
+        diagnostics.error(system.location("file"), "[system] needs one of 'lattice' and 'file'",
+                          system.has("file") ? "remove one of them" : "e.g. lattice = { type = \"fcc\", cells = 6 }");
+    }
+    if (given(system, "lattice")) {
+        check_lattice(system.section("lattice"), diagnostics);
+        for (const char* key : {"density", "temperature"}) {
+            if (absent(system, key)) {
+                diagnostics.error(system.location(), fmt::format("missing key '{}' in [system]", key),
+                                  "a start from a lattice needs it");
+            }
+        }
+        if (system.has("xyz_comment")) {
+            diagnostics.error(system.location("xyz_comment"),
+                              "'xyz_comment' in [system] belongs to a 'file', but there is none", "remove it");
+        }
+        if (system.has("velocities") && system.text("velocities") == "file") {
+            diagnostics.error(system.location("velocities"), "'velocities' in [system] is 'file', but there is no file",
+                              "use 'maxwell'");
+        }
+    }
+    if (!system.has("lattice") && system.has("velocities") && system.text("velocities") == "maxwell" &&
+        !system.has("temperature")) {
+        diagnostics.error(system.location("velocities"), "missing key 'temperature' in [system]",
+                          "Maxwell's distribution needs it");
+    }
+    if (given(system, "density") && system.number("density") > unlikely_density) {
+        unlikely(force, system.location("density"),
+                 fmt::format("'density' in [system] is {:.6g}, above {}", system.number("density"), unlikely_density),
+                 "liquid argon has 0.84, its crystal 1.0", diagnostics);
+    }
+}
+
+void check_temperature(const Section& section, bool force, Diagnostics& diagnostics) {
+    if (given(section, "temperature") && section.number("temperature") > unlikely_temperature) {
+        unlikely(force, section.location("temperature"),
+                 fmt::format("'temperature' in {} is {:.6g} epsilon/k_B, above {}", section.title(),
+                             section.number("temperature"), unlikely_temperature),
+                 "for kelvin, give [argon] and write \"86.5 K\"", diagnostics);
+    }
+}
+
+constexpr const char* angstrom_hint = "for angstrom, give [argon] and write \"8.5 angstrom\"";
+
+void check_potential(const Section& potential, Diagnostics& diagnostics) {
+    if (given(potential, "cutoff") && potential.number("cutoff") > unlikely_cutoff) {
+        diagnostics.warning(potential.location("cutoff"),
+                            fmt::format("'cutoff' in [potential] is {:.6g} sigma, more than {}",
+                                        potential.number("cutoff"), unlikely_cutoff),
+                            angstrom_hint);
+    }
+    if (!potential.sound("truncation")) {
+        return;
+    }
+    const std::string& truncation = potential.text("truncation");
+    const bool takes_tail = PairPotential::takes_tail(truncation);
+    if (takes_tail && absent(potential, "tail")) {
+        diagnostics.error(potential.location(), "missing key 'tail' in [potential]",
+                          fmt::format("true or false: truncation = \"{}\" leaves the choice", truncation));
+    }
+    if (!takes_tail && given(potential, "tail") && potential.flag("tail")) {
+        diagnostics.error(potential.location("tail"),
+                          fmt::format("'tail' in [potential] has no meaning for truncation = \"{}\"", truncation),
+                          "a shifted potential is another potential: no tail makes it the full one");
+    }
+    if (truncation == "switched" && given(potential, "switch_start") && given(potential, "cutoff") &&
+        !(potential.number("switch_start") < potential.number("cutoff"))) {
+        diagnostics.error(potential.location("switch_start"),
+                          fmt::format("'switch_start' in [potential] is {}, not below the cutoff {}",
+                                      potential.number("switch_start"), potential.number("cutoff")));
+    }
+}
+
+/// What only a Verlet list can do.
+void check_search(const Section& root, Diagnostics& diagnostics) {
+    const Section& neighbors = root.section("neighbors");
+    if (!neighbors.sound("method") || neighbors.text("method") == "verlet-list") {
+        return;
+    }
+    const std::string& method = neighbors.text("method");
+    if (given(neighbors, "every")) {
+        diagnostics.error(neighbors.location("every"),
+                          fmt::format("'every' in [neighbors] has no meaning for method = \"{}\"", method),
+                          "only a list is kept for some steps");
+    }
+    const Section& performance = root.section("performance");
+    if (performance.sound("precision") && performance.text("precision") == "mixed") {
+        diagnostics.error(
+            performance.location("precision"),
+            fmt::format("'precision' in [performance] is 'mixed', which method = \"{}\" does not have", method),
+            "verlet-list has it");
+    }
+}
+
+void check_stages(const Section& root, bool force, Diagnostics& diagnostics) {
+    const std::vector<Section>& stages = root.sections("stage");
+    check_stage_names(stages, diagnostics);
+    for (const Section& stage : stages) {
+        if (given(stage, "time_step") && stage.number("time_step") >= unlikely_time_step) {
+            unlikely(force, stage.location("time_step"),
+                     fmt::format("'time_step' in [[stage]] is {:.6g} tau; from {} on the energy is not conserved",
+                                 stage.number("time_step"), unlikely_time_step),
+                     "0.004 is usual", diagnostics);
+        }
+        check_temperature(stage, force, diagnostics);
+        check_baths(stage, root, diagnostics);
+    }
+}
+
+void check_output(const Section& output, bool has_units, Diagnostics& diagnostics) {
+    if (output.has("directory") && output.text("directory").empty()) {
+        diagnostics.error(output.location("directory"), "'directory' in [output] is empty");
+    }
+    if (output.has("trajectory")) {
+        const Section& trajectory = output.section("trajectory");
+        if (trajectory.text("units") == "si" && !has_units) {
+            diagnostics.error(trajectory.location("units"),
+                              "'units' in trajectory is 'si', which needs an [argon] table");
+        }
+    }
+}
+
+/// Number of atoms of a lattice start; nothing when the deck is too wrong to tell, also of the box.
+std::optional<Index> lattice_start(const Section& system) {
+    if (!given(system, "lattice") || !given(system, "density")) {
+        return std::nullopt;
+    }
+    const Section& lattice = system.section("lattice");
+    if (!given(lattice, "type") || given(lattice, "atoms") == given(lattice, "cells")) {
+        return std::nullopt;
+    }
+    const std::string& type = lattice.text("type");
+    const bool by_cells = given(lattice, "cells");
+    if (type == "random" && by_cells) {
+        return std::nullopt;
+    }
+    const Index atoms = by_cells ? lattice_atoms(lattice_of(type), lattice.integer("cells")) : lattice.integer("atoms");
+    const auto near = nearest_cells(lattice_of(type), atoms);
+    if (type != "random" && near.below != near.above) {
+        return std::nullopt;
+    }
+    return atoms;
+}
+
+}  // namespace
+
+void check_sense(const Section& root, bool has_units, bool force, Diagnostics& diagnostics) {
+    const Section& system = root.section("system");
+    if (root.sound("system")) {
+        check_system(system, force, diagnostics);
+        check_temperature(system, force, diagnostics);
+    }
+    if (root.sound("potential")) {
+        check_potential(root.section("potential"), diagnostics);
+    }
+    if (root.sound("neighbors") && root.sound("performance")) {
+        check_search(root, diagnostics);
+    }
+    check_stages(root, force, diagnostics);
+    check_output(root.section("output"), has_units, diagnostics);
+    if (const auto atoms = root.sound("system") ? lattice_start(system) : std::nullopt) {
+        const Section& potential = root.section("potential");
+        const Box box = cubic_box(*atoms, system.number("density"));
+        check_box(root, *atoms, given(potential, "cutoff") ? box_for_cutoff(box, potential.number("cutoff")) : box,
+                  diagnostics);
+    }
+}
+
+void check_box(const Section& root, Index atoms, const Box& box, Diagnostics& diagnostics) {
+    const Section& potential = root.section("potential");
+    const double largest = 0.5 * box.shortest_edge();
+    if (given(potential, "cutoff") && potential.number("cutoff") > largest) {
+        diagnostics.error(
+            potential.location("cutoff"),
+            fmt::format("'cutoff' in [potential] is {}, more than half the box (L = {:.6g})",
+                        potential.number("cutoff"), box.shortest_edge()),
+            fmt::format("largest allowed: {}{}", largest,
+                        potential.number("cutoff") > unlikely_cutoff ? fmt::format("; {}", angstrom_hint) : ""));
+    }
+    if (!root.sections("stage").empty()) {
+        check_analysis(root, sampled_run(root, atoms, box), diagnostics);
+    }
+}
+
+}  // namespace ljmd

@@ -1,0 +1,49 @@
+#include "ljmd/deck/few_body.hpp"
+
+namespace ljmd {
+
+namespace {
+
+Vec3 padded(const std::vector<double>& components) {
+    Vec3 vector = Vec3::Zero();
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        vector[static_cast<Index>(k)] = components[k];
+    }
+    return vector;
+}
+
+}  // namespace
+
+State few_body_start(const std::vector<Section>& bodies, const FewBodyForceMethod& force,
+                     const Section& force_section) {
+    State state(static_cast<Index>(bodies.size()));
+    auto r = state.write_positions();
+    auto v = state.write_velocities();
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const auto i = static_cast<Index>(k);
+        r.col(i) = padded(bodies[k].vector("position"));
+        v.col(i) = padded(bodies[k].vector("velocity"));
+        const double mass = bodies[k].number("mass");
+        state.write_masses()[k] = force.inertia ? force.inertia(force_section, mass) : mass;
+    }
+    return state;
+}
+
+FewBodySystem make_few_body_system(const Deck& deck) {
+    const FewBodyForceMethod force = find_few_body_force(deck.force().text("type"));
+    FewBodySystem system{few_body_start(deck.bodies(), force, deck.force()),
+                         static_cast<int>(deck.bodies().front().vector("position").size()),
+                         force,
+                         force.make(deck.force()),
+                         {}};
+    const Section& analysis = deck.root.section("analysis");
+    const FewBodyTarget target{system.state.count(), system.dimensions, system.force, deck.force()};
+    for (const auto& method : all_few_body_analyses()) {
+        if (analysis.has(method.name)) {
+            system.analyses.emplace_back(method.name, method.make(analysis.section(method.name), target));
+        }
+    }
+    return system;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,34 @@
+#include "ljmd/deck/phase_sense.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ljmd/deck/asked_temperature.hpp"
+#include "ljmd/reference/freezing.hpp"
+
+namespace ljmd {
+
+void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
+    const bool box_changes = std::ranges::any_of(
+        deck.stages, [](const Stage& stage) { return stage.steps > 0 && stage.section.has("barostat"); });
+    const auto temperature = asked_temperature(deck);
+    if (box_changes || !temperature || deck.potential().text("type") != "lennard-jones") {
+        return;
+    }
+    const auto densities = freezing_densities(*temperature);
+    if (!densities || density <= densities->freezing) {
+        return;
+    }
+    const char* key = deck.system().has("density") ? "density" : "file";
+    diagnostics.warning(
+        deck.system().location(key),
+        fmt::format(
+            "the density is {:.6g}: at temperature {:.6g} the fluid of the full Lennard-Jones potential freezes "
+            "at {:.4f}, and its crystal melts at {:.4f} (Mastny and de Pablo 2007)",
+            density, *temperature, densities->freezing, densities->melting),
+        density < densities->melting ? "fluid and crystal coexist here; a fluid alone is metastable"
+                                     : "the crystal is stable here, and a fluid metastable");
+}
+
+}  // namespace ljmd

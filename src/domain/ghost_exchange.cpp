@@ -1,0 +1,44 @@
+#include "ljmd/domain/ghost_exchange.hpp"
+
+#include <utility>
+
+#include "ljmd/execution/threads.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr Index runs_per_block = 16;
+
+}  // namespace
+
+void GhostExchange::create(State& state, std::vector<Run> runs) {
+    runs_ = std::move(runs);
+    places_.clear();
+    places_.reserve(runs_.size());
+    count_ = 0;
+    for (const Run& run : runs_) {
+        places_.push_back(count_);
+        count_ += run.count;
+    }
+    state.set_ghost_count(count_);
+    update(state);
+}
+
+void GhostExchange::update(State& state) const {
+    const double* r = static_cast<const State&>(state).positions().data();
+    double* ghosts = state.write_ghosts().data();
+    for_each_block(static_cast<Index>(runs_.size()), runs_per_block, [&](Index first, Index last) {
+        for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+            const Run& run = runs_[k];
+            const Eigen::Array4d shift(run.shift[0], run.shift[1], run.shift[2], 0.0);
+            const double* atom = r + 4 * run.first;
+            double* ghost = ghosts + 4 * places_[k];
+            for (Index i = 0; i < run.count; ++i) {
+                Eigen::Map<Eigen::Array4d>(ghost + 4 * i) = Eigen::Map<const Eigen::Array4d>(atom + 4 * i) + shift;
+            }
+        }
+    });
+}
+
+}  // namespace ljmd

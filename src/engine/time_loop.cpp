@@ -1,0 +1,206 @@
+#include "ljmd/engine/time_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/stopwatch.hpp"
+#include "ljmd/integrators/barostat.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/thermodynamics.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// What a stage is made of.
+struct StageParts {
+    std::unique_ptr<Thermostat> thermostat;
+    std::unique_ptr<Barostat> barostat;
+    Integrator integrator;
+};
+
+std::unique_ptr<Thermostat> thermostat_of(const Stage& stage, const State& state) {
+    if (!stage.section.has("thermostat")) {
+        return nullptr;
+    }
+    const Section& section = stage.section.section("thermostat");
+    return find_thermostat(section.text("type"))
+        .make(section, {stage.temperature, stage.time_step, stage.seed, degrees_of_freedom(state.count())});
+}
+
+std::unique_ptr<Barostat> barostat_of(const Stage& stage, const std::optional<Interaction>& interaction) {
+    if (!stage.section.has("barostat")) {
+        return nullptr;
+    }
+    if (!interaction) {
+        throw ContractViolation("a barostat needs to know the interaction");
+    }
+    const double shortest_edge = 2.0 * interaction->potential.cutoff().radius;
+    const Section& section = stage.section.section("barostat");
+    return find_barostat(section.text("type"))
+        .make(section, {stage.temperature, stage.time_step, stage.seed, shortest_edge});
+}
+
+Integrator integrator_of(const Stage& stage, const Thermostat* thermostat) {
+    Integrator integrator(find_integrator(stage.integrator), stage.time_step, stage.section);
+    if (thermostat == nullptr || !thermostat->acts_half_way()) {
+        return integrator;
+    }
+    return integrator.with_half_way([thermostat](State& state) { thermostat->half_way(state); });
+}
+
+bool conserves_momentum(const Stage& stage) {
+    return !stage.section.has("thermostat") ||
+           find_thermostat(stage.section.section("thermostat").text("type")).conserves_momentum;
+}
+
+/// One pass over the stages.
+class TimeLoop {
+  public:
+    TimeLoop(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
+             const LoopPosition& from, const std::optional<Interaction>& interaction)
+        : stages_(stages),
+          state_(state),
+          force_field_(force_field),
+          observer_(observer),
+          interaction_(interaction),
+          position_(from),
+          step_(state.step) {}
+
+    LoopSeconds run() {
+        for (; position_.stage < stages_.size(); ++position_.stage) {
+            run_stage(stages_[position_.stage]);
+        }
+        note_seconds();
+        return position_.seconds;
+    }
+
+    /// Let the observer have its checkpoint, if it wants one.
+    void offer_checkpoint(bool last_of_stage) {
+        if (observer_.wants_checkpoint(last_of_stage)) {
+            note_seconds();
+            observer_.checkpoint(position_);
+        }
+    }
+
+    /// Of the run; that of a step which fails is the one that failed.
+    [[nodiscard]] Index step() const { return step_; }
+
+    /// For messages.
+    [[nodiscard]] std::string where() const {
+        return position_.begun ? fmt::format(" (stage '{}')", stages_[position_.stage].name) : "";
+    }
+
+  private:
+    void run_stage(const Stage& stage) {
+        std::unique_ptr<Thermostat> thermostat = thermostat_of(stage, state_);
+        Integrator integrator = integrator_of(stage, thermostat.get());
+        const StageParts parts{std::move(thermostat), barostat_of(stage, interaction_), std::move(integrator)};
+        const std::vector<double> bath = parts.thermostat ? parts.thermostat->beginning() : std::vector<double>();
+        if (!position_.begun) {
+            state_.bath = bath;
+            begin(stage, parts.integrator);
+        } else if (state_.bath.size() != bath.size()) {
+            throw CheckpointError("the checkpoint has another thermostat than the deck");
+        }
+        while (position_.steps < stage.steps) {
+            take_step(stage, parts);
+            offer_checkpoint(position_.steps == stage.steps);
+        }
+        observer_.stage_ends(stage);
+        position_.begun = false;
+    }
+
+    void begin(const Stage& stage, const Integrator& integrator) {
+        position_.begun = true;
+        position_.steps = 0;
+        position_.first_time = state_.time;
+        if (position_.stage > 0 && conserves_momentum(stage) && !conserves_momentum(stages_[position_.stage - 1])) {
+            remove_momentum(state_);
+        }
+        integrator.prepare(state_, force_field_);
+        observer_.stage_begins(stage);
+        if (stage.reverse) {
+            integrator.reverse(state_, force_field_);
+        }
+    }
+
+    void take_step(const Stage& stage, const StageParts& parts) {
+        ++step_;
+        Stopwatch watch;
+        const Index n = ++position_.steps;
+        const bool pressure_wanted = parts.barostat && parts.barostat->due(n);
+        if (parts.thermostat) {
+            parts.thermostat->before_step(state_);
+        }
+        const double end = position_.first_time + static_cast<double>(n) * stage.time_step;
+        const Evaluation evaluation = parts.integrator.step(
+            state_, force_field_,
+            {.energy = pressure_wanted || observer_.wants_energy(step_), .order_independent = false},
+            watch_within(stage, end));
+        state_.step = step_;
+        state_.time = end;
+        position_.seconds.steps += watch.lap();
+        observer_.moved(n);
+        watch.lap();
+        if (parts.thermostat) {
+            parts.thermostat->after_step(state_, n);
+            position_.seconds.steps += watch.lap();
+        }
+        observer_.step_done(stage, evaluation);
+        if (pressure_wanted) {
+            parts.barostat->apply(state_, virial_pressure(state_, evaluation, interaction_->tail));
+        }
+    }
+
+    /// Hands on to the observer what lies strictly between now and the end of the step, where times are rounded, too.
+    [[nodiscard]] StateWatch watch_within(const Stage& stage, double end) {
+        if (!observer_.looks_within_steps(stage)) {
+            return {};
+        }
+        return [this, &stage, end, last = state_.time](const State& moment) mutable {
+            if (moment.time > last && moment.time < end) {
+                last = moment.time;
+                observer_.within_step(stage, moment);
+            }
+        };
+    }
+
+    void note_seconds() { position_.seconds.all += watch_.lap(); }
+
+    const std::vector<Stage>& stages_;
+    State& state_;
+    ForceField& force_field_;
+    StepObserver& observer_;
+    const std::optional<Interaction>& interaction_;
+    LoopPosition position_;
+    Stopwatch watch_;
+    Index step_;
+};
+
+}  // namespace
+
+LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
+                       const std::optional<LoopPosition>& from, const std::optional<Interaction>& interaction) {
+    std::optional<TimeLoop> loop;
+    try {
+        if (!from) {
+            observer.started(force_field.evaluate(state, Request::forces_and_energy));
+        }
+        loop.emplace(stages, state, force_field, observer, from.value_or(LoopPosition{}), interaction);
+        if (!from) {
+            loop->offer_checkpoint(true);
+        }
+        return loop->run();
+    } catch (const PhysicsError& error) {
+        throw PhysicsError(
+            fmt::format("step {}{}: {}", loop ? loop->step() : state.step, loop ? loop->where() : "", error.what()));
+    }
+}
+
+}  // namespace ljmd

@@ -1,0 +1,137 @@
+#include "ljmd/execution/simd.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cstdlib>
+#include <optional>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/execution/simd_levels.hpp"
+
+namespace ljmd {
+
+namespace {
+
+std::optional<SimdLevel> chosen_level;
+
+constexpr std::array level_names{"portable", "x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-intel"};
+
+#if defined(__x86_64__)
+bool processor_has(SimdLevel level) {
+    __builtin_cpu_init();
+    const bool v2 = __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
+    const bool v3 = v2 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                    __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+    switch (level) {
+        case SimdLevel::portable:
+            return true;
+        case SimdLevel::x86_64_v2:
+            return v2;
+        case SimdLevel::x86_64_v3:
+            return v3;
+        case SimdLevel::x86_64_v4:
+        case SimdLevel::x86_64_v4_intel:
+            return v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                   __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                   __builtin_cpu_supports("avx512vl");
+    }
+    return false;
+}
+
+bool is_from_intel() {
+    __builtin_cpu_init();
+    return __builtin_cpu_is("intel") != 0;
+}
+#else
+bool processor_has(SimdLevel level) {
+    return level == SimdLevel::portable;
+}
+
+bool is_from_intel() {
+    return false;
+}
+#endif
+
+/// The highest usable one that is made for this processor.
+SimdLevel best_simd_level() {
+    std::vector<SimdLevel> usable = usable_simd_levels();
+    if (usable.back() == SimdLevel::x86_64_v4_intel && !is_from_intel()) {
+        usable.pop_back();
+    }
+    return usable.back();
+}
+
+std::vector<std::string_view> names(const std::vector<SimdLevel>& levels) {
+    std::vector<std::string_view> result;
+    result.reserve(levels.size());
+    for (const SimdLevel level : levels) {
+        result.push_back(name(level));
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string_view name(SimdLevel level) {
+    return level_names.at(static_cast<std::size_t>(level));
+}
+
+std::vector<SimdLevel> compiled_simd_levels() {
+    return {simd::levels.begin(), simd::levels.end()};
+}
+
+std::vector<SimdLevel> usable_simd_levels() {
+    std::vector<SimdLevel> usable;
+    usable.reserve(simd::levels.size());
+    for (const SimdLevel level : simd::levels) {
+        if (processor_has(level)) {
+            usable.push_back(level);
+        }
+    }
+    return usable;
+}
+
+SimdLevel usable_simd_level(const std::string& wanted) {
+    const std::vector<SimdLevel> usable = usable_simd_levels();
+    for (const SimdLevel level : usable) {
+        if (name(level) == wanted) {
+            return level;
+        }
+    }
+    for (const char* known : level_names) {
+        if (wanted == known) {
+            throw InputError(fmt::format("SIMD level '{}' cannot be used here: this processor and program have {}",
+                                         wanted, fmt::join(names(usable), ", ")));
+        }
+    }
+    throw InputError(fmt::format("unknown SIMD level '{}', usable here: {}", wanted, fmt::join(names(usable), ", ")));
+}
+
+SimdLevel default_simd_level() {
+    if (chosen_level) {
+        return *chosen_level;
+    }
+    const char* wanted = std::getenv("LJMD_SIMD");  // NOLINT(concurrency-mt-unsafe): nobody writes the environment
+    return wanted != nullptr && *wanted != '\0' ? usable_simd_level(wanted) : best_simd_level();
+}
+
+void set_default_simd_level(SimdLevel level) {
+    chosen_level = level;
+}
+
+std::string_view name(Precision precision) {
+    return precision == Precision::mixed ? "mixed" : "double";
+}
+
+Precision precision_of(const std::string& wanted) {
+    for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
+        if (name(precision) == wanted) {
+            return precision;
+        }
+    }
+    throw InputError(fmt::format("unknown precision '{}', allowed: double, mixed", wanted));
+}
+
+}  // namespace ljmd

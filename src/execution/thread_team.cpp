@@ -1,0 +1,353 @@
+#include "ljmd/execution/thread_team.hpp"
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <time.h>  // NOLINT(modernize-deprecated-headers): POSIX's, for the clock of a thread
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+
+#include "signals_blocked.hpp"
+#include "spin_until.hpp"
+#include "worker_account.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Clock = WorkerAccount::Clock;
+using Nanoseconds = WorkerAccount::Nanoseconds;
+
+/// How long the caller waits for a worker that is awake before it computes the blocks which that has not begun.
+constexpr std::chrono::microseconds patience{20};
+/// How long a thread spins before it sleeps: about as long as it takes to wake it. A worker may spin as long as it has
+/// worked before, for the caller's share may take longer.
+constexpr std::chrono::microseconds shortest_spin{50};
+constexpr std::chrono::microseconds longest_spin{1000};
+/// Work that takes longer is corrected for the time in which the caller had no processor: to ask for that takes long.
+constexpr Nanoseconds long_work{200e3};
+
+/// Processors fetch lines of a cache in pairs.
+constexpr std::size_t cache_lines = 128;
+
+thread_local int number_of_this_thread = 0;
+
+/// This thread called the loop in which it is.
+class IsCaller {
+  public:
+    IsCaller() : before_(std::exchange(number_of_this_thread, 0)) {}
+    ~IsCaller() { number_of_this_thread = before_; }
+    IsCaller(const IsCaller&) = delete;
+    IsCaller& operator=(const IsCaller&) = delete;
+
+  private:
+    int before_;
+};
+
+std::atomic<int> forks = 0;  // by which this process came about, since the first team was made
+
+struct Loop {
+    Index count;
+    Index block_length;
+    BlockFunction function;
+
+    [[nodiscard]] Index blocks() const { return (count + block_length - 1) / block_length; }
+    void call(Index block) const { function(block * block_length, std::min((block + 1) * block_length, count)); }
+    void call_all() const {
+        for (Index block = 0; block < blocks(); ++block) {
+            call(block);
+        }
+    }
+};
+
+/// The first block that threw, and what: an exception may not leave the loop before all threads have.
+struct Failure {
+    Index block = std::numeric_limits<Index>::max();
+    std::exception_ptr what;
+
+    void call(const Loop& loop, Index number) {
+        try {
+            loop.call(number);
+        } catch (...) {
+            add({number, std::current_exception()});
+        }
+    }
+    void add(const Failure& other) {
+        if (other.block < block) {
+            *this = other;
+        }
+    }
+};
+
+}  // namespace
+
+/// The thread that calls, and what it has done of its loop so far.
+struct ThreadTeam::Caller {
+    Loop loop;
+    Clock::time_point now = Clock::now();  ///< when it last looked at the clock
+    Index blocks = 0;                      ///< that it has computed
+    Nanoseconds worked{0};                 ///< how long that took
+    Failure failure{};                     ///< of all blocks that are done
+
+    void compute(Index block) {
+        failure.call(loop, block);
+        ++blocks;
+    }
+    /// Time since it last looked.
+    Nanoseconds lap() {
+        const auto before = std::exchange(now, Clock::now());
+        return now - before;
+    }
+};
+
+/// One thread, and what passes between it and the caller: how many blocks are left to begin, in `left_`, and how many
+/// it has computed, in `done_`. Both sides take a block by counting `left_` down, and only who has taken one reads
+/// `loop_`. The caller writes the next loop when all blocks of the last are done, so a worker that comes late finds
+/// nothing, or the next loop.
+///
+/// Neither side sleeps through what it waits for. Who is about to sleep says so and then looks once more; who changes
+/// something then looks whether the other sleeps. These operations are sequentially consistent, so at least one of them
+/// sees the other's, and the notification waits for `mutex_` until the other is asleep.
+class ThreadTeam::Worker {
+  public:
+    explicit Worker(int number)
+        : thread_([this, number] {
+              number_of_this_thread = number;
+              work();
+          }) {}
+    ~Worker() {
+        give(end);
+        thread_.join();
+    }
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    [[nodiscard]] bool on_leave(Clock::time_point now) const { return account_.on_leave(now); }
+
+    /// Give it blocks [first, last) of a loop. @pre all blocks of the loop before are done
+    void begin(const Loop& loop, Index first, Index last) {
+        loop_ = loop;
+        last_ = last;
+        blocks_ = last - first;
+        done_at_end_ = done_.load() + blocks_;
+        comes_late_ = !give(blocks_);
+    }
+
+    /// Compute the blocks that the worker has not begun in time, and wait for those that it has.
+    void finish(Caller& caller) {
+        waited_ = Nanoseconds{0};
+        const auto done = [this] { return done_.load() == done_at_end_; };
+        if (!done()) {
+            if (!comes_late_) {
+                spin_until(done, patience);
+                waited_ += caller.lap();
+            }
+            for (Index block = take(); block >= 0; block = take()) {
+                caller.compute(block);
+                --blocks_;
+                --done_at_end_;
+            }
+            caller.worked += caller.lap();
+            if (!spin_until(done, shortest_spin)) {
+                std::unique_lock lock(mutex_);
+                caller_sleeps_ = true;
+                changed_.wait(lock, done);
+                caller_sleeps_ = false;
+            }
+            waited_ += caller.lap();
+        }
+        if (failure_.what) {
+            caller.failure.add(std::exchange(failure_, {}));
+        }
+    }
+
+    /// Decide whether it stays, when all of a loop is done.
+    /// @param block  how long one block has taken the caller
+    void settle(Nanoseconds block, Clock::time_point now) {
+        account_.settle(block * static_cast<double>(blocks_), waited_, now);
+    }
+
+  private:
+    static constexpr Index end = -1;  // in place of a number of blocks
+    enum class State { awake, asleep, called };
+
+    /// @return whether it is awake
+    bool give(Index blocks) {
+        left_ = blocks;
+        const State state = state_;
+        if (state == State::asleep) {
+            {
+                const std::lock_guard lock(mutex_);
+                state_ = state_ == State::asleep ? State::called : state_.load();
+            }
+            changed_.notify_all();
+        }
+        return state == State::awake;
+    }
+
+    /// @return the number of a block that nobody else computes; negative: none is left
+    Index take() {
+        Index left = left_;
+        while (left > 0) {
+            if (left_.compare_exchange_weak(left, left - 1)) {
+                return last_ - left;
+            }
+        }
+        return -1;
+    }
+
+    void work() {
+        while (left_ != end) {
+            const auto began = Clock::now();
+            Index computed = 0;
+            for (Index block = take(); block >= 0; block = take()) {
+                failure_.call(loop_, block);
+                ++computed;
+            }
+            if (computed > 0) {
+                done_ += computed;
+                if (caller_sleeps_) {
+                    { const std::lock_guard lock(mutex_); }
+                    changed_.notify_all();
+                }
+            }
+            const Clock::duration spin = std::clamp<Clock::duration>(Clock::now() - began, shortest_spin, longest_spin);
+            if (!spin_until([this] { return left_ != 0; }, spin)) {
+                sleep();
+            }
+        }
+    }
+
+    void sleep() {
+        std::unique_lock lock(mutex_);
+        state_ = State::asleep;
+        changed_.wait(lock, [this] { return left_ != 0 || state_ == State::called; });
+        state_ = State::awake;
+    }
+
+    static constexpr auto nothing = [](Index, Index) {};
+
+    // What the caller writes for the worker, what the worker writes for the caller, what both only read as a rule, and
+    // what is the caller's lie in lines of their own.
+    alignas(cache_lines) std::atomic<Index> left_ = 0;
+    Index last_ = 0;
+    Loop loop_{0, 1, nothing};
+    alignas(cache_lines) std::atomic<Index> done_ = 0;
+    Failure failure_;
+    alignas(cache_lines) std::atomic<State> state_ = State::awake;
+    std::atomic<bool> caller_sleeps_ = false;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    alignas(cache_lines) Index blocks_ = 0;  // that the worker computes of this loop
+    Index done_at_end_ = 0;                  // `done_` when it has
+    bool comes_late_ = false;
+    Nanoseconds waited_{0};
+    WorkerAccount account_;
+    std::thread thread_;  // begins to work when all else is there
+};
+
+int number_in_team() {
+    return number_of_this_thread;
+}
+
+ThreadTeam::ThreadTeam(int threads) {
+    [[maybe_unused]] static const int registered = pthread_atfork(nullptr, nullptr, [] { ++forks; });
+    forks_ = forks;
+    time_without_processor();
+    try {
+        const SignalsBlocked signals_blocked;  // those that ask the program to stop are for its first thread
+        const auto workers = static_cast<std::size_t>(threads - 1);
+        workers_.reserve(workers);
+        present_.reserve(workers);
+        while (workers_.size() < workers) {
+            workers_.push_back(std::make_unique<Worker>(static_cast<int>(workers_.size()) + 1));
+        }
+        return;
+    } catch (const std::system_error&) {
+    } catch (const std::bad_alloc&) {
+    }
+    throw ThreadsError(
+        fmt::format("{} threads are asked for, and the system allows no more than {} here; ask for fewer "
+                    "(--threads, OMP_NUM_THREADS), or see the limits of processes and memory (ulimit -a)",
+                    threads, workers_.size() + 1));
+}
+
+ThreadTeam::~ThreadTeam() {
+    if (in_child_process()) {
+        for (auto& worker : workers_) {  // there is no thread to join
+            static_cast<void>(worker.release());
+        }
+    }
+}
+
+bool ThreadTeam::in_child_process() const {
+    return forks_ != forks;
+}
+
+/// Time since the last call in which the calling thread slept, or other programs had its processor [ns].
+double ThreadTeam::time_without_processor() {
+    timespec processor{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &processor);
+    const Nanoseconds used = std::chrono::seconds(processor.tv_sec) + std::chrono::nanoseconds(processor.tv_nsec);
+    const double lag = (Nanoseconds(Clock::now().time_since_epoch()) - used).count();
+    return std::max(0.0, lag - std::exchange(processor_lag_, lag));
+}
+
+void ThreadTeam::for_each_block(Index count, Index block_length, BlockFunction function) {
+    const Loop loop{count, block_length, function};
+    const IsCaller is_caller;
+    if (workers_.empty() || loop.blocks() < 2 || in_child_process() || at_work_.exchange(true)) {
+        loop.call_all();
+        return;
+    }
+    const struct AtWork {
+        std::atomic<bool>& flag;
+        ~AtWork() { flag = false; }
+    } at_work{at_work_};
+    Caller caller{loop};
+    share_out(caller);
+}
+
+void ThreadTeam::share_out(Caller& caller) {
+    const Index blocks = caller.loop.blocks();
+    present_.clear();
+    for (auto& worker : workers_) {
+        if (static_cast<Index>(present_.size()) + 1 < blocks && !worker->on_leave(caller.now)) {
+            present_.push_back(worker.get());
+        }
+    }
+    if (present_.empty()) {
+        caller.loop.call_all();
+        return;
+    }
+    const Index sharers = static_cast<Index>(present_.size()) + 1;
+    const auto share_begin = [=](Index k) { return k * (blocks / sharers) + std::min(k, blocks % sharers); };
+    for (Index k = 1; k < sharers; ++k) {
+        present_[static_cast<std::size_t>(k - 1)]->begin(caller.loop, share_begin(k), share_begin(k + 1));
+    }
+    for (Index block = 0; block < share_begin(1); ++block) {
+        caller.compute(block);
+    }
+    caller.worked = caller.lap();
+    if (caller.worked > long_work) {
+        caller.worked -= std::min(caller.worked, Nanoseconds(time_without_processor()));
+    }
+    for (Worker* worker : present_) {
+        worker->finish(caller);
+    }
+    for (Worker* worker : present_) {
+        worker->settle(caller.worked / static_cast<double>(caller.blocks), caller.now);
+    }
+    if (caller.failure.what) {
+        std::rethrow_exception(caller.failure.what);
+    }
+}
+
+}  // namespace ljmd

@@ -1,0 +1,73 @@
+#include "ljmd/execution/threads.hpp"
+
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <thread>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/execution/thread_team.hpp"
+
+namespace ljmd {
+
+namespace {
+
+std::unique_ptr<ThreadTeam>& team() {
+    static std::unique_ptr<ThreadTeam> team = std::make_unique<ThreadTeam>(1);
+    return team;
+}
+
+}  // namespace
+
+int available_processors() {
+#ifdef CPU_COUNT
+    // A process may be kept to some of the processors, e.g. by taskset or a queue.
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+        return CPU_COUNT(&allowed);
+    }
+#endif
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+int default_thread_count() {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody writes the environment
+    const char* variable = std::getenv("OMP_NUM_THREADS");
+    const std::string_view text = variable != nullptr ? variable : "";
+    if (text.empty()) {
+        return 1;
+    }
+    const std::string_view first = text.substr(0, text.find(','));  // the others are for loops within loops
+    int count = 0;
+    const auto [rest, error] = std::from_chars(first.data(), first.data() + first.size(), count);
+    if (error != std::errc() || rest != first.data() + first.size() || count < 1 || count > most_threads) {
+        throw InputError(
+            fmt::format("OMP_NUM_THREADS is '{}': allowed is a number of threads from 1 to {}", text, most_threads));
+    }
+    return count;
+}
+
+int thread_count() {
+    return team()->size();
+}
+
+void set_thread_count(int count) {
+    if (count < 1) {
+        throw ContractViolation(fmt::format("{} threads", count));
+    }
+    if (count == thread_count()) {
+        return;
+    }
+    team() = std::make_unique<ThreadTeam>(1);  // the old threads end before there are new ones
+    team() = std::make_unique<ThreadTeam>(count);
+}
+
+void for_each_block(Index count, Index block_length, BlockFunction function) {
+    team()->for_each_block(count, block_length, function);
+}
+
+}  // namespace ljmd

@@ -1,0 +1,200 @@
+#include "ljmd/io/files/process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): POSIX's
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include "../../execution/signals_blocked.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/pipe.hpp"
+
+#if __has_include(<sys/prctl.h>)
+#include <sys/prctl.h>
+#endif
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program, glibc does not
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_executable(const fs::path& path) {
+    return files::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
+}
+
+/// Pointers to texts, with the null at the end that exec wants.
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+    std::vector<char*> result;
+    result.reserve(texts.size() + 1);
+    for (std::string& text : texts) {
+        result.push_back(text.data());
+    }
+    result.push_back(nullptr);
+    return result;
+}
+
+std::vector<std::string> environment_of(const Process& process) {
+    std::vector<std::string> result;
+    for (const auto& [name, value] : process.environment) {
+        result.push_back(fmt::format("{}={}", name, value));
+    }
+    for (char** entry = environ; *entry != nullptr; ++entry) {
+        const std::string_view text(*entry);
+        bool replaced = false;
+        for (const auto& [name, value] : process.environment) {
+            replaced = replaced || text.substr(0, text.find('=')) == name;
+        }
+        if (!replaced) {
+            result.emplace_back(text);
+        }
+    }
+    return result;
+}
+
+/// The signals of this process are handled in the usual way, but for those that its parent was told to ignore: SIGPIPE
+/// and SIGXFSZ are ignored by this program alone. None is blocked.
+void usual_signals() {
+    for (int number = 1; number < NSIG; ++number) {
+        struct sigaction action {};
+        if (::sigaction(number, nullptr, &action) == 0 &&
+            (action.sa_handler != SIG_IGN || number == SIGPIPE || number == SIGXFSZ)) {
+            action = {};
+            action.sa_handler = SIG_DFL;
+            ::sigaction(number, &action, nullptr);
+        }
+    }
+    sigset_t none;
+    sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+/// Get a signal when the thread that made this process ends. @return whether that has not happened yet
+bool tied_to_parent([[maybe_unused]] int number, pid_t parent) {
+#ifdef PR_SET_PDEATHSIG
+    ::prctl(PR_SET_PDEATHSIG, number);
+#endif
+    return ::getppid() == parent;
+}
+
+/// Become the program, in the child process. Nothing is called that might wait for another thread of the parent, of
+/// which there is none here: no memory is asked for. @return only if it fails, with errno
+void become(const Process& process, char* const* arguments, char* const* environment, pid_t parent) {
+    if (process.at_our_end != 0 && !tied_to_parent(process.at_our_end, parent)) {
+        ::_exit(EXIT_FAILURE);
+    }
+    if (process.own_group) {
+        ::setpgid(0, 0);
+    }
+    if (::chdir(process.directory.c_str()) != 0) {
+        return;
+    }
+    const int input = process.input >= 0 ? process.input : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const int output = ::open(process.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (input < 0 || output < 0 || ::dup2(input, STDIN_FILENO) < 0 || ::dup2(output, STDOUT_FILENO) < 0 ||
+        ::dup2(output, STDERR_FILENO) < 0) {
+        return;
+    }
+    usual_signals();
+    ::execve(process.program.c_str(), arguments, environment);
+}
+
+/// What fork() and become() make of a program.
+struct Launched {
+    pid_t id;
+    int error;  ///< 0: it runs
+};
+
+/// @throws ProcessesError
+Launched launch(const Process& process, const std::vector<char*>& arguments, const std::vector<char*>& environment) {
+    Pipe failure;  // closed by the beginning of the program, or told why it does not begin
+    const pid_t parent = ::getpid();
+    Launched launched{};
+    {
+        const SignalsBlocked until_its_own_are_set;  // our handlers in the child would swallow them
+        launched.id = ::fork();
+        launched.error = launched.id < 0 ? errno : 0;
+        if (launched.id == 0) {
+            become(process, arguments.data(), environment.data(), parent);
+            [[maybe_unused]] const auto told = ::write(failure.write_end(), &errno, sizeof errno);
+            ::_exit(EXIT_FAILURE);
+        }
+    }
+    if (launched.id < 0) {
+        throw ProcessesError(fmt::format("cannot start '{}': the system has no room for another process: {}",
+                                         process.program.string(), std::strerror(launched.error)));
+    }
+    failure.close_write_end();
+    while (::read(failure.read_end(), &launched.error, sizeof launched.error) < 0 && errno == EINTR) {
+    }
+    return launched;
+}
+
+}  // namespace
+
+std::optional<fs::path> find_program(const std::string& name) {
+    if (name.find('/') != std::string::npos) {
+        return is_executable(name) ? std::optional(files::absolute(name)) : std::nullopt;
+    }
+    const char* variable = std::getenv("PATH");
+    std::string_view rest = variable != nullptr ? variable : "/usr/bin:/bin";
+    while (!name.empty() && !rest.empty()) {
+        const std::size_t length = std::min(rest.find(':'), rest.size());
+        const fs::path candidate = fs::path(rest.substr(0, length)) / name;  // an empty one is where we are
+        if (is_executable(candidate)) {
+            return files::absolute(candidate);
+        }
+        rest.remove_prefix(std::min(length + 1, rest.size()));
+    }
+    return std::nullopt;
+}
+
+ChildProcess::ChildProcess(const Process& process) : name_(process.program.string()) {
+    std::vector<std::string> arguments{name_};
+    arguments.insert(arguments.end(), process.arguments.begin(), process.arguments.end());
+    std::vector<std::string> environment = environment_of(process);
+    const Launched launched = launch(process, pointers(arguments), pointers(environment));
+    id_ = launched.id;
+    if (launched.error != 0) {
+        static_cast<void>(wait());
+        throw FileError(fmt::format("cannot start '{}' in '{}' with its output in '{}': {}", name_,
+                                    process.directory.string(), process.output.string(),
+                                    std::strerror(launched.error)));
+    }
+}
+
+std::optional<int> ChildProcess::wait(bool block) {
+    int status = 0;
+    while (!status_) {
+        const pid_t found = waitpid(id_, &status, block ? 0 : WNOHANG);
+        if (found == 0) {
+            return std::nullopt;
+        }
+        if (found == id_) {
+            status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+        } else if (errno != EINTR) {
+            throw FileError(fmt::format("lost sight of '{}' while it ran: {}", name_, std::strerror(errno)));
+        }
+    }
+    return status_;
+}
+
+void ChildProcess::signal(int number) const {
+    if (!status_) {
+        kill(id_, number);
+    }
+}
+
+int run_process(const Process& process) {
+    return ChildProcess(process).wait();
+}
+
+}  // namespace ljmd

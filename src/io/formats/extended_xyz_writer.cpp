@@ -1,0 +1,98 @@
+#include "ljmd/io/formats/extended_xyz_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "ase_units.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "unit_scale.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double angstrom_per_nanometre = 10.0;
+
+std::string header(const State& state, bool velocities, bool si, const UnitScale& scale) {
+    std::string text = fmt::format("{}\n", state.count());
+    if (state.has_box()) {
+        const Vec3 edges = scale.length * state.box().edges();
+        text += fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" ", edges[0], edges[1], edges[2]);
+    }
+    text +=
+        fmt::format("Properties=species:S:1:pos:R:3{}:id:I:1 pbc=\"{}\" Time={} step={} units={} positions=unwrapped\n",
+                    velocities ? ":velo:R:3:momenta:R:3" : "", state.has_box() ? "T T T" : "F F F",
+                    scale.time * state.time, state.step, si ? "si" : "reduced");
+    return text;
+}
+
+}  // namespace
+
+void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocities,
+                              const std::optional<SubstanceUnits>& si) {
+    const UnitScale scale = unit_scale(si, angstrom_per_nanometre);
+    file.write(header(state, velocities, si.has_value(), scale));
+    const char* species = si ? "Ar" : "X";
+    const double momentum = ase_mass(species).value() / (si ? ase_velocity : 1.0);
+    const std::vector<Index> index_of = state.index_of();
+    std::string line;
+    for (std::size_t id = 0; id < index_of.size(); ++id) {
+        const Index i = index_of[id];
+        const Vec3 r = scale.length * state.unwrapped(i);
+        line.clear();
+        fmt::format_to(std::back_inserter(line), "{} {} {} {}", species, r[0], r[1], r[2]);
+        if (velocities) {
+            const Vec3 v = scale.velocity * state.velocities().col(i);
+            fmt::format_to(std::back_inserter(line), " {} {} {}", v[0], v[1], v[2]);
+            const Vec3 p = momentum * v;
+            fmt::format_to(std::back_inserter(line), " {} {} {}", p[0], p[1], p[2]);
+        }
+        fmt::format_to(std::back_inserter(line), " {}\n", id + 1);
+        file.write(line);
+    }
+}
+
+ExtendedXyzWriter::ExtendedXyzWriter(const State& first, const TrajectoryOptions& options)
+    : file_(options.path, options.kept ? std::optional(options.kept->bytes) : std::nullopt),
+      velocities_(options.velocities),
+      si_(options.si),
+      count_(first.count()),
+      has_box_(first.has_box()) {
+    options.path.directory.sync();
+}
+
+void ExtendedXyzWriter::write(const State& state) {
+    if (state.count() != count_ || state.has_box() != has_box_) {
+        throw ContractViolation("a trajectory keeps its number of atoms and its kind of box");
+    }
+    write_extended_xyz_frame(file_, state, velocities_, si_);
+    file_.flush();
+}
+
+CommittedFrames ExtendedXyzWriter::commit() {
+    return {.bytes = file_.commit()};
+}
+
+void ExtendedXyzWriter::close() {
+    file_.close_on_disk();
+}
+
+double extended_xyz_bytes(Index atoms, Index frames, bool velocities) {
+    constexpr double header = 200.0;
+    constexpr double number = 20.0;
+    constexpr double species_and_id = 8.0;
+    const double vectors = velocities ? 3.0 : 1.0;  // position, velocity, momentum
+    return static_cast<double>(frames) *
+           (header + (species_and_id + 3.0 * vectors * number) * static_cast<double>(atoms));
+}
+
+void write_configuration(const OutputPlace& place, const State& state, bool velocities) {
+    write_file_atomically(place,
+                          [&](OutputFile& file) { write_extended_xyz_frame(file, state, velocities, std::nullopt); });
+}
+
+}  // namespace ljmd

@@ -1,0 +1,269 @@
+#include "h5md_writer.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/output_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+const std::string particles = "particles/trajectory";
+
+/// Chunks of the arrays with one small entry a frame; no chunk holds more frames.
+constexpr hsize_t most_frames_per_chunk = 64;
+
+/// A frame above a mebibyte is divided into equal pieces below it.
+Index atoms_per_chunk(Index atoms) {
+    constexpr Index bytes_per_atom = 3 * sizeof(double);
+    constexpr Index most_bytes = Index{1} << 20;
+    const Index pieces = std::max<Index>(1, (atoms * bytes_per_atom + most_bytes - 1) / most_bytes);
+    return std::max<Index>(1, (atoms + pieces - 1) / pieces);
+}
+
+/// Frames in a chunk of vectors: a power of two, so that it divides those in a chunk of small entries.
+hsize_t frames_per_chunk(Index atoms) {
+    constexpr Index bytes_per_atom = 3 * sizeof(double);
+    constexpr Index most_bytes = Index{64} << 10;
+    hsize_t frames = most_frames_per_chunk;
+    while (frames > 1 && static_cast<Index>(frames) * atoms * bytes_per_atom > most_bytes) {
+        frames /= 2;
+    }
+    return frames;
+}
+
+std::vector<hsize_t> vector_chunk(Index atoms) {
+    return {frames_per_chunk(atoms), static_cast<hsize_t>(atoms_per_chunk(atoms)), 3};
+}
+
+/// Vectors in the order of ids, (N, 3) by rows.
+template <class VectorOf>
+std::vector<double> gathered(const State& state, double scale, VectorOf vector_of) {
+    std::vector<double> result;
+    result.reserve(3 * static_cast<std::size_t>(state.count()));
+    for (const Index i : state.index_of()) {
+        const Vec3 v = scale * vector_of(i);
+        result.insert(result.end(), {v[0], v[1], v[2]});
+    }
+    return result;
+}
+
+/// Of the part of a frame that lies in its first chunk.
+std::uint64_t checksum(const std::vector<double>& positions, Index atoms) {
+    return XXH3_64bits(positions.data(), 3 * static_cast<std::size_t>(atoms_per_chunk(atoms)) * sizeof(double));
+}
+
+/// What stands there in a file; zero where it ends.
+std::vector<double> numbers_at(const std::filesystem::path& path, std::uint64_t place, std::size_t count) {
+    std::vector<double> numbers(count);
+    std::ifstream file = open_input(path);
+    file.seekg(static_cast<std::streamoff>(place));
+    file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(count * sizeof(double)));
+    return numbers;
+}
+
+}  // namespace
+
+H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
+    : count_(first.count()),
+      has_box_(first.has_box()),
+      has_velocities_(options.velocities),
+      scale_(unit_scale(options.si, 1.0)),
+      file_(options.path),
+      step_{particles + "/position/step", {}, H5T_NATIVE_INT64},
+      time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
+      edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
+      velocity_{particles + "/velocity/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE},
+      position_{particles + "/position/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE} {
+    create_metadata(options);
+    create_parameters(options);
+    create_particles(first, options.si.has_value());
+    create_box(options.si.has_value());
+    if (!options.kept) {
+        file_.start_appending();
+        return;
+    }
+    require_kept(options);
+    std::vector<Hdf5Output::Series*> series{&step_, &time_};  // in the order of write()
+    if (has_box_) {
+        series.push_back(&edges_);
+    }
+    if (has_velocities_) {
+        series.push_back(&velocity_);
+    }
+    series.push_back(&position_);
+    file_.continue_appending(series, static_cast<hsize_t>(options.kept->frames), frames_per_chunk(count_));
+    last_ = options.kept->last;
+}
+
+/// The file must be the one that was committed, before it is changed.
+void H5mdWriter::require_kept(const TrajectoryOptions& options) {
+    const CommittedFrames& kept = *options.kept;
+    const std::string name = options.path.path().string();
+    require_bytes(options.path, kept.bytes);
+    if (kept.layout != file_.layout()) {
+        throw CheckpointError(
+            fmt::format("'{}' was written with another version of HDF5 than this one, or for another run", name));
+    }
+    const Index frame_bytes = 3 * static_cast<Index>(sizeof(double)) * count_;
+    if (kept.frames < 0 || kept.frames > kept.bytes / frame_bytes) {
+        throw CheckpointError(fmt::format("'{}' is too short for {} frames", name, kept.frames));
+    }
+    if (kept.frames == 0) {
+        return;
+    }
+    const auto numbers = 3 * static_cast<std::size_t>(atoms_per_chunk(count_));
+    if (checksum(numbers_at(options.path.path(), kept.last.place, numbers), count_) != kept.last.checksum) {
+        throw CheckpointError(
+            fmt::format("the frame of step {} in '{}' is not what was written", kept.last.step, name));
+    }
+}
+
+void H5mdWriter::create_metadata(const TrajectoryOptions& options) {
+    file_.create_group("h5md");
+    file_.set_attribute("h5md", "version", std::vector<int>{1, 1});
+    file_.create_group("h5md/author");
+    file_.set_fixed_text("h5md/author", "name", options.author.empty() ? "unknown" : options.author);
+    file_.create_group("h5md/creator");
+    file_.set_fixed_text("h5md/creator", "name", "ljmd");
+    file_.set_fixed_text("h5md/creator", "version", options.creator_version);
+}
+
+void H5mdWriter::create_parameters(const TrajectoryOptions& options) {
+    const bool si = options.si.has_value();
+    file_.create_group("parameters");
+    if (!options.title.empty()) {
+        file_.set_variable_text("parameters", "title", options.title);
+    }
+    const std::string units = "parameters/units";
+    file_.create_group(units);
+    // An unbounded system is not made of sigma and tau: its deck chose the units and did not name them.
+    file_.set_variable_text(units, "length", si ? "nm" : has_box_ ? "sigma" : "unit of the deck");
+    file_.set_variable_text(units, "time", si ? "ps" : has_box_ ? "tau" : "unit of the deck");
+    file_.set_variable_text(units, "velocity", si ? "nm ps-1" : has_box_ ? "sigma/tau" : "unit of the deck");
+
+    const std::string vmd = "parameters/vmd_structure";
+    file_.create_group(vmd);
+    file_.write_numbers(vmd + "/indexOfSpecies", std::vector<std::int64_t>{0});
+    file_.write_texts(vmd + "/name", {si ? "Ar" : "X"});
+    file_.write_texts(vmd + "/type", {si ? "Ar" : "X"});
+    constexpr std::int64_t argon = 18;
+    file_.write_numbers(vmd + "/atomicnumber", std::vector<std::int64_t>{si ? argon : 0});
+    file_.write_numbers(vmd + "/mass", std::vector<double>{si ? options.si->dalton() : 1.0});
+    file_.write_numbers(vmd + "/radius", std::vector<double>{0.5 * scale_.length});  // half a sigma
+}
+
+void H5mdWriter::create_particles(const State& first, bool si) {
+    file_.create_group("particles");
+    file_.create_group(particles);
+    file_.create_group(particles + "/position");
+    file_.create_series(step_, {most_frames_per_chunk});
+    file_.create_series(time_, {most_frames_per_chunk});
+    file_.create_series(position_, vector_chunk(count_));
+    if (has_velocities_) {
+        file_.create_group(particles + "/velocity");
+        file_.create_series(velocity_, vector_chunk(count_));
+        file_.link(step_.name, particles + "/velocity/step");
+        file_.link(time_.name, particles + "/velocity/time");
+    }
+    if (si) {
+        file_.set_variable_text(position_.name, "unit", "nm");
+        file_.set_variable_text(time_.name, "unit", "ps");
+        if (has_velocities_) {
+            file_.set_variable_text(velocity_.name, "unit", "nm ps-1");
+        }
+    }
+    std::vector<std::int64_t> ids;
+    std::vector<double> masses;
+    for (const Index i : first.index_of()) {
+        ids.push_back(std::ssize(ids) + 1);
+        masses.push_back(first.masses()[static_cast<std::size_t>(i)]);
+    }
+    file_.write_numbers(particles + "/species", std::vector<std::int64_t>(ids.size(), 0));
+    file_.write_numbers(particles + "/id", ids);
+    if (!si) {
+        file_.write_numbers(particles + "/mass", masses);
+    }
+}
+
+void H5mdWriter::create_box(bool si) {
+    const std::string box = particles + "/box";
+    file_.create_group(box);
+    file_.set_attribute(box, "dimension", 3);
+    file_.set_fixed_texts(box, "boundary", std::vector<std::string>(3, has_box_ ? "periodic" : "none"));
+    if (has_box_) {
+        file_.create_group(box + "/edges");
+        file_.create_series(edges_, {most_frames_per_chunk, 3, 3});
+        file_.link(step_.name, box + "/edges/step");
+        file_.link(time_.name, box + "/edges/time");
+        if (si) {
+            file_.set_variable_text(edges_.name, "unit", "nm");
+        }
+    }
+}
+
+void H5mdWriter::write(const State& state) {
+    if (state.count() != count_ || state.has_box() != has_box_) {
+        throw ContractViolation("a trajectory keeps its number of atoms and its kind of box");
+    }
+    if (failed_) {
+        throw FileError(fmt::format("cannot write '{}': an earlier write failed", file_.path().string()));
+    }
+    failed_ = true;  // until the frame is complete
+    const std::int64_t step = state.step;
+    const double time = scale_.time * state.time;
+    file_.append(step_, &step);
+    file_.append(time_, &time);
+    if (has_box_) {
+        const Mat3 edges = (scale_.length * state.box().edges()).asDiagonal();
+        file_.append(edges_, edges.data());
+    }
+    if (has_velocities_) {
+        const auto v = state.velocities();
+        const auto velocities = gathered(state, scale_.velocity, [&v](Index i) -> Vec3 { return v.col(i); });
+        file_.append(velocity_, velocities.data());
+    }
+    // Positions go last: readers take the number of frames from them, so a frame that they count is complete.
+    const auto positions = gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); });
+    file_.append(position_, positions.data());
+    last_ = {step, 0, checksum(positions, count_)};
+    failed_ = false;
+}
+
+CommittedFrames H5mdWriter::commit() {
+    const std::int64_t bytes = file_.commit();
+    if (position_.length > 0) {
+        last_.place = file_.place_of_last(position_);
+    }
+    return {bytes, static_cast<std::int64_t>(position_.length), file_.layout(), last_};
+}
+
+void H5mdWriter::close() {
+    file_.close();
+    if (failed_) {
+        throw FileError(fmt::format("cannot write '{}': an earlier write failed", file_.path().string()));
+    }
+}
+
+double h5md_bytes(Index atoms, Index frames, bool velocities) {
+    constexpr double metadata = 16e3;
+    constexpr double of_atom = 3.0 * 8.0;   // species, id, mass
+    constexpr double small_entries = 88.0;  // of a frame: step, time, edges
+    const auto allotted = [frames](hsize_t chunk) {
+        const auto length = static_cast<Index>(chunk);
+        return static_cast<double>((frames + length - 1) / length * length);
+    };
+    const double frame = (velocities ? 2.0 : 1.0) * 3.0 * sizeof(double) * static_cast<double>(atoms);
+    return metadata + of_atom * static_cast<double>(atoms) + small_entries * allotted(most_frames_per_chunk) +
+           frame * allotted(frames_per_chunk(atoms));
+}
+
+}  // namespace ljmd

@@ -1,0 +1,150 @@
+#include "ljmd/io/formats/trajectory_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "h5md_reader.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/text_file.hpp"
+#include "ljmd/io/formats/extended_xyz_reader.hpp"
+#include "ljmd/io/formats/lammps_dump.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double same_place = 1e-4;  // of an edge: digits that text lacks, and no more
+
+/// Where a frame stands in the order of the file: its step, or its time.
+std::optional<double> place_of(const Frame& frame) {
+    const auto step = static_cast<double>(frame.configuration.step);
+    const auto time = frame.has_time ? std::optional(frame.configuration.time) : std::nullopt;
+    return frame.has_step ? std::optional(step) : time;
+}
+
+bool are_same(const std::vector<Vec3>& one, const std::vector<Vec3>& other, const Vec3& edges) {
+    return std::ranges::equal(one, other, [&](const Vec3& a, const Vec3& b) {
+        return ((a - b).array().abs() <= same_place * edges.array()).all();
+    });
+}
+
+}  // namespace
+
+bool TrajectoryReader::read_whole(Frame& frame) {
+    try {
+        return read(frame);
+    } catch (const DataError& error) {
+        if (frames_ == 0 || !is_cut()) {
+            throw;
+        }
+        warn(fmt::format("{}; the {} {} before it {} used", error.what(), frames_, frames_ == 1 ? "frame" : "frames",
+                         frames_ == 1 ? "is" : "are"));
+        return false;
+    }
+}
+
+void TrajectoryReader::check_like_first(const Frame& frame) {
+    const auto atoms = static_cast<Index>(frame.configuration.positions.size());
+    if (frames_ == 0) {
+        atoms_ = atoms;
+        has_step_ = frame.has_step;
+        has_time_ = frame.has_time;
+        ids_ = frame.ids;
+    } else if (atoms != atoms_) {
+        fail(fmt::format("{} atoms, but frame 1 has {}", atoms, atoms_));
+    } else if (frame.has_step != has_step_) {
+        fail(frame.has_step ? "a step, which frame 1 has not" : "no step, which frame 1 has");
+    } else if (frame.has_time != has_time_) {
+        fail(frame.has_time ? "a time, which frame 1 has not" : "no time, which frame 1 has");
+    } else if (frame.ids.size() != ids_.size()) {
+        fail(ids_.empty() ? "ids, which frame 1 has not" : "no ids, which frame 1 has");
+    } else if (frame.ids != ids_) {
+        const auto [here, first] = std::ranges::mismatch(frame.ids, ids_);
+        fail(fmt::format("other atoms than in frame 1: id {}, where that has id {}", *here, *first));
+    }
+}
+
+/// Whether the frame comes after all that were counted.
+bool TrajectoryReader::is_counted(Frame& frame) {
+    const std::optional<double> place = place_of(frame);
+    const Configuration& found = frame.configuration;
+    if (place && *place <= last_place_) {
+        first_repeated_ = repeated_ == 0 ? frames_ : first_repeated_;
+        ++repeated_;
+        is_joined_ = *place == last_place_ && are_same(found.positions, last_positions_, found.edges);
+        return false;
+    }
+    frame.begins_anew = !is_joined_;
+    begins_anew_ = begins_anew_ || frame.begins_anew;
+    is_joined_ = true;
+    last_place_ = place.value_or(last_place_);
+    last_positions_ = found.positions;
+    return true;
+}
+
+bool TrajectoryReader::next(Frame& frame) {
+    while (read_whole(frame)) {
+        check_like_first(frame);
+        ++frames_;
+        if (is_counted(frame)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void TrajectoryReader::warn(const std::string& text) {
+    if (std::ranges::find(warnings_, text) == warnings_.end()) {
+        warnings_.push_back(text);
+    }
+}
+
+std::vector<std::string> TrajectoryReader::warnings() const {
+    std::vector<std::string> all = warnings_;
+    if (repeated_ > 0) {
+        const bool one = repeated_ == 1;
+        all.push_back(fmt::format(
+            "{} (or {}) of frames before {}: each is counted once, as it came first{}",
+            one ? fmt::format("1 frame, frame {}, repeats a step", first_repeated_)
+                : fmt::format("{} frames, the first of them frame {}, repeat steps", repeated_, first_repeated_),
+            one ? "a time" : "times", one ? "it" : "them",
+            begins_anew_ ? "; what follows does not go on from there, so nothing is compared in time across the gap"
+                         : ""));
+    }
+    return all;
+}
+
+std::unique_ptr<TrajectoryReader> open_trajectory(const std::filesystem::path& path,
+                                                  const std::optional<SubstanceUnits>& units, const std::string& group,
+                                                  const std::string& xyz_comment) {
+    TextFile file(path);  // refuses what is no regular file, which HDF5 would open
+    const auto refuse_comment = [&] {
+        if (!xyz_comment.empty()) {
+            file.fail_at(0, "is no extended XYZ file, but --xyz-comment is given");
+        }
+    };
+    if (is_hdf5(path)) {
+        refuse_comment();
+        return std::make_unique<H5mdReader>(path, units, group);
+    }
+    if (!group.empty()) {
+        file.fail_at(0, fmt::format("only an H5MD file has groups of particles, such as {}", shown(group)));
+    }
+    if (!file.next_line()) {
+        file.fail_at(0, "the file is empty");
+    }
+    if (file.line().starts_with("ITEM:")) {
+        refuse_comment();
+        return std::make_unique<LammpsDumpTrajectory>(path);
+    }
+    std::vector<std::string_view> fields;
+    split_fields(file.line(), fields);
+    if (fields.size() == 1 && is_number(fields[0])) {
+        return std::make_unique<ExtendedXyzTrajectory>(path, units, xyz_comment);
+    }
+    file.fail_at(0, "unknown format; an H5MD file, an extended XYZ file or a LAMMPS dump can be read");
+}
+
+}  // namespace ljmd

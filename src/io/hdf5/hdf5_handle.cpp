@@ -1,0 +1,39 @@
+#include "ljmd/io/hdf5/hdf5_handle.hpp"
+
+#include <string_view>
+
+namespace ljmd {
+
+namespace {
+
+// Before main, because it has no effect once HDF5 has been used. See Hdf5Handle.
+[[maybe_unused]] const herr_t no_work_at_exit = H5dont_atexit();
+
+/// HDF5 puts the system's message between these, deep inside a line of its own.
+constexpr std::string_view before = "error message = '";
+constexpr std::string_view after = "'";
+
+herr_t keep_first_cause(unsigned, const H5E_error2_t* error, void* data) {
+    auto& text = *static_cast<std::string*>(data);
+    const std::string_view description = error->desc;
+    const std::size_t begin = description.find(before);
+    if (begin != std::string_view::npos) {
+        const std::string_view message = description.substr(begin + before.size());
+        text = message.substr(0, message.find(after));
+        return 1;  // nothing says it better: stop here
+    }
+    if (text.empty()) {
+        text = description;
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::string hdf5_error_text() {
+    std::string text;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first_cause, &text);
+    return text.empty() ? "unknown HDF5 error" : text;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,389 @@
+#include "hdf5_output.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "../files/file_calls.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/memory_at_hand.hpp"
+#include "ljmd/io/files/output_file.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Texts end to end, each padded with zeros to the same length.
+std::string padded(const std::vector<std::string>& texts, std::size_t length) {
+    std::string block(texts.size() * length, '\0');
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        texts[i].copy(block.data() + i * length, length);
+    }
+    return block;
+}
+
+}  // namespace
+
+template <class Result>
+Result Hdf5Output::checked(Result result, const std::string& doing) {
+    if (result < 0) {
+        fail(doing, hdf5_error_text());
+    }
+    return result;
+}
+
+void Hdf5Output::fail(const std::string& doing, const std::string& cause) {
+    for (Hdf5Handle& dataset : datasets_) {
+        dataset.abandon();
+    }
+    file_.abandon();
+    throw FileError(fmt::format("cannot write '{}': {}: {}", path().string(), doing, cause));
+}
+
+Hdf5Output::Hdf5Output(OutputPlace place) : place_(std::move(place)) {
+    const Hdf5Silence silence;
+    const std::string doing = "creating its objects";
+    const Hdf5Handle access = access_properties();
+    checked(memory_.use_for(access.get()), doing);
+    const Hdf5Handle creation = without_times(H5P_FILE_CREATE);
+    require_memory(hdf5_file_memory);
+    file_ = Hdf5Handle(checked(H5Fcreate(memory_.name().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), doing),
+                       H5Fclose);
+}
+
+Hdf5Output::~Hdf5Output() {
+    if (!is_on_disk_) {
+        return;
+    }
+    try {
+        close();
+    } catch (const FileError&) {  // a destructor has nobody to tell
+    }
+}
+
+Hdf5Handle Hdf5Output::access_properties() {
+    const std::string doing = "preparing to write";
+    Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), doing), H5Pclose);
+    // The format of HDF5 1.10: the first that can be appended to safely, and readable by all later versions.
+    checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), doing);
+    // The directory of a run is locked, the file need not be, and there are file systems that know no locks.
+    checked(H5Pset_file_locking(access.get(), false, true), doing);
+    // No room is set aside for what comes later: where it is left over would depend on when the file was flushed.
+    checked(H5Pset_meta_block_size(access.get(), 0), doing);
+    checked(H5Pset_small_data_block_size(access.get(), 0), doing);
+    return access;
+}
+
+Hdf5Handle Hdf5Output::without_times(hid_t kind) {
+    const std::string doing = "describing an object";
+    Hdf5Handle properties(checked(H5Pcreate(kind), doing), H5Pclose);
+    checked(H5Pset_obj_track_times(properties.get(), false), doing);
+    return properties;
+}
+
+void Hdf5Output::create_group(const std::string& name) {
+    const Hdf5Silence silence;
+    const Hdf5Handle creation = without_times(H5P_GROUP_CREATE);
+    const Hdf5Handle group(checked(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+                                   "creating group " + name),
+                           H5Gclose);
+}
+
+Hdf5Handle Hdf5Output::axis(std::size_t length) {
+    const hsize_t extent = length;
+    return {checked(H5Screate_simple(1, &extent, nullptr), "describing an array"), H5Sclose};
+}
+
+Hdf5Handle Hdf5Output::fixed_text_type(const std::vector<std::string>& texts) {
+    std::size_t length = 0;
+    for (const auto& text : texts) {
+        length = std::max(length, text.size());
+    }
+    Hdf5Handle type(checked(H5Tcopy(H5T_C_S1), "describing a text"), H5Tclose);
+    checked(H5Tset_size(type.get(), length + 1), "describing a text");  // readers in C expect the closing zero
+    checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), "describing a text");
+    return type;
+}
+
+void Hdf5Output::write_attribute(const std::string& object, const std::string& name, hid_t type, hid_t space,
+                                 const void* data) {
+    const std::string doing = fmt::format("writing attribute {} of {}", name, object);
+    const Hdf5Handle attribute(checked(H5Acreate_by_name(file_.get(), object.c_str(), name.c_str(), type, space,
+                                                         H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                       doing),
+                               H5Aclose);
+    checked(H5Awrite(attribute.get(), type, data), doing);
+}
+
+void Hdf5Output::set_attribute(const std::string& object, const std::string& name, const std::vector<int>& values) {
+    const Hdf5Silence silence;
+    write_attribute(object, name, H5T_NATIVE_INT, axis(values.size()).get(), values.data());
+}
+
+void Hdf5Output::set_attribute(const std::string& object, const std::string& name, int value) {
+    const Hdf5Silence silence;
+    const Hdf5Handle scalar(checked(H5Screate(H5S_SCALAR), "describing a number"), H5Sclose);
+    write_attribute(object, name, H5T_NATIVE_INT, scalar.get(), &value);
+}
+
+void Hdf5Output::set_fixed_text(const std::string& object, const std::string& name, const std::string& text) {
+    const Hdf5Silence silence;
+    const Hdf5Handle scalar(checked(H5Screate(H5S_SCALAR), "describing a text"), H5Sclose);
+    write_attribute(object, name, fixed_text_type({text}).get(), scalar.get(), text.c_str());
+}
+
+void Hdf5Output::set_fixed_texts(const std::string& object, const std::string& name,
+                                 const std::vector<std::string>& texts) {
+    const Hdf5Silence silence;
+    const Hdf5Handle type = fixed_text_type(texts);
+    write_attribute(object, name, type.get(), axis(texts.size()).get(), padded(texts, H5Tget_size(type.get())).data());
+}
+
+void Hdf5Output::set_variable_text(const std::string& object, const std::string& name, const std::string& text) {
+    const Hdf5Silence silence;
+    const Hdf5Handle type(checked(H5Tcopy(H5T_C_S1), "describing a text"), H5Tclose);
+    checked(H5Tset_size(type.get(), H5T_VARIABLE), "describing a text");
+    checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), "describing a text");
+    const Hdf5Handle scalar(checked(H5Screate(H5S_SCALAR), "describing a text"), H5Sclose);
+    const char* characters = text.c_str();
+    write_attribute(object, name, type.get(), scalar.get(), &characters);
+}
+
+void Hdf5Output::write_dataset(const std::string& name, hid_t file_type, hid_t memory_type, std::size_t length,
+                               const void* data) {
+    const std::string doing = "writing " + name;
+    const Hdf5Handle space = axis(length);
+    const Hdf5Handle creation = without_times(H5P_DATASET_CREATE);
+    Hdf5Handle dataset(
+        checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+                doing),
+        H5Dclose);
+    checked(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), doing);
+    checked(dataset.close(), doing);  // only then a small array is written to the file
+}
+
+void Hdf5Output::write_numbers(const std::string& name, const std::vector<double>& values) {
+    const Hdf5Silence silence;
+    write_dataset(name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.size(), values.data());
+}
+
+void Hdf5Output::write_numbers(const std::string& name, const std::vector<std::int64_t>& values) {
+    const Hdf5Silence silence;
+    write_dataset(name, H5T_STD_I64LE, H5T_NATIVE_INT64, values.size(), values.data());
+}
+
+void Hdf5Output::write_texts(const std::string& name, const std::vector<std::string>& texts) {
+    const Hdf5Silence silence;
+    const Hdf5Handle type = fixed_text_type(texts);
+    write_dataset(name, type.get(), type.get(), texts.size(), padded(texts, H5Tget_size(type.get())).data());
+}
+
+void Hdf5Output::create_series(const Series& series, const std::vector<hsize_t>& chunk) {
+    const Hdf5Silence silence;
+    const std::string doing = "creating " + series.name;
+    std::vector<hsize_t> extent{0};
+    extent.insert(extent.end(), series.entry.begin(), series.entry.end());
+    std::vector<hsize_t> limit = extent;
+    limit[0] = H5S_UNLIMITED;
+    const int rank = static_cast<int>(extent.size());
+    const Hdf5Handle space(checked(H5Screate_simple(rank, extent.data(), limit.data()), doing), H5Sclose);
+    const Hdf5Handle creation = without_times(H5P_DATASET_CREATE);
+    checked(H5Pset_chunk(creation.get(), rank, chunk.data()), doing);
+    // A chunk gets its place when the first of its entries is to come, and is not filled: entries are written one by
+    // one.
+    checked(H5Pset_alloc_time(creation.get(), H5D_ALLOC_TIME_EARLY), doing);
+    checked(H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER), doing);
+    const hid_t file_type = series.type == H5T_NATIVE_DOUBLE ? H5T_IEEE_F64LE : H5T_STD_I64LE;
+    const Hdf5Handle dataset(checked(H5Dcreate2(file_.get(), series.name.c_str(), file_type, space.get(), H5P_DEFAULT,
+                                                creation.get(), H5P_DEFAULT),
+                                     doing),
+                             H5Dclose);
+}
+
+void Hdf5Output::link(const std::string& existing, const std::string& name) {
+    const Hdf5Silence silence;
+    checked(H5Lcreate_hard(file_.get(), existing.c_str(), H5L_SAME_LOC, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+            "linking " + name);
+}
+
+void Hdf5Output::finish_objects() {
+    if (!objects_.empty()) {
+        return;
+    }
+    const Hdf5Silence silence;
+    const std::string doing = "creating its objects";
+    checked(memory_.flush(file_.get()), doing);
+    checked(file_.close(), doing);
+    objects_ = memory_.take_bytes();
+}
+
+std::uint64_t Hdf5Output::layout() {
+    finish_objects();
+    std::array<unsigned, 3> version{};
+    H5get_libversion(&version[0], &version[1], &version[2]);
+    return XXH3_64bits_withSeed(objects_.data(), objects_.size(), XXH3_64bits(version.data(), sizeof version));
+}
+
+void Hdf5Output::open_file(const OutputPlace& place) {
+    is_on_disk_ = true;
+    const std::string doing = "opening the file";
+    const Hdf5Handle access = access_properties();
+    require_memory(hdf5_file_memory);
+    place.directory.require_at_its_path();  // HDF5 knows paths alone
+    file_ = Hdf5Handle(checked(H5Fopen(place.path().c_str(), H5F_ACC_RDWR, access.get()), doing), H5Fclose);
+    if (!place.holds(descriptor())) {
+        fail(doing, "its directory was replaced meanwhile");
+    }
+}
+
+void Hdf5Output::start_appending() {
+    finish_objects();
+    ReplacementFile replacement(place_);
+    OutputFile file(replacement);
+    file.write(objects_);
+    file.close();
+    const Hdf5Silence silence;
+    open_file(replacement.growing());
+    switch_to_appending();
+    replacement.take_place();
+}
+
+void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t entries, hsize_t stride) {
+    finish_objects();
+    overwrite_beginning(place_, objects_);
+    const Hdf5Silence silence;
+    open_file(place_);
+    // In one go up to the end of a chunk, and all series before the next: chunks get the places that they got when
+    // entries came one by one.
+    for (hsize_t begin = 0; begin < entries; begin += stride) {
+        for (Series* one : series) {
+            extend(*one, std::min(begin + stride, entries));
+        }
+    }
+    for (Series* one : series) {
+        one->dataset = -1;
+    }
+    datasets_.clear();  // to be opened again in the other mode
+    switch_to_appending();
+}
+
+void Hdf5Output::switch_to_appending() {
+    checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flushing");
+    checked(H5Fstart_swmr_write(file_.get()), "switching to appending");
+    commit();
+}
+
+void Hdf5Output::open_series(Series& series) {
+    if (series.dataset >= 0) {
+        return;
+    }
+    const std::string doing = "opening " + series.name;
+    const Hdf5Handle access(checked(H5Pcreate(H5P_DATASET_ACCESS), doing), H5Pclose);
+    // Entries go straight to the file: a cache would write the whole chunk for each.
+    checked(H5Pset_chunk_cache(access.get(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT), doing);
+    series.dataset = checked(H5Dopen2(file_.get(), series.name.c_str(), access.get()), doing);
+    datasets_.emplace_back(series.dataset, H5Dclose);
+}
+
+void Hdf5Output::extend(Series& series, hsize_t entries) {
+    open_series(series);
+    std::vector<hsize_t> extent{entries};
+    extent.insert(extent.end(), series.entry.begin(), series.entry.end());
+    checked(H5Dset_extent(series.dataset, extent.data()), fmt::format("making {} longer", series.name));
+    series.length = entries;
+}
+
+void Hdf5Output::append(Series& series, const void* data) {
+    if (!file_ || !is_on_disk_) {
+        throw ContractViolation(fmt::format("'{}' is not open for appending", path().string()));
+    }
+    const Hdf5Silence silence;
+    extend(series, series.length + 1);
+    const std::string doing = fmt::format("appending entry {} to {}", series.length, series.name);
+    std::vector<hsize_t> start{series.length - 1};
+    std::vector<hsize_t> count{1};
+    for (const hsize_t n : series.entry) {
+        start.push_back(0);
+        count.push_back(n);
+    }
+    const Hdf5Handle where(checked(H5Dget_space(series.dataset), doing), H5Sclose);
+    checked(H5Sselect_hyperslab(where.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), doing);
+    const Hdf5Handle what(checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), doing),
+                          H5Sclose);
+    checked(H5Dwrite(series.dataset, series.type, what.get(), where.get(), H5P_DEFAULT, data), doing);
+    checked(H5Dflush(series.dataset), doing);
+}
+
+std::uint64_t Hdf5Output::place_of_last(Series& series) {
+    const Hdf5Silence silence;
+    open_series(series);
+    const std::string doing = fmt::format("asking where entry {} of {} lies", series.length, series.name);
+    const Hdf5Handle creation(checked(H5Dget_create_plist(series.dataset), doing), H5Pclose);
+    std::vector<hsize_t> chunk(series.entry.size() + 1);
+    checked(H5Pget_chunk(creation.get(), static_cast<int>(chunk.size()), chunk.data()), doing);
+    std::vector<hsize_t> corner(chunk.size());
+    const hsize_t before = (series.length - 1) % chunk[0];  // in the same chunk
+    corner[0] = series.length - 1 - before;
+    unsigned filters = 0;
+    haddr_t place = HADDR_UNDEF;
+    hsize_t bytes = 0;
+    checked(H5Dget_chunk_info_by_coord(series.dataset, corner.data(), &filters, &place, &bytes), doing);
+    if (place == HADDR_UNDEF) {
+        fail(doing, "it has no place");
+    }
+    return place + before * (bytes / chunk[0]);
+}
+
+int Hdf5Output::descriptor() {
+    void* descriptor = nullptr;
+    checked(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), "asking for the descriptor");
+    return *static_cast<int*>(descriptor);
+}
+
+std::int64_t Hdf5Output::commit() {
+    const Hdf5Silence silence;
+    if (const int error = sync_descriptor(descriptor()); error != 0) {
+        fail("waiting for the disk", std::generic_category().message(error));
+    }
+    struct stat status {};
+    if (::fstat(descriptor(), &status) != 0) {
+        fail("asking for its length", std::generic_category().message(errno));
+    }
+    return status.st_size;
+}
+
+void Hdf5Output::close() {
+    if (!is_on_disk_ && file_) {
+        start_appending();
+    }
+    if (!file_) {
+        return;
+    }
+    const Hdf5Silence silence;
+    const std::string doing = "closing the file";
+    checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), doing);
+    for (Hdf5Handle& dataset : datasets_) {
+        checked(dataset.close(), doing);
+    }
+    // HDF5 writes while it closes: what is to be on the disk then needs a descriptor that is still open.
+    const int kept_open = ::dup(descriptor());
+    if (kept_open < 0) {
+        fail(doing, std::generic_category().message(errno));
+    }
+    const herr_t closed = file_.close();
+    const int error = sync_descriptor(kept_open);
+    ::close(kept_open);
+    checked(closed, doing);
+    if (error != 0) {
+        fail(doing, std::generic_category().message(error));
+    }
+}
+
+}  // namespace ljmd

@@ -1,0 +1,132 @@
+#include "ljmd/io/tables/data_table_csv.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/text_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(std::min(comma + 1, line.size()))) {
+        comma = line.find(',');
+        fields.push_back(line.substr(0, comma));
+    }
+    return fields;
+}
+
+constexpr double largest_step = 9007199254740992.0;  // 2^53: every whole number up to it is a double
+
+/// Of a file whose first line is the header.
+Index line_of_row(Index row) {
+    return row + 2;
+}
+
+/// Whether the last line of a file has its end. True for a file that cannot be read, which others will say.
+bool ends_with_a_line(const std::filesystem::path& path) {
+    std::ifstream file = open_input(path);
+    file.seekg(0, std::ios::end);
+    char last = '\n';
+    if (file && file.tellg() > 0) {
+        file.seekg(-1, std::ios::end);
+        file.get(last);
+    }
+    return last == '\n';
+}
+
+DataTable read(const std::filesystem::path& path, bool without_last_line) {
+    TextFile file(path);
+    DataTable table{path.stem().string(), {}, {}};
+    if (!file.next_line()) {
+        file.fail_at(0, "no header: the file is empty");
+    }
+    for (const std::string_view name : fields_of(file.line())) {
+        table.columns.emplace_back(name);
+    }
+    while (file.next_line()) {
+        if (without_last_line && file.bytes_left() == 0) {
+            break;
+        }
+        const std::vector<std::string_view> fields = fields_of(file.line());
+        if (fields.size() != table.columns.size()) {
+            file.fail(fmt::format("{} fields, but {} columns", fields.size(), table.columns.size()));
+        }
+        std::vector<double>& row = table.rows.emplace_back();
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            row.push_back(fields[k].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                            : file.number(fields[k], table.columns[k]));
+        }
+    }
+    return table;
+}
+
+}  // namespace
+
+std::string to_csv(const DataTable& table) {
+    std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
+    for (const auto& row : table.rows) {
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            text += k == 0 ? "" : ",";
+            text += std::isfinite(row[k]) ? fmt::format("{}", row[k]) : "";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+DataTable read_csv(const std::filesystem::path& path) {
+    return read(path, false);
+}
+
+DataTable read_growing_csv(const std::filesystem::path& path) {
+    return read(path, !ends_with_a_line(path));
+}
+
+std::vector<double> column(const DataTable& table, const std::string& name) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+    if (found == table.columns.end()) {
+        throw DataError(fmt::format("{}.csv has no column '{}'", table.name, name));
+    }
+    const auto k = static_cast<std::size_t>(found - table.columns.begin());
+    std::vector<double> values;
+    values.reserve(table.rows.size());
+    for (const auto& row : table.rows) {
+        values.push_back(row[k]);
+    }
+    return values;
+}
+
+std::vector<double> full_column(const DataTable& table, const std::string& name, const std::filesystem::path& path) {
+    std::vector<double> values = column(table, name);
+    const auto empty = std::ranges::find_if(values, [](double value) { return std::isnan(value); });
+    if (empty != values.end()) {
+        throw DataError(fmt::format("{}:{}: '{}' is empty", path.string(), line_of_row(empty - values.begin()), name));
+    }
+    return values;
+}
+
+std::vector<Index> step_column(const DataTable& table, const std::filesystem::path& path) {
+    std::vector<Index> steps;
+    for (const double value : full_column(table, "step", path)) {
+        const bool is_count = value >= 0.0 && value <= largest_step && std::floor(value) == value;
+        if (!is_count || (!steps.empty() && static_cast<Index>(value) <= steps.back())) {
+            throw DataError(fmt::format("{}:{}: 'step' is {}, allowed: whole numbers that grow from row to row",
+                                        path.string(), line_of_row(std::ssize(steps)), value));
+        }
+        steps.push_back(static_cast<Index>(value));
+    }
+    return steps;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,213 @@
+#include "ljmd/observables/statistics/blocking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "ljmd/core/archived_count.hpp"
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+namespace {
+
+constexpr Index many_blocks = 16;  // below, the scatter of the error (18 %) hides whether the curve is flat
+constexpr Index fallback_blocks = 4;
+constexpr double few_samples = 16.0;    // independent ones; fewer do not carry an error bar
+constexpr double growth_of_flat = 1.3;  // of the error, where blocks become twice as long; sqrt(2) where they are short
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool blocks_are_long_enough(const BlockLevel& level, double samples, double shortest_error) {
+    const double length = static_cast<double>(level.length);
+    // Errors below that of independent samples are scatter of few blocks, mostly.
+    const double growth = std::max(1.0, level.standard_error / shortest_error);
+    return length * length * length > 2.0 * samples * std::pow(growth, 4);
+}
+
+/// Whether the error still grows where blocks are as long as many of them can be.
+bool still_grows(const std::vector<BlockLevel>& curve) {
+    const auto few =
+        std::find_if(curve.begin(), curve.end(), [](const BlockLevel& level) { return level.blocks < many_blocks; });
+    const auto levels = few - curve.begin();
+    return levels >= 2 && curve[static_cast<std::size_t>(levels - 1)].standard_error >
+                              growth_of_flat * curve[static_cast<std::size_t>(levels - 2)].standard_error;
+}
+
+Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>& curve) {
+    if (samples < fallback_blocks || !std::isfinite(curve.front().standard_error)) {
+        return {mean, nan, nan, samples, false};
+    }
+    const double n = static_cast<double>(samples);
+    const double shortest_error = curve.front().standard_error;
+    if (shortest_error == 0.0) {
+        return {mean, 0.0, n, samples, true};
+    }
+    const auto chosen = std::find_if(curve.begin(), curve.end(), [&](const BlockLevel& level) {
+        return level.blocks >= many_blocks && blocks_are_long_enough(level, n, shortest_error);
+    });
+    const bool long_enough = chosen != curve.end();
+    double error = long_enough ? chosen->standard_error : 0.0;
+    if (!long_enough) {
+        for (const BlockLevel& level : curve) {
+            error = level.blocks >= fallback_blocks ? std::max(error, level.standard_error) : error;
+        }
+    }
+    const double ratio = shortest_error / error;  // infinite when blocks of an alternating series are all equal
+    const double independent = n * std::min(1.0, ratio * ratio);
+    return {mean, error, independent, samples, long_enough || (independent >= few_samples && !still_grows(curve))};
+}
+
+}  // namespace
+
+BlockingAccumulator::BlockingAccumulator(Index width, Covariance covariance) : width_(width), covariance_(covariance) {
+    if (width < 1) {
+        throw ContractViolation(fmt::format("block averages need at least one component, not {}", width));
+    }
+}
+
+void BlockingAccumulator::add(const Eigen::VectorXd& sample) {
+    if (sample.size() != width_) {
+        throw ContractViolation(
+            fmt::format("a sample of {} components was added to block averages of {}", sample.size(), width_));
+    }
+    Eigen::VectorXd block = sample;
+    for (std::size_t k = 0;; ++k) {
+        if (k == levels_.size()) {
+            levels_.push_back({0, Eigen::VectorXd::Zero(width_), Eigen::VectorXd::Zero(kept_products()), {}});
+        }
+        Level& level = levels_[k];
+        accumulate(level, block);
+        if (level.blocks % 2 == 1) {
+            level.pending = block;
+            return;
+        }
+        block = 0.5 * (level.pending + block);
+    }
+}
+
+void BlockingAccumulator::accumulate(Level& level, const Eigen::VectorXd& block) const {
+    level.blocks += 1;
+    const double n = static_cast<double>(level.blocks);
+    const Eigen::VectorXd step = block - level.mean;
+    level.mean += step / n;
+    if (covariance_ == Covariance::diagonal) {
+        level.deviation += (n - 1.0) / n * step.cwiseAbs2();
+        return;
+    }
+    for (Index column = 0; column < width_; ++column) {
+        const Index below = width_ - column;
+        level.deviation.segment(diagonal(column), below) += (n - 1.0) / n * step[column] * step.tail(below);
+    }
+}
+
+Index BlockingAccumulator::products(Index width, Covariance covariance) {
+    return covariance == Covariance::full ? width * (width + 1) / 2 : width;
+}
+
+double BlockingAccumulator::bytes(Index width, Covariance covariance, Index samples) {
+    const auto levels = std::bit_width(static_cast<std::uint64_t>(std::max<Index>(samples, 0)));
+    return 8.0 * static_cast<double>(levels) * static_cast<double>(2 * width + products(width, covariance));
+}
+
+Index BlockingAccumulator::diagonal(Index component) const {
+    return covariance_ == Covariance::full ? component * width_ - component * (component - 1) / 2 : component;
+}
+
+void BlockingAccumulator::archive(Archive& a) {
+    a(levels_);
+    // Two blocks of a level make one of the next; the last level has one block.
+    Index expected = samples();
+    require_count(expected);
+    for (const Level& level : levels_) {
+        if (level.blocks < 1 || level.blocks != expected) {
+            throw CheckpointError("its block averages are not those of any number of samples");
+        }
+        expected /= 2;
+        if (level.mean.size() != width_ || level.deviation.size() != kept_products() ||
+            level.pending.size() != width_) {
+            throw CheckpointError(fmt::format("its block averages are not {} wide", width_));
+        }
+    }
+    if (expected != 0) {
+        throw CheckpointError("its block averages are not those of any number of samples");
+    }
+}
+
+Index BlockingAccumulator::samples() const {
+    return levels_.empty() ? 0 : levels_.front().blocks;
+}
+
+Eigen::VectorXd BlockingAccumulator::mean() const {
+    if (levels_.empty()) {
+        return Eigen::VectorXd::Constant(width_, nan);
+    }
+    // Every sample is in exactly one pending block: their lengths are the binary digits of the number of samples.
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(width_);
+    double length = 1.0;
+    for (const Level& level : levels_) {
+        if (level.blocks % 2 == 1) {
+            sum += length * level.pending;
+        }
+        length *= 2.0;
+    }
+    return sum / static_cast<double>(samples());
+}
+
+template <class Deviation>
+std::vector<BlockLevel> BlockingAccumulator::curve(Deviation deviation) const {
+    std::vector<BlockLevel> result;
+    Index length = 1;
+    for (const Level& level : levels_) {
+        if (level.blocks < 2) {
+            break;
+        }
+        const double freedom = static_cast<double>(level.blocks - 1);
+        const double variance = deviation(level.deviation) / freedom;
+        const double share = static_cast<double>(length) / static_cast<double>(samples());
+        result.push_back({length, level.blocks, std::sqrt(variance * share), 1.0 / std::sqrt(2.0 * freedom)});
+        length *= 2;
+    }
+    return result;
+}
+
+void BlockingAccumulator::check(Index component) const {
+    if (component < 0 || component >= width_) {
+        throw ContractViolation(fmt::format("component {} was asked of block averages of {}", component, width_));
+    }
+}
+
+std::vector<BlockLevel> BlockingAccumulator::levels(Index component) const {
+    check(component);
+    return curve([&](const Eigen::VectorXd& deviation) { return deviation[diagonal(component)]; });
+}
+
+Estimate BlockingAccumulator::estimate(Index component) const {
+    check(component);
+    return choose_level(mean()(component), samples(), levels(component));
+}
+
+Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& gradient) const {
+    if (covariance_ != Covariance::full) {
+        throw ContractViolation("the error of a function of means needs block averages with Covariance::full");
+    }
+    if (gradient.size() != width_) {
+        throw ContractViolation(
+            fmt::format("a gradient of {} components was given to block averages of {}", gradient.size(), width_));
+    }
+    // Round-off may leave a combination that does not vary at all slightly below zero; NaN passes through.
+    const auto along_gradient = [&](const Eigen::VectorXd& deviation) {
+        double sum = 0.0;
+        for (Index column = 0; column < width_; ++column) {
+            const Index below = width_ - column - 1;
+            const double others = deviation.segment(diagonal(column) + 1, below).dot(gradient.tail(below));
+            sum += gradient[column] * (gradient[column] * deviation[diagonal(column)] + 2.0 * others);
+        }
+        return sum < 0.0 ? 0.0 : sum;
+    };
+    return choose_level(value, samples(), curve(along_gradient));
+}
+
+}  // namespace ljmd

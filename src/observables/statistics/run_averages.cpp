@@ -1,0 +1,185 @@
+#include "ljmd/observables/statistics/run_averages.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+struct Column {
+    const char* name;
+    const char* symbol;
+    const char* unit;
+};
+
+constexpr Index temperature_column = 0;
+constexpr Index potential_energy_column = 1;
+constexpr Index pressure_column = 4;
+constexpr Index density_column = 5;
+constexpr Index virial_column = 12;
+constexpr std::array<Column, 13> columns{{{"temperature", "T", "epsilon/k_B"},
+                                          {"potential_energy", "U/N", "epsilon"},
+                                          {"kinetic_energy", "K/N", "epsilon"},
+                                          {"total_energy", "E/N", "epsilon"},
+                                          {"pressure", "p", "epsilon/sigma^3"},
+                                          {"density", "rho", "sigma^-3"},
+                                          {"pressure_xx", "p_xx", "epsilon/sigma^3"},
+                                          {"pressure_yy", "p_yy", "epsilon/sigma^3"},
+                                          {"pressure_zz", "p_zz", "epsilon/sigma^3"},
+                                          {"pressure_xy", "p_xy", "epsilon/sigma^3"},
+                                          {"pressure_xz", "p_xz", "epsilon/sigma^3"},
+                                          {"pressure_yz", "p_yz", "epsilon/sigma^3"},
+                                          {"virial", "W", "epsilon"}}};
+
+/// Behind the columns that are reported: 1/T and u^2.
+constexpr auto inverse_temperature_column = static_cast<Index>(columns.size());
+constexpr Index squared_energy_column = inverse_temperature_column + 1;
+
+}  // namespace
+
+RunAverages::RunAverages(Index atoms, Ensemble ensemble)
+    : atoms_(static_cast<double>(atoms)),
+      degrees_of_freedom_(static_cast<double>(degrees_of_freedom(atoms))),
+      ensemble_(ensemble),
+      series_(squared_energy_column + 1, Covariance::full) {}
+
+void RunAverages::add(const Thermodynamics& s) {
+    const Mat3 p = s.pressure_tensor.value_or(Mat3::Zero());
+    const double t = s.temperature.value_or(0.0);
+    Eigen::VectorXd row(series_.width());
+    row << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure.value_or(0.0), s.density, p(0, 0),
+        p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial, t > 0.0 ? 1.0 / t : 0.0,
+        s.potential_energy * s.potential_energy;
+    series_.add(row);
+}
+
+Vec3 RunAverages::means_of_state() const {
+    const Eigen::VectorXd mean = series_.mean();
+    return {mean[temperature_column], mean[potential_energy_column], mean[pressure_column]};
+}
+
+Estimate RunAverages::estimate(double value, const Vec3& gradient) const {
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(series_.width());
+    whole[temperature_column] = gradient[0];
+    whole[potential_energy_column] = gradient[1];
+    whole[pressure_column] = gradient[2];
+    return series_.estimate(value, whole);
+}
+
+std::optional<Estimate> RunAverages::compressibility_factor() const {
+    const Eigen::VectorXd mean = series_.mean();
+    const double t = mean[temperature_column];
+    const double p = mean[pressure_column];
+    const double density = mean[density_column];
+    if (!is_above_zero(t)) {
+        return std::nullopt;
+    }
+    const double z = p / (density * t);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
+    gradient[pressure_column] = 1.0 / (density * t);
+    gradient[density_column] = -z / density;
+    gradient[temperature_column] = -z / t;
+    return series_.estimate(z, gradient);
+}
+
+std::optional<ObservableAverage> RunAverages::heat_capacity() const {
+    const bool at_constant_energy = ensemble_ == Ensemble::constant_energy;
+    if (!at_constant_energy && ensemble_ != Ensemble::canonical) {
+        return std::nullopt;
+    }
+    ObservableAverage c{"heat_capacity_cv", "c_v", "k_B", std::nullopt};
+    if (!is_above_zero(series_.mean()[temperature_column])) {
+        c.remark = no_temperature;
+        return c;
+    }
+    c.estimate = at_constant_energy ? heat_capacity_at_constant_energy() : heat_capacity_at_constant_temperature();
+    if (!c.estimate) {
+        c.remark = "the temperature fluctuates more than any heat capacity allows: the run is too short";
+        return c;
+    }
+    const Estimate fluctuating = series_.estimate(at_constant_energy ? temperature_column : potential_energy_column);
+    if (!c.estimate->converged || !fluctuating.converged) {
+        c.estimate.reset();
+        c.remark = fmt::format("the run is too short to tell how its {} fluctuates",
+                               at_constant_energy ? "temperature" : "energy");
+        return c;
+    }
+    c.estimate->standard_error = std::hypot(c.estimate->standard_error,
+                                            heat_capacity_missed(c.estimate->mean) / fluctuating.independent_samples);
+    return c;
+}
+
+double RunAverages::heat_capacity_missed(double c) const {
+    if (ensemble_ == Ensemble::canonical) {
+        return c - 1.5;
+    }
+    const double of_motion = c - 1.5 / atoms_;
+    return of_motion * std::abs(2.0 * atoms_ * of_motion / degrees_of_freedom_ - 1.0);
+}
+
+std::optional<Estimate> RunAverages::heat_capacity_at_constant_energy() const {
+    const Eigen::VectorXd mean = series_.mean();
+    const double t = mean[temperature_column];
+    const double inverse = mean[inverse_temperature_column];
+    const double share = 1.0 - 2.0 / degrees_of_freedom_;
+    const double rest = 1.0 - share * t * inverse;
+    if (!(rest > 0.0)) {
+        return std::nullopt;  // larger fluctuations than any heat capacity allows
+    }
+    const double c = 1.0 / (atoms_ * rest);
+    const double slope = c * share / rest;  // dc/d(<T> <1/T>)
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
+    gradient[temperature_column] = slope * inverse;
+    gradient[inverse_temperature_column] = slope * t;
+    return series_.estimate(c + 1.5 / atoms_, gradient);
+}
+
+std::optional<Estimate> RunAverages::heat_capacity_at_constant_temperature() const {
+    const Eigen::VectorXd mean = series_.mean();
+    const double t = mean[temperature_column];
+    const double u = mean[potential_energy_column];
+    const double per_variance = atoms_ / (t * t);
+    const double c = per_variance * (mean[squared_energy_column] - u * u);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
+    gradient[squared_energy_column] = per_variance;
+    gradient[potential_energy_column] = -2.0 * per_variance * u;
+    gradient[temperature_column] = -2.0 * c / t;
+    return series_.estimate(c + 1.5, gradient);
+}
+
+std::vector<ObservableAverage> RunAverages::averages() const {
+    std::vector<ObservableAverage> result;
+    if (samples() == 0) {
+        return result;
+    }
+    for (Index k = 0; k < static_cast<Index>(columns.size()); ++k) {
+        const Column& column = columns[static_cast<std::size_t>(k)];
+        if (k == density_column && ensemble_ != Ensemble::constant_pressure) {
+            continue;
+        }
+        const bool is_pressure = k == pressure_column || (k > density_column && k < virial_column);
+        ObservableAverage average{column.name, column.symbol, column.unit, std::nullopt};
+        if (degrees_of_freedom_ == 0.0 && (k == temperature_column || is_pressure)) {
+            average.remark = "a single atom has no motion about the centre of mass: no temperature and no pressure";
+        } else {
+            average.estimate = series_.estimate(k);
+        }
+        result.push_back(average);
+        if (k == pressure_column) {
+            const auto z = compressibility_factor();
+            result.push_back({"compressibility_factor", "Z", "1", z, z ? "" : no_temperature});
+            if (const auto c = heat_capacity()) {
+                result.push_back(*c);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace ljmd

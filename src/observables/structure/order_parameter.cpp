@@ -1,0 +1,27 @@
+#include "ljmd/observables/structure/order_parameter.hpp"
+
+#include "../simd/cosine_kernel.hpp"
+#include "ljmd/execution/threads.hpp"
+
+namespace ljmd {
+
+TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells)
+    : planes_(static_cast<double>(cells) * (lattice == Lattice::fcc ? 2.0 : 1.0)) {}
+
+double TranslationalOrder::operator()(const State& state) const {
+    const Vec3 planes_per_length = planes_ * state.box().edges().cwiseInverse();
+    const Eigen::Vector4d turns(planes_per_length[0], planes_per_length[1], planes_per_length[2], 0.0);
+    const CosineKernel kernel = cosine_kernel(default_simd_level());
+    const double* r = state.positions().data();  // behind the three coordinates of an atom lies a zero
+    const Eigen::Vector4d sums = join_blocks(
+        state.count(), sum_block, Eigen::Vector4d(Eigen::Vector4d::Zero()),
+        [&](Index first, Index last) {
+            Eigen::Vector4d of_block;
+            kernel.sums_of_cosines(r + 4 * first, last - first, turns.data(), of_block.data());
+            return of_block;
+        },
+        [](Eigen::Vector4d& sum, const Eigen::Vector4d& of_block) { sum += of_block; });
+    return sums.head<3>().sum() / (3.0 * static_cast<double>(state.count()));
+}
+
+}  // namespace ljmd

@@ -1,0 +1,132 @@
+#include "ljmd/run/directory_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/run/run_checkpoints.hpp"
+#include "ljmd/run/run_report.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_words = 1000;  // of what others have written
+
+struct Contents {
+    bool running;
+    RecordedRun run;
+    std::optional<ResumePoint> point;
+    std::vector<std::string> damaged;
+    std::vector<std::pair<std::string, std::uintmax_t>> files;  ///< with their bytes, by name
+
+    /// Of the stage that the checkpoint is in.
+    [[nodiscard]] const Stage& stage() const { return run.deck.stages.at(point->head.position.stage); }
+};
+
+Contents contents_of(const fs::path& directory) {
+    Contents contents{DirectoryLock::is_held(directory), recorded_run(directory), std::nullopt, {}, {}};
+    try {
+        contents.point = find_resume_point(contents.run.deck);
+        contents.damaged = contents.point ? contents.point->warnings : std::vector<std::string>{};
+    } catch (const CheckpointError& error) {
+        contents.damaged = {error.what()};
+    }
+    for (const fs::path& entry : files::list(directory)) {
+        if (const auto bytes = files::size_of(entry)) {
+            contents.files.emplace_back(entry.filename().string(), *bytes);
+        }
+    }
+    return contents;
+}
+
+std::string size_in_words(std::uintmax_t bytes) {
+    constexpr std::uintmax_t thousand = 1000;
+    if (bytes < thousand) {
+        return fmt::format("{} bytes", bytes);
+    }
+    const double kilobytes = static_cast<double>(bytes) / static_cast<double>(thousand);
+    return kilobytes < static_cast<double>(thousand)
+               ? fmt::format("{:.1f} kB", kilobytes)
+               : fmt::format("{:.1f} MB", kilobytes / static_cast<double>(thousand));
+}
+
+}  // namespace
+
+std::string directory_report(const fs::path& directory) {
+    const Contents contents = contents_of(directory);
+    const Deck& deck = contents.run.deck;
+    std::string text = fmt::format("{}: {}\n", directory.string(), title_line(deck));
+    text += fmt::format("deck          {}\nbegan         {}\n", printable(deck.path, longest_words),
+                        printable(contents.run.earlier.began, longest_words));
+    if (!contents.run.earlier.resumed_at_steps.empty()) {
+        text += fmt::format("gone on       after steps {}\n", fmt::join(contents.run.earlier.resumed_at_steps, ", "));
+    }
+    text += fmt::format("finished      {}\n", contents.run.finished ? "yes"
+                                              : contents.running    ? "no, it is running"
+                                                                    : "no");
+    if (contents.point) {
+        const CheckpointHead& head = contents.point->head;
+        text += fmt::format("checkpoint    after step {} of {}, {} of {} in stage {}\n", head.step, deck.total_steps(),
+                            head.position.begun ? head.position.steps : 0, contents.stage().steps,
+                            in_quotes(contents.stage().name));
+    } else {
+        text += "checkpoint    none\n";
+    }
+    for (const std::string& line : contents.damaged) {
+        text += fmt::format("damaged       {}\n", printable(line, longest_words));
+    }
+    TextTable files({{"", TextTable::Align::left, 18}, {"", TextTable::Align::right, 10}}, 2);
+    for (const auto& [name, bytes] : contents.files) {
+        files.add({name, size_in_words(bytes)});
+    }
+    text += files.text();
+    if (contents.point && !contents.running) {
+        text += contents.run.finished ? fmt::format("longer: ljmd resume {} --steps +N\n", directory.string())
+                                      : fmt::format("to go on: ljmd resume {}\n", directory.string());
+    }
+    return text;
+}
+
+std::string directory_json(const fs::path& directory) {
+    using Json = nlohmann::ordered_json;
+    const Contents contents = contents_of(directory);
+    const Deck& deck = contents.run.deck;
+    Json checkpoint = nullptr;
+    if (contents.point) {
+        const CheckpointHead& head = contents.point->head;
+        checkpoint = {{"step", head.step}, {"stage", contents.stage().name}, {"atoms", head.atoms}};
+    }
+    Json files = Json::array();
+    for (const auto& [name, bytes] : contents.files) {
+        files.push_back({{"name", name}, {"bytes", bytes}});
+    }
+    const Json json = {{"deck", deck.path},
+                       {"title", deck.title},
+                       {"kind", deck.kind == DeckKind::few_body ? "few-body" : "fluid"},
+                       {"finished", contents.run.finished},
+                       {"running", contents.running},
+                       {"began", contents.run.earlier.began},
+                       {"resumed_at_steps", contents.run.earlier.resumed_at_steps},
+                       {"total_steps", deck.total_steps()},
+                       {"checkpoint", checkpoint},
+                       {"damaged", contents.damaged},
+                       {"files", files}};
+    // Names of files need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ljmd

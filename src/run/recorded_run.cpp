@@ -1,0 +1,102 @@
+#include "ljmd/run/recorded_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/simulation.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/formats/configuration_reader.hpp"
+#include "ljmd/run/json_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Record {
+    std::string deck_file;
+    std::string deck;
+    std::vector<std::string> settings;
+    EarlierParts earlier;
+    std::string simd;
+    int threads;
+    bool finished;
+};
+
+Record read_record(const fs::path& path) {
+    if (!input_is_there(path)) {
+        throw DataError(
+            fmt::format("{} is not the directory of a run: it has no run.json", path.parent_path().string()));
+    }
+    return read_json(path, "the record of a run", [](const nlohmann::ordered_json& record) -> Record {
+        if (record.at("program") != "ljmd") {
+            throw WrongJson("it is that of another program");
+        }
+        EarlierParts earlier{record.at("began").get<std::string>(),
+                             {},
+                             integer_of(record.at("steps_added"), "steps_added", 0, most_steps)};
+        for (const auto& step : record.at("resumed_at_steps")) {
+            earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, most_steps));
+        }
+        return {record.at("deck_file").get<std::string>(),
+                record.at("deck").get<std::string>(),
+                texts_of(record.at("settings"), "settings", most_settings),
+                std::move(earlier),
+                record.at("simd").is_null() ? "" : record.at("simd").get<std::string>(),
+                static_cast<int>(integer_of(record.at("threads"), "threads", 1, most_threads)),
+                record.at("finished").get<bool>()};
+    });
+}
+
+}  // namespace
+
+Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& settings, Diagnostics& diagnostics) {
+    Record record = read_record(directory / "run.json");
+    for (const std::string& setting : settings) {
+        if (setting.starts_with("system.")) {
+            throw InputError(fmt::format("--set {}: [system] tells how a run begins; this one has been made", setting));
+        }
+        record.settings.push_back(setting);
+    }
+    const std::string name = fmt::format("deck of {}", directory.string());
+    auto deck = load_deck_text(name, record.deck, record.settings, true, diagnostics);
+    diagnostics.throw_if_errors();
+    return std::move(*deck);
+}
+
+RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
+    Record record = read_record(directory / "run.json");
+    Diagnostics diagnostics;
+    auto deck =
+        load_deck_text(fmt::format("deck of {}", directory.string()), record.deck, record.settings, true, diagnostics);
+    diagnostics.throw_if_errors();
+    deck->path = record.deck_file;
+    deck->directory = directory;
+    const Index room = most_steps - deck->total_steps() - record.earlier.steps_added;
+    if (more_steps > room) {
+        throw InputError(
+            fmt::format("{} steps more are too many, at most {} can be added", more_steps, std::max<Index>(0, room)));
+    }
+    record.earlier.steps_added += more_steps;
+    deck->stages.back().steps += record.earlier.steps_added;
+    return {std::move(*deck), record.earlier, record.simd, record.threads, record.finished};
+}
+
+State last_configuration(const fs::path& directory, const Deck& deck) {
+    const fs::path path = directory / "final.xyz";
+    if (!input_is_there(path)) {
+        throw DataError(fmt::format("{} has no final.xyz: the run has not come to its end", directory.string()));
+    }
+    const Configuration configuration = read_configuration(path, deck.units);
+    State state(static_cast<Index>(configuration.positions.size()), Box(configuration.edges));
+    place_configuration(state, configuration);
+    state.step = configuration.step;
+    state.time = configuration.time;
+    return state;
+}
+
+}  // namespace ljmd

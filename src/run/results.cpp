@@ -1,0 +1,255 @@
+#include "ljmd/run/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
+#include "ljmd/run/footnotes.hpp"
+#include "ljmd/run/json_number.hpp"
+#include "ljmd/run/run_report.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How an observable is reported for a substance.
+struct SiUnit {
+    double factor;
+    std::string name;
+};
+
+std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<SubstanceUnits>& units) {
+    if (!units) {
+        return std::nullopt;
+    }
+    if (reduced == "epsilon/k_B") {
+        return SiUnit{units->kelvin(), "K"};
+    }
+    if (reduced == "epsilon") {
+        return SiUnit{units->kilojoule_per_mole(), "kJ/mol"};
+    }
+    if (reduced == "epsilon/sigma^3") {
+        return SiUnit{units->bar(), "bar"};
+    }
+    if (reduced == "k_B") {
+        return SiUnit{1e3 * units->kilojoule_per_mole() / units->kelvin(), "J/(mol K)"};
+    }
+    if (reduced == "sigma^2/tau") {
+        return SiUnit{1e3 * units->nanometre() * units->nanometre() / units->picosecond(), "nm^2/ns"};
+    }
+    if (reduced == "epsilon tau/sigma^3") {
+        return SiUnit{1e-4 * units->bar() * units->picosecond(), "mPa s"};
+    }
+    return std::nullopt;
+}
+
+Json estimate_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+    if (!average.estimate) {
+        return {
+            {"mean", nullptr}, {"standard_error", nullptr}, {"independent_samples", nullptr}, {"unit", average.unit}};
+    }
+    const Estimate& e = *average.estimate;
+    Json json = {{"mean", number_or_null(e.mean)},
+                 {"standard_error", number_or_null(e.standard_error)},
+                 {"independent_samples", number_or_null(e.independent_samples)},
+                 {"samples", e.samples},
+                 {"error_is_converged", e.converged},
+                 {"unit", average.unit}};
+    if (const auto si = si_unit(average.unit, units)) {
+        json["si"] = {{"mean", number_or_null(e.mean * si->factor)},
+                      {"standard_error", number_or_null(e.standard_error * si->factor)},
+                      {"unit", si->name}};
+    }
+    return json;
+}
+
+Json observable_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+    Json json = estimate_json(average, units);
+    if (const std::string remark = remark_of(average); !remark.empty()) {
+        json["remark"] = remark;
+    }
+    return json;
+}
+
+/// One line of the table: name, symbol, value, mark, unit, samples, value and unit in SI.
+std::vector<std::string> table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units,
+                                    Footnotes& footnotes) {
+    const std::string mark = footnotes.mark(remark_of(average));
+    if (!average.estimate || !std::isfinite(average.estimate->mean)) {
+        return {average.name, average.symbol, "no value", mark};
+    }
+    const Estimate& e = *average.estimate;
+    std::vector<std::string> line{
+        average.name,
+        average.symbol,
+        with_error(e.mean, e.standard_error),
+        mark,
+        average.unit,
+        std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-"};
+    if (const auto si = si_unit(average.unit, units)) {
+        line.push_back(with_error(e.mean * si->factor, e.standard_error * si->factor));
+        line.push_back(si->name);
+    }
+    return line;
+}
+
+Json at_asked_json(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
+    if (!there) {
+        return nullptr;
+    }
+    return {{"temperature", there->temperature},
+            {"equation_of_state", there->equation},
+            {"observables", observables_json(there->observables, units)}};
+}
+
+/// Below the table: what the run has at the temperature that was asked for.
+std::string at_asked_lines(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
+    if (!there) {
+        return "";
+    }
+    return fmt::format("\n  brought to T = {:.6g}, which was asked, by the equation of state {}:\n", there->temperature,
+                       there->equation) +
+           observables_table(there->observables, units);
+}
+
+}  // namespace
+
+bool is_in_table(const std::string& observable) {
+    return !observable.starts_with("pressure_") && observable != "virial";
+}
+
+Json observables_json(const std::vector<ObservableAverage>& averages, const std::optional<SubstanceUnits>& units) {
+    Json observables = Json::object();
+    for (const ObservableAverage& average : averages) {
+        observables[average.name] = observable_json(average, units);
+    }
+    return observables;
+}
+
+std::string observables_table(const std::vector<ObservableAverage>& averages,
+                              const std::optional<SubstanceUnits>& units) {
+    using Align = TextTable::Align;
+    Footnotes footnotes;
+    TextTable table({{"observable", Align::left},
+                     {"", Align::left},
+                     {"mean +- standard error"},
+                     {"", Align::left},
+                     {"unit", Align::left},
+                     {"samples*"},
+                     {units ? "SI" : ""},
+                     {"", Align::left}},
+                    2);
+    for (const ObservableAverage& average : averages) {
+        if (is_in_table(average.name)) {
+            table.add(table_line(average, units, footnotes));
+        }
+    }
+    return table.text() + footnotes.text();
+}
+
+std::string samples_footnote() {
+    return "  * independent samples: variance of the series over the squared standard error\n";
+}
+
+std::string remark_of(const ObservableAverage& average) {
+    const bool guessed =
+        average.estimate && !average.estimate->converged && !std::isnan(average.estimate->standard_error);
+    if (!guessed) {
+        return average.remark;
+    }
+    return average.remark.empty() ? std::string(guessed_error) : fmt::format("{}; {}", average.remark, guessed_error);
+}
+
+std::string unsure_of(const std::vector<ObservableAverage>& averages) {
+    std::string unsure;
+    bool all_unsure = true;
+    for (const ObservableAverage& average : averages) {
+        if (!is_in_table(average.name)) {
+            continue;
+        }
+        const bool known = average.estimate && average.estimate->converged;
+        if (average.estimate && !known) {
+            unsure += (unsure.empty() ? "" : ", ") + average.name;
+        }
+        all_unsure = all_unsure && !known;
+    }
+    return all_unsure && !unsure.empty() ? "all observables" : unsure;
+}
+
+std::string results_json(const Deck& deck, const RunResult& result) {
+    Json stages = Json::array();
+    for (const StageResult& stage : result.stages) {
+        stages.push_back(stage_json(stage));
+    }
+    Json json = {{"title", deck.title},
+                 {"system",
+                  {{"atoms", result.atoms},
+                   {"density", result.density},
+                   {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
+                 {"observables", observables_json(result.averages, deck.units)},
+                 {"asked_temperature", number_or_null(result.asked_temperature)},
+                 {"at_asked_temperature", at_asked_json(result.at_asked, deck.units)},
+                 {"translational_order_at_sampling", number_or_null(result.order_at_sampling)},
+                 {"stages", stages},
+                 {"neighbor_list_rebuilds", result.search.rebuilds},
+                 {"neighbor_list_late_rebuilds", result.search.late_rebuilds},
+                 {"warnings", result.warnings}};
+    if (deck.units) {
+        json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();
+    }
+    // What came from a checkpoint need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string results_table(const Deck& deck, const RunResult& result) {
+    std::string text =
+        fmt::format("{}\n{} atoms, density {:.6g} sigma^-3", title_line(deck), result.atoms, result.density);
+    if (deck.units) {
+        text += fmt::format(" ({:.4f} g/cm3)", result.density * deck.units->gram_per_cm3());
+    }
+    text +=
+        fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
+    text += observables_table(result.averages, deck.units);
+    text += at_asked_lines(result.at_asked, deck.units);
+    text += stage_lines(result.stages, "epsilon per atom and tau");
+    text += samples_footnote();
+    text += fmt::format("\nfiles: {}\n", deck.directory.string());
+    return text;
+}
+
+DataTable with_si_columns(DataTable table, const std::optional<SubstanceUnits>& units) {
+    if (!units) {
+        return table;
+    }
+    struct SiColumn {
+        std::string_view column;
+        std::string_view suffix;
+        double factor;
+    };
+    const std::array<SiColumn, 4> known{{{"r", "_nm", units->nanometre()},
+                                         {"time", "_ps", units->picosecond()},
+                                         {"k", "_per_nm", 1.0 / units->nanometre()},
+                                         {"msd", "_nm2", units->nanometre() * units->nanometre()}}};
+    const std::vector<std::string> reduced = table.columns;
+    for (const SiColumn& si : known) {
+        const auto found = std::ranges::find(reduced, si.column);
+        if (found == reduced.end()) {
+            continue;
+        }
+        const auto column = static_cast<std::size_t>(found - reduced.begin());
+        table.columns.push_back(fmt::format("{}{}", si.column, si.suffix));
+        for (auto& row : table.rows) {
+            row.push_back(row[column] * si.factor);
+        }
+    }
+    return table;
+}
+
+}  // namespace ljmd

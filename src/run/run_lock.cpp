@@ -1,0 +1,47 @@
+#include "ljmd/run/run_lock.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+const std::filesystem::path& made(const std::filesystem::path& directory) {
+    make_directory(directory);
+    return directory;
+}
+
+}  // namespace
+
+RunLock::RunLock(const std::filesystem::path& directory, Warn warn) : lock_(directory), warn_(std::move(warn)) {
+    if (settle_earlier_run(lock_.directory(), run_output_names())) {
+        warn_(fmt::format("the earlier run in {} was put back: the one that was to replace it had no checkpoint yet",
+                          directory.string()));
+    }
+}
+
+RunLock::RunLock(Deck& deck, bool force, Warn warn) : RunLock(made(deck.directory), std::move(warn)) {
+    check_directory(deck, force);  // again: another run may have come to its end in it since
+    directory().require_at_its_path();
+    earlier_.emplace(directory(), run_output_names());
+    deck.locked = directory();
+}
+
+void RunLock::has_begun() {
+    earlier_->discard();
+}
+
+void RunLock::warn_if_moved() const {
+    if (!directory().is_at_its_path()) {
+        warn_(
+            fmt::format("{} was moved or replaced while the run went on: the files of the run are in the directory "
+                        "that was moved",
+                        directory().path().string()));
+    }
+}
+
+}  // namespace ljmd

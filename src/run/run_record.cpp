@@ -1,0 +1,129 @@
+#include "ljmd/run/run_record.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <array>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/formats/extended_xyz_writer.hpp"
+
+namespace ljmd {
+
+namespace {
+
+std::string now() {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
+
+std::string host() {
+    std::array<char, 256> name{};
+    return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+std::string user() {
+    std::array<char, 256> name{};
+    return getlogin_r(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+}  // namespace
+
+std::string deck_hash(const Deck& deck) {
+    std::string text = deck.source;
+    for (const std::string& setting : deck.settings) {
+        text += '\n' + setting;
+    }
+    return fmt::format("xxh3:{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
+std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first,
+                                                  std::optional<CommittedFrames> kept) {
+    if (!deck.trajectory) {
+        return nullptr;
+    }
+    const std::string name = deck.trajectory->format == "h5md" ? "trajectory.h5md" : "trajectory.xyz";
+    return make_trajectory_writer(deck.trajectory->format, first,
+                                  {.path = deck.outputs() / name,
+                                   .velocities = deck.trajectory->velocities,
+                                   .si = deck.trajectory->si ? deck.units : std::nullopt,
+                                   .creator_version = build_info().version,
+                                   .author = user(),
+                                   .title = deck.title,
+                                   .kept = kept});
+}
+
+std::string save_failure(const Deck& deck, const State& state) {
+    const std::string name = "failed.xyz";
+    try {
+        write_configuration(deck.outputs() / name, state, true);
+    } catch (const FileError&) {
+        return {};
+    }
+    return fmt::format("\n  the configuration is in {}", (deck.directory / name).string());
+}
+
+RunRecord::RunRecord(const Deck& deck, const std::optional<EarlierParts>& earlier)
+    : deck_(deck),
+      began_(earlier ? earlier->began : now()),
+      resumed_at_steps_(earlier ? earlier->resumed_at_steps : std::vector<Index>{}),
+      steps_added_(earlier ? earlier->steps_added : 0) {
+    write(false, 0.0, std::nullopt);
+}
+
+void RunRecord::finish(double seconds, const std::optional<PhaseSeconds>& phases) const {
+    write(true, seconds, phases);
+}
+
+void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const {
+    const BuildInfo& build = build_info();
+    const bool few_body = deck_.kind == DeckKind::few_body;
+    nlohmann::ordered_json record = {
+        {"program", "ljmd"},
+        {"version", build.version},
+        {"commit", build.commit},
+        {"compiler", build.compiler + " " + build.compiler_version},
+        {"build_type", build.build_type},
+        {"flags", build.flags},
+        {"simd", few_body ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name(default_simd_level()))},
+        {"precision", few_body ? "double" : deck_.performance().text("precision")},
+        {"threads", thread_count()},
+        {"host", host()},
+        {"title", deck_.title},
+        {"deck_file", deck_.path},
+        {"deck", deck_.source},
+        {"settings", deck_.settings},
+        {"deck_hash", deck_hash(deck_)},
+        {"kind", few_body ? "few-body" : "fluid"},
+        {"seed", few_body ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(deck_.system().integer("seed"))},
+        {"units", few_body ? "the deck's own" : "reduced"},
+        {"began", began_},
+        {"ended", finished ? nlohmann::ordered_json(now()) : nlohmann::ordered_json(nullptr)},
+        {"finished", finished},
+        {"seconds_in_time_loop", finished ? nlohmann::ordered_json(seconds) : nlohmann::ordered_json(nullptr)},
+        {"resumed_at_steps", resumed_at_steps_},
+        {"steps_added", steps_added_}};
+    if (phases) {
+        record["seconds_per_phase"] = phases_json(*phases);
+    }
+    record["argon"] = nullptr;
+    if (deck_.units) {
+        record["argon"] = {{"sigma_nm", deck_.units->nanometre()},
+                           {"epsilon_K", deck_.units->kelvin()},
+                           {"mass_u", deck_.units->dalton()},
+                           {"tau_ps", deck_.units->picosecond()}};
+    }
+    // The path of a deck need not be UTF-8, as JSON must.
+    const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    write_file_atomically(deck_.outputs() / "run.json", text + "\n");
+}
+
+}  // namespace ljmd

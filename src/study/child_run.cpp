@@ -1,0 +1,129 @@
+#include "ljmd/study/child_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/io/files/checkpoint_file.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/run/recorded_run.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_run_of(const RecordedRun& recorded, const ChildRun& run) {
+    return recorded.deck.source == run.source && recorded.deck.settings == run.settings;
+}
+
+bool has_checkpoint(const fs::path& directory) {
+    const auto names = checkpoint_names();
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return files::exists(directory / name); });
+}
+
+Job start(const ChildRun& run) {
+    Job job{{"run", run.deck.string(), "--out", run.directory.string(), "--quiet", "--force", "--threads", "1"},
+            run.log};
+    for (const std::string& setting : run.settings) {
+        job.arguments.insert(job.arguments.end(), {"--set", setting});
+    }
+    return job;
+}
+
+struct LastLines {
+    std::string error;  ///< the last one that tells of an error
+    std::string any;
+};
+
+LastLines last_lines(const fs::path& log) {
+    LastLines last;
+    try {
+        std::ifstream file = open_input(log);
+        for (std::string line; std::getline(file, line);) {
+            last.error = line.starts_with("error: ") ? line : last.error;
+            last.any = line.empty() ? last.any : line;
+        }
+    } catch (const DataError& error) {
+        last.any = error.what();
+    }
+    return last;
+}
+
+constexpr std::size_t longest_words = 400;  // of a log in a message
+
+}  // namespace
+
+void check_places(const ChildRun& run) {
+    for (const fs::path& path : {run.directory.parent_path(), run.directory}) {
+        if (files::type_of(path) == fs::file_type::symlink) {
+            throw InputError(fmt::format("{} is in the way: a run is made there, and it is a link. Nothing was run.",
+                                         path.string()));
+        }
+    }
+    const fs::file_type log = files::type_of(run.log);
+    if (log != fs::file_type::not_found && log != fs::file_type::regular) {
+        throw InputError(fmt::format("{} is in the way: a log is written there, and it is no file. Nothing was run.",
+                                     run.log.string()));
+    }
+}
+
+void wait_for_runs(const fs::path& folder, const Interruption& interruption,
+                   const std::function<void(const std::string&)>& tell) {
+    constexpr std::chrono::milliseconds moment{50};
+    if (!files::exists(folder)) {
+        return;
+    }
+    for (const fs::path& entry : files::list(folder)) {
+        for (bool told = false; DirectoryLock::is_held(entry); told = true) {
+            if (interruption.request()) {
+                interruption.stop_many_runs();
+            }
+            if (!told) {
+                tell(fmt::format("waiting for the run that is still writing to {}\n", entry.string()));
+            }
+            std::this_thread::sleep_for(moment);
+        }
+    }
+}
+
+bool holds_another_run(const ChildRun& run) {
+    return files::exists(run.directory / "run.json") && !is_run_of(recorded_run(run.directory), run);
+}
+
+std::optional<Job> next_job(const ChildRun& run) {
+    if (!files::exists(run.directory / "run.json")) {
+        return start(run);
+    }
+    const RecordedRun recorded = recorded_run(run.directory);
+    if (!is_run_of(recorded, run) || (!recorded.finished && !has_checkpoint(run.directory))) {
+        return start(run);
+    }
+    return recorded.finished ? std::nullopt
+                             : std::optional(Job{{"resume", run.directory.string(), "--quiet"}, run.log});
+}
+
+Job longer(const ChildRun& run, Index more_steps) {
+    return {{"resume", run.directory.string(), "--quiet", "--steps", fmt::format("+{}", more_steps)}, run.log};
+}
+
+std::string failure_of(const ChildRun& run, int exit_status) {
+    const LastLines last = last_lines(run.log);
+    return fmt::format("{}: exit code {}: {}", run.name, exit_status,
+                       printable(last.error.empty() ? last.any : last.error, longest_words));
+}
+
+std::string error_in_log(const fs::path& log) {
+    return printable(last_lines(log).error, longest_words);
+}
+
+}  // namespace ljmd

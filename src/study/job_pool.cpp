@@ -1,0 +1,121 @@
+#include "ljmd/study/job_pool.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/process.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::chrono::milliseconds look_again{10};
+
+/// A line with a job that runs.
+struct Running {
+    std::size_t line;
+    ChildProcess process;
+};
+
+class Pool {
+  public:
+    Pool(const std::filesystem::path& program, int at_most) : program_(program), at_most_(at_most) {}
+
+    /// Nobody is left behind.
+    ~Pool() {
+        stop(SIGTERM);
+        while (!running_.empty()) {
+            try {
+                static_cast<void>(running_.back().process.wait());
+            } catch (const Error&) {
+            }
+            running_.pop_back();
+        }
+    }
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+
+    /// If this program is killed, jobs stop as they do when they are told to: with checkpoints.
+    void start(std::size_t line, const Job& job) {
+        try {
+            running_.push_back({line, ChildProcess({.program = program_,
+                                                    .arguments = job.arguments,
+                                                    .directory = ".",
+                                                    .output = job.output,
+                                                    .own_group = true,
+                                                    .at_our_end = SIGTERM})});
+        } catch (const ProcessesError& refused) {
+            throw ProcessesError(fmt::format("{}\n  {} ran at a time; --jobs asks for fewer than {}", refused.what(),
+                                             running_.size(), at_most_));
+        }
+    }
+
+    void stop(int signal) const {
+        for (const Running& one : running_) {
+            one.process.signal(signal);
+        }
+    }
+
+    [[nodiscard]] std::size_t size() const { return running_.size(); }
+
+    /// One that has ended, taken out: its line and exit status; nothing while all run.
+    std::optional<std::pair<std::size_t, int>> take_ended() {
+        for (auto one = running_.begin(); one != running_.end(); ++one) {
+            if (const auto status = one->process.ended()) {
+                const std::pair found(one->line, *status);
+                running_.erase(one);
+                return found;
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    std::filesystem::path program_;
+    int at_most_;
+    std::vector<Running> running_;
+};
+
+}  // namespace
+
+void run_jobs(const std::filesystem::path& program, const std::vector<Job>& first, int at_most, const NextJob& next,
+              const Interruption& interruption) {
+    Pool pool(program, at_most);
+    std::size_t begun = 0;
+    bool stopped = false;
+    while (pool.size() > 0 || (begun < first.size() && !stopped)) {
+        if (const auto request = stopped ? std::nullopt : interruption.request()) {
+            stopped = true;
+            pool.stop(request->signal);
+        }
+        while (!stopped && begun < first.size() && pool.size() < static_cast<std::size_t>(at_most)) {
+            pool.start(begun, first[begun]);
+            ++begun;
+        }
+        if (const auto ended = pool.take_ended()) {
+            const auto& [line, status] = *ended;
+            if (stopped) {
+                continue;
+            }
+            if (const auto job = next(line, status)) {
+                pool.start(line, *job);
+            }
+        } else {
+            std::this_thread::sleep_for(look_again);
+        }
+    }
+    if (stopped) {
+        interruption.stop_many_runs();
+    }
+}
+
+std::filesystem::path this_program() {
+    return files::read_link("/proc/self/exe");
+}
+
+}  // namespace ljmd

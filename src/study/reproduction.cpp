@@ -1,0 +1,205 @@
+#include "ljmd/study/reproduction.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/at_temperature.hpp"
+#include "ljmd/deck/deck.hpp"
+#include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/potentials/formulas/lennard_jones.hpp"
+#include "ljmd/run/json_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double verlet_cutoff = 2.5;
+constexpr double verlet_step = 0.0046188;  // 0.032 (m sigma^2/48 epsilon)^(1/2)
+constexpr double melting_temperature = 3.0;
+
+ZAndU values_of(const EquationOfState& equation, double temperature, double density) {
+    const FluidProperties state = properties(equation, temperature, density);
+    return {state.compressibility_factor, state.potential_energy};
+}
+
+/// Temperature, potential energy and pressure of the production stage.
+BlockingAccumulator production_series(const fs::path& path, Index first_step) {
+    const DataTable thermo = read_csv(path);
+    const auto step = step_column(thermo, path);
+    const auto temperature = full_column(thermo, "temperature", path);
+    const auto energy = full_column(thermo, "potential_energy", path);
+    const auto pressure = full_column(thermo, "pressure", path);
+    BlockingAccumulator series(3, Covariance::full);
+    for (std::size_t k = 0; k < step.size(); ++k) {
+        if (step[k] > first_step) {
+            series.add(Eigen::Vector3d(temperature[k], energy[k], pressure[k]));
+        }
+    }
+    if (series.samples() == 0) {
+        throw DataError(
+            fmt::format("{} has no row behind step {}, where production begins", path.string(), first_step));
+    }
+    return series;
+}
+
+/// g(r) as a run has written it.
+DataTable read_rdf(const fs::path& path) {
+    DataTable rdf = read_csv(path);
+    if (rdf.rows.size() < 2) {
+        throw DataError(fmt::format("{} has {} rows: no g(r) is as short", path.string(), rdf.rows.size()));
+    }
+    return rdf;
+}
+
+/// The stage in which a row is measured.
+struct SampledStage {
+    Index first_step;
+    Index steps;
+};
+
+SampledStage sampled_stage(const fs::path& results) {
+    return read_json(results, "the result of a run", [](const nlohmann::ordered_json& json) -> SampledStage {
+        for (const auto& stage : json.at("stages")) {
+            if (stage.at("sampled").get<bool>()) {
+                return {integer_of(stage.at("first_step"), "first_step", 0, most_steps),
+                        integer_of(stage.at("steps"), "steps", 0, most_steps)};
+            }
+        }
+        throw WrongJson("it tells of no stage that was sampled");
+    });
+}
+
+/// Z and U at the nominal temperature, from those at the one that was measured.
+void estimate_at(ReproducedRow& row, const BlockingAccumulator& series) {
+    const AtTemperature nominal =
+        at_temperature(equation_of_state("thol2016"), row.verlet.density, row.verlet.temperature, series.mean(),
+                       [&](double value, const Vec3& gradient) { return series.estimate(value, gradient); });
+    row.z = nominal.compressibility_factor;
+    row.u = nominal.potential_energy;
+}
+
+bool is_sound(const std::optional<Printed>& printed) {
+    return printed && printed->soundness == Soundness::sound;
+}
+
+}  // namespace
+
+std::string row_name(const VerletRow& row) {
+    return fmt::format("rho{:.4f}-T{:.3f}", row.density, row.temperature);
+}
+
+std::string row_deck(const VerletRow& row, const ReproductionLength& length) {
+    return fmt::format(R"(title = "Verlet 1967: density {density}, temperature {temperature}"
+
+[system]
+lattice = {{ type = "fcc", cells = 6 }}
+density = {density}
+temperature = {temperature}
+seed = 1967
+
+[potential]
+type = "lennard-jones"
+cutoff = {cutoff}
+truncation = "cut"
+tail = true
+
+[[stage]]
+name = "melt"
+time_step = {step}
+steps = {melt}
+temperature = {melting_temperature}
+thermostat = {{ type = "rescale", every = 10 }}
+
+[[stage]]
+name = "equilibrate"
+time_step = {step}
+steps = {equilibrate}
+thermostat = {{ type = "rescale", every = 20 }}
+
+[[stage]]
+name = "production"
+time_step = {step}
+steps = {production}
+sample = true
+
+[output]
+thermo = {{ every = 5 }}
+
+[analysis]
+rdf = {{ bins = 250, every = 25 }}
+)",
+                       fmt::arg("density", row.density), fmt::arg("temperature", row.temperature),
+                       fmt::arg("cutoff", verlet_cutoff), fmt::arg("step", verlet_step), fmt::arg("melt", length.melt),
+                       fmt::arg("melting_temperature", std::max(melting_temperature, row.temperature)),
+                       fmt::arg("equilibrate", length.equilibrate), fmt::arg("production", length.production));
+}
+
+ZAndU ReproducedRow::z_scores() const {
+    return {(z.mean + beyond_cutoff.z - thol.z) / z.standard_error,
+            (u.mean + beyond_cutoff.u - thol.u) / u.standard_error};
+}
+
+bool ReproducedRow::precise(const ReproductionLength& length) const {
+    return steps >= length.production * length.most_parts ||
+           (z.converged && u.converged && z.standard_error <= length.largest_error_z &&
+            u.standard_error <= length.largest_error_u);
+}
+
+ZAndU cutoff_bias(const std::vector<double>& r, const std::vector<double>& g, double density, double temperature,
+                  double cutoff) {
+    const LennardJones formula;
+    const double width = r[1] - r[0];
+    double energy = 0.0;
+    double virial = 0.0;
+    for (std::size_t k = 0; k < r.size(); ++k) {
+        if (r[k] > cutoff) {
+            const auto [u, w] = pair_term(formula, r[k] * r[k]);
+            energy += (g[k] - 1.0) * u * r[k] * r[k] * width;
+            virial += (g[k] - 1.0) * w * std::pow(r[k], 4) * width;
+        }
+    }
+    return {2.0 * std::numbers::pi * density / (3.0 * temperature) * virial, 2.0 * std::numbers::pi * density * energy};
+}
+
+ReproducedRow evaluate_row(const VerletRow& row, const fs::path& directory) {
+    const double rho = row.density;
+    const double t = row.temperature;
+    const SampledStage stage = sampled_stage(directory / "results.json");
+    const BlockingAccumulator series = production_series(directory / "thermo.csv", stage.first_step);
+    const DataTable rdf = read_rdf(directory / "rdf.csv");
+    ReproducedRow result{.verlet = row,
+                         .steps = stage.steps,
+                         .temperature = series.estimate(0),
+                         .z = {},
+                         .u = {},
+                         .beyond_cutoff = cutoff_bias(column(rdf, "r"), column(rdf, "g"), rho, t, verlet_cutoff),
+                         .thol = values_of(equation_of_state("thol2016"), t, rho),
+                         .kolafa = values_of(equation_of_state("kolafa-nezbeda1994"), t, rho)};
+    estimate_at(result, series);
+    return result;
+}
+
+ChiSquare chi_square(const std::vector<ReproducedRow>& rows) {
+    ChiSquare sum{0.0, 0, 0.0, 0};
+    for (const ReproducedRow& row : rows) {
+        const auto [z, u] = row.z_scores();
+        if (is_sound(row.verlet.compressibility_factor)) {
+            sum.z += z * z;
+            ++sum.z_count;
+        }
+        if (is_sound(row.verlet.potential_energy)) {
+            sum.u += u * u;
+            ++sum.u_count;
+        }
+    }
+    return sum;
+}
+
+}  // namespace ljmd

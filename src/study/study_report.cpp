@@ -1,0 +1,155 @@
+#include "ljmd/study/study_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/run/run_checkpoints.hpp"
+#include "ljmd/study/child_run.hpp"
+#include "ljmd/study/sweep_record.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t longest_words = 1000;  // of what others have written
+constexpr std::array<const char*, 5> states{"finished", "running", "stopped", "failed", "not begun"};
+
+struct RunState {
+    std::string name;
+    fs::path directory;
+    std::string state;          ///< of `states`
+    std::optional<Index> step;  ///< of the newest checkpoint
+    Index total_steps = 0;      ///< 0 where no run has begun
+    std::string words;          ///< of the log, where it failed
+};
+
+struct Study {
+    bool is_sweep;
+    std::string deck;  ///< of a sweep
+    bool running;      ///< the command that makes it
+    std::vector<RunState> runs;
+
+    [[nodiscard]] auto count(const std::string& state) const {
+        return std::ranges::count(runs, state, &RunState::state);
+    }
+};
+
+RunState state_of(const std::string& name, const fs::path& directory, const fs::path& log) {
+    RunState found{name, directory, "not begun", std::nullopt, 0, ""};
+    const std::string words = error_in_log(log);
+    if (!files::exists(directory / "run.json")) {
+        return words.empty() ? found : RunState{name, directory, "failed", std::nullopt, 0, words};
+    }
+    const RecordedRun run = recorded_run(directory);
+    found.total_steps = run.deck.total_steps();
+    try {
+        if (const auto point = find_resume_point(run.deck)) {
+            found.step = point->head.step;
+        }
+    } catch (const CheckpointError&) {
+        found.step.reset();  // `ljmd info` of this run tells what is wrong with its checkpoints
+    }
+    if (run.finished) {
+        found.state = "finished";
+    } else if (DirectoryLock::is_held(directory)) {
+        found.state = "running";
+    } else {
+        found.state = words.empty() ? "stopped" : "failed";
+        found.words = words;
+    }
+    return found;
+}
+
+Study study_in(const fs::path& directory) {
+    Study study{false, "", DirectoryLock::is_held(directory), {}};
+    if (const auto plan = recorded_sweep(directory)) {
+        study.is_sweep = true;
+        study.deck = plan->deck_file;
+        for (const ChildRun& run : sweep_runs(*plan, directory)) {
+            study.runs.push_back(state_of(run.name, run.directory, run.log));
+        }
+        return study;
+    }
+    const fs::path rows = directory / "rows";
+    for (const fs::path& entry : files::list(rows)) {
+        if (entry.extension() == ".toml") {
+            const std::string name = entry.stem().string();
+            study.runs.push_back(state_of(name, rows / name, rows / (name + ".log")));
+        }
+    }
+    std::ranges::sort(study.runs, {}, &RunState::name);
+    return study;
+}
+
+std::string progress_of(const RunState& run) {
+    return run.state == "finished" || !run.step
+               ? run.state
+               : fmt::format("{} at step {} of {}", run.state, *run.step, run.total_steps);
+}
+
+}  // namespace
+
+bool holds_study(const fs::path& directory) {
+    return files::exists(directory / "sweep.json") ||
+           (files::is_directory(directory / "rows") && !files::exists(directory / "run.json"));
+}
+
+std::string study_report(const fs::path& directory) {
+    const Study study = study_in(directory);
+    std::string text =
+        fmt::format("{}: {} of {} runs{}\n", directory.string(), study.is_sweep ? "a sweep" : "a reproduced table",
+                    study.runs.size(), study.running ? ", under way" : "");
+    if (study.is_sweep) {
+        text += fmt::format("deck          {}\n", printable(study.deck, longest_words));
+    }
+    for (const char* state : states) {
+        if (const auto count = study.count(state); count > 0) {
+            text += fmt::format("{:<14}{}\n", state, count);
+        }
+    }
+    TextTable table({{"", TextTable::Align::left}, {"", TextTable::Align::left}, {"", TextTable::Align::left}}, 2);
+    for (const RunState& run : study.runs) {
+        table.add({run.name, progress_of(run), run.words});
+    }
+    text += table.text();
+    const bool whole = study.count("finished") == std::ssize(study.runs);
+    return text + (whole || study.running ? "" : "to go on: the command that began it\n");
+}
+
+std::string study_json(const fs::path& directory) {
+    const Study study = study_in(directory);
+    Json json = {{"kind", study.is_sweep ? "sweep" : "reproduction"}, {"running", study.running}};
+    if (study.is_sweep) {
+        json["deck"] = study.deck;
+    }
+    for (const char* state : states) {
+        json["states"][state] = study.count(state);
+    }
+    json["runs"] = Json::array();
+    for (const RunState& run : study.runs) {
+        json["runs"].push_back({{"name", run.name},
+                                {"directory", run.directory.string()},
+                                {"state", run.state},
+                                {"step", run.step ? Json(*run.step) : Json(nullptr)},
+                                {"total_steps", run.total_steps},
+                                {"words", run.words}});
+    }
+    // Names of files and what a log ends with need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ljmd

@@ -1,0 +1,98 @@
+#include "ljmd/study/sweep_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "ljmd/core/text.hpp"
+#include "ljmd/input/deck_setting.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::size_t longest_name = 200;  // of a directory; file systems allow 255 bytes
+
+/// A text as a part of a name: what a shell or a file system would take for something else is '-'.
+std::string as_name(const std::string& text) {
+    std::string name;
+    for (const char c : text) {
+        const bool kept = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' ||
+                          c == '_' || c == '+' || c == '-';
+        name += kept ? c : '-';
+    }
+    return name;
+}
+
+}  // namespace
+
+void check_keys(const std::vector<std::string>& keys, const std::vector<std::string>& settings, const Location& from,
+                Diagnostics& diagnostics) {
+    if (keys.size() > most_varied_keys) {
+        diagnostics.error(from, fmt::format("{} keys, at most {} are allowed", keys.size(), most_varied_keys));
+        return;
+    }
+    std::set<std::vector<std::string>> given;
+    for (const std::string& setting : settings) {
+        given.insert(setting_key(setting.substr(0, setting.find('='))));
+    }
+    std::set<std::vector<std::string>> varied;
+    for (const std::string& key : keys) {
+        const std::vector<std::string> parts = setting_key(key);
+        if (parts.empty() || key.find('=') != std::string::npos) {
+            diagnostics.error(from, fmt::format("{} is no key of a deck", in_quotes(key)),
+                              "keys are written as --set takes them: system.density");
+        } else if (!varied.insert(parts).second) {
+            diagnostics.error(from, fmt::format("the key {} stands twice", in_quotes(key)));
+        } else if (given.contains(parts)) {
+            diagnostics.error(from, fmt::format("{} is varied, and given by --set as well", in_quotes(key)));
+        }
+    }
+}
+
+std::vector<std::string> short_keys(const std::vector<std::string>& keys) {
+    std::vector<std::string> last;
+    last.reserve(keys.size());
+    for (const std::string& key : keys) {
+        last.push_back(setting_key(key).back());
+    }
+    std::vector<std::string> headings;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        headings.push_back(std::count(last.begin(), last.end(), last[k]) > 1 ? keys[k] : last[k]);
+    }
+    return headings;
+}
+
+std::vector<std::string> point_names(const SweepPoints& points) {
+    const std::vector<std::string> keys = short_keys(points.keys);
+    std::set<std::string> taken;
+    std::map<std::string, int> numbers;  ///< the last one that a name was given to tell it from others
+    std::vector<std::string> names;
+    for (const auto& values : points.values) {
+        std::string wanted;
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            wanted += fmt::format("{}{}={}", k == 0 ? "" : ",", as_name(keys[k]), as_name(values[k]));
+        }
+        wanted.resize(std::min(wanted.size(), longest_name));
+        std::string name = wanted;
+        const auto is_taken = [&] { return taken.contains(name) || taken.contains(name + ".log"); };
+        for (int& number = numbers.try_emplace(wanted, 1).first->second; is_taken();) {
+            name = fmt::format("{}-{}", wanted, ++number);
+        }
+        taken.insert({name, name + ".log"});
+        names.push_back(name);
+    }
+    return names;
+}
+
+std::vector<std::string> point_settings(const SweepPoints& points, std::size_t point) {
+    std::vector<std::string> settings;
+    for (std::size_t k = 0; k < points.keys.size(); ++k) {
+        settings.push_back(fmt::format("{}={}", points.keys[k], points.values[point][k]));
+    }
+    return settings;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,192 @@
+#include "ljmd/study/sweep_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/run/json_file.hpp"
+#include "ljmd/run/output_guard.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string record_json(const SweepPlan& plan) {
+    using Json = nlohmann::ordered_json;
+    const std::vector<std::string> names = point_names(plan.points);
+    Json points = Json::array();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        points.push_back({{"name", names[k]}, {"values", plan.points.values[k]}});
+    }
+    const Json record = {{"program", "ljmd"},         {"deck_file", plan.deck_file}, {"deck", plan.deck},
+                         {"settings", plan.settings}, {"keys", plan.points.keys},    {"points", points}};
+    // The path of a deck need not be UTF-8, as JSON must.
+    return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// What the sweep in a directory has and this one has not; empty when they are the same.
+std::string difference(const SweepPlan& recorded, const SweepPlan& plan) {
+    return recorded.deck != plan.deck           ? "another deck"
+           : recorded.settings != plan.settings ? "other settings (--set)"
+           : recorded.points != plan.points     ? "other points"
+                                                : "";
+}
+
+/// @throws WrongJson unless `ljmd sweep` can have written them
+void require_sound(const SweepPoints& points, const std::vector<std::string>& settings) {
+    Diagnostics mistakes;
+    check_keys(points.keys, settings, {}, mistakes);
+    if (mistakes.has_errors()) {
+        throw WrongJson(mistakes.entries().front().message);
+    }
+    if (points.keys.empty() || points.values.empty() || points.values.size() > most_points) {
+        throw WrongJson(fmt::format("{} keys and {} points, allowed: one key at least, and 1 to {} points",
+                                    points.keys.size(), points.values.size(), most_points));
+    }
+    std::set<std::vector<std::string>> known;
+    for (const std::vector<std::string>& values : points.values) {
+        if (values.size() != points.keys.size() || std::ranges::count(values, "") > 0) {
+            throw WrongJson("a point has not a value for each key");
+        }
+        if (!known.insert(values).second) {
+            throw WrongJson("a point stands twice");
+        }
+    }
+}
+
+/// Take away what a run writes, and nothing else.
+void remove_run(const ChildRun& run) {
+    if (files::exists(run.directory / "run.json")) {
+        prepare_directory(run.directory);
+        files::try_to_remove(run.directory);  // unless something else is in it
+    }
+    files::try_to_remove(run.log);
+}
+
+/// Runs that a sweep has made and another one has no use for.
+std::vector<ChildRun> unwanted_runs(const SweepPlan& old, const SweepPlan& plan, const fs::path& directory) {
+    std::map<std::string, std::vector<std::string>> wanted;
+    for (const ChildRun& run : sweep_runs(plan, directory)) {
+        wanted.emplace(run.name, run.settings);
+    }
+    std::vector<ChildRun> runs;
+    for (ChildRun& run : sweep_runs(old, directory)) {
+        const auto same_name = wanted.find(run.name);
+        if (old.deck != plan.deck || same_name == wanted.end() || same_name->second != run.settings) {
+            runs.push_back(std::move(run));
+        }
+    }
+    return runs;
+}
+
+/// Runs that are in the way of a sweep: those of another one; nothing where there is none. Changes nothing.
+/// @throws InputError, DataError  as prepare_sweep()
+std::optional<std::vector<ChildRun>> runs_to_replace(const SweepPlan& plan, const fs::path& directory, bool force) {
+    const auto recorded = recorded_sweep(directory);
+    if (!recorded) {
+        for (const char* name : {"sweep.csv", "points"}) {
+            if (files::is_taken(directory / name)) {
+                throw InputError(
+                    fmt::format("{} holds '{}', but no sweep. Nothing was run.\n  choose another directory "
+                                "with --out",
+                                directory.string(), name));
+            }
+        }
+        return std::nullopt;
+    }
+    const std::string other = difference(*recorded, plan);
+    if (!other.empty() && !force) {
+        throw InputError(
+            fmt::format("{} holds a sweep with {}. Nothing was run.\n  choose another directory with "
+                        "--out, or replace it with --force",
+                        directory.string(), other));
+    }
+    return other.empty() ? std::nullopt : std::optional(unwanted_runs(*recorded, plan, directory));
+}
+
+/// @throws InputError  the files of a run cannot be removed, as something else is there
+void require_removable(const ChildRun& run) {
+    check_places(run);
+    static_cast<void>(existing_outputs(run.directory, run_output_names(), "Nothing was run"));
+}
+
+}  // namespace
+
+std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const fs::path& directory) {
+    const fs::path folder = directory / "points";
+    const std::vector<std::string> names = point_names(plan.points);
+    std::vector<ChildRun> runs;
+    for (std::size_t point = 0; point < names.size(); ++point) {
+        ChildRun run{.name = names[point],
+                     .deck = folder / "deck.toml",
+                     .source = plan.deck,
+                     .settings = plan.settings,
+                     .directory = folder / names[point],
+                     .log = folder / (names[point] + ".log")};
+        const std::vector<std::string> varied = point_settings(plan.points, point);
+        run.settings.insert(run.settings.end(), varied.begin(), varied.end());
+        runs.push_back(std::move(run));
+    }
+    return runs;
+}
+
+std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
+    const fs::path path = directory / "sweep.json";
+    if (!files::is_taken(path)) {
+        return std::nullopt;
+    }
+    return read_json(path, "the record of a sweep", [](const nlohmann::ordered_json& record) {
+        SweepPlan plan{record.at("deck_file").get<std::string>(),
+                       record.at("deck").get<std::string>(),
+                       texts_of(record.at("settings"), "settings", most_settings),
+                       {texts_of(record.at("keys"), "keys", most_varied_keys), {}}};
+        for (const auto& point : record.at("points")) {
+            plan.points.values.push_back(texts_of(point.at("values"), "values", most_varied_keys));
+        }
+        require_sound(plan.points, plan.settings);
+        return plan;
+    });
+}
+
+void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force) {
+    const fs::path& path = directory.path();
+    const auto replaced = runs_to_replace(plan, path, force);
+    const std::vector<ChildRun> old = replaced.value_or(std::vector<ChildRun>());
+    static_cast<void>(existing_outputs(path, {"sweep.json", "sweep.csv"}, "Nothing was run"));
+    std::ranges::for_each(old, require_removable);
+    const auto is_old = [&](const ChildRun& run) {
+        return std::ranges::find(old, run.directory, &ChildRun::directory) != old.end();
+    };
+    for (const ChildRun& run : sweep_runs(plan, path)) {
+        check_places(run);
+        if (!force && !is_old(run) && holds_another_run(run)) {
+            throw InputError(
+                fmt::format("{} holds a run that is not of this sweep; --force makes it anew", run.directory.string()));
+        }
+    }
+    // The record is on the disk before the first run is removed, and takes its place after the last one.
+    ReplacementFile record(directory / "sweep.json");
+    OutputFile file(record);
+    file.write(record_json(plan));
+    file.close_on_disk();
+    const OpenDirectory points = directory.made_within("points");
+    remove_left_over(points);
+    directory.require_at_its_path();
+    std::ranges::for_each(old, remove_run);
+    if (replaced) {
+        files::try_to_remove(path / "sweep.csv");
+    }
+    record.take_place();
+    write_file_atomically(points / "deck.toml", plan.deck);
+}
+
+}  // namespace ljmd

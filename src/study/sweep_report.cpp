@@ -1,0 +1,212 @@
+#include "ljmd/study/sweep_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
+#include "ljmd/io/tables/csv_text.hpp"
+#include "ljmd/run/footnotes.hpp"
+#include "ljmd/run/json_file.hpp"
+#include "ljmd/run/json_number.hpp"
+#include "ljmd/study/sweep_points.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A column of the table.
+struct TableColumn {
+    const char* observable;
+    const char* heading;
+};
+
+/// Energies are per atom in a fluid, of the whole where there is no temperature.
+const std::vector<TableColumn>& columns_for(bool fluid) {
+    static const std::vector<TableColumn> of_fluid{
+        {"temperature", "T"}, {"potential_energy", "U/N"}, {"pressure", "p"}, {"compressibility_factor", "Z"}};
+    static const std::vector<TableColumn> of_bodies{
+        {"potential_energy", "potential"}, {"kinetic_energy", "kinetic"}, {"total_energy", "total energy"}};
+    return fluid ? of_fluid : of_bodies;
+}
+
+const ObservedMean* find_mean(const SweptPoint& point, const std::string& name) {
+    const auto found =
+        std::find_if(point.found.begin(), point.found.end(), [&](const ObservedMean& one) { return one.name == name; });
+    return found == point.found.end() ? nullptr : &*found;
+}
+
+bool has_temperature(const SweptPoint& point) {
+    return find_mean(point, "temperature") != nullptr;
+}
+
+std::string in_words(const ObservedMean* found) {
+    return found == nullptr || std::isnan(found->mean) ? "-" : with_error(found->mean, found->standard_error);
+}
+
+/// As in_words, with the mark of its remark.
+std::string in_marked_words(const ObservedMean* found, Footnotes& footnotes) {
+    const std::string mark = found == nullptr ? "" : footnotes.mark(found->remark);
+    return in_words(found) + (mark.empty() ? "" : " " + mark);
+}
+
+std::string remarks_of(const SweptPoint& point) {
+    std::string text;
+    for (const ObservedMean& one : point.found) {
+        if (!one.remark.empty()) {
+            text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", one.name, one.remark);
+        }
+    }
+    return text;
+}
+
+/// The members of an object, which an array would be taken for otherwise.
+auto members_of(const Json& value, std::string_view name) {
+    if (!value.is_object()) {
+        throw WrongJson(fmt::format("'{}' is no object", name));
+    }
+    return value.items();
+}
+
+double number_of(const Json& value) {
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+std::string number_or_nothing(double value) {
+    return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+
+/// A value of --set as JSON: itself where it is a number, a flag or an array, else a text.
+Json value_json(const std::string& value) {
+    try {
+        return parse_json(value);
+    } catch (const Json::exception&) {
+        return value;
+    } catch (const WrongJson&) {
+        return value;
+    }
+}
+
+/// The observables of all points, each once, in the order in which they come.
+std::vector<std::string> observables_of(const SweptPoints& swept) {
+    std::vector<std::string> names;
+    for (const SweptPoint& point : swept.points) {
+        for (const ObservedMean& one : point.found) {
+            if (std::find(names.begin(), names.end(), one.name) == names.end()) {
+                names.push_back(one.name);
+            }
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+std::vector<ObservedMean> observed_means(const std::filesystem::path& results) {
+    return read_json(results, "the result of a run", [](const Json& json) {
+        std::vector<ObservedMean> found;
+        for (const auto& [name, entry] : members_of(json.at("observables"), "observables")) {
+            found.push_back(
+                {name, number_of(entry.at("mean")), number_of(entry.at("standard_error")), entry.value("remark", "")});
+        }
+        const Json analyses = json.value("analysis", Json::object());
+        for (const auto& [analysis, findings] : members_of(analyses, "analysis")) {
+            for (const auto& [name, entry] : members_of(findings, analysis)) {
+                found.push_back({fmt::format("{}_{}", analysis, name), number_of(entry.at("value")),
+                                 number_of(entry.at("standard_error"))});
+            }
+        }
+        if (found.size() > most_json_keys) {
+            throw WrongJson(fmt::format("it has more than {} observables", most_json_keys));
+        }
+        return found;
+    });
+}
+
+std::string sweep_table(const SweptPoints& swept) {
+    std::vector<TextTable::Column> columns;
+    for (const std::string& heading : short_keys(swept.keys)) {
+        columns.push_back({heading});
+    }
+    const bool fluid = std::any_of(swept.points.begin(), swept.points.end(), has_temperature);
+    for (const auto& [observable, heading] : columns_for(fluid)) {
+        columns.push_back({heading, TextTable::Align::right, 21});
+    }
+    Footnotes footnotes;
+    TextTable table(std::move(columns), 2);
+    for (const SweptPoint& point : swept.points) {
+        std::vector<std::string> entries = point.values;
+        for (const auto& [observable, heading] : columns_for(fluid)) {
+            entries.push_back(point.failure.empty() ? in_marked_words(find_mean(point, observable), footnotes)
+                                                    : "failed");
+        }
+        table.add(entries);
+    }
+    return table.text() + footnotes.text();
+}
+
+std::string sweep_csv(const SweptPoints& swept) {
+    const std::vector<std::string> observables = observables_of(swept);
+    std::string text;
+    for (const std::string& key : swept.keys) {
+        text += (text.empty() ? "" : ",") + csv_field(key);
+    }
+    for (const std::string& name : observables) {
+        text += fmt::format(",{},{}", csv_field(name), csv_field(name + "_standard_error"));
+    }
+    text += ",remarks";
+    for (const SweptPoint& point : swept.points) {
+        std::string line;
+        for (const std::string& value : point.values) {
+            line += (line.empty() ? "" : ",") + csv_field(value);
+        }
+        for (const std::string& name : observables) {
+            const ObservedMean* found = find_mean(point, name);
+            line += found == nullptr ? ",,"
+                                     : fmt::format(",{},{}", number_or_nothing(found->mean),
+                                                   number_or_nothing(found->standard_error));
+        }
+        text += '\n' + line + ',' + csv_field(remarks_of(point));
+    }
+    return text + '\n';
+}
+
+std::string sweep_json(const SweptPoints& swept) {
+    Json points = Json::array();
+    for (const SweptPoint& point : swept.points) {
+        Json values = Json::object();
+        for (std::size_t k = 0; k < swept.keys.size(); ++k) {
+            values[swept.keys[k]] = value_json(point.values[k]);
+        }
+        Json observables = Json::object();
+        for (const auto& [name, mean, error, remark] : point.found) {
+            observables[name] = {{"mean", number_or_null(mean)}, {"standard_error", number_or_null(error)}};
+            if (!remark.empty()) {
+                observables[name]["remark"] = remark;
+            }
+        }
+        points.push_back({{"name", point.name},
+                          {"directory", point.directory.string()},
+                          {"values", values},
+                          {"failure", point.failure.empty() ? Json(nullptr) : Json(point.failure)},
+                          {"observables", observables}});
+    }
+    const Json json = {{"keys", swept.keys}, {"points", points}};
+    // Names of directories and what a log ends with need not be UTF-8, as JSON must.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string point_line(const SweptPoint& point) {
+    std::string text;
+    for (const auto& [observable, heading] : columns_for(has_temperature(point))) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", heading, in_words(find_mean(point, observable)));
+    }
+    return text;
+}
+
+}  // namespace ljmd

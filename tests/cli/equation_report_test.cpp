@@ -1,0 +1,66 @@
+#include "ljmd/cli/equation_report.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/reference/equation_doubts.hpp"
+
+using namespace ljmd;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+EquationOfState thol() {
+    return equation_of_state("thol2016");
+}
+
+}  // namespace
+
+TEST_CASE("the report of a state has the numbers of the equation, in print and as JSON") {
+    const FluidProperties state = properties(thol(), 1.0, 0.7);
+    const Json json = Json::parse(state_json(thol(), 1.0, 0.7));
+    CHECK(json["pressure"] == state.pressure);
+    CHECK(json["potential_energy"] == state.potential_energy);
+    CHECK(json["compressibility_factor"] == state.compressibility_factor);
+    CHECK(json["heat_capacity_cv"] == state.heat_capacity_cv);
+    CHECK(json["heat_capacity_cp"] == *state.heat_capacity_cp());
+    CHECK(json["second_virial_coefficient"] == second_virial_coefficient(thol(), 1.0));
+    const std::string table = state_table(thol(), 1.0, 0.7);
+    CHECK_THAT(table, Contains("thol2016") && Contains("doi:10.1063/1.4945000") && Contains("epsilon/sigma^3"));
+}
+
+TEST_CASE("what a state has not is null, and a dash in print") {
+    const Json json = Json::parse(state_json(thol(), 1.0, 0.0));
+    CHECK(json["speed_of_sound"].is_null());
+    CHECK_THAT(state_table(thol(), 1.0, 0.0), Contains("  -  sqrt(epsilon/m)"));
+}
+
+TEST_CASE("the report of coexistence has both phases") {
+    const auto phases = coexistence(thol(), 0.9);
+    const Json json = Json::parse(coexistence_json(thol(), 0.9));
+    CHECK(json["liquid"]["density"] == phases->liquid.density);
+    CHECK(json["vapour"]["density"] == phases->vapour.density);
+    CHECK(json["heat_of_vaporisation"] == phases->heat_of_vaporisation());
+    CHECK_THAT(coexistence_table(thol(), 0.9), Contains("liquid") && Contains("vapour") && Contains("0.752773"));
+    CHECK_THROWS_AS(coexistence_table(thol(), 1.4), InputError);
+    CHECK_THROWS_WITH(coexistence_json(thol(), 1.4),
+                      Contains("1.4 is not below the critical temperature of thol2016, 1.32"));
+}
+
+TEST_CASE("the report of a state tells why not to rely on it") {
+    CHECK(Json::parse(state_json(thol(), 1.0, 0.3))["warnings"] == Json(doubts(thol(), 1.0, 0.3)));
+    CHECK(Json::parse(state_json(thol(), 0.722, 1.0))["warnings"] == Json(doubts(thol(), 0.722, 1.0)));
+    CHECK(Json::parse(state_json(thol(), 1.0, 0.75))["warnings"] == Json::array());
+}
+
+TEST_CASE("all equations are listed with their critical points") {
+    const Json list = Json::parse(equations_json());
+    const std::string table = equations_table();
+    REQUIRE(list.size() == all_equations_of_state().size());
+    for (const Json& row : list) {
+        CHECK_THAT(table, Contains(row["model"].get<std::string>()));
+        CHECK(row["critical_temperature"].get<double>() > row["lowest_temperature"].get<double>());
+    }
+}

@@ -1,0 +1,106 @@
+#include "ljmd/cli/signals.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <functional>
+
+using namespace ljmd;
+
+namespace {
+
+/// What becomes of a process that does this: its exit code, or minus the signal that ended it. A process that was asked
+/// to stop stays so, which must not be this one.
+int end_of(const std::function<bool()>& body) {
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        ::_exit(body() ? 0 : 1);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+}  // namespace
+
+TEST_CASE("a signal asks to stop, and says with what exit code") {
+    const int number = GENERATE(SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU);
+    CHECK(end_of([number] {
+              heed_signals();
+              const Interruption interruption = until_signal();
+              const bool before = interruption.wanted();
+              std::raise(number);
+              try {
+                  interruption.stop(7, "out");
+              } catch (const Interrupted& stopped) {
+                  return !before && interruption.wanted() && stop_signal()->signal == number &&
+                         stopped.exit_code() == 128 + number &&
+                         std::string(stopped.what()).find("after step 7 by SIG") != std::string::npos;
+              }
+          }) == 0);
+}
+
+TEST_CASE("the second signal of a kind that a person sends ends the program at once") {
+    const int number = GENERATE(SIGINT, SIGTERM, SIGHUP);
+    CHECK(end_of([number] {
+              heed_signals();
+              std::raise(number);
+              std::raise(number);
+              return true;
+          }) == -number);
+}
+
+TEST_CASE("warnings of a queue and of the system may be repeated") {
+    const int number = GENERATE(SIGUSR1, SIGXCPU);
+    CHECK(end_of([number] {
+              heed_signals();
+              std::raise(number);
+              std::raise(number);
+              return stop_signal()->signal == number;
+          }) == 0);
+}
+
+TEST_CASE("a signal that was ignored before stays so") {
+    CHECK(end_of([] {
+              std::signal(SIGHUP, SIG_IGN);
+              heed_signals();
+              std::raise(SIGHUP);
+              return !stop_signal().has_value();
+          }) == 0);
+}
+
+TEST_CASE("what a parent has blocked is seen again, and what it ignored but for the terminal's signals") {
+    const int number = GENERATE(SIGTERM, SIGUSR1, SIGXCPU);
+    const bool ignored = GENERATE(false, true);
+    CHECK(end_of([number, ignored] {
+              sigset_t all;
+              sigfillset(&all);
+              sigprocmask(SIG_SETMASK, &all, nullptr);
+              if (ignored) {
+                  std::signal(number, SIG_IGN);
+              }
+              forget_inherited_signals();
+              heed_signals();
+              std::raise(number);
+              return stop_signal()->signal == number;
+          }) == 0);
+}
+
+TEST_CASE("children can be waited for, though a parent ignored their ends, and a hang-up stays ignored") {
+    CHECK(end_of([] {
+              std::signal(SIGCHLD, SIG_IGN);
+              std::signal(SIGHUP, SIG_IGN);
+              forget_inherited_signals();
+              heed_signals();
+              std::raise(SIGHUP);
+              const pid_t child = ::fork();
+              if (child == 0) {
+                  ::_exit(7);
+              }
+              int status = 0;
+              return ::waitpid(child, &status, 0) == child && WEXITSTATUS(status) == 7 && !stop_signal().has_value();
+          }) == 0);
+}

@@ -1,0 +1,26 @@
+#include "ljmd/engine/stage.hpp"
+
+#include "deck/deck_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+
+namespace {
+
+/// Of the first stage of a liquid with these lines in place of its thermostat.
+bool conserves_with(const std::string& lines) {
+    const Deck deck =
+        DeckFolder(changed(small_deck, {{"thermostat = { type = \"rescale\", every = 5 }", lines}})).load();
+    return conserves_energy(deck.stages.front());
+}
+
+}  // namespace
+
+TEST_CASE("energy is conserved without a thermostat, and but for its heat under a canonical one at constant volume") {
+    const std::string canonical = "thermostat = { type = \"stochastic-rescaling\" }";
+    CHECK(conserves_with(""));
+    CHECK(conserves_with(canonical));
+    CHECK_FALSE(conserves_with("thermostat = { type = \"rescale\", every = 5 }"));
+    CHECK_FALSE(
+        conserves_with(canonical + "\nbarostat = { type = \"stochastic-cell-rescaling\", pressure = 1.0, every = 5 }"));
+}

@@ -1,0 +1,57 @@
+#include "ljmd/execution/simd.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "core/environment_guard.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+
+TEST_CASE("the usable SIMD levels are among those compiled in, lowest first, portable always") {
+    const auto compiled = compiled_simd_levels();
+    const auto usable = usable_simd_levels();
+    REQUIRE(!usable.empty());
+    CHECK(usable.front() == SimdLevel::portable);
+    CHECK(std::is_sorted(usable.begin(), usable.end()));
+    CHECK(std::includes(compiled.begin(), compiled.end(), usable.begin(), usable.end()));
+    for (const SimdLevel level : usable) {
+        CHECK(usable_simd_level(std::string(name(level))) == level);
+    }
+}
+
+TEST_CASE("a SIMD level that is unknown, or that this processor lacks, is refused with those there are") {
+    CHECK_THROWS_WITH(usable_simd_level("avx3"), Catch::StartsWith("unknown SIMD level 'avx3', usable here: portable"));
+    const auto usable = usable_simd_levels();
+    for (const char* level : {"x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-intel"}) {
+        if (std::none_of(usable.begin(), usable.end(), [&](SimdLevel here) { return name(here) == level; })) {
+            CHECK_THROWS_WITH(usable_simd_level(level), Catch::Contains("cannot be used here"));
+        }
+    }
+}
+
+TEST_CASE("the default SIMD level is the highest usable one made for this processor, or what LJMD_SIMD says") {
+    {
+        const test::EnvironmentGuard nothing("LJMD_SIMD", "");
+        const SimdLevel best = default_simd_level();
+        const SimdLevel highest = usable_simd_levels().back();
+#if defined(__x86_64__)
+        const bool for_another = highest == SimdLevel::x86_64_v4_intel && __builtin_cpu_is("intel") == 0;
+#else
+        const bool for_another = false;
+#endif
+        CHECK(best == (for_another ? SimdLevel::x86_64_v4 : highest));
+    }
+    {
+        const test::EnvironmentGuard portable("LJMD_SIMD", "portable");
+        CHECK(default_simd_level() == SimdLevel::portable);
+    }
+    const test::EnvironmentGuard wrong("LJMD_SIMD", "fastest");
+    CHECK_THROWS_AS(default_simd_level(), InputError);
+}
+
+TEST_CASE("precisions have names") {
+    CHECK(name(Precision::double_precision) == "double");
+    CHECK(name(Precision::mixed) == "mixed");
+}

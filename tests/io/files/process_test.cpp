@@ -1,0 +1,189 @@
+#include "ljmd/io/files/process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <fstream>
+
+#include "core/environment_guard.hpp"
+#include "io/output_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/pipe.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A program of a few lines of shell.
+fs::path script(const fs::path& path, const std::string& text) {
+    std::ofstream(path) << "#!/bin/sh\n" << text << '\n';
+    fs::permissions(path, fs::perms::owner_all);
+    return path;
+}
+
+}  // namespace
+
+TEST_CASE("a program is found in PATH, or where its name says") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "some-program", "exit 0");
+    std::ofstream(folder / "no-program") << "text";
+    fs::create_directory(folder / "directory");
+    const std::string here = program.parent_path().string();
+    const EnvironmentGuard path("PATH", "/nowhere:" + here + "::/bin");
+    CHECK(find_program("some-program") == program);
+    CHECK(find_program(program.string()) == program);
+    CHECK(find_program("sh") == "/bin/sh");
+    for (const char* absent : {"", "such-a-program-is-not-there", "no-program", "directory", "/", "/bin/", "bin/sh"}) {
+        INFO(absent);
+        CHECK_FALSE(find_program(absent).has_value());
+    }
+    CHECK_FALSE(find_program((folder / "no-program").string()).has_value());
+    const EnvironmentGuard nothing("PATH", "");
+    CHECK_FALSE(find_program("sh").has_value());
+}
+
+TEST_CASE("a program runs in its directory, and what it says goes to a file") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", R"(echo "$1|$2|$#"; pwd; cat; echo bad >&2; exit 7)");
+    const fs::path directory = folder / "inner";
+    fs::create_directory(directory);
+    // Nothing in the arguments means anything to a shell.
+    const int status =
+        run_process({.program = program, .arguments = {"a b; $HOME", "*"}, .directory = directory, .output = "said"});
+    CHECK(status == 7);
+    CHECK(content_of(directory / "said") == "a b; $HOME|*|2\n" + fs::canonical(directory).string() + "\nbad\n");
+}
+
+TEST_CASE("a program has our environment and what is added to it") {
+    const TemporaryFolder folder;
+    const EnvironmentGuard kept("LJMD_TEST_KEPT", "ours");
+    const EnvironmentGuard replaced("LJMD_TEST_REPLACED", "ours");
+    const fs::path program = script(folder / "program", "env");
+    const fs::path directory = program.parent_path();
+    CHECK(run_process({.program = program,
+                       .directory = directory,
+                       .output = "said",
+                       .environment = {{"LJMD_TEST_REPLACED", "new"}, {"OMP_NUM_THREADS", "3"}}}) == 0);
+    const std::string said = content_of(directory / "said");
+    for (const char* line : {"LJMD_TEST_KEPT=ours\n", "LJMD_TEST_REPLACED=new\n", "OMP_NUM_THREADS=3\n"}) {
+        CHECK_THAT(said, Catch::Contains(line));
+    }
+    CHECK_THAT(said, !Catch::Contains("LJMD_TEST_REPLACED=ours"));
+}
+
+TEST_CASE("a signal that ends a program shows in its status, also one that we ignore") {
+    const TemporaryFolder folder;
+    const fs::path killed = script(folder / "killed", "kill -9 $$");
+    const fs::path directory = killed.parent_path();
+    CHECK(run_process({.program = killed, .directory = directory, .output = "said"}) == 128 + SIGKILL);
+    void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
+    const fs::path piped = script(folder / "piped", "kill -PIPE $$");
+    const int status = run_process({.program = piped, .directory = directory, .output = "said"});
+    std::signal(SIGPIPE, before);
+    CHECK(status == 128 + SIGPIPE);
+}
+
+TEST_CASE("a program has no signal blocked, no handler of ours, and ignores what we were told to ignore") {
+    const TemporaryFolder folder;
+    const fs::path program = script(
+        folder / "program", "grep SigBlk /proc/self/status; kill -HUP $$; echo here; kill -USR2 $$; echo here, too");
+    void (*handler)(int) = std::signal(SIGUSR2, [](int) {});
+    void (*ignored)(int) = std::signal(SIGHUP, SIG_IGN);
+    sigset_t blocked;
+    sigset_t before;
+    sigemptyset(&blocked);
+    sigaddset(&blocked, SIGTERM);
+    sigprocmask(SIG_BLOCK, &blocked, &before);
+    const int status = run_process({.program = program, .directory = folder / "", .output = "said"});
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    std::signal(SIGUSR2, handler);
+    std::signal(SIGHUP, ignored);
+    CHECK(status == 128 + SIGUSR2);
+    CHECK(content_of(folder / "said") == "SigBlk:\t0000000000000000\nhere\n");
+}
+
+TEST_CASE("a program reads what it is given, and no program inherits the pipe of another") {
+    const TemporaryFolder folder;
+    Pipe pipe;
+    ChildProcess reader({.program = "/bin/cat", .directory = folder / "", .output = "said", .input = pipe.read_end()});
+    ChildProcess other({.program = "/bin/sleep", .arguments = {"60"}, .directory = folder / "", .output = "nothing"});
+    REQUIRE(::write(pipe.write_end(), "text", 4) == 4);
+    pipe.close_write_end();
+    CHECK(reader.wait() == 0);
+    CHECK(content_of(folder / "said") == "text");
+    other.signal(SIGKILL);
+    CHECK(other.wait() == 128 + SIGKILL);
+}
+
+TEST_CASE("a program ends with the process that started it, however that ends") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", "echo here > begun; read word < never-written");
+    REQUIRE(::mkfifo((folder / "never-written").c_str(), 0600) == 0);
+    int alive[2] = {};  // inherited by both, so its end is seen when both are gone
+    REQUIRE(::pipe(alive) == 0);
+    const pid_t parent = ::fork();
+    if (parent == 0) {
+        const ChildProcess child({.program = program, .directory = folder / "", .output = "said"});
+        while (!fs::exists(folder / "begun")) {
+            ::usleep(1000);
+        }
+        std::raise(SIGKILL);
+    }
+    ::close(alive[1]);
+    pollfd ended{.fd = alive[0], .events = POLLIN, .revents = 0};
+    constexpr int patience = 60'000;
+    CHECK(::poll(&ended, 1, patience) == 1);
+    ::kill(parent, SIGKILL);
+    CHECK(::waitpid(parent, nullptr, 0) == parent);
+    ::close(::open((folder / "never-written").c_str(), O_RDWR | O_NONBLOCK));  // ends a program that lives on
+    ::close(alive[0]);
+}
+
+TEST_CASE("what cannot be started is an error that says what and where") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", "exit 0");
+    const fs::path here = program.parent_path();
+    const auto refused = [&](const Process& process) {
+        CHECK_THROWS_AS(static_cast<void>(run_process(process)), FileError);
+        CHECK_THROWS_WITH(static_cast<void>(run_process(process)),
+                          Catch::StartsWith("cannot start '" + process.program.string() + "' in '"));
+    };
+    refused({.program = folder / "absent", .directory = here, .output = "said"});
+    refused({.program = program, .directory = folder / "absent", .output = "said"});
+    refused({.program = program, .directory = here, .output = "absent/said"});
+}
+
+TEST_CASE("a program that runs beside this one tells when it has ended, and takes signals") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", R"(while [ ! -e go ]; do sleep 0.01; done; exit 3)");
+    const Process process{.program = program, .directory = folder / "", .output = "said"};
+    ChildProcess child(process);
+    CHECK_FALSE(child.ended());
+    std::ofstream(folder / "go") << "now";
+    CHECK(child.wait() == 3);
+    CHECK(child.ended() == 3);
+    child.signal(SIGTERM);  // nobody is hit
+
+    fs::remove(folder / "go");
+    ChildProcess other(process);
+    other.signal(SIGTERM);
+    CHECK(other.wait() == 128 + SIGTERM);
+}
+
+TEST_CASE("a program with a group of its own is in another one than this") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", "cut -d' ' -f5 /proc/$$/stat");
+    for (const bool own_group : {false, true}) {
+        REQUIRE(run_process({.program = program, .directory = folder / "", .output = "said", .own_group = own_group}) ==
+                0);
+        CHECK((std::stol(content_of(folder / "said")) == getpgrp()) != own_group);
+    }
+}

@@ -1,0 +1,399 @@
+#include "ljmd/observables/statistics/run_averages.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+using namespace ljmd;
+
+namespace {
+
+const ObservableAverage& find(const std::vector<ObservableAverage>& averages, const std::string& name) {
+    const auto found = std::find_if(averages.begin(), averages.end(),
+                                    [&](const ObservableAverage& average) { return average.name == name; });
+    REQUIRE(found != averages.end());
+    return *found;
+}
+
+/// A sample with a number of its own in each place.
+Thermodynamics numbered(double x) {
+    Thermodynamics sample;
+    sample.temperature = 1.0 + x;
+    sample.potential_energy = 2.0 + x;
+    sample.kinetic_energy = 3.0 + x;
+    sample.total_energy = 4.0 + x;
+    sample.pressure = 5.0 + x;
+    Mat3 tensor;
+    tensor << 6.0, 9.0, 10.0, 9.0, 7.0, 11.0, 10.0, 11.0, 8.0;
+    sample.pressure_tensor = tensor + Mat3::Constant(x);
+    sample.density = 0.5;
+    sample.virial = 12.0 + x;
+    return sample;
+}
+
+/// Temperature and pressure of a made-up run: both wander slowly, and together.
+class CorrelatedRun {
+  public:
+    static constexpr double density = 0.8;
+
+    explicit CorrelatedRun(std::uint64_t seed) : generator_(seed), shared_(noise()), own_(noise()) {}
+
+    Thermodynamics next() {
+        const double memory = 0.8;
+        const double strength = std::sqrt(1.0 - memory * memory);
+        shared_ = memory * shared_ + strength * noise();
+        own_ = memory * own_ + strength * noise();
+        Thermodynamics sample;
+        sample.temperature = 2.0 + 0.4 * shared_;
+        sample.pressure = 4.0 + 0.7 * shared_ + 0.1 * own_;
+        sample.pressure_tensor = *sample.pressure * Mat3::Identity();
+        sample.density = density;
+        return sample;
+    }
+
+  private:
+    double noise() { return normal_(generator_); }
+
+    std::mt19937_64 generator_;
+    std::normal_distribution<double> normal_;
+    double shared_;
+    double own_;
+};
+
+}  // namespace
+
+TEST_CASE("every observable is averaged under its name and has a unit") {
+    RunAverages run(10, Ensemble::none);
+    for (const double x : {0.0, 1.0, 2.0, 5.0}) {
+        run.add(numbered(x));
+    }
+    CHECK(run.samples() == 4);
+    const auto averages = run.averages();
+    const std::vector<std::pair<std::string, double>> expected{
+        {"temperature", 1.0}, {"potential_energy", 2.0}, {"kinetic_energy", 3.0}, {"total_energy", 4.0},
+        {"pressure", 5.0},    {"pressure_xx", 6.0},      {"pressure_yy", 7.0},    {"pressure_zz", 8.0},
+        {"pressure_xy", 9.0}, {"pressure_xz", 10.0},     {"pressure_yz", 11.0},   {"virial", 12.0}};
+    CHECK(averages.size() == expected.size() + 1);
+    for (const auto& [name, first] : expected) {
+        const ObservableAverage& average = find(averages, name);
+        CAPTURE(name);
+        REQUIRE(average.estimate.has_value());
+        CHECK(average.estimate->mean == Approx(first + 2.0).epsilon(1e-15));
+        CHECK(average.estimate->samples == 4);
+        CHECK_FALSE(average.symbol.empty());
+        CHECK_FALSE(average.unit.empty());
+    }
+    CHECK(find(averages, "temperature").unit == "epsilon/k_B");
+    CHECK(find(averages, "compressibility_factor").unit == "1");
+    CHECK(find(averages, "pressure").unit == "epsilon/sigma^3");
+}
+
+TEST_CASE("the compressibility factor is the ratio of the means, not the mean of the ratio") {
+    RunAverages run(10, Ensemble::none);
+    for (const double x : {0.0, 1.0, 2.0, 5.0}) {
+        run.add(numbered(x));
+    }
+    // <p> = 7, <T> = 3; the mean of p / (rho T) would be 5.83.
+    const auto averages = run.averages();
+    CHECK(find(averages, "compressibility_factor").estimate->mean == Approx(7.0 / (0.5 * 3.0)).epsilon(1e-15));
+}
+
+TEST_CASE(
+    "the error of the compressibility factor is the scatter of many runs, correlations in time and with T included") {
+    const int runs = 150;
+    const int samples = 1024;
+    double sum = 0.0;
+    double squares = 0.0;
+    double reported = 0.0;
+    double without_correlation = 0.0;
+    for (int k = 0; k < runs; ++k) {
+        CorrelatedRun series(static_cast<std::uint64_t>(k));
+        RunAverages run(100, Ensemble::none);
+        for (int n = 0; n < samples; ++n) {
+            run.add(series.next());
+        }
+        const auto averages = run.averages();
+        const Estimate z = *find(averages, "compressibility_factor").estimate;
+        const Estimate t = *find(averages, "temperature").estimate;
+        const Estimate p = *find(averages, "pressure").estimate;
+        sum += z.mean;
+        squares += z.mean * z.mean;
+        reported += z.standard_error * z.standard_error;
+        without_correlation +=
+            z.mean * z.mean * (std::pow(t.standard_error / t.mean, 2) + std::pow(p.standard_error / p.mean, 2));
+    }
+    const double mean = sum / runs;
+    const double scatter = std::sqrt(squares / runs - mean * mean);
+    CHECK(mean == Approx(4.0 / (2.0 * CorrelatedRun::density)).epsilon(1e-3));
+    CHECK(std::sqrt(reported / runs) == Approx(scatter).epsilon(0.25));
+    // The test can tell: had the correlation of p and T been left out, the error would be much larger.
+    CHECK(std::sqrt(without_correlation / runs) > 3.0 * scatter);
+}
+
+TEST_CASE("without samples there are no averages") {
+    CHECK(RunAverages(10, Ensemble::none).averages().empty());
+    CHECK(RunAverages(10, Ensemble::none).samples() == 0);
+}
+
+TEST_CASE("one atom has neither temperature nor pressure, but the other averages, and it says why") {
+    RunAverages run(1, Ensemble::canonical);
+    Thermodynamics sample = numbered(0.0);
+    sample.temperature.reset();
+    sample.pressure.reset();
+    sample.pressure_tensor.reset();
+    run.add(sample);
+    const auto averages = run.averages();
+    CHECK(averages.size() == 14);
+    for (const ObservableAverage& average : averages) {
+        CAPTURE(average.name);
+        const bool defined = average.name == "virial" || average.name.ends_with("energy");
+        CHECK(average.estimate.has_value() == defined);
+        CHECK(average.remark.empty() == defined);
+    }
+    CHECK(find(averages, "potential_energy").estimate->mean == 2.0);
+}
+
+TEST_CASE("of atoms at rest there is a temperature but nothing that is divided by it") {
+    // What rounding leaves of the motion of atoms in a crystal is no temperature either.
+    for (const double at_rest : {0.0, 1e-30}) {
+        for (const Ensemble ensemble : {Ensemble::constant_energy, Ensemble::canonical}) {
+            RunAverages run(10, ensemble);
+            for (int n = 0; n < 8; ++n) {
+                Thermodynamics sample = numbered(0.0);
+                sample.temperature = at_rest;
+                run.add(sample);
+            }
+            const auto averages = run.averages();
+            CHECK(find(averages, "temperature").estimate->mean == Approx(at_rest));
+            CHECK(find(averages, "pressure").estimate->mean == 5.0);
+            for (const char* name : {"compressibility_factor", "heat_capacity_cv"}) {
+                CHECK_FALSE(find(averages, name).estimate.has_value());
+                CHECK_FALSE(find(averages, name).remark.empty());
+            }
+        }
+    }
+}
+
+TEST_CASE("the error of a mean is unknown with few samples, and 0 for a constant") {
+    RunAverages run(10, Ensemble::none);
+    for (int n = 0; n < 3; ++n) {
+        run.add(numbered(0.0));
+    }
+    CHECK(std::isnan(find(run.averages(), "pressure").estimate->standard_error));
+    CHECK(std::isnan(find(run.averages(), "compressibility_factor").estimate->standard_error));
+    run.add(numbered(0.0));
+    CHECK(find(run.averages(), "pressure").estimate->standard_error == 0.0);
+    CHECK(find(run.averages(), "compressibility_factor").estimate->standard_error == 0.0);
+}
+
+TEST_CASE("the heat capacity at constant energy is that of the fluctuations of the temperature") {
+    RunAverages run(3, Ensemble::constant_energy);  // six degrees of freedom
+    for (int n = 0; n < 64; ++n) {
+        for (const double t : {0.9, 1.0, 1.0, 1.1}) {
+            Thermodynamics sample;
+            sample.temperature = t;
+            run.add(sample);
+        }
+    }
+    const double mean_inverse = (1.0 / 0.9 + 2.0 + 1.0 / 1.1) / 4.0;
+    const ObservableAverage found = find(run.averages(), "heat_capacity_cv");
+    CHECK(found.unit == "k_B");
+    CHECK(found.estimate->mean == Approx(1.0 / (3.0 * (1.0 - 2.0 / 3.0 * mean_inverse)) + 0.5).epsilon(1e-12));
+
+    RunAverages thermostatted(3, Ensemble::none);
+    thermostatted.add(numbered(1.0));
+    const auto averages = thermostatted.averages();
+    CHECK(std::none_of(averages.begin(), averages.end(), [](const auto& a) { return a.name == "heat_capacity_cv"; }));
+}
+
+TEST_CASE("fluctuations that no heat capacity allows have none, and it says why") {
+    RunAverages wild(100, Ensemble::constant_energy);
+    for (const double t : {0.5, 1.0, 1.0, 1.5}) {
+        Thermodynamics sample;
+        sample.temperature = t;
+        wild.add(sample);
+    }
+    const ObservableAverage found = find(wild.averages(), "heat_capacity_cv");
+    CHECK_FALSE(found.estimate.has_value());
+    CHECK_THAT(found.remark, Catch::Contains("fluctuates more than any heat capacity allows"));
+}
+
+namespace {
+
+/// Normal numbers, each with a correlation of `kept` to the one before.
+class Wandering {
+  public:
+    Wandering(double kept, int seed)
+        : kept_(kept), generator_(static_cast<std::uint64_t>(seed)), value_(normal_(generator_)) {}
+
+    double next() { return value_ = kept_ * value_ + std::sqrt(1.0 - kept_ * kept_) * normal_(generator_); }
+
+  private:
+    double kept_;
+    std::mt19937_64 generator_;
+    std::normal_distribution<double> normal_;
+    double value_;
+};
+
+/// Many correlated runs with a heat capacity of 2.5: the mean that they find, and the error that they report, must be
+/// those of their scatter.
+/// @param sample_of  a normal number as a sample of the ensemble
+template <class Sample>
+void check_heat_capacity_of_many_runs(Index atoms, Ensemble ensemble, const Sample& sample_of) {
+    const int runs = 200;
+    double sum = 0.0;
+    double squares = 0.0;
+    double reported = 0.0;
+    for (int k = 0; k < runs; ++k) {
+        Wandering memory(0.8, k);
+        RunAverages run(atoms, ensemble);
+        for (int n = 0; n < 2048; ++n) {
+            run.add(sample_of(memory.next()));
+        }
+        const Estimate c = *find(run.averages(), "heat_capacity_cv").estimate;
+        sum += c.mean;
+        squares += c.mean * c.mean;
+        reported += c.standard_error * c.standard_error;
+    }
+    const double mean = sum / runs;
+    const double scatter = std::sqrt(squares / runs - mean * mean);
+    CHECK(std::abs(mean - 2.5) < 0.05);
+    CHECK(std::sqrt(reported / runs) / scatter == Approx(1.0).margin(0.2));
+}
+
+}  // namespace
+
+TEST_CASE("the error of the heat capacity is the scatter of many runs") {
+    // 300 degrees of freedom: <T> <1/T> = 1 + v with (1 - 2/f) (1 + v) = 1 - 1/(N c_v - 3/2), and v = w^2 + 3 w^4 where
+    // the relative fluctuations of T are normal, of width w.
+    const double v = (1.0 - 1.0 / (101.0 * 2.5 - 1.5)) / (1.0 - 2.0 / 300.0) - 1.0;
+    const double width = std::sqrt(v - 3.0 * v * v);
+    check_heat_capacity_of_many_runs(101, Ensemble::constant_energy, [&](double normal) {
+        Thermodynamics sample;
+        sample.temperature = 0.7 * (1.0 + width * normal);
+        return sample;
+    });
+    // Variance of u in the canonical ensemble: (c - 3/2) T^2/N.
+    const double energy_width = std::sqrt(1.0 * 0.49 / 100.0);
+    check_heat_capacity_of_many_runs(100, Ensemble::canonical, [&](double normal) {
+        Thermodynamics sample;
+        sample.temperature = 0.7;
+        sample.potential_energy = -3.0 + energy_width * normal;
+        return sample;
+    });
+}
+
+TEST_CASE("the error of the heat capacity of a short run covers what it has not seen, or there is none") {
+    // The variance of u is that of c_v = 2.5; runs hold 1 and 31 independent samples.
+    const double energy_width = std::sqrt(1.0 * 0.49 / 100.0);
+    struct Case {
+        double kept;
+        int least_with_value;
+        int most_with_value;
+    };
+    const auto c = GENERATE(Case{0.999, 0, 20}, Case{0.97, 100, 200});
+    const int runs = 200;
+    int with_value = 0;
+    double squares = 0.0;
+    double reported = 0.0;
+    for (int k = 0; k < runs; ++k) {
+        Wandering memory(c.kept, k);
+        RunAverages run(100, Ensemble::canonical);
+        for (int n = 0; n < 2048; ++n) {
+            Thermodynamics sample;
+            sample.temperature = 0.7;
+            sample.potential_energy = -3.0 + energy_width * memory.next();
+            run.add(sample);
+        }
+        const ObservableAverage found = find(run.averages(), "heat_capacity_cv");
+        CHECK(found.estimate.has_value() == found.remark.empty());
+        if (found.estimate) {
+            ++with_value;
+            squares += std::pow(found.estimate->mean - 2.5, 2);
+            reported += std::pow(found.estimate->standard_error, 2);
+        }
+    }
+    CAPTURE(c.kept, with_value, squares, reported);
+    CHECK(with_value >= c.least_with_value);
+    CHECK(with_value <= c.most_with_value);
+    if (c.least_with_value > 0) {
+        CHECK(std::sqrt(squares / reported) < 1.32);
+        CHECK(std::sqrt(squares / reported) > 0.7);
+    }
+}
+
+namespace {
+
+/// The heat capacity from samples of an ensemble.
+template <class Sample>
+double heat_capacity_of(Index atoms, Ensemble ensemble, const Sample& sample_of) {
+    std::mt19937_64 generator(5);
+    RunAverages run(atoms, ensemble);
+    for (int n = 0; n < 100000; ++n) {
+        run.add(sample_of(generator));
+    }
+    return find(run.averages(), "heat_capacity_cv").estimate->mean;
+}
+
+}  // namespace
+
+TEST_CASE("the heat capacity of few harmonic oscillators has no error of the order 1/N, at constant energy") {
+    // Nine degrees of freedom of the motion about the centre of mass, nine harmonic ones, energy 1: the kinetic energy
+    // has a beta distribution. C = 9 without, 10.5 with the motion of the centre of mass.
+    std::gamma_distribution<double> gamma(4.5);
+    const double c = heat_capacity_of(4, Ensemble::constant_energy, [&](auto& generator) {
+        const double k = gamma(generator);
+        Thermodynamics sample;
+        sample.temperature = 2.0 / 9.0 * k / (k + gamma(generator));
+        return sample;
+    });
+    CHECK(c == Approx(10.5 / 4.0).epsilon(0.01));
+}
+
+TEST_CASE("the heat capacity in the canonical ensemble is the same whether or not the centre of mass moves") {
+    for (const double freedom : {9.0, 12.0}) {  // of the motion of four atoms; nine harmonic ones
+        CAPTURE(freedom);
+        std::gamma_distribution<double> kinetic(0.5 * freedom);
+        std::gamma_distribution<double> potential(4.5);
+        const double c = heat_capacity_of(4, Ensemble::canonical, [&](auto& generator) {
+            Thermodynamics sample;
+            sample.temperature = 1.0;
+            sample.kinetic_energy = kinetic(generator) / 4.0;
+            sample.potential_energy = potential(generator) / 4.0;
+            sample.total_energy = sample.kinetic_energy + sample.potential_energy;
+            return sample;
+        });
+        CHECK(c == Approx(10.5 / 4.0).epsilon(0.02));
+    }
+}
+
+TEST_CASE("the heat capacity in the canonical ensemble is that of the fluctuations of the potential energy") {
+    RunAverages run(50, Ensemble::canonical);
+    for (int n = 0; n < 64; ++n) {
+        for (const double e : {-2.9, -3.0, -3.0, -3.1}) {
+            Thermodynamics sample;
+            sample.temperature = 0.5;
+            sample.potential_energy = e;
+            run.add(sample);
+        }
+    }
+    CHECK(find(run.averages(), "heat_capacity_cv").estimate->mean == Approx(50.0 * 0.005 / 0.25 + 1.5).epsilon(1e-12));
+}
+
+TEST_CASE("a density that fluctuates is an observable, and the compressibility factor is that of its mean") {
+    RunAverages run(10, Ensemble::constant_pressure);
+    for (const double x : {-0.1, 0.0, 0.1, 0.2}) {
+        Thermodynamics sample = numbered(0.0);
+        sample.temperature = 2.0;
+        sample.density = 0.5 + x;
+        run.add(sample);
+    }
+    const auto averages = run.averages();
+    CHECK(find(averages, "density").estimate->mean == Approx(0.55).epsilon(1e-14));
+    CHECK(find(averages, "density").unit == "sigma^-3");
+    const Estimate z = *find(averages, "compressibility_factor").estimate;
+    CHECK(z.mean == Approx(5.0 / (0.55 * 2.0)).epsilon(1e-14));
+    const Estimate rho = *find(averages, "density").estimate;
+    CHECK(z.standard_error / z.mean == Approx(rho.standard_error / rho.mean).epsilon(1e-12));
+}

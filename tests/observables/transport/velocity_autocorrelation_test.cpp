@@ -1,0 +1,195 @@
+#include "ljmd/observables/transport/velocity_autocorrelation.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include "core/through_archive.hpp"
+#include "neighbors/sample_states.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+constexpr LagTimes lags{.every = 2, .count = 10, .spacing = 0.05};
+
+enum Column : std::size_t { time_column, vacf_column, error_column, normalized_column, diffusion_column };
+
+/// Velocities that forget what they were at the rate `friction`, in a bath of temperature 1 (Ornstein-Uhlenbeck): their
+/// autocorrelation is 3 exp(-friction t).
+class Bath {
+  public:
+    Bath(Index atoms, double friction, double interval, unsigned seed)
+        : kept_(std::exp(-friction * interval)),
+          generator_(seed),
+          state_(test::random_state(atoms, Box(Vec3::Constant(9.0)), 1)) {
+        state_.write_velocities() = normals();
+    }
+
+    const State& next() {
+        state_.write_velocities() = kept_ * state_.velocities() + std::sqrt(1.0 - kept_ * kept_) * normals();
+        return state_;
+    }
+
+  private:
+    Eigen::Matrix3Xd normals() {
+        return Eigen::Matrix3Xd::NullaryExpr(3, state_.count(), [&] { return normal_(generator_); });
+    }
+
+    double kept_;
+    std::mt19937_64 generator_;
+    std::normal_distribution<double> normal_;
+    State state_;
+};
+
+State moving_state(Index atoms, unsigned seed) {
+    State state = test::random_state(atoms, Box(Vec3::Constant(6.0)), seed);
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> normal;
+    state.write_velocities() = Eigen::Matrix3Xd::NullaryExpr(3, atoms, [&] { return normal(generator); });
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("the velocity autocorrelation follows atoms, wherever they lie in memory") {
+    constexpr Index atoms = 40;
+    constexpr Index window = 17;
+    State state = moving_state(atoms, 3);
+    std::mt19937_64 generator(5);
+    VelocityAutocorrelation vacf(atoms, lags, window);
+    CHECK(vacf.tables().empty());
+    CHECK(vacf.observables().empty());
+    std::vector<Eigen::Matrix3Xd> frames;
+    for (Index t = 0; t < window; ++t) {
+        std::vector<Index> order(atoms);
+        std::iota(order.begin(), order.end(), 0);
+        std::shuffle(order.begin(), order.end(), generator);
+        state.reorder(order);
+        state.write_velocities() = moving_state(atoms, 100 + static_cast<unsigned>(t)).velocities();
+        frames.push_back(test::by_id(state, state.velocities()));
+        vacf.sample(state, {});
+    }
+    CHECK(vacf.samples() == window);
+    const DataTable table = vacf.tables().at(0);
+    CHECK(table.name == "vacf");
+    REQUIRE(table.rows.size() == 11);
+    double integral = 0.0;
+    double before = 0.0;
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        double sum = 0.0;
+        for (std::size_t t = 0; t + k < frames.size(); ++t) {
+            sum += frames[t].cwiseProduct(frames[t + k]).sum();
+        }
+        const double expected = sum / static_cast<double>(atoms * (window - static_cast<Index>(k)));
+        CHECK(table.rows[k][time_column] == Approx(0.05 * static_cast<double>(k)));
+        CHECK(table.rows[k][vacf_column] == Approx(expected).margin(1e-13));
+        CHECK(table.rows[k][normalized_column] == Approx(expected / table.rows[0][vacf_column]).margin(1e-13));
+        integral += k == 0 ? 0.0 : 0.05 * 0.5 * (before + expected);
+        before = expected;
+        CHECK(table.rows[k][diffusion_column] == Approx(integral / 3.0).margin(1e-13));
+    }
+}
+
+TEST_CASE("velocities that decay exponentially give the diffusion and the spectrum that belong to it") {
+    constexpr double friction = 3.0;
+    const LagTimes times{.every = 1, .count = 60, .spacing = 0.03};
+    VelocityAutocorrelation vacf(200, times, 120);
+    Bath bath(200, friction, times.spacing, 11);
+    for (int t = 0; t < 120 * 40; ++t) {
+        vacf.sample(bath.next(), {});
+    }
+    const DataTable correlation = vacf.tables().at(0);
+    for (const auto& row : correlation.rows) {
+        CHECK(std::abs(row[vacf_column] - 3.0 * std::exp(-friction * row[time_column])) < 4.0 * row[error_column]);
+        CHECK(row[error_column] < 0.03);
+    }
+    const auto found = vacf.observables();
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].name == "diffusion_green_kubo");
+    const double until = 1.0 - std::exp(-friction * 1.8);
+    CHECK(std::abs(found[0].estimate->mean - until / friction) < 3.0 * found[0].estimate->standard_error);
+    CHECK(found[0].estimate->standard_error < 0.01);
+
+    const DataTable spectrum = vacf.tables().at(1);
+    CHECK(spectrum.name == "vibrational_spectrum");
+    const double step = std::numbers::pi / 1.8;
+    double integral = 0.0;
+    for (std::size_t k = 0; k < spectrum.rows.size(); ++k) {
+        const double frequency = spectrum.rows[k][0];
+        CHECK(frequency == Approx(step * static_cast<double>(k)));
+        const double lorentzian = 2.0 / std::numbers::pi * friction / (friction * friction + frequency * frequency);
+        CHECK(spectrum.rows[k][1] == Approx(lorentzian).margin(0.01));
+        integral += step * spectrum.rows[k][1] * (k == 0 || k + 1 == spectrum.rows.size() ? 0.5 : 1.0);
+    }
+    CHECK(integral == Approx(1.0).epsilon(1e-12));
+    CHECK(spectrum.rows[0][1] ==
+          Approx(6.0 * found[0].estimate->mean / (std::numbers::pi * correlation.rows[0][vacf_column])).epsilon(1e-12));
+}
+
+TEST_CASE("configurations that are too far apart have no diffusion, and no spectrum") {
+    // exp(-1.5) is left from one to the next: the trapezoidal rule gives 0.39 where 1/3 is right.
+    constexpr double friction = 3.0;
+    const LagTimes times{.every = 1, .count = 6, .spacing = 0.5};
+    VelocityAutocorrelation vacf(200, times, 12);
+    Bath bath(200, friction, times.spacing, 11);
+    for (int t = 0; t < 12 * 40; ++t) {
+        vacf.sample(bath.next(), {});
+    }
+    const ObservableAverage found = vacf.observables().at(0);
+    CHECK(found.name == "diffusion_green_kubo");
+    CHECK_FALSE(found.estimate.has_value());
+    CHECK_FALSE(found.remark.empty());
+    const auto tables = vacf.tables();
+    REQUIRE(tables.size() == 1);
+    for (const auto& row : tables[0].rows) {
+        CHECK(std::abs(row[vacf_column] - 3.0 * std::exp(-friction * row[time_column])) < 4.0 * row[error_column]);
+        CHECK(std::isnan(row[diffusion_column]));
+        CHECK(std::isnan(row[diffusion_column + 1]));
+    }
+}
+
+TEST_CASE("an oscillation is a line in the spectrum") {
+    const LagTimes times{.every = 1, .count = 100, .spacing = 0.05};
+    VelocityAutocorrelation vacf(2, times, 200);
+    State state = test::random_state(2, Box(Vec3::Constant(5.0)), 1);
+    const double frequency = 20.0 * std::numbers::pi / 5.0;  // ten periods in the largest time: a point of the table
+    for (int t = 0; t < 400; ++t) {
+        const double phase = frequency * 0.05 * t;
+        auto v = state.write_velocities();
+        v.col(0) = Vec3(std::cos(phase), std::sin(phase), 0.0);
+        v.col(1) = Vec3(0.0, std::sin(phase), std::cos(phase));
+        vacf.sample(state, {});
+    }
+    const DataTable spectrum = vacf.tables().at(1);
+    for (std::size_t k = 0; k < spectrum.rows.size(); ++k) {
+        CHECK(spectrum.rows[k][1] == Approx(k == 20 ? 5.0 / std::numbers::pi : 0.0).margin(1e-12));
+    }
+}
+
+TEST_CASE("a velocity autocorrelation goes on from an archive bit for bit, and drops what was interrupted") {
+    const auto sampled = [](int interrupted_at, int archived_at) {
+        auto vacf = std::make_unique<VelocityAutocorrelation>(30, lags, 15);
+        Bath bath(30, 2.0, lags.spacing, 12);
+        for (int t = 0; t < 70; ++t) {
+            if (t == interrupted_at) {
+                vacf->interrupt();
+            }
+            if (t == archived_at) {
+                auto restored = std::make_unique<VelocityAutocorrelation>(30, lags, 15);
+                test::through_archive(*vacf, *restored);
+                vacf = std::move(restored);
+            }
+            vacf->sample(bath.next(), {});
+        }
+        CHECK(vacf->samples() == 70);
+        return vacf->tables().at(0).rows;
+    };
+    const auto whole = sampled(-1, -1);
+    CHECK(sampled(-1, 20) == whole);
+    CHECK(sampled(-1, 30) == whole);
+    CHECK(sampled(30, -1) == whole);  // the end of a window
+    CHECK(sampled(31, -1) != whole);
+}

@@ -1,0 +1,74 @@
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "deck/deck_fixtures.hpp"
+#include "ljmd/run/few_body_run.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+FewBodyResult some_result() {
+    return {.bodies = 2,
+            .dimensions = 2,
+            .force = "newtonian-gravity",
+            .histories = {{"total_energy", -0.205, -0.2050001, -0.20500005, 1e-7},
+                          {"momentum_x", 0.0, std::nan(""), 0.0, std::numeric_limits<double>::infinity()}},
+            .stages = {{"orbits", "velocity-verlet", 0, 95, 0.01, true, false, false, 2.5e-9, "xxh3:a", "xxh3:b"}},
+            .findings = {{"closest_approach", {}},
+                         {"orbit",
+                          {{"period", 2.9917, 0.0012},
+                           {"precession", 0.1, std::nan("")},
+                           {"semi_major_axis_at_end", 0.6097, std::nullopt}}}},
+            .seconds = 1.0};
+}
+
+}  // namespace
+
+TEST_CASE("results.json of few bodies has the keys that scripts rely on") {
+    const Json json = Json::parse(few_body_results_json(DeckFolder(stars_deck).load(), some_result()));
+    CHECK(json.at("title") == "Two stars");
+    CHECK(json.at("system") ==
+          Json({{"kind", "few-body"}, {"bodies", 2}, {"dimensions", 2}, {"force", "newtonian-gravity"}}));
+    CHECK(json.at("observables").at("total_energy") == Json({{"mean", -0.20500005},
+                                                             {"standard_error", nullptr},
+                                                             {"at_start", -0.205},
+                                                             {"at_end", -0.2050001},
+                                                             {"largest_deviation", 1e-7},
+                                                             {"unit", "the deck's own"}}));
+    CHECK(json.at("analysis").at("orbit").at("period") == Json({{"value", 2.9917}, {"standard_error", 0.0012}}));
+    CHECK(json.at("analysis").at("orbit").at("semi_major_axis_at_end").at("standard_error").is_null());
+    CHECK(json.at("analysis").at("closest_approach") == Json::object());
+    REQUIRE(json.at("stages").size() == 1);
+    CHECK(json.at("stages")[0].at("name") == "orbits");
+    CHECK(json.at("stages")[0].at("checksum_at_end") == "xxh3:b");
+    CHECK(json.at("warnings") == Json::array());
+}
+
+TEST_CASE("what is no number is null in results.json of few bodies") {
+    const Json json = Json::parse(few_body_results_json(DeckFolder(stars_deck).load(), some_result()));
+    CHECK(json.at("observables").at("momentum_x").at("at_end").is_null());
+    CHECK(json.at("observables").at("momentum_x").at("largest_deviation").is_null());
+    CHECK(json.at("analysis").at("orbit").at("precession") == Json({{"value", 0.1}, {"standard_error", nullptr}}));
+}
+
+TEST_CASE("the table of a few-body run shows totals, findings and drift") {
+    const Deck deck = DeckFolder(stars_deck).load();
+    FewBodyResult result = some_result();
+    result.histories.pop_back();
+    const std::string table = few_body_results_table(deck, result);
+    CHECK_THAT(table, Catch::StartsWith("Two stars\n2 bodies in 2 dimensions, force newtonian-gravity\n\n") &&
+                          Contains("  total_energy                          -0.205              -0.2050001"
+                                   "                 1e-07\n") &&
+                          Contains("\n  closest_approach\n") && Contains("2.9917  +- 0.0012\n") && !Contains("nan") &&
+                          Contains("semi_major_axis_at_end") && Contains("0.6097\n") &&
+                          Contains("energy drift in stage 'orbits': 2.5e-09 per unit of time\n") &&
+                          Catch::EndsWith("files: " + deck.directory.string() + "\n"));
+    result.bodies = 1;
+    result.dimensions = 1;
+    CHECK_THAT(few_body_results_table(deck, result), Contains("1 body in 1 dimension,"));
+}

@@ -1,0 +1,430 @@
+#include "ljmd/run/run_checkpoints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "execution/thread_guard.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/formats/trajectory_reader.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "run/run_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+/// Everything that a deck's run leaves, file by file; times and what tells of them left out.
+std::string outputs_of(const std::filesystem::path& directory) {
+    std::set<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+        const auto extension = entry.path().extension();
+        if (extension == ".csv" || extension == ".xyz" || extension == ".h5md") {
+            files.insert(entry.path());
+        }
+    }
+    std::string all;
+    for (const std::filesystem::path& file : files) {
+        all += fmt::format("== {}\n{}", file.filename().string(), content_of(file));
+    }
+    Json results = Json::parse(content_of(directory / "results.json"));
+    results.erase("seconds");
+    return all + results.dump(1);
+}
+
+/// @return the step from which the run in the directory was gone on with
+Index resume(const std::filesystem::path& directory) {
+    RecordedRun run = recorded_run(directory);
+    auto point = find_resume_point(run.deck);
+    REQUIRE(point.has_value());
+    const Index step = point->head.step;
+    run.earlier.resumed_at_steps.push_back(step);
+    RunControl control;
+    control.resumed.emplace(RunControl::Resumed{std::move(*point), run.earlier});
+    Recorder listener;
+    run_in(run.deck, listener, control);
+    return step;
+}
+
+/// Stop a run at every step and go on with it: the end must be the end of the run that was not stopped.
+/// @return how often that has built its neighbour list
+Index check_every_step(const std::string& text, const std::vector<std::string>& settings) {
+    const DeckFolder whole_folder(text);
+    const Deck whole = whole_folder.load(settings);
+    run_until(whole, whole.total_steps());
+    const std::string expected = outputs_of(whole.directory);
+    Index wrong = 0;
+    for (Index step = 0; step < whole.total_steps(); ++step) {
+        const DeckFolder folder(text);
+        std::vector<std::string> with_checkpoint = settings;
+        with_checkpoint.push_back(fmt::format("output.checkpoint.every={}", std::max<Index>(step, 1)));
+        const Deck deck = folder.load(with_checkpoint);
+        run_until(deck, step);
+        const Index resumed_at = resume(deck.directory);
+        CHECK(resumed_at == step);
+        if (outputs_of(deck.directory) != expected) {
+            ++wrong;
+            UNSCOPED_INFO("stopped after step " << step);
+        }
+    }
+    CHECK(wrong == 0);
+    return Json::parse(content_of(whole.directory / "results.json")).value("neighbor_list_rebuilds", Index{0});
+}
+
+const std::string with_files = small_deck + R"(
+[output]
+trajectory = { format = "xyz", every = 7, velocities = true }
+[analysis]
+rdf = { bins = 20, every = 4 }
+structure_factor = { k_max = 3.0, every = 4 }
+msd = { every = 2, origins = 3 }
+vacf = { every = 1 }
+viscosity = { every = 1 }
+chemical_potential = { every = 3, insertions = 5 }
+)";
+
+/// The same of 4 cells^3 atoms in both precisions, while two lists and more come and go.
+void check_every_step(const IntegratorMethod& method, const ThermostatMethod& thermostat, int cells) {
+    const std::string text =
+        thermostat.name == "rescale"
+            ? with_files
+            : changed(with_files, {{"type = \"rescale\", every = 5", "type = \"" + thermostat.name + "\""}});
+    for (const char* precision : {"double", "mixed"}) {
+        INFO(method.name << ", " << thermostat.name << ", " << precision);
+        const Index rebuilds = check_every_step(
+            text,
+            {fmt::format("system.lattice.cells={}", cells), fmt::format("performance.precision=\"{}\"", precision),
+             "neighbors.skin=0.05", "stage.equilibrate.integrator=\"" + method.name + "\"",
+             "stage.production.integrator=\"" + method.name + "\"",
+             "stage.equilibrate.time_step=0.001",  // Euler heats
+             "stage.production.time_step=0.001", "stage.equilibrate.steps=10", "stage.production.steps=20"});
+        CHECK(rebuilds >= 3);  // two lists have come and gone
+    }
+}
+
+bool go_together(const IntegratorMethod& method, const ThermostatMethod& thermostat) {
+    return !method.unbounded_only && (!thermostat.every_step || method.name == "velocity-verlet");
+}
+
+}  // namespace
+
+TEST_CASE("a fluid that is stopped after any step ends, gone on with, as if it had not been stopped") {
+    CHECK(check_every_step(with_files, {"neighbors.skin=0.15"}) >= 3);
+}
+
+TEST_CASE("so it is with every way to the neighbours and in mixed precision") {
+    for (const char* setting : {"neighbors.method=\"all-pairs\"", "neighbors.method=\"cells\"", "neighbors.every=7",
+                                "performance.precision=\"mixed\""}) {
+        INFO(setting);
+        check_every_step(with_files, {setting});
+    }
+}
+
+TEST_CASE("so it is with frames in H5MD") {
+    check_every_step(changed(with_files, {{"format = \"xyz\"", "format = \"h5md\""}}), {});
+}
+
+TEST_CASE("so it is with every integrator and thermostat of fluids, in both precisions") {
+    const ThreadGuard threads(1);
+    for (const IntegratorMethod& method : all_integrators()) {
+        for (const ThermostatMethod& thermostat : all_thermostats()) {
+            if (go_together(method, thermostat)) {
+                check_every_step(method, thermostat, 3);
+            }
+        }
+    }
+}
+
+TEST_CASE("so it is with two threads, every integrator, and every thermostat, in both precisions") {
+    const ThreadGuard threads(2);
+    constexpr int cells = 6;  // the least that gives two threads something to share
+    for (const IntegratorMethod& method : all_integrators()) {
+        for (const ThermostatMethod& thermostat : all_thermostats()) {
+            const bool new_here = method.name == "velocity-verlet" || thermostat.name == "rescale";
+            if (new_here && go_together(method, thermostat)) {
+                check_every_step(method, thermostat, cells);
+            }
+        }
+    }
+}
+
+TEST_CASE("so it is with a thermostat while samples are taken, and with a barostat before it") {
+    const ThreadGuard threads(GENERATE(1, 2));
+    const std::string text =
+        changed(with_files, {{"thermostat = { type = \"rescale\", every = 5 }",
+                              "thermostat = { type = \"nose-hoover-chain\" }\n"
+                              "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5, every = 3 }"},
+                             {"sample = true\n", "sample = true\nthermostat = { type = \"nose-hoover-chain\" }\n"}});
+    check_every_step(text, {"stage.equilibrate.steps=10", "stage.production.steps=20"});
+}
+
+TEST_CASE("so it is while a barostat changes the box and samples are taken") {
+    const std::string text =
+        changed(small_deck, {{"sample = true\n",
+                              "sample = true\nthermostat = { type = \"stochastic-rescaling\" }\n"
+                              "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5, every = 3 }\n"}}) +
+        "[output]\ntrajectory = { format = \"xyz\", every = 7, velocities = true }\n";
+    check_every_step(text, {"stage.equilibrate.steps=5", "stage.production.steps=25"});
+}
+
+TEST_CASE("so it is with few bodies, every integrator, and a stage that goes backwards") {
+    for (const IntegratorMethod& method : all_integrators()) {
+        INFO(method.name);
+        const std::string integrator = "integrator = \"" + method.name + "\"\n";
+        const std::string text =
+            changed(stars_deck, {{"steps = 95\n", "steps = 40\nsample = true\n" + integrator +
+                                                      "[[stage]]\nname = \"back\"\ntime_step = 0.01\nsteps = 20\n"
+                                                      "reverse = true\nsample = false\n" +
+                                                      integrator}}) +
+            "trajectory = { format = \"csv\", every = 3 }\n[analysis]\norbit = { body = 1, about = 2 }\n"
+            "closest_approach = {}\n";
+        check_every_step(text, {});
+    }
+    check_every_step(radial_deck, {});
+}
+
+TEST_CASE("run.json tells at which steps a run was gone on with, and when it began") {
+    const DeckFolder folder;
+    const Deck deck = folder.load({"output.checkpoint.every=10"});
+    run_until(deck, 33);
+    const Json before = Json::parse(content_of(deck.directory / "run.json"));
+    CHECK(resume(deck.directory) == 30);
+    const Json record = Json::parse(content_of(deck.directory / "run.json"));
+    CHECK(record["resumed_at_steps"] == Json{30});
+    CHECK(record["began"] == before["began"]);
+    CHECK(record["finished"] == true);
+    CHECK(record["deck_hash"] == before["deck_hash"]);
+}
+
+TEST_CASE("a finished run is gone on with from its end, and ends the same") {
+    const DeckFolder folder(with_files);
+    const Deck deck = folder.load();
+    run_until(deck, deck.total_steps());
+    const std::string expected = outputs_of(deck.directory);
+    CHECK(resume(deck.directory) == deck.total_steps());
+    CHECK(outputs_of(deck.directory) == expected);
+}
+
+TEST_CASE("of a damaged newest checkpoint the older one is taken, and that is said") {
+    const DeckFolder folder(with_files);
+    const Deck deck = folder.load({"output.checkpoint.every=10"});
+    run_until(deck, 35);
+    const auto newest = find_resume_point(deck)->file.path;
+    std::filesystem::resize_file(newest, std::filesystem::file_size(newest) - 1);
+    const auto point = find_resume_point(recorded_run(deck.directory).deck);
+    REQUIRE(point.has_value());
+    CHECK(point->head.step == 20);
+    REQUIRE(point->warnings.size() == 1);
+    CHECK_THAT(point->warnings[0], Contains(newest.string()) && Contains("damaged") && Contains("going on from"));
+    CHECK(resume(deck.directory) == 20);
+
+    const DeckFolder whole_folder(with_files);
+    const Deck whole = whole_folder.load();
+    run_until(whole, whole.total_steps());
+    CHECK(outputs_of(deck.directory) == outputs_of(whole.directory));
+}
+
+TEST_CASE("checkpoints of another deck, of another version, or without a sound one are refused") {
+    const DeckFolder folder;
+    Deck deck = folder.load({"output.checkpoint.every=10"});
+    run_until(deck, 35);
+    Deck other = deck;
+    other.settings.emplace_back("system.density=0.7");
+    CHECK_THROWS_AS(find_resume_point(other), CheckpointError);
+    CHECK_THROWS_WITH(find_resume_point(other), Contains("belongs to another deck"));
+    for (const std::string& name : checkpoint_names()) {
+        if (std::filesystem::exists(deck.directory / name)) {
+            std::ofstream(deck.directory / name) << "nonsense";
+        }
+    }
+    CHECK_THROWS_WITH(find_resume_point(deck), Contains("no checkpoint can be used") && Contains("not a checkpoint"));
+    for (const std::string& name : checkpoint_names()) {
+        std::filesystem::remove(deck.directory / name);
+    }
+    CHECK_FALSE(find_resume_point(deck).has_value());
+}
+
+TEST_CASE("a checkpoint that no run of its deck can have written is refused, though its checksum is right") {
+    const DeckFolder folder;
+    const Deck deck = folder.load({"output.checkpoint.every=10"});
+    run_until(deck, 35);
+    const ResumePoint sound = find_resume_point(deck).value();
+    REQUIRE(sound.head.position.stage == 1);
+    Archive head_alone;
+    CheckpointHead head = sound.head;
+    head_alone(head);
+    const std::vector<std::byte> rest(sound.file.content.begin() + std::ssize(head_alone.bytes()),
+                                      sound.file.content.end());
+    const auto write = [&] {
+        Archive a;
+        a(head);
+        std::vector<std::byte> content(a.bytes().begin(), a.bytes().end());
+        content.insert(content.end(), rest.begin(), rest.end());
+        CheckpointStore store(deck.directory, 2);
+        store.go_on_after(sound.file.generation);
+        store.write(content);
+    };
+    std::string why;
+    SECTION("stage") {
+        head.position.stage = 2;
+        why = "in a stage that the deck does not have";
+    }
+    SECTION("version of the program") {
+        head.version += "x";
+        why = fmt::format("was written by ljmd {}; this is {}", head.version, build_info().version);
+    }
+    SECTION("step of the run") {
+        head.step += 1;
+        why = "at a step that the deck does not have";
+    }
+    SECTION("step of the stage") {
+        head.position.steps = -1;
+        why = "at a step that the deck does not have";
+    }
+    SECTION("atoms") {
+        head.atoms = Index{1} << 40;
+        why = "fewer atoms than it says";
+    }
+    SECTION("box") {
+        head.edges[1] = GENERATE(-1.0, 1e-300, 3.9);  // the cutoff is 2
+        why = "has a box that the deck cannot have";
+    }
+    SECTION("outputs") {
+        head.outputs.thermo = -1;
+        why = "outputs of less than nothing";
+    }
+    SECTION("time") {
+        head.position.first_time += 0.5;
+        write();
+        CHECK(find_resume_point(deck).has_value());
+        CHECK_THROWS_WITH(resume(deck.directory), Contains("its state is one of another time"));
+        return;
+    }
+    write();
+    CHECK_THROWS_AS(find_resume_point(deck), CheckpointError);
+    CHECK_THROWS_WITH(find_resume_point(deck), Contains(why));
+}
+
+TEST_CASE("results of stages that have not begun are refused") {
+    const DeckFolder folder;
+    const Deck deck = folder.load();
+    StageResult first{};
+    first.name = deck.stages[0].name;
+    first.integrator = deck.stages[0].integrator;
+    const auto at = [](std::size_t stage, bool begun) {
+        LoopPosition position;
+        position.stage = stage;
+        position.begun = begun;
+        return position;
+    };
+    CHECK_NOTHROW(require_stages({first}, deck, at(0, true)));
+    CHECK_NOTHROW(require_stages({first}, deck, at(1, false)));
+    CHECK_THROWS_AS(require_stages({}, deck, at(0, true)), CheckpointError);
+    CHECK_THROWS_AS(require_stages({first, first}, deck, at(1, true)), CheckpointError);
+}
+
+TEST_CASE("outputs that are shorter than the checkpoint knew them are refused, and nothing is touched") {
+    const DeckFolder folder(with_files);
+    const Deck deck = folder.load({"output.checkpoint.every=10"});
+    run_until(deck, 35);
+    const std::string record = content_of(deck.directory / "run.json");
+    std::filesystem::resize_file(deck.directory / "thermo.csv", 10);
+    CHECK_THROWS_AS(resume(deck.directory), CheckpointError);
+    CHECK(std::filesystem::file_size(deck.directory / "thermo.csv") == 10);
+    CHECK(content_of(deck.directory / "run.json") == record);
+}
+
+TEST_CASE("all outputs are looked at before the first one is changed") {
+    for (const std::string format : {"xyz", "h5md"}) {
+        INFO(format);
+        const DeckFolder folder(changed(with_files, {{"\"xyz\"", '"' + format + '"'}}));
+        const Deck deck = folder.load({"output.checkpoint.every=10"});
+        run_until(deck, 35);
+        const auto trajectory = deck.directory / ("trajectory." + format);
+        const std::string thermo = content_of(deck.directory / "thermo.csv");
+        const std::string record = content_of(deck.directory / "run.json");
+        std::filesystem::resize_file(trajectory, 700);
+        CHECK_THROWS_AS(resume(deck.directory), CheckpointError);
+        CHECK(std::filesystem::file_size(trajectory) == 700);
+        CHECK(content_of(deck.directory / "thermo.csv") == thermo);
+        CHECK(content_of(deck.directory / "run.json") == record);
+        for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(deck.directory)) {
+            CHECK_FALSE(entry.path().filename().string().starts_with("."));
+        }
+    }
+}
+
+TEST_CASE("a frame that is not what was written is refused, and nothing is touched") {
+    const DeckFolder folder(changed(with_files, {{"format = \"xyz\"", "format = \"h5md\""}}));
+    const Deck deck = folder.load({"output.checkpoint.every=10"});
+    run_until(deck, 35);
+    const auto trajectory = deck.directory / "trajectory.h5md";
+    std::string bytes = content_of(trajectory);
+    const auto reader = open_trajectory(trajectory, std::nullopt);
+    Frame frame;
+    do {
+        REQUIRE(reader->next(frame));
+    } while (frame.configuration.step != 28);  // the last one that the checkpoint knows
+    const double x = frame.configuration.positions[17][0];
+    const std::size_t place = bytes.find(std::string(reinterpret_cast<const char*>(&x), sizeof x));
+    REQUIRE(place != std::string::npos);
+    bytes[place] = static_cast<char>(bytes[place] ^ 1);
+    std::ofstream(trajectory, std::ios::binary) << bytes;
+    const std::string record = content_of(deck.directory / "run.json");
+    CHECK_THROWS_AS(resume(deck.directory), CheckpointError);
+    CHECK_THROWS_WITH(resume(deck.directory),
+                      Contains("the frame of step 28 in ") && Contains("is not what was written"));
+    CHECK(content_of(trajectory) == bytes);
+    CHECK(content_of(deck.directory / "run.json") == record);
+}
+
+TEST_CASE("checkpoints are written by wall time, and as many are kept as is wished") {
+    const DeckFolder folder;
+    const Deck deck = folder.load({"output.checkpoint={every=\"0.000001 s\",keep=3}", "stage.production.steps=3000"});
+    run_until(deck, 2500);
+    CHECK(find_resume_point(deck)->head.step > 2000);  // at the end of the first stage, were it for steps alone
+    const auto names = checkpoint_names();
+    CHECK(std::count_if(names.begin(), names.end(),
+                        [&](const std::string& name) { return std::filesystem::exists(deck.directory / name); }) == 3);
+}
+
+TEST_CASE("no checkpoint is written of a run that has blown up") {
+    const DeckFolder folder(with_files);
+    const Deck deck = folder.load({"output.checkpoint.every=1"});
+    prepare_directory(deck.directory);
+    Simulation simulation = simulation_of(deck);
+    Recorder listener;
+    listener.at_step = [&](Index step) {
+        if (step == 33) {
+            simulation.state.write_velocities().col(5) = Vec3(0.0, 1000.0, 0.0);
+        }
+    };
+    CHECK_THROWS_WITH(run_deck(deck, simulation, listener), Contains("step 33 ") && Contains("has blown up"));
+    CHECK(std::filesystem::exists(deck.directory / "failed.xyz"));
+    CHECK(resume(deck.directory) == 32);
+}
+
+TEST_CASE("a run whose time is over stops with a checkpoint, and can be gone on with") {
+    const DeckFolder folder(with_files);
+    const Deck deck = folder.load({"stage.production.steps=2000"});
+    prepare_directory(deck.directory);
+    Recorder listener;
+    try {
+        run_in(deck, listener, {.interruption = Interruption(1e-9)});
+        FAIL("the run went on");
+    } catch (const Interrupted& stopped) {
+        CHECK(stopped.exit_code() == 75);
+        CHECK_THAT(stopped.what(), Contains("the end of its wall time") && Contains("ljmd resume"));
+    }
+    CHECK(listener.steps.size() < 100);
+    CHECK(resume(deck.directory) == std::ssize(listener.steps));
+}

@@ -1,0 +1,155 @@
+#include "ljmd/run/run_directory.hpp"
+
+#include <map>
+
+#include "deck/deck_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/run/run.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<std::string> own_names{"run.json",       "results.json",   "results.txt",     "thermo.csv",
+                                         "rdf.csv",        "orbit.csv",      "oscillation.csv", "trajectory.h5md",
+                                         "trajectory.xyz", "trajectory.csv", "final.xyz",       "failed.xyz"};
+
+void write_text(const fs::path& path, const std::string& text) {
+    std::ofstream(path) << text;
+}
+
+/// Every file and what is in it.
+std::map<std::string, std::string> contents(const fs::path& directory) {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::directory_iterator(directory)) {
+        all[entry.path().filename().string()] = entry.is_regular_file() ? content_of(entry.path()) : "";
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a directory is good when it is not there, empty, or holds the files of others") {
+    const DeckFolder folder;
+    const Deck deck = folder.load();
+    CHECK_NOTHROW(check_directory(deck, false));
+    CHECK_FALSE(fs::exists(deck.directory));
+    fs::create_directory(deck.directory);
+    CHECK_NOTHROW(check_directory(deck, false));
+    write_text(deck.directory / "notes.txt", "mine");
+    write_text(deck.directory / "thermo.csv.bak", "mine");
+    CHECK_NOTHROW(check_directory(deck, false));
+    prepare_directory(deck.directory);
+    CHECK(contents(deck.directory).size() == 2);
+}
+
+TEST_CASE("any file of an earlier run is a reason to refuse, and stays as it is") {
+    for (const std::string& name : own_names) {
+        const DeckFolder folder;
+        const Deck deck = folder.load();
+        fs::create_directory(deck.directory);
+        write_text(deck.directory / name, "old");
+        CHECK_THROWS_AS(check_directory(deck, false), InputError);
+        CHECK_THROWS_WITH(check_directory(deck, false),
+                          Contains("already holds a run (" + name + ")") && Contains("--force"));
+        CHECK_NOTHROW(check_directory(deck, true));
+        CHECK(content_of(deck.directory / name) == "old");
+    }
+}
+
+TEST_CASE("with force a run replaces its own files and no others") {
+    const DeckFolder folder;
+    const Deck deck = folder.load();
+    fs::create_directory(deck.directory);
+    for (const std::string& name : own_names) {
+        write_text(deck.directory / name, "old");
+    }
+    write_text(deck.directory / "notes.txt", "mine");
+    fs::create_directory(deck.directory / "figures");
+    prepare_directory(deck.directory);
+    CHECK(contents(deck.directory) == std::map<std::string, std::string>{{"notes.txt", "mine"}, {"figures", ""}});
+}
+
+TEST_CASE("a link in the place of an output is removed, and what it leads to is not") {
+    const DeckFolder folder;
+    const Deck deck = folder.load();
+    fs::create_directory(deck.directory);
+    write_text(folder / "precious", "mine");
+    fs::create_symlink(folder / "precious", deck.directory / "thermo.csv");
+    fs::create_symlink(folder / "gone", deck.directory / "final.xyz");  // leads nowhere, but would be written through
+    CHECK_THROWS_AS(check_directory(deck, false), InputError);
+    prepare_directory(deck.directory);
+    CHECK(contents(deck.directory).empty());
+    CHECK(content_of(folder / "precious") == "mine");
+}
+
+TEST_CASE("what is no directory is refused, what cannot be made is an error") {
+    const DeckFolder folder;
+    Deck deck = folder.load();
+    write_text(folder / "file", "mine");
+    deck.directory = folder / "file";
+    CHECK_THROWS_AS(check_directory(deck, true), InputError);
+    CHECK_THROWS_WITH(check_directory(deck, true), Contains("is not a directory"));
+    CHECK_THROWS_AS(prepare_directory(folder / "file" / "out"), FileError);
+    CHECK(content_of(folder / "file") == "mine");
+    prepare_directory(folder / "some" / "where" / "deep");
+    CHECK(fs::is_directory(folder / "some" / "where" / "deep"));
+    fs::create_directories(folder / "some" / "thermo.csv" / "full");
+    CHECK_THROWS_WITH(prepare_directory(folder / "some"), Contains("thermo.csv is in the way"));
+}
+
+TEST_CASE("a run does not replace the file that it starts from, by whatever name") {
+    const DeckFolder folder(changed(small_deck, {{"lattice = { type = \"fcc\", cells = 3 }", ""}}));
+    const fs::path out = folder / "out";
+    fs::create_directory(out);
+    write_text(out / "final.xyz", "the start");
+    fs::create_symlink(out, folder / "link");
+    fs::create_hard_link(out / "final.xyz", folder / "start.xyz");
+    for (const fs::path& start :
+         {out, out / "final.xyz", folder / "link", folder / "link" / "final.xyz", folder / "start.xyz"}) {
+        INFO(start);
+        const Deck deck = folder.load({"system.file=" + start.string()});
+        CHECK_THROWS_AS(check_directory(deck, true), InputError);
+        CHECK_THROWS_WITH(check_directory(deck, true),
+                          Contains("is read, and would be replaced by what is written. Nothing was run."));
+    }
+    write_text(folder / "other.xyz", "the start");
+    CHECK_NOTHROW(check_directory(folder.load({"system.file=" + (folder / "other.xyz").string()}), true));
+    CHECK(content_of(out / "final.xyz") == "the start");
+}
+
+TEST_CASE("the frames and files that a deck asks for are written, and no others") {
+    const DeckFolder folder;
+    for (const char* format : {"", "xyz", "h5md"}) {
+        Deck deck = folder.load();
+        const std::string name = std::string("out") + format;
+        deck.directory = folder / name;
+        if (*format != '\0') {
+            deck.trajectory = TrajectoryOutput{format, 4, false, false, false};
+        }
+        Simulation simulation = simulation_of(deck);
+        prepare_directory(deck.directory);
+        RunDirectory files(deck, simulation.state, true);
+        files.write_frame(simulation.state);
+        for (Index step = 1; step <= 10; ++step) {
+            simulation.state.step = step;
+            if (files.frame_is_due(simulation.state)) {
+                files.write_frame(simulation.state);
+            }
+        }
+        files.finish(simulation.state, RunResult{});
+        std::string all;
+        for (const auto& [file, content] : contents(deck.directory)) {
+            all += file + " ";
+        }
+        const std::string trajectory = *format == '\0' ? "" : std::string("trajectory.") + format + " ";
+        CHECK(all == "final.xyz results.json results.txt run.json thermo.csv " + trajectory);
+        if (std::string(format) == "xyz") {
+            const std::string text = content_of(deck.directory / "trajectory.xyz");
+            CHECK_THAT(text, Contains("step=0") && Contains("step=4") && Contains("step=8") && !Contains("step=10"));
+        }
+    }
+}

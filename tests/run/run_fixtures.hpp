@@ -1,0 +1,100 @@
+#pragma once
+
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "deck/deck_fixtures.hpp"
+#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/run.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd::test {
+
+/// Writes down what happens in a run.
+struct Recorder : RunListener {
+    void stage_begins(const Stage& stage) override { stages.push_back(stage.name); }
+    void step_done(Index step) override {
+        steps.push_back(step);
+        if (at_step) {
+            at_step(step);
+        }
+    }
+    void warning(const std::string& text) override { warnings.push_back(text); }
+
+    std::vector<std::string> stages;
+    std::vector<Index> steps;
+    std::vector<std::string> warnings;
+    std::function<void(Index)> at_step;
+};
+
+/// What ends a run between writing and the next checkpoint, as a kill would.
+struct Killed {};
+
+/// Run a deck of either kind, from its start or from a checkpoint.
+inline void run_in(const Deck& deck, RunListener& listener, const RunControl& control = {}) {
+    if (deck.kind == DeckKind::few_body) {
+        FewBodySystem system = make_few_body_system(deck);
+        static_cast<void>(run_few_body(deck, system, listener, control));
+        return;
+    }
+    Simulation simulation = control.resumed ? empty_simulation(deck, control.resumed->point.head.atoms,
+                                                               Box(control.resumed->point.head.edges))
+                                            : simulation_of(deck);
+    static_cast<void>(run_deck(deck, simulation, listener, control));
+}
+
+/// Run the deck and stop it dead in the step after this one.
+inline void run_until(const Deck& deck, Index step) {
+    prepare_directory(deck.directory);
+    Recorder listener;
+    listener.at_step = [&](Index now) {
+        if (now > step) {
+            throw Killed();
+        }
+    };
+    try {
+        run_in(deck, listener);
+    } catch (const Killed&) {
+    }
+}
+
+/// The header of a CSV file.
+inline std::string header(const std::string& csv) {
+    return csv.substr(0, csv.find('\n'));
+}
+
+/// Rows of a CSV file behind its header, fields as text.
+inline std::vector<std::vector<std::string>> rows(const std::string& csv) {
+    std::vector<std::vector<std::string>> all;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        all.emplace_back();
+        for (std::string field; std::getline(fields, field, ',');) {
+            all.back().push_back(field);
+        }
+    }
+    all.erase(all.begin());
+    return all;
+}
+
+/// One column of a CSV file as numbers.
+inline std::vector<double> column(const std::string& csv, const std::string& name) {
+    std::istringstream names(header(csv));
+    std::size_t at = 0;
+    std::string found;
+    while (std::getline(names, found, ',') && found != name) {
+        ++at;
+    }
+    INFO(name << " in " << header(csv));
+    REQUIRE(found == name);
+    std::vector<double> numbers;
+    for (const auto& row : rows(csv)) {
+        numbers.push_back(std::stod(row.at(at)));
+    }
+    return numbers;
+}
+
+}  // namespace ljmd::test

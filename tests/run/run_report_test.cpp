@@ -1,0 +1,106 @@
+#include "ljmd/run/run_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "deck/deck_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+const StageResult there{"there", "bit-reversible", 0, 40, 0.004, true, false, false, -1.5e-7, "xxh3:a", "xxh3:b"};
+const StageResult back{"back", "velocity-verlet", 40, 100, 0.002, false, true, true, std::nullopt, "xxh3:b", "xxh3:a"};
+
+}  // namespace
+
+TEST_CASE("a title cannot write what it likes to a terminal, and a run without one goes by its deck") {
+    const DeckFolder folder;
+    Deck deck = folder.load();
+    CHECK(title_line(deck) == "A small liquid");
+    deck.title = "a\033[2Jb\nc";
+    CHECK(title_line(deck) == "a?[2Jb?c");
+    deck.title = std::string(1000, 'x');
+    CHECK(title_line(deck).size() < 250);
+    deck.title.clear();
+    CHECK(title_line(deck) == deck.path);
+}
+
+TEST_CASE("a stage in results.json has everything that is known of it") {
+    CHECK(Json(stage_json(there)) == Json({{"name", "there"},
+                                           {"integrator", "bit-reversible"},
+                                           {"first_step", 0},
+                                           {"last_step", 40},
+                                           {"steps", 40},
+                                           {"time_step", 0.004},
+                                           {"sampled", true},
+                                           {"thermostat", false},
+                                           {"reversed", false},
+                                           {"energy_drift", -1.5e-7},
+                                           {"time_step_error", nullptr},
+                                           {"checksum_at_start", "xxh3:a"},
+                                           {"checksum_at_end", "xxh3:b"}}));
+    const Json json = stage_json(back);
+    CHECK(json.at("steps") == 60);
+    CHECK(json.at("sampled") == false);
+    CHECK(json.at("thermostat") == true);
+    CHECK(json.at("reversed") == true);
+    CHECK(json.at("energy_drift").is_null());
+}
+
+TEST_CASE("a drift is too large when it adds up to more than 0.3 % of the kinetic energy") {
+    const auto remark = [](std::optional<double> drift) {
+        StageResult stage = there;  // 40 steps
+        stage.time_step = 0.2;
+        stage.energy_drift = drift;
+        return drift_remark(stage, 1.5);
+    };
+    const double limit = 0.003 * 1.5 / 8.0;
+    CHECK(remark(std::nullopt).empty());
+    CHECK(remark(0.99 * limit).empty());
+    CHECK(remark(-0.99 * limit).empty());
+    CHECK_THAT(remark(2.0 * limit), Contains("in all 0.009 epsilon per atom, 0.6 % of the kinetic energy: too much"));
+    CHECK_THAT(remark(-2.0 * limit), Contains("in all -0.009") && Contains("0.6 %"));
+    // In a short stage, here of 0.16 tau, more is left to chance.
+    StageResult brief = there;
+    brief.energy_drift = 0.99 * 0.02 * 1.5 / 0.16;
+    CHECK(drift_remark(brief, 1.5).empty());
+    brief.energy_drift = 1.01 * 0.02 * 1.5 / 0.16;
+    CHECK_THAT(drift_remark(brief, 1.5), Contains("2 % of the kinetic energy"));
+}
+
+TEST_CASE(
+    "a time step is too long when it sets temperatures of velocities and of configurations apart by more than 1 %") {
+    StageResult stage = there;
+    CHECK(time_step_remark(stage).empty());
+    stage.time_step = 0.016;
+    stage.time_step_error = 0.0099;
+    CHECK(time_step_remark(stage).empty());
+    stage.time_step_error = 0.016;
+    const std::string remark = time_step_remark(stage);
+    CHECK_THAT(remark, Contains("1.6 % apart") && Contains("a time step of 0.004 makes it 0.1 %"));
+    stage.integrator = "forest-ruth";  // of fourth order: what its step does is another matter
+    CHECK(time_step_remark(stage).empty());
+
+    stage.time_step_remark = remark;
+    CHECK_THAT(stage_lines({stage}, "per hour"),
+               Contains("  the time step of stage 'there' is too long:\n    " + remark));
+    CHECK(stage_json(stage).at("time_step_error") == 0.016);
+    CHECK(stage_json(stage).at("time_step_remark") == remark);
+}
+
+TEST_CASE("the table tells of drifts, and of checksums when the motion was turned round") {
+    CHECK(stage_lines({there}, "per hour") == "  energy drift in stage 'there': -1.5e-07 per hour\n");
+    StageResult hot = there;
+    hot.drift_remark = "too much";
+    CHECK(stage_lines({hot}, "per hour") == "  energy drift in stage 'there': -1.5e-07 per hour,\n    too much\n");
+    CHECK(stage_json(hot).at("energy_drift_remark") == "too much");
+    StageResult forth = back;
+    forth.reversed = false;
+    CHECK(stage_lines({forth}, "per hour").empty());
+    const std::string both = stage_lines({there, back}, "per hour");
+    CHECK_THAT(both, Contains("xxh3:a at the start\n") && Contains("xxh3:b after stage 'there'\n") &&
+                         Contains("xxh3:a after stage 'back'\n"));
+}

@@ -1,0 +1,177 @@
+#include "ljmd/study/child_run.hpp"
+
+#include <sys/stat.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <optional>
+#include <thread>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/simulation.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
+#include "run/run_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+namespace fs = std::filesystem;
+
+// That the jobs do what they say is tried by the tests in tests/cli, which run the program.
+
+namespace {
+
+const std::vector<std::string> hot{"system.temperature=1.5"};
+
+ChildRun run_in(const DeckFolder& folder, const std::vector<std::string>& settings = hot) {
+    return {.name = "hot",
+            .deck = folder.deck_path(),
+            .source = small_deck,
+            .settings = settings,
+            .directory = folder / "out",
+            .log = folder / "hot.log"};
+}
+
+/// The verb and the directory of a job.
+std::pair<std::string, std::string> verb(const std::optional<Job>& job) {
+    REQUIRE(job.has_value());
+    const auto& words = job->arguments;
+    return {words[0], words[0] == "run" ? words[3] : words[1]};
+}
+
+/// A line whose jobs are said by the test.
+struct Line {
+    std::vector<Job> jobs;
+    std::size_t taken = 0;
+    std::vector<int> statuses{};
+
+    std::optional<Job> begin() { return next(); }
+    std::optional<Job> after(int status) {
+        statuses.push_back(status);
+        return next();
+    }
+    std::optional<Job> next() { return taken < jobs.size() ? std::optional(jobs[taken++]) : std::nullopt; }
+};
+
+}  // namespace
+
+TEST_CASE("a run begins, is gone on with, and is left alone when it is finished") {
+    const DeckFolder folder;
+    const ChildRun run = run_in(folder);
+    const auto first = next_job(run);
+    CHECK(verb(first) == std::pair(std::string("run"), run.directory.string()));
+    CHECK(first->arguments == std::vector<std::string>{"run", run.deck, "--out", run.directory, "--quiet", "--force",
+                                                       "--threads", "1", "--set", hot[0]});
+    CHECK(first->output == run.log);
+
+    run_until(folder.load(hot), 30);  // a checkpoint lies at the end of the first stage
+    CHECK_FALSE(holds_another_run(run));
+    CHECK(verb(next_job(run)) == std::pair(std::string("resume"), run.directory.string()));
+
+    fs::remove(run.directory / "checkpoint.1");
+    fs::remove(run.directory / "checkpoint.2");
+    CHECK(verb(next_job(run)).first == "run");
+
+    const Deck deck = folder.load(hot);
+    Simulation simulation = simulation_of(deck);
+    prepare_directory(deck.directory);
+    Recorder listener;
+    static_cast<void>(run_deck(deck, simulation, listener));
+    CHECK_FALSE(next_job(run).has_value());
+    CHECK(longer(run, 60).arguments == std::vector<std::string>{"resume", run.directory, "--quiet", "--steps", "+60"});
+}
+
+TEST_CASE("a run of another deck or with other settings is another one, and made anew") {
+    const DeckFolder folder;
+    run_until(folder.load(hot), 30);
+    const ChildRun run = run_in(folder);
+    ChildRun other_deck = run;
+    other_deck.source += "\n";
+    for (const ChildRun& other : {run_in(folder, {}), run_in(folder, {"system.temperature=1.50"}), other_deck}) {
+        CHECK(holds_another_run(other));
+        CHECK(verb(next_job(other)).first == "run");
+    }
+    std::ofstream(run.directory / "run.json") << "{";
+    CHECK_THROWS_AS(holds_another_run(run), DataError);
+    CHECK_THROWS_AS(next_job(run), DataError);
+}
+
+TEST_CASE("a failure is told by the last error in the log, or its last line, as a terminal may show it") {
+    const DeckFolder folder;
+    const ChildRun run = run_in(folder);
+    CHECK(failure_of(run, 137) == "hot: exit code 137: " + run.log.string() + ": no such file");
+    std::ofstream(run.log) << "warning: x\nkilled \x1B[31m\n\n";
+    CHECK(failure_of(run, 137) == "hot: exit code 137: killed ?[31m");
+    std::ofstream(run.log) << "error: a\nerror: blown up\n  the configuration is in failed.xyz\n";
+    CHECK(failure_of(run, 5) == "hot: exit code 5: error: blown up");
+    CHECK(error_in_log(run.log) == "error: blown up");
+    std::ofstream(run.log) << "stopped after step 3\n";
+    CHECK(error_in_log(run.log).empty());
+    CHECK(error_in_log(folder / "no log").empty());
+}
+
+TEST_CASE("each line is told of when it is at its end, and lines with nothing to do at once") {
+    const TemporaryFolder folder;
+    const Job help{{"-?"}, folder / "out"};  // of this test program
+    std::vector<Line> lines{{{help, help}}, {{}}, {{help}}};
+    std::vector<std::size_t> counts;
+    std::vector<const Line*> ended;
+    run_lines(lines, 1, Interruption(), [&](const Line& line, std::size_t done) {
+        counts.push_back(done);
+        ended.push_back(&line);
+    });
+    CHECK(counts == std::vector<std::size_t>{1, 2, 3});
+    REQUIRE(ended.size() == 3);
+    CHECK(ended[0] == &lines[1]);
+    CHECK(lines[0].statuses == std::vector<int>{0, 0});
+    CHECK(lines[1].statuses.empty());
+    CHECK(lines[2].statuses == std::vector<int>{0});
+}
+
+TEST_CASE("places that lead elsewhere are refused") {
+    const DeckFolder folder;
+    const ChildRun run = run_in(folder);
+    CHECK_NOTHROW(check_places(run));
+    std::ofstream(run.log) << "error: of an earlier time\n";
+    CHECK_NOTHROW(check_places(run));
+    fs::remove(run.log);
+    fs::create_symlink(folder / "precious", run.log);
+    CHECK_THROWS_AS(check_places(run), InputError);
+    fs::remove(run.log);
+    REQUIRE(mkfifo(run.log.c_str(), 0600) == 0);
+    CHECK_THROWS_WITH(check_places(run), Catch::Matchers::Contains("hot.log is in the way"));
+    CHECK(failure_of(run, 5) == "hot: exit code 5: " + run.log.string() + ": is a pipe, not a regular file");
+    fs::remove(run.log);
+    fs::create_directory(folder / "elsewhere");
+    fs::create_directory_symlink(folder / "elsewhere", run.directory);
+    CHECK_THROWS_WITH(check_places(run), Catch::Matchers::Contains(run.directory.string() + " is in the way"));
+    fs::remove(run.directory);
+    fs::create_directory(run.directory);
+    CHECK_NOTHROW(check_places(run));
+}
+
+TEST_CASE("runs that still write into a folder are waited for") {
+    const DeckFolder folder;
+    fs::create_directories(folder / "runs/free");
+    fs::create_directories(folder / "runs/held");
+    std::ofstream(folder / "runs/file") << "text";
+    std::vector<std::string> told;
+    const auto tell = [&told](const std::string& text) { told.push_back(text); };
+    wait_for_runs(folder / "runs/absent", Interruption(), tell);
+    auto lock = std::make_optional<DirectoryLock>(folder / "runs/held");
+    std::atomic<bool> released = false;
+    std::thread other([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        released = true;
+        lock.reset();
+    });
+    wait_for_runs(folder / "runs", Interruption(), tell);
+    CHECK(released);
+    CHECK(told == std::vector<std::string>{"waiting for the run that is still writing to " +
+                                           (folder / "runs/held").string() + "\n"});
+    other.join();
+    wait_for_runs(folder / "runs", Interruption(), tell);
+    lock.emplace(folder / "runs/held");
+    const Interruption stopped(std::nullopt, [] { return std::optional(StopRequest{15, "SIGTERM"}); });
+    CHECK_THROWS_AS(wait_for_runs(folder / "runs", stopped, tell), Interrupted);
+}

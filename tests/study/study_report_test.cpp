@@ -1,0 +1,78 @@
+#include "ljmd/study/study_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/study/sweep_record.hpp"
+#include "run/run_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A run of a study, begun and stopped after this step, or run to its end.
+void leave_run(const ChildRun& run, Index last_step) {
+    Diagnostics diagnostics;
+    auto deck = load_deck_text("deck.toml", run.source, run.settings, false, diagnostics);
+    REQUIRE(deck.has_value());
+    deck->directory = run.directory;
+    run_until(*deck, last_step);
+}
+
+}  // namespace
+
+TEST_CASE("of a sweep its directory tells how far each run got, in words and as JSON") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "";
+    const SweepPlan plan{"some.toml", small_deck, {}, {{"system.temperature"}, {{"1"}, {"2"}, {"3"}, {"4"}}}};
+    prepare_sweep(plan, out, false);
+    REQUIRE(holds_study(out));
+    const auto runs = sweep_runs(plan, out);
+    leave_run(runs[0], 60);
+    leave_run(runs[1], 30);
+    std::ofstream(runs[2].log) << "error: blown up\n";
+
+    const std::string text = study_report(out);
+    CHECK_THAT(text, Contains("a sweep of 4 runs\n") && Contains("deck          some.toml\n"));
+    CHECK_THAT(text, Contains("finished      1\nstopped       1\nfailed        1\nnot begun     1\n"));
+    CHECK_THAT(text, Contains("  temperature=1  finished\n  temperature=2  stopped at step 20 of 60\n"
+                              "  temperature=3  failed                    error: blown up\n"
+                              "  temperature=4  not begun\n"));
+    CHECK_THAT(text, Catch::EndsWith("to go on: the command that began it\n"));
+
+    const Json json = Json::parse(study_json(out));
+    CHECK(json["kind"] == "sweep");
+    CHECK(json["deck"] == "some.toml");
+    CHECK(json["running"] == false);
+    CHECK(json["states"] == Json{{"finished", 1}, {"running", 0}, {"stopped", 1}, {"failed", 1}, {"not begun", 1}});
+    REQUIRE(json["runs"].size() == 4);
+    CHECK(json["runs"][1]["step"] == 20);
+    CHECK(json["runs"][1]["total_steps"] == 60);
+    CHECK(json["runs"][2]["words"] == "error: blown up");
+    CHECK(json["runs"][3]["step"].is_null());
+}
+
+TEST_CASE("a reproduced table is a study, too, a run or an empty directory is none") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "";
+    CHECK_FALSE(holds_study(out));
+    fs::create_directories(out / "rows");
+    std::ofstream(out / "rows" / "b.toml") << small_deck;
+    std::ofstream(out / "rows" / "a.toml") << small_deck;
+    REQUIRE(holds_study(out));
+    CHECK_THAT(study_report(out),
+               Contains("a reproduced table of 2 runs\n") && Contains("  a  not begun\n  b  not begun\n"));
+    CHECK(Json::parse(study_json(out))["kind"] == "reproduction");
+    std::ofstream(out / "run.json") << "{}";
+    CHECK_FALSE(holds_study(out));
+}
+
+TEST_CASE("a damaged record of a sweep is told") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "sweep.json") << "{";
+    CHECK_THROWS_AS(study_report(folder / ""), DataError);
+}

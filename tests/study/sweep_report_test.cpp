@@ -1,0 +1,168 @@
+#include "ljmd/study/sweep_report.hpp"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/output_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+SweptPoints fluids() {
+    return {
+        {"system.temperature", "title"},
+        {{"temperature=1.2,title=a-b",
+          {"1.2", "a,b"},
+          "runs/x",
+          {{"temperature", 1.25, 0.0123, "a guess"}, {"potential_energy", -6.0, unknown}, {"pressure", 0.1, 0.02}},
+          ""},
+         {"temperature=2,title=c", {"2", "c"}, "runs/y", {}, "temperature=2,title=c: exit code 5: error: lost"},
+         {"temperature=3,title=d",
+          {"3", "d"},
+          "runs/z",
+          {{"temperature", 3.0, 0.1, "a guess"}, {"viscosity", 2.5, 0.25}, {"pressure", unknown, unknown, "one atom"}},
+          ""}}};
+}
+
+}  // namespace
+
+TEST_CASE("the table has keys and main observables in columns, and says what has failed") {
+    const std::vector<std::vector<const char*>> expected{
+        {"temperature", "title", "T", "U/N", "p", "Z"},
+        {"1.2", "a,b", "1.250 +- 0.012 [1]", "-6", "0.100 +- 0.020", "-"},
+        {"2", "c", "failed", "failed", "failed", "failed"},
+        {"3", "d", "3.00 +- 0.10 [1]", "-", "- [2]", "-"},
+    };
+    std::string table;
+    for (const auto& row : expected) {
+        table += fmt::format("{:>13}{:>7}{:>23}{:>23}{:>23}{:>23}\n", row[0], row[1], row[2], row[3], row[4], row[5]);
+    }
+    table += "  [1] a guess\n  [2] one atom\n";
+    CHECK(sweep_table(fluids()) == table);
+    CHECK(point_line(fluids().points[0]) == "T 1.250 +- 0.012, U/N -6, p 0.100 +- 0.020, Z -");
+}
+
+TEST_CASE("numbers that are long do not run together") {
+    SweptPoints swept = fluids();
+    swept.points[0].found = {{"temperature", -6.626360956, 1.23e-7, "a guess"}, {"potential_energy", 1.0, 0.1}};
+    CHECK_THAT(sweep_table(swept), Contains("a,b  -6.62636096 +- 0.00000012 [1]  "));
+}
+
+TEST_CASE("a table of few bodies has their energies") {
+    const SweptPoints swept{{"stage.orbits.time_step"},
+                            {{"time_step=0.1", {"0.1"}, "runs/x", {{"total_energy", -0.375, unknown}}, ""}}};
+    CHECK_THAT(sweep_table(swept), Contains("total energy\n") && Contains("-0.375\n"));
+    CHECK_THAT(sweep_table(swept), !Contains("U/N"));
+}
+
+TEST_CASE("values that no terminal should show do not reach it") {
+    SweptPoints swept = fluids();
+    swept.points[0].values[1] = "\x1B[31m";
+    CHECK_THAT(sweep_table(swept), Contains("?[31m") && !Contains("\x1B"));
+}
+
+TEST_CASE("the CSV has every observable of any point, with its error, and empty fields for the rest") {
+    CHECK(
+        sweep_csv(fluids()) ==
+        "system.temperature,title,temperature,temperature_standard_error,potential_energy,"
+        "potential_energy_standard_error,pressure,pressure_standard_error,viscosity,viscosity_standard_error,remarks\n"
+        "1.2,\"a,b\",1.25,0.0123,-6,,0.1,0.02,,,temperature: a guess\n"
+        "2,c,,,,,,,,,\n"
+        "3,d,3,0.1,,,,,2.5,0.25,temperature: a guess; pressure: one atom\n");
+    CHECK(sweep_csv({{"a"}, {}}) == "a,remarks\n");
+}
+
+TEST_CASE("the JSON has values as what they are, and null for what is not known") {
+    SweptPoints swept = fluids();
+    swept.points[0].values = {"1.2", "[1.0, 0.5]"};
+    const auto json = nlohmann::json::parse(sweep_json(swept));
+    CHECK(json["keys"] == std::vector<std::string>{"system.temperature", "title"});
+    const auto& first = json["points"][0];
+    CHECK(first["values"]["system.temperature"] == 1.2);
+    CHECK(first["values"]["title"] == std::vector<double>{1.0, 0.5});
+    CHECK(first["directory"] == "runs/x");
+    CHECK(first["failure"].is_null());
+    CHECK(first["observables"]["temperature"]["mean"] == 1.25);
+    CHECK(first["observables"]["temperature"]["remark"] == "a guess");
+    CHECK_FALSE(first["observables"]["pressure"].contains("remark"));
+    CHECK(first["observables"]["potential_energy"]["standard_error"].is_null());
+    CHECK(json["points"][1]["failure"] == "temperature=2,title=c: exit code 5: error: lost");
+    CHECK(json["points"][1]["values"]["title"] == "c");
+}
+
+TEST_CASE("means are read from the results of a run, in their order") {
+    const TemporaryFolder folder;
+    const auto path = folder / "results.json";
+    std::ofstream(path) << R"({"observables": {"temperature": {"mean": 1.5, "standard_error": 0.1, "unit": ""},
+                                               "pressure": {"mean": null, "standard_error": null, "remark": "one atom"}},
+                               "analysis": {"orbit": {"period": {"value": 3, "standard_error": null}}}})";
+    const auto found = observed_means(path);
+    REQUIRE(found.size() == 3);
+    CHECK(found[0].name == "temperature");
+    CHECK(found[0].mean == 1.5);
+    CHECK(found[0].standard_error == 0.1);
+    CHECK(found[1].name == "pressure");
+    CHECK(std::isnan(found[1].mean));
+    CHECK(found[0].remark.empty());
+    CHECK(found[1].remark == "one atom");
+    CHECK(found[2].name == "orbit_period");
+    CHECK(found[2].mean == 3.0);
+    CHECK(std::isnan(found[2].standard_error));
+}
+
+TEST_CASE("results that are not there or damaged are told of") {
+    const TemporaryFolder folder;
+    const auto path = folder / "results.json";
+    CHECK_THROWS_WITH(observed_means(path), Contains("results.json: no such file"));
+    for (const char* text : {"", "[]", "{}", R"({"observables": {"temperature": 1}})",
+                             R"({"observables": {"temperature": {"mean": "x", "standard_error": 1}}})"}) {
+        INFO(text);
+        std::ofstream(path) << text;
+        CHECK_THROWS_AS(observed_means(path), DataError);
+    }
+}
+
+TEST_CASE("a value that is nested too deeply for JSON is a text") {
+    SweptPoints swept = fluids();
+    swept.points[0].values[1] = std::string(100'000, '[') + std::string(100'000, ']');
+    CHECK(nlohmann::json::parse(sweep_json(swept))["points"][0]["values"]["title"] == swept.points[0].values[1]);
+}
+
+TEST_CASE("results that hold something else than a run writes are refused") {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& text) {
+        std::ofstream(folder / "results.json") << text;
+        CHECK_THROWS_WITH(observed_means(folder / "results.json"),
+                          Contains("results.json is not the result of a run: "));
+    };
+    refused(R"({"observables": [{"mean": 1, "standard_error": 0.1}]})");
+    refused(R"({"observables": {}, "analysis": [[{"value": 1, "standard_error": 0.1}]]})");
+    refused(R"({"observables": {}, "analysis": {"orbit": [{"value": 1, "standard_error": 0.1}]}})");
+    refused(R"({"observables": {"a": 1}})");
+    refused(R"({"observables": {"a": {"mean": "1", "standard_error": null}}})");
+    std::string many = R"({"observables": {}, "analysis": {)";
+    for (int analysis = 0; analysis < 3; ++analysis) {
+        many +=
+            fmt::format(R"({}"a{}": {{"b0": {{"value": 1, "standard_error": 1}})", analysis == 0 ? "" : ", ", analysis);
+        for (int k = 1; k < 500; ++k) {
+            many += fmt::format(R"(, "b{}": {{"value": 1, "standard_error": 1}})", k);
+        }
+        many += "}";
+    }
+    refused(many + "}}");
+}
+
+TEST_CASE("a name with a comma is one field of the CSV") {
+    const SweptPoints swept{{"a"}, {{"a=1", {"1"}, "x", {{"orbit_b,c", 1.0, 0.5}}, ""}}};
+    CHECK(sweep_csv(swept) == "a,\"orbit_b,c\",\"orbit_b,c_standard_error\",remarks\n1,1,0.5,\n");
+}
