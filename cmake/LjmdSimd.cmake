@@ -1,4 +1,4 @@
-# Kernels: every source in a folder src/<layer>/simd is compiled once for each SIMD level that the compiler has flags for, with
+# Kernels: every source in a folder src/<room>/simd is compiled once for each SIMD level that the compiler has flags for, with
 # LJMD_SIMD_LEVEL set to the level's name as an identifier. ljmd_simd_objects holds the objects of all levels;
 # ljmd/execution/simd_levels.hpp lists the levels.
 #
@@ -57,7 +57,7 @@ namespace ljmd::simd {
 
 inline constexpr std::array levels{@values@};
 
-/// The kernels of that type as compiled for one level; defined in a source of src/<layer>/simd.
+/// The kernels of that type as compiled for one level; defined in a source of src/<room>/simd.
 template <class Kernel, class Level>
 Kernel compiled_here();
 

@@ -6,7 +6,7 @@
     check_tree.py --self-test               check that violations are caught, on made-up trees
 
 Rules:
-- every src/<layer>/x.cpp has its tests/<layer>/x_test.cpp, but for WITHOUT_TEST;
+- every src/<room>/x.cpp has its tests/<room>/x_test.cpp, but for WITHOUT_TEST;
 - at the top level stand only the names in TOP_LEVEL;
 - a file in src/ or include/ has at most MAXIMUM_LINES lines;
 - no file asks for fast-math;

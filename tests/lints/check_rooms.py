@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 """Checks who includes whom in include/ and src/.
 
-    check_layers.py ROOT          check the tree at ROOT
-    check_layers.py --self-test   check that violations are caught, on made-up trees
+    check_rooms.py ROOT          check the tree at ROOT
+    check_rooms.py --self-test   check that violations are caught, on made-up trees
 
 Rules:
-- a file includes only what LAYERS allows its layer, and files do not include each other in a circle;
-- project headers are included as "ljmd/<layer>/x.hpp", or by a path relative to the including file for headers that
+- a file includes only what its room may include (ROOMS, KEPT_FROM), and files do not include each other in a circle;
+- project headers are included as "ljmd/<room>/x.hpp", or by a path relative to the including file for headers that
   are private to src/;
 - every header begins with #pragma once (after comments);
-- physics layers have no conditional compilation: what is absent is an absent.cpp that CMake chooses.
+- physics and engine see no file, no process and no terminal, and have no conditional compilation: what is absent is an
+  absent.cpp that CMake chooses;
+- a folder of src/ has at most MOST_SOURCES sources: a fuller one is divided.
 """
 
 import os
@@ -32,12 +34,17 @@ KEPT_FROM = {
     "io": {"reference", "domain", "engine"},
     "input": {"reference", "domain", "engine"},
 }
-LAYERS = {room: set(ROOMS[:place]) - KEPT_FROM.get(room, set()) for place, room in enumerate(ROOMS)}
+ALLOWED = {room: set(ROOMS[:place]) - KEPT_FROM.get(room, set()) for place, room in enumerate(ROOMS)}
 
 PHYSICS = {"model", "potentials", "domain", "neighbors", "forces", "integrators", "observables", "reference", "engine"}
 
 # Written by the build, not in the tree.
 GENERATED = {"ljmd/cli/bench_deck.hpp", "ljmd/execution/simd_levels.hpp", "ljmd/core/version.hpp", "ljmd/potentials/formula_list.hpp"}
+
+# Headers of files, processes, signals and the terminal.
+OUTSIDE = re.compile(r"fstream|filesystem|iostream|cstdio|stdio\.h|csignal|signal\.h|fcntl\.h|unistd\.h|sys/.*|spawn\.h")
+
+MOST_SOURCES = 20
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 CONDITIONAL = re.compile(r"^\s*#\s*(if|ifdef|ifndef|elif|elifdef|elifndef)\b")
@@ -49,8 +56,8 @@ def without_comments(text):
     return re.sub(r"//[^\n]*", "", text)
 
 
-def layer_of(path):
-    """Layer of a path relative to the root: include/ljmd/<layer>/..., src/<layer>/...; None elsewhere."""
+def room_of(path):
+    """Room of a path relative to the root: include/ljmd/<room>/..., src/<room>/...; None elsewhere."""
     parts = path.parts
     if parts[:2] == ("include", "ljmd") and len(parts) > 3:
         return parts[2]
@@ -75,27 +82,29 @@ def resolve(root, path, bracket, target):
 def check_file(root, path):
     """(complaints, included files) of one file."""
     complaints, includes = [], []
-    layer = layer_of(path)
-    if layer not in LAYERS:
-        return [f"{path}: in no layer; allowed: {', '.join(sorted(LAYERS))}"], []
+    room = room_of(path)
+    if room not in ALLOWED:
+        return [f"{path}: in no room; allowed: {', '.join(ROOMS)}"], []
     lines = without_comments((root / path).read_text(encoding="utf-8")).splitlines()
     first = next((line.strip() for line in lines if line.strip()), "")
     if path.suffix == ".hpp" and first != "#pragma once":
         complaints.append(f"{path}: a header begins with #pragma once")
     for number, line in enumerate(lines, 1):
-        if layer in PHYSICS and CONDITIONAL.match(line):
-            complaints.append(f"{path}:{number}: conditional compilation in the physics layer {layer}")
+        if room in PHYSICS and CONDITIONAL.match(line):
+            complaints.append(f"{path}:{number}: conditional compilation in {room}")
         match = INCLUDE.match(line)
         if not match:
             continue
+        if room in PHYSICS and OUTSIDE.fullmatch(match.group(2)):
+            complaints.append(f"{path}:{number}: {room} must not see files, processes or the terminal ({match.group(2)})")
         included = resolve(root, path, *match.groups())
         if isinstance(included, str):
             complaints.append(f"{path}:{number}: {included}")
         elif included is not None:
             includes.append(included)
-            other = layer_of(included)
-            if other != layer and other not in LAYERS[layer]:
-                complaints.append(f"{path}:{number}: {layer} must not include {other} ({match.group(2)})")
+            other = room_of(included)
+            if other != room and other not in ALLOWED[room]:
+                complaints.append(f"{path}:{number}: {room} must not include {other} ({match.group(2)})")
     return complaints, includes
 
 
@@ -119,9 +128,18 @@ def circles(graph):
     return complaints
 
 
+def crowded(root):
+    """One complaint for each folder with too many sources."""
+    counts = {}
+    for file in (root / "src").rglob("*.cpp"):
+        counts[file.parent] = counts.get(file.parent, 0) + 1
+    return [f"{folder.relative_to(root)}: {count} sources in one folder; at most {MOST_SOURCES}"
+            for folder, count in sorted(counts.items()) if count > MOST_SOURCES]
+
+
 def check(root):
     """(number of files, complaints) of a tree."""
-    complaints, graph = [], {}
+    complaints, graph = crowded(root), {}
     for top in ("include", "src"):
         for file in sorted((root / top).rglob("*.[ch]pp")):
             path = file.relative_to(root)
@@ -156,8 +174,11 @@ VIOLATIONS = [
     ("include/ljmd/core/a.hpp", "#ifndef A_HPP\n#define A_HPP\n#endif\n", "begins with #pragma once"),
     ("src/model/b.cpp", "#ifdef LJMD_WITH_MPI\n#endif\n", "conditional compilation"),
     ("src/model/b.cpp", "#  if defined(X)\n#endif\n", "conditional compilation"),
-    ("src/magic/b.cpp", "", "in no layer"),
-    ("include/ljmd/all.hpp", "#pragma once\n", "in no layer"),
+    ("src/magic/b.cpp", "", "in no room"),
+    ("src/engine/e.cpp", '#include "../io/private.hpp"\n', "engine must not include io"),
+    ("src/engine/e.cpp", "#include <filesystem>\n", "engine must not see files"),
+    ("src/model/b.cpp", "#include <unistd.h>\n", "model must not see files"),
+    ("include/ljmd/all.hpp", "#pragma once\n", "in no room"),
     ("include/ljmd/core/a.hpp", '#pragma once\n#include "ljmd/core/a.hpp"\n', "circle of includes"),
 ]
 
@@ -181,7 +202,11 @@ def self_test():
             complaints = check(Path(folder))[1]
             if not any(expected in complaint for complaint in complaints):
                 failures.append(f"{name} with {text!r}: expected '{expected}', got {complaints}")
-    print("\n".join(failures) or f"{len(VIOLATIONS)} violations caught")
+    with tempfile.TemporaryDirectory() as folder:
+        write_tree(Path(folder), {**SOUND, **{f"src/io/s{k}.cpp": "" for k in range(MOST_SOURCES)}})
+        if not any("sources in one folder" in complaint for complaint in check(Path(folder))[1]):
+            failures.append("a crowded folder went unseen")
+    print("\n".join(failures) or f"{len(VIOLATIONS) + 1} violations caught")
     return 1 if failures else 0
 
 
