@@ -106,16 +106,18 @@ std::string info_json() {
 
 }  // namespace
 
-void info_command(const std::string& directory, bool keys, bool json) {
-    if (!directory.empty()) {
-        if (holds_study(directory)) {
-            print_result(json ? study_json(directory) : study_report(directory));
-        } else {
-            print_result(json ? directory_json(directory) : directory_report(directory));
-        }
-        return;
+void info_command(const InfoOptions& options) {
+    if (options.keys) {
+        print_result(deck_reference_page());
+    } else if (options.schema) {
+        print_result(deck_json_schema());
+    } else if (options.directory.empty()) {
+        print_result(options.json ? info_json() : info_text());
+    } else if (holds_study(options.directory)) {
+        print_result(options.json ? study_json(options.directory) : study_report(options.directory));
+    } else {
+        print_result(options.json ? directory_json(options.directory) : directory_report(options.directory));
     }
-    print_result(keys ? deck_reference_page() : json ? info_json() : info_text());
 }
 
 }  // namespace ljmd

@@ -192,8 +192,7 @@ int main(int argc, char** argv) {
     std::string walltime;
     ljmd::CrosscheckOptions compared;
     std::string to;
-    bool keys = false;
-    bool json = false;
+    ljmd::InfoOptions told;
     CLI::App& run = *app.add_subcommand("run", "run a deck and write its results");
     add_deck_options(run, options);
     run.add_option("--out", out, "output directory, instead of the deck's")->type_name("DIR");
@@ -268,11 +267,14 @@ int main(int argc, char** argv) {
     CLI::App& info =
         *app.add_subcommand("info", "version, build and what decks can select; of a run or sweep, how far it got");
     CLI::Option* of_run =
-        info.add_option("directory", resumed.directory, "directory of a run, a sweep or a reproduced table")
+        info.add_option("directory", told.directory, "directory of a run, a sweep or a reproduced table")
             ->type_name("RUNDIR");
-    CLI::Option* page = info.add_flag("--keys", keys, "the reference page of all deck keys, in Markdown");
+    CLI::Option* page = info.add_flag("--keys", told.keys, "the reference page of all deck keys, in Markdown");
     page->excludes(of_run);
-    info.add_flag("--json", json, "print it as JSON")->excludes(page);
+    CLI::Option* schema =
+        info.add_flag("--schema", told.schema, "a JSON Schema of decks, with which editors complete and check");
+    schema->excludes(of_run)->excludes(page);
+    info.add_flag("--json", told.json, "print it as JSON")->excludes(page)->excludes(schema);
 
     if (argc < 2) {
         ljmd::talk(app.help());
@@ -307,7 +309,7 @@ int main(int argc, char** argv) {
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {
-            ljmd::info_command(resumed.directory, keys, json);
+            ljmd::info_command(told);
         }
     } catch (...) {
         return ljmd::report_current_exception();

@@ -2,6 +2,7 @@
 
 #include "ljmd/core/registry.hpp"
 #include "ljmd/input/deck_reference.hpp"
+#include "ljmd/input/json_schema.hpp"
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -272,11 +273,19 @@ Schema deck_schema(DeckKind kind) {
 std::string deck_reference_page() {
     return "# All keys of a deck\n\n"
            "Made by `ljmd info --keys` from the tables that validate decks. A key without a default must be "
-           "given.\n\n## A fluid\n\n" +
+           "given.\n\n`ljmd info --schema` prints the same as a JSON Schema, with which editors complete and check "
+           "decks. Taplo, "
+           "which VS Code's Even Better TOML uses, takes it from a first line `#:schema ljmd.schema.json` where `ljmd "
+           "info "
+           "--schema > ljmd.schema.json` has put it.\n\n## A fluid\n\n" +
            schema_markdown(fluid_schema(), 3) +
            "\n## A few bodies\n\nA deck with `[force]` and `[[body]]` tables: no box, no temperature, and whatever "
            "units its numbers are consistent in.\n\n" +
            schema_markdown(few_body_schema(), 3);
+}
+
+std::string deck_json_schema() {
+    return json_schema("a deck of ljmd", {{"force", "body"}, few_body_schema(), fluid_schema()});
 }
 
 }  // namespace ljmd

@@ -20,7 +20,7 @@ using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
 TEST_CASE("info names every plug-in, with keys it is the reference page") {
-    const std::string text = said([] { info_command("", false, false); }).out;
+    const std::string text = said([] { info_command({}); }).out;
     for (const auto& names :
          {PairPotential::formula_names(), PairPotential::truncation_names(), pair_search_names(),
           plugin_names(all_few_body_forces()), plugin_names(all_integrators()), plugin_names(all_thermostats()),
@@ -30,11 +30,12 @@ TEST_CASE("info names every plug-in, with keys it is the reference page") {
             CHECK_THAT(text, Contains(name));
         }
     }
-    CHECK(said([] { info_command("", true, false); }).out == deck_reference_page());
+    CHECK(said([] { info_command({.keys = true}); }).out == deck_reference_page());
+    CHECK(said([] { info_command({.schema = true}); }).out == deck_json_schema());
 }
 
 TEST_CASE("info as JSON has the lists that scripts go through, integrators with what they promise") {
-    const Json json = Json::parse(said([] { info_command("", false, true); }).out);
+    const Json json = Json::parse(said([] { info_command({.json = true}); }).out);
     CHECK(json.at("version") == build_info().version);
     CHECK(json.at("commit") == build_info().commit);
     CHECK(json.at("potentials") == Json(PairPotential::formula_names()));

@@ -125,10 +125,14 @@ void sweep_command(const SweepOptions& options);
 /// of a trajectory; thermo of a trajectory: energies and pressures of its frames. Writes the tables that a run writes.
 void analyze_command(const AnalyzeOptions& options);
 
-/// ljmd info, ljmd info RUNDIR
-/// @param directory  of a run or a study to tell of; empty: tell of the program
-/// @param keys       print the reference page of all deck keys instead
-/// @param json       print it as JSON
-void info_command(const std::string& directory, bool keys, bool json);
+/// What `ljmd info` is to tell of, one of them; by default the program.
+struct InfoOptions {
+    std::string directory;  ///< of a run or a study
+    bool keys = false;      ///< the reference page of all keys of a deck, in Markdown
+    bool schema = false;    ///< a JSON Schema of decks
+    bool json = false;      ///< the program or the directory, as JSON
+};
+
+void info_command(const InfoOptions& options);
 
 }  // namespace ljmd

@@ -26,4 +26,7 @@ enum class DeckKind {
 /// The reference page of all deck keys, in Markdown.
 [[nodiscard]] std::string deck_reference_page();
 
+/// A JSON Schema of decks of both kinds, see json_schema().
+[[nodiscard]] std::string deck_json_schema();
+
 }  // namespace ljmd
