@@ -68,7 +68,7 @@ def late_lists_are_told_of(t):
 
 def slow_heating(t):
     """A time step a little too large heats without any explosion; the message tells by how much."""
-    t.deck(("time_step = 0.004\nsteps = 20", "time_step = 0.03\nsteps = 3000"),
+    t.deck(("time_step = 0.004\nsteps = 20", "time_step = 0.032\nsteps = 3000"),
            ('thermostat = { type = "rescale", every = 5 }\n', ""))
     result = t.expect(5, t.run("run", "deck.toml", "--force"))
     t.check(re.search(r"error: step \d+ \(stage 'melt'\): the total energy has risen by [\d.]+ epsilon per atom", result.err),

@@ -92,6 +92,9 @@ hid_t Hdf5Input::checked(hid_t id, const std::string& doing) const {
 }
 
 bool Hdf5Input::exists(const std::string& object) const {
+    if (object.empty()) {
+        return false;
+    }
     const Hdf5Silence silence;
     for (std::size_t end = object.find('/'); true; end = object.find('/', end + 1)) {
         const std::string part = object.substr(0, end);

@@ -49,6 +49,7 @@ TEST_CASE("numbers, extents, texts and members of an HDF5 file are read") {
     CHECK(input.name() == (folder / "a.h5").string());
     CHECK(input.exists("g/h/value"));
     CHECK_FALSE(input.exists("g/none/value"));
+    CHECK_FALSE(input.exists(""));
     CHECK_FALSE(input.exists("g/numbers/value"));
     CHECK(input.is_dataset("g/numbers"));
     CHECK_FALSE(input.is_dataset("g/h"));

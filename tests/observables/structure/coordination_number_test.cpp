@@ -124,18 +124,22 @@ TEST_CASE("the error of the coordination number holds that of the minimum: the s
     double sum = 0.0;
     double squares = 0.0;
     double reported = 0.0;
+    int found_in = 0;
     for (unsigned seed = 0; seed < 60; ++seed) {
         const ObservableAverage average = found(draw(liquid, 64, seed), 280);
-        REQUIRE(average.estimate.has_value());
-        sum += average.estimate->mean;
-        squares += std::pow(average.estimate->mean - expected, 2);
-        reported += std::pow(average.estimate->standard_error, 2);
+        if (average.estimate) {  // error bars of one in a hundred such short runs are not called converged
+            ++found_in;
+            sum += average.estimate->mean;
+            squares += std::pow(average.estimate->mean - expected, 2);
+            reported += std::pow(average.estimate->standard_error, 2);
+        }
     }
-    CAPTURE(expected, sum / 60.0, std::sqrt(reported / 60.0));
+    REQUIRE(found_in >= 57);
+    CAPTURE(expected, sum / found_in, std::sqrt(reported / found_in));
     const double scatter_over_error = std::sqrt(squares / reported);
     CHECK(scatter_over_error > 0.7);
     CHECK(scatter_over_error < 1.32);
-    CHECK(std::abs(sum / 60.0 - expected) < 4.0 * std::sqrt(reported) / 60.0);
+    CHECK(std::abs(sum / found_in - expected) < 4.0 * std::sqrt(reported) / found_in);
 }
 
 TEST_CASE("the coordination number does not depend on the bins of g(r)") {
