@@ -19,12 +19,6 @@ void require_number(const char* option, double value, bool or_zero) {
     }
 }
 
-void warn(const std::string& doubt) {
-    if (!doubt.empty()) {
-        warn(doubt);
-    }
-}
-
 }  // namespace
 
 void eos_command(const EosOptions& options) {
@@ -43,7 +37,10 @@ void eos_command(const EosOptions& options) {
     if (!options.density) {
         const std::string found = options.json ? coexistence_json(equation, *options.temperature)
                                                : coexistence_table(equation, *options.temperature);
-        warn(outside_of_range(equation, coexistence(equation, *options.temperature)->liquid));
+        const FluidProperties liquid = coexistence(equation, *options.temperature)->liquid;
+        if (const std::string outside = outside_of_range(equation, liquid); !outside.empty()) {
+            warn(outside);
+        }
         print_result(found);
         return;
     }

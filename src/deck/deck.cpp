@@ -8,6 +8,7 @@
 #include "ljmd/deck/effect_sense.hpp"
 #include "ljmd/deck/few_body_sense.hpp"
 #include "ljmd/deck/phase_sense.hpp"
+#include "ljmd/deck/stage_sense.hpp"
 #include "ljmd/deck/start_sense.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
