@@ -30,8 +30,8 @@ WITHOUT_TEST = {
 
 TOP_LEVEL = {
     ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".git-blame-ignore-revs", ".gitignore", "CHANGELOG.md",
-    "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "LICENSE", "README.md", "analysis", "cmake", "docs", "include", "inputs",
-    "src", "tests", "tools",
+    "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "LICENSE", "README.md", "analysis", "cmake",
+    "docs", "include", "inputs", "src", "tests", "tools",
 }
 
 MAXIMUM_LINES = 400
