@@ -1,6 +1,6 @@
 """The documentation, executed: decks shown in README.md and docs/ are written, commands shown there are run.
 
-Usage: run_docs.py --ljmd PROGRAM --source ROOT
+Usage: run_docs.py --ljmd PROGRAM --source ROOT [--quick]
 
 - A block ```toml whose first line is `# file: NAME` is written as NAME.
 - In a block ```sh, lines that begin with `ljmd` or `analysis/` are run, in order, in one folder for each document, which has
@@ -9,6 +9,8 @@ Usage: run_docs.py --ljmd PROGRAM --source ROOT
   gives after the mistake has been made in it.
 - docs/deck-reference.md must be what `ljmd info --keys` prints.
 - Links to files of the repository must lead somewhere.
+
+--quick: of the commands only those of README.md.
 """
 
 import argparse
@@ -62,7 +64,13 @@ def check_message(document: str, ljmd: str, message: str, folder: pathlib.Path, 
     check(f"{document}: message about {name}", said == message, f"shown:\n{message}\nsaid:\n{said}")
 
 
-def check_document(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
+def check_links(path: pathlib.Path) -> None:
+    for target in re.findall(r"\]\(([^)#]+)\)", path.read_text(encoding="utf-8")):
+        if "://" not in target:
+            check(f"{path.name}: link to {target}", (path.parent / target).exists())
+
+
+def check_commands(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
     text = path.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
@@ -80,20 +88,21 @@ def check_document(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
                         check(f"{path.name}: {command}", os.access(script, os.R_OK), f"{script} is not there")
             elif language == "text" and body.startswith("error: "):
                 check_message(path.name, ljmd, body, folder, root)
-    for target in re.findall(r"\]\(([^)#]+)\)", text):
-        if "://" not in target:
-            check(f"{path.name}: link to {target}", (path.parent / target).exists())
 
 
 def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--source", required=True, type=pathlib.Path)
+    parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
     ljmd = str(pathlib.Path(arguments.ljmd).resolve())
     root = arguments.source.resolve()
-    for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
-        check_document(path, ljmd, root)
+    readme = root / "README.md"
+    for path in [readme, *sorted((root / "docs").rglob("*.md"))]:
+        check_links(path)
+        if path == readme or not arguments.quick:
+            check_commands(path, ljmd, root)
     keys = subprocess.run([ljmd, "info", "--keys"], capture_output=True, text=True, check=True).stdout
     page = root / "docs/deck-reference.md"
     check("docs/deck-reference.md is what `ljmd info --keys` prints",

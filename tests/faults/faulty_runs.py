@@ -68,10 +68,11 @@ def frames_on_disk(directory: Path) -> int:
 
 
 class Runner:
-    def __init__(self, program: Path, library: Path, random_source: random.Random) -> None:
+    def __init__(self, program: Path, library: Path, random_source: random.Random, every: int) -> None:
         self.program = program
         self.library = library
         self.random = random_source
+        self.every = every  # of the calls that can be disturbed this many-th is
 
     def environment(self, fault: Optional[str], folder: Optional[Path] = None) -> dict[str, str]:
         """@param folder  the one that a power cut is felt in"""
@@ -224,10 +225,12 @@ def run_tests(arguments: list[str], description: str, tests: Callable[[Runner, P
     parser.add_argument("--ljmd", type=Path, required=True)
     parser.add_argument("--faults", type=Path, required=True, help="the library fault_at_call")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--every", type=int, default=1, metavar="N", help="disturb only each N-th call: a sample")
     if option is not None:
         parser.add_argument(option.name, dest="number", type=int, default=option.default, help=option.help)
     options = parser.parse_args(arguments)
-    runner = Runner(options.ljmd.resolve(), options.faults.resolve(), random.Random(options.seed))
+    runner = Runner(options.ljmd.resolve(), options.faults.resolve(), random.Random(options.seed),
+                    options.every)
     tally = Tally()
     with tempfile.TemporaryDirectory() as folder:
         tests(runner, Path(folder), tally, getattr(options, "number", 0))

@@ -63,7 +63,7 @@ def full_from_sync(runner: Runner, command: Command, folder: Path, form: str, ta
         stopped = run_without_space(runner, command, folder, f"late:{number}")
 
     while stopped:
-        number += 1
+        number += runner.every
         tally.attempt(f"{form}, full when {command.name} syncs or closes for the {number}th time", attempt)
     if number < 10:
         tally.fail(form, f"{command.name} has synced and closed files {number - 1} times")
@@ -111,7 +111,7 @@ def fill_a_disk(runner: Runner, case: Case, mount: Path, form: str, tally: Tally
             stopped.append(kilobytes)
 
     before = tally.failed
-    sizes = [*range(4, 400, 12), 1000, 2000, 4000]  # the last ones have room for all that a run of a fluid writes
+    sizes = [*range(4, 400, 12 * runner.every), 1000, 2000, 4000]  # the last ones have room for all that a run of a fluid writes
     for kilobytes in sizes:
         tally.attempt(f"{form}, a disk of {kilobytes} kB", lambda: attempt(kilobytes))
     if not stopped or len(stopped) == len(sizes):

@@ -46,7 +46,7 @@ def tests(runner: Runner, folder: Path, tally: Tally, all_kills: int) -> None:
             calls = command.count_calls(runner, folder / "calls")
             for mode in ("kill", "tear"):
                 before = tally.failed
-                for call in range(1, calls + 1):
+                for call in range(1, calls + 1, runner.every):
                     tally.attempt(f"{form}, {mode} at call {call} of {command.name}",
                                   lambda: kill_at_call(runner, command, folder, mode, call))
                 print(f"{form}: {mode} at each of {calls} calls of {command.name}: {tally.failed - before} failed",

@@ -65,7 +65,7 @@ def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
         before = tally.failed
         number = 0
         while command.left[-CALLS_AFTER:] != ["new"] * CALLS_AFTER and number < MOST_CALLS:
-            number += 1
+            number += runner.every
             tally.attempt(f"{mode} at call {number}",
                           lambda: disturb(runner, command, folder / "disk", f"{mode}:{number}"))
         if command.left[0] != "earlier" or command.left[-1] != "new":

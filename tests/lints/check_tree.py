@@ -34,6 +34,9 @@ TOP_LEVEL = {
     "docs", "include", "inputs", "src", "tests", "tools",
 }
 
+# Where tests/CMakeLists.txt looks for cases with the tag [long]: elsewhere they would be in no set.
+WITH_LONG_TESTS = {"neighbors", "run", "physics", "parity"}
+
 MAXIMUM_LINES = 400
 
 # Flags and pragmas that allow the compiler to compute something else than what is written.
@@ -105,9 +108,12 @@ def check_test_names(root, files):
     complaints = []
     for path in files:
         if path.name.endswith("_test.cpp"):
-            for name in re.findall(r'TEST_CASE\(\s*"([^"]*)', (root / path).read_text(encoding="utf-8")):
+            text = (root / path).read_text(encoding="utf-8")
+            for name in re.findall(r'TEST_CASE\(\s*"([^"]*)', text):
                 if re.search(r"[\[\];\\]", name):
                     complaints.append(f"{path}: test name {name!r} holds one of [ ] ; \\")
+            if re.search(r'TEST_CASE\([^;{]*\[long\]', text) and path.parts[1] not in WITH_LONG_TESTS:
+                complaints.append(f"{path}: [long] is not looked for in tests/{path.parts[1]}; tests/CMakeLists.txt says where")
     return complaints
 
 
@@ -135,6 +141,7 @@ VIOLATIONS = [
     ("src/core/b.cpp", "", "no tests/core/b_test.cpp"),
     ("src/core/deep/b.cpp", "", "no tests/core/deep/b_test.cpp"),
     ("tests/core/c_test.cpp", 'TEST_CASE("one; two") {}', "test name"),
+    ("tests/core/c_test.cpp", 'TEST_CASE("one", "[long]") {}', "[long] is not looked for"),
     ("notes.txt", "", "not a name for the top level"),
     ("scripts/run", "", "not a name for the top level"),
     ("include/ljmd/core/long.hpp", "\n" * (MAXIMUM_LINES + 1), "at most"),

@@ -140,14 +140,14 @@ TEST_CASE("a crystal of 864 atoms stays as close to OpenMM's as crystals do") {
     check_crystal(6);
 }
 
-TEST_CASE("a liquid of 4000 atoms goes OpenMM's way for a thousand steps") {
+TEST_CASE("a liquid of 4000 atoms goes OpenMM's way for a thousand steps", "[long]") {
     const Fluid fluid = triple_point(10, cut());
     const auto peer = make_openmm_peer(fluid, {});
     require_all(point_checks(fluid, *peer, doubles(fluid), by(cut())));
     require_all(trajectory_checks(fluid, *peer, doubles(fluid), by(cut()), every_step_judged));
 }
 
-TEST_CASE("a crystal of 4000 atoms does, too") {
+TEST_CASE("a crystal of 4000 atoms does, too", "[long]") {
     check_crystal(10);
 }
 

@@ -46,7 +46,8 @@ TEST_CASE("the energy error of velocity Verlet is of second order") {
 }
 
 TEST_CASE(
-    "the energy of a force-shifted liquid of 256 atoms drifts less than 1e-7 and keeps its momentum over 1e5 steps") {
+    "the energy of a force-shifted liquid of 256 atoms drifts less than 1e-7 and keeps its momentum over 1e5 steps",
+    "[slow]") {
     State state = test::liquid(4, 7);
     auto force_field = test::lennard_jones("force-shifted");
     force_field.evaluate(state, Request::forces);

@@ -163,7 +163,7 @@ class WeakCoupling : public Thermostat {
 
 }  // namespace
 
-TEST_CASE("under canonical thermostats the kinetic energy has the canonical distribution", "[ensembles]") {
+TEST_CASE("under canonical thermostats the kinetic energy has the canonical distribution", "[ensembles][long]") {
     for (const auto& method : all_thermostats()) {
         if (!method.canonical) {
             continue;

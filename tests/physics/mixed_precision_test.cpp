@@ -21,7 +21,8 @@ double energy_per_atom(const State& state, const PairForceField& force_field) {
 
 }  // namespace
 
-TEST_CASE("in mixed precision the energy of 256 atoms drifts less than 1e-6 over 1e5 steps, and momentum stays small") {
+TEST_CASE("in mixed precision the energy of 256 atoms drifts less than 1e-6 over 1e5 steps, and momentum stays small",
+          "[slow]") {
     State state = test::liquid(4, 7);
     auto force_field = lennard_jones("force-shifted", Precision::mixed);
     const double drift = test::energy_drift(state, force_field, 0.004, 100000);

@@ -144,7 +144,7 @@ TEST_CASE("so it is with every integrator and thermostat of fluids, in both prec
     }
 }
 
-TEST_CASE("so it is with two threads, every integrator, and every thermostat, in both precisions") {
+TEST_CASE("so it is with two threads, every integrator, and every thermostat, in both precisions", "[long]") {
     const ThreadGuard threads(2);
     constexpr int cells = 6;  // the least that gives two threads something to share
     for (const IntegratorMethod& method : all_integrators()) {
