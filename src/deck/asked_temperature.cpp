@@ -27,7 +27,7 @@ bool is_off(double asked, const Estimate& found) {
 
 bool is_held(const Deck& deck) {
     return std::ranges::any_of(deck.stages,
-                               [](const Stage& stage) { return stage.sample && stage.section.has("thermostat"); });
+                               [](const Stage& stage) { return stage.sample && stage.thermostat; });
 }
 
 std::string in_words(double temperature, const Deck& deck) {
@@ -56,7 +56,7 @@ std::optional<double> asked_temperature(const Deck& deck) {
         if (stage.steps == 0) {
             continue;
         }
-        if (stage.section.has("thermostat")) {
+        if (stage.thermostat) {
             latest = stage.temperature;
         }
         if (stage.sample) {

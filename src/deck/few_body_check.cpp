@@ -41,7 +41,7 @@ std::string few_body_check_report(const Deck& deck) {
     text += fmt::format("  energy    {:.12g} at the start\n", energy_at_start(system));
     for (const Stage& stage : deck.stages) {
         text += fmt::format("  stage     '{}': {} steps of {:.6g} = {:.6g}, {}{}\n", stage.name, stage.steps,
-                            stage.time_step, static_cast<double>(stage.steps) * stage.time_step, stage.integrator,
+                            stage.time_step, static_cast<double>(stage.steps) * stage.time_step, stage.integrator.plugin.name,
                             stage.reverse ? ", backwards" : "");
     }
     return text +

@@ -67,7 +67,7 @@ SampledRun sampled_run(const Section& root, Index atoms, const Box& box) {
 Ensemble sampled_ensemble(const Deck& deck) {
     const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
     const auto first = std::ranges::find_if(deck.stages, sampled);
-    if (std::any_of(first, deck.stages.end(), [](const Stage& stage) { return stage.section.has("barostat"); })) {
+    if (std::any_of(first, deck.stages.end(), [](const Stage& stage) { return stage.barostat.has_value(); })) {
         return Ensemble::constant_pressure;
     }
     if (std::ranges::count_if(deck.stages, sampled) != 1 || !conserves_energy(*first)) {

@@ -128,7 +128,7 @@ class FewBodyRun : private StepObserver {
         }
         drift_ = {};
         stages_.push_back({stage.name,
-                           stage.integrator,
+                           stage.integrator.plugin.name,
                            state.step,
                            state.step,
                            stage.time_step,

@@ -39,7 +39,7 @@ TEST_CASE("what a few-body deck leaves out has its default") {
     CHECK_FALSE(deck.trajectory.has_value());
     CHECK_FALSE(deck.units.has_value());
     REQUIRE(deck.stages.size() == 1);
-    CHECK(deck.stages[0].integrator == "velocity-verlet");
+    CHECK(deck.stages[0].integrator.plugin.name == "velocity-verlet");
     CHECK(deck.stages[0].sample);
     CHECK_FALSE(deck.stages[0].reverse);
     CHECK(deck.force().number("softening") == 0.0);

@@ -1,24 +1,28 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
-#include "ljmd/core/section.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/integrators/barostat.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
 
 namespace ljmd {
 
-/// One [[stage]]: steps of one integrator, with one thermostat and one barostat at most.
+/// Steps of one integrator, with one thermostat and one barostat at most: one [[stage]] of a deck.
 struct Stage {
     std::string name;
-    std::string integrator;
+    ChosenIntegrator integrator;
     double time_step;  ///< [tau]
     Index steps;
-    double temperature;      ///< what a thermostat holds [epsilon/k_B]
-    bool sample;             ///< observables are measured
-    bool reverse;            ///< the motion is turned round before the first step
-    Section section;         ///< for the keys of thermostat and barostat
-    std::uint64_t seed = 0;  ///< of their random numbers
+    double temperature;  ///< that the thermostat holds [epsilon/k_B]
+    bool sample;         ///< observables are measured
+    bool reverse;        ///< the motion is turned round before the first step
+    std::optional<ChosenThermostat> thermostat = {};
+    std::optional<ChosenBarostat> barostat = {};  ///< of a fluid
+    std::uint64_t seed = 0;                       ///< of random numbers of thermostat and barostat
 };
 
 /// Whether the total energy of a fluid in this stage, less the heat of its thermostat, is conserved but for the errors

@@ -23,6 +23,17 @@ class Rescale : public Thermostat {
     double temperature_;
 };
 
+struct Options : ThermostatOptions {
+    Index every = 20;
+
+    void describe(Description& description) override {
+        description.integer("every", every).at_least(1).meaning("steps between rescalings");
+    }
+    [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
+        return std::make_unique<Rescale>(Every(every), bath.temperature);
+    }
+};
+
 }  // namespace
 
 /// Verlet's velocity rescaling: v *= sqrt(T / T_now) every n steps. Sets the kinetic temperature exactly; samples no
@@ -36,10 +47,7 @@ ThermostatMethod rescale() {
         .conserves_momentum = true,
         .every_step = false,
         .deterministic = true,
-        .keys = {Key::integer("every").at_least(1).meaning("steps between rescalings").defaults_to(std::int64_t{20})},
-        .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
-            return std::make_unique<Rescale>(Every(section.integer("every")), bath.temperature);
-        }};
+        .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd
