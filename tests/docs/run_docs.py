@@ -1,20 +1,20 @@
-"""The documentation, executed: decks shown in README.md and docs/ are written, commands shown there are run.
+"""The documentation, executed: decks shown in README.md, CONTRIBUTING.md and docs/ are written, commands shown there are run.
 
 Usage: run_docs.py --ljmd PROGRAM --source ROOT [--quick]
 
 - A block ```toml whose first line is `# file: NAME` is written as NAME.
 - In a block ```sh, lines that begin with `ljmd` or `analysis/` are run, in order, in one folder for each document, which has
-  the repository's inputs/; lines that begin with `tools/` must name an executable of the repository.
+  the repository's inputs/. Other lines (tools/, tests/, build/, python3) are not run: they build, or take hours.
 - A block ```text that shows a message of ljmd about a deck of the same document is compared with the message that the deck
   gives after the mistake has been made in it.
 - docs/deck-reference.md must be what `ljmd info --keys` prints.
-- Links to files of the repository must lead somewhere.
+- Links to files of the repository must lead somewhere, and files that are named in backquotes, or as the script of a line in a
+  block ```sh, must be there (`*` stands for anything; names with a <place holder> are left alone).
 
 --quick: of the commands only those of README.md.
 """
 
 import argparse
-import os
 import pathlib
 import re
 import shlex
@@ -65,9 +65,23 @@ def check_message(document: str, ljmd: str, message: str, folder: pathlib.Path, 
 
 
 def check_links(path: pathlib.Path) -> None:
-    for target in re.findall(r"\]\(([^)#]+)\)", path.read_text(encoding="utf-8")):
+    for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", path.read_text(encoding="utf-8")):
         if "://" not in target:
             check(f"{path.name}: link to {target}", (path.parent / target).exists())
+
+
+def named_files(text: str) -> list[str]:
+    """Files and folders of the repository that a document names."""
+    scripts = [line.removeprefix("python3 ") for language, body in blocks(text) if language == "sh" for line in body.splitlines()]
+    words = re.findall(r"`([^`\n]+)`", re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S))
+    names = [word.split()[0] for word in scripts + words if word.strip()]
+    folders = ("src/", "include/", "tests/", "tools/", "cmake/", "docs/", "inputs/", "analysis/", ".ci/")
+    return [name for name in names if name.startswith(folders) and "<" not in name]
+
+
+def check_named_files(path: pathlib.Path, root: pathlib.Path) -> None:
+    for name in named_files(path.read_text(encoding="utf-8")):
+        check(f"{path.name}: {name}", any(root.glob(name.rstrip("/"))), "is not there")
 
 
 def check_commands(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
@@ -83,9 +97,6 @@ def check_commands(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
                     if command.startswith(("ljmd ", "analysis/")):
                         result = run(ljmd, command, folder, root)
                         check(f"{path.name}: {command}", result.returncode == 0, result.stderr)
-                    elif command.startswith("tools/"):
-                        script = root / command.split()[0]
-                        check(f"{path.name}: {command}", os.access(script, os.R_OK), f"{script} is not there")
             elif language == "text" and body.startswith("error: "):
                 check_message(path.name, ljmd, body, folder, root)
 
@@ -99,8 +110,9 @@ def main() -> int:
     ljmd = str(pathlib.Path(arguments.ljmd).resolve())
     root = arguments.source.resolve()
     readme = root / "README.md"
-    for path in [readme, *sorted((root / "docs").rglob("*.md"))]:
+    for path in [readme, root / "CONTRIBUTING.md", *sorted((root / "docs").rglob("*.md"))]:
         check_links(path)
+        check_named_files(path, root)
         if path == readme or not arguments.quick:
             check_commands(path, ljmd, root)
     keys = subprocess.run([ljmd, "info", "--keys"], capture_output=True, text=True, check=True).stdout
