@@ -93,7 +93,9 @@ std::vector<Key> Description::keys() const {
 
 void Description::take(const Section& section) {
     for (const Item& item : items_) {
-        std::visit([&](auto* member) { assign(*member, section, item.key.name); }, item.member);
+        if (section.sound(item.key.name)) {
+            std::visit([&](auto* member) { assign(*member, section, item.key.name); }, item.member);
+        }
     }
 }
 

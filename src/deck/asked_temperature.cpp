@@ -26,8 +26,7 @@ bool is_off(double asked, const Estimate& found) {
 }
 
 bool is_held(const Deck& deck) {
-    return std::ranges::any_of(deck.stages,
-                               [](const Stage& stage) { return stage.sample && stage.thermostat; });
+    return std::ranges::any_of(deck.stages, [](const Stage& stage) { return stage.sample && stage.thermostat; });
 }
 
 std::string in_words(double temperature, const Deck& deck) {

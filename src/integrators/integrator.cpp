@@ -29,8 +29,7 @@ IntegratorMethod find_integrator(const std::string& name) {
     return find_plugin(all_integrators(), name, "integrator");
 }
 
-Integrator::Integrator(const IntegratorMethod& method, double time_step)
-    : Integrator(choose(method), time_step) {}
+Integrator::Integrator(const IntegratorMethod& method, double time_step) : Integrator(choose(method), time_step) {}
 
 Integrator::Integrator(const ChosenIntegrator& chosen, double time_step)
     : identity_(fmt::format("{} {} {}", chosen.plugin.name, time_step, chosen.values)),

@@ -42,7 +42,8 @@ class Description {
 
     [[nodiscard]] std::vector<Key> keys() const;
 
-    /// Give the members the values of a table; an optional one without a value becomes empty.
+    /// Give the members the values of a table; an optional one without a value becomes empty. A member whose value was
+    /// found missing or wrong stays as it is.
     /// @pre the table was validated by a schema with these keys
     void take(const Section& section);
 
@@ -50,8 +51,7 @@ class Description {
     [[nodiscard]] std::string values_in_words() const;
 
   private:
-    using Member =
-        std::variant<bool*, Index*, double*, std::string*, std::optional<Index>*, std::optional<double>*>;
+    using Member = std::variant<bool*, Index*, double*, std::string*, std::optional<Index>*, std::optional<double>*>;
     struct Item {
         Key key;
         Member member;

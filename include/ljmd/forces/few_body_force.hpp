@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
 
@@ -24,32 +24,55 @@ struct AngularVelocity {
     double slope;  ///< of the rate, [rad/time^2]
 };
 
-/// A kind of force on a few bodies in unbounded space that decks can select. One file in src/forces/few_body each.
+/// A force on a few bodies in unbounded space, as its options say (see Description), and what follows from them.
 ///
 /// Bodies live in the first 1, 2 or 3 components of space; the others are 0. All numbers are in the deck's own
 /// units. The virial of such a system is W_ab = sum over bodies of r_a f_b, r from the origin.
-///
-/// Every force field made here is evaluated in the order of the bodies' ids, whatever their order in memory, and throws
-/// PhysicsError naming the bodies, counted from 1, when a position is not finite or when bodies have collided.
+class FewBodyForceOptions {
+  public:
+    virtual ~FewBodyForceOptions() = default;
+    virtual void describe(Description& description) = 0;
+
+    /// What makes this start impossible; nothing when it is possible. @pre positions are finite
+    [[nodiscard]] virtual std::optional<ProblemAtStart> check(const State& /*start*/) const { return std::nullopt; }
+
+    /// A force field that is evaluated in the order of the bodies' ids, whatever their order in memory. It throws
+    /// PhysicsError naming the bodies, counted from 1, when a position is not finite or when bodies have collided.
+    [[nodiscard]] virtual std::unique_ptr<ForceField> make() const = 0;
+
+    /// mu of the inverse-square attraction mu/r^2 that a body of this mass feels towards another or, without another,
+    /// towards the origin: orbital elements are made from it. Nothing where there is none.
+    [[nodiscard]] virtual std::optional<double> gravitational_parameter(double /*mass*/,
+                                                                        std::optional<double> /*other_mass*/) const {
+        return std::nullopt;
+    }
+
+    /// Rate of the polar angle that goes with a coordinate that is a distance.
+    /// @pre FewBodyForceMethod::has_polar_angle
+    [[nodiscard]] virtual AngularVelocity angular_velocity(double distance, double distance_rate) const;
+
+    /// Takes the place of the mass of a body whose coordinate q is not a length: the state holds it in place of the
+    /// mass, and K = inertia (dq/dt)^2 / 2, p = inertia dq/dt, d2q/dt2 = f/inertia.
+    [[nodiscard]] virtual double inertia(double mass) const { return mass; }
+
+  protected:
+    FewBodyForceOptions() = default;
+    FewBodyForceOptions(const FewBodyForceOptions&) = default;
+    FewBodyForceOptions& operator=(const FewBodyForceOptions&) = default;
+};
+
+/// A kind of force on a few bodies that decks can select. One file in src/forces/few_body each.
 struct FewBodyForceMethod {
     std::string name;
     std::string meaning;
-    std::vector<Key> keys;  ///< beside `type`
-    int least_dimensions;   ///< of space
+    int least_dimensions;  ///< of space
     int most_dimensions;
-    /// What makes this start impossible; nothing when it is possible. @pre positions are finite
-    std::function<std::optional<ProblemAtStart>(const Section&, const State& start)> check;
-    std::function<std::unique_ptr<ForceField>(const Section&)> make;
-    /// mu of the inverse-square attraction mu/r^2 that a body of this mass feels towards another or, without another,
-    /// towards the origin: what orbital elements are made from. Empty for forces that have none.
-    std::function<std::optional<double>(const Section&, double mass, std::optional<double> other_mass)>
-        gravitational_parameter = {};
-    /// Rate of the polar angle that goes with a coordinate that is a distance. Empty where there is none.
-    std::function<AngularVelocity(const Section&, double distance, double distance_rate)> angular_velocity = {};
-    /// What stands for the mass of a body whose coordinate q is not a length: the state holds it in place of the mass,
-    /// and K = inertia (dq/dt)^2 / 2, p = inertia dq/dt, d2q/dt2 = f/inertia. Empty: the mass itself.
-    std::function<double(const Section&, double mass)> inertia = {};
+    bool attracts = false;         ///< bodies have a gravitational_parameter(), unless the options soften it
+    bool has_polar_angle = false;  ///< the coordinate is a distance, with an angular_velocity()
+    std::function<std::unique_ptr<FewBodyForceOptions>()> options;  ///< at their defaults
 };
+
+using ChosenFewBodyForce = Chosen<FewBodyForceMethod, FewBodyForceOptions>;
 
 /// Every few-body force there is, in alphabetical order.
 [[nodiscard]] std::vector<FewBodyForceMethod> all_few_body_forces();

@@ -47,7 +47,8 @@ struct IntegratorMethod {
     bool reversible;        ///< returns to its start, to rounding, when velocities are reversed
     bool adaptive = false;  ///< chooses steps of its own within the time step; the error hardly depends on the latter
     bool unbounded_only = false;  ///< for systems without a box
-    std::function<std::unique_ptr<IntegratorOptions>()> options;  ///< at their defaults; keys of a stage that selects it
+    std::function<std::unique_ptr<IntegratorOptions>()>
+        options;  ///< at their defaults; keys of a stage that selects it
 };
 
 using ChosenIntegrator = Chosen<IntegratorMethod, IntegratorOptions>;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
@@ -71,6 +72,9 @@ struct AnalysisNeeds {
     bool interaction = false;  ///< SampledRun::interaction, and what follows from it
     bool fixed_box = true;     ///< it is made for SampledRun::box; else that of each configuration counts
 };
+
+/// Reasons why options do not fit what they are for: (key, message).
+using Misfits = std::vector<std::pair<std::string, std::string>>;
 
 /// Bytes that an analysis takes in a run, about.
 struct AnalysisSize {

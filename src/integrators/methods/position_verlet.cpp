@@ -65,8 +65,9 @@ struct Options : IntegratorOptions {
 
     void describe(Description& description) override {
         description.choice("start", {"taylor", "backward", "euler"}, start)
-            .meaning("how the second position is found: taylor and backward to second order, euler to first, "
-                     "which makes the whole run first order");
+            .meaning(
+                "how the second position is found: taylor and backward to second order, euler to first, "
+                "which makes the whole run first order");
     }
     [[nodiscard]] Scheme scheme(double dt) const override {
         return {.begin = {Update{[dt, how = start](State& state) { begin(state, dt, how); }}},
@@ -93,12 +94,11 @@ struct Options : IntegratorOptions {
 /// Second order, time-reversible, symplectic; the positions of velocity Verlet, to rounding, unless started by Euler.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98, equations 4 and 5; Störmer (1907), Arch. Sci. Phys. Nat. 24, 5
 IntegratorMethod position_verlet() {
-    return {
-        .name = "position-verlet",
-        .meaning = "Verlet's formula of 1967 for positions alone, velocities by central differences (Störmer 1907)",
-        .order = 2,
-        .reversible = true,
-        .options = [] { return std::make_unique<Options>(); }};
+    return {.name = "position-verlet",
+            .meaning = "Verlet's formula of 1967 for positions alone, velocities by central differences (Störmer 1907)",
+            .order = 2,
+            .reversible = true,
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

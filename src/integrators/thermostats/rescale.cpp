@@ -40,14 +40,13 @@ struct Options : ThermostatOptions {
 /// ensemble, so it is for equilibration only.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98
 ThermostatMethod rescale() {
-    return {
-        .name = "rescale",
-        .meaning = "scale all velocities to the temperature every n steps (Verlet 1967); for equilibration only",
-        .canonical = false,
-        .conserves_momentum = true,
-        .every_step = false,
-        .deterministic = true,
-        .options = [] { return std::make_unique<Options>(); }};
+    return {.name = "rescale",
+            .meaning = "scale all velocities to the temperature every n steps (Verlet 1967); for equilibration only",
+            .canonical = false,
+            .conserves_momentum = true,
+            .every_step = false,
+            .deterministic = true,
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd
