@@ -189,7 +189,7 @@ Schema fluid_output_schema() {
 Schema fluid_analysis_schema() {
     Schema schema("[analysis]");
     for (const auto& method : all_analyses()) {
-        schema = schema.with({Key::table(method.name, Schema(method.name, method.keys))
+        schema = schema.with({Key::table(method.name, Schema(method.name, keys_of(method)))
                                   .optional("not measured")
                                   .meaning(method.meaning)});
     }

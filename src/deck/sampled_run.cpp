@@ -87,7 +87,7 @@ void check_analysis(const Section& root, const SampledRun& run, Diagnostics& dia
         any = true;
         follows_time = follows_time || method.follows_time;
         const Section& section = analysis.section(method.name);
-        for (const auto& [key, message] : method.check(section, run)) {
+        for (const auto& [key, message] : choose(method, &section).options->check(run)) {
             if (section.sound(key)) {
                 diagnostics.error(section.location(key), message);
             }

@@ -162,7 +162,7 @@ std::vector<std::unique_ptr<Analysis>> make_analyses(const Deck& deck, const Sim
     std::vector<std::unique_ptr<Analysis>> analyses;
     for (const auto& method : all_analyses()) {
         if (analysis.has(method.name)) {
-            analyses.push_back(method.make(analysis.section(method.name), run));
+            analyses.push_back(choose(method, &analysis.section(method.name)).options->make(run));
         }
     }
     return analyses;

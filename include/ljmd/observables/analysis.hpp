@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
@@ -83,6 +83,24 @@ struct AnalysisSize {
     double passing = 0.0;  ///< beside these, while it samples
 };
 
+/// The options of an analysis, see Description. `every`, the steps between configurations, is among them.
+class AnalysisOptions {
+  public:
+    virtual ~AnalysisOptions() = default;
+    virtual void describe(Description& description) = 0;
+
+    /// Why they do not fit the run; empty when all is well.
+    [[nodiscard]] virtual Misfits check(const SampledRun& /*run*/) const { return {}; }
+
+    [[nodiscard]] virtual std::unique_ptr<Analysis> make(const SampledRun& run) const = 0;
+    [[nodiscard]] virtual AnalysisSize size(const SampledRun& run) const = 0;
+
+  protected:
+    AnalysisOptions() = default;
+    AnalysisOptions(const AnalysisOptions&) = default;
+    AnalysisOptions& operator=(const AnalysisOptions&) = default;
+};
+
 /// A kind of analysis that [analysis] can ask for. One file in src/observables/analyses each.
 struct AnalysisMethod {
     std::string name;  ///< the key in [analysis]
@@ -90,12 +108,8 @@ struct AnalysisMethod {
     std::vector<std::string> files;  ///< names of its tables
     bool follows_time = false;       ///< it compares configurations at different times
     AnalysisNeeds needs = {};
-    bool is_random = false;  ///< it draws random numbers
-    std::vector<Key> keys;
-    /// Reasons why the values in the section do not fit the run: (key, message). Empty when all is well.
-    std::function<std::vector<std::pair<std::string, std::string>>(const Section&, const SampledRun&)> check;
-    std::function<std::unique_ptr<Analysis>(const Section&, const SampledRun&)> make;
-    std::function<AnalysisSize(const Section&, const SampledRun&)> size;
+    bool is_random = false;                                     ///< it draws random numbers
+    std::function<std::unique_ptr<AnalysisOptions>()> options;  ///< at their defaults
 };
 
 /// Every analysis there is, in alphabetical order.

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "ljmd/observables/analysis.hpp"
 
@@ -17,27 +16,35 @@ struct LagTimes {
     [[nodiscard]] double time(Index lag) const { return static_cast<double>(lag) * spacing; }
 };
 
-/// The keys `every` and `max_time` of an analysis.
-/// @param usual  defaults: steps, and time [tau], or that share of a sampled stage where it is shorter
+/// Defaults of LagOptions.
 struct UsualLags {
     Index every;
-    double max_time;
-    double share;
+    double max_time;  ///< [tau]
+    double share;     ///< of a sampled stage, where that is shorter
 };
-[[nodiscard]] std::vector<Key> lag_keys(const UsualLags& usual);
 
-/// What the keys say for a run. The largest time is rounded down to a multiple of h, but never below h.
-[[nodiscard]] LagTimes lag_times(const Section& section, const SampledRun& run, const UsualLags& usual);
+/// The keys `every` and `max_time` of an analysis.
+struct LagOptions {
+    explicit LagOptions(const UsualLags& usual) : every(usual.every), usual_(usual) {}
+
+    Index every;                          ///< [steps]
+    std::optional<double> max_time = {};  ///< [tau]
+
+    void describe(Description& description);
+
+    /// What they say for a run. The largest time is rounded down to a multiple of h, but never below h.
+    [[nodiscard]] LagTimes times(const SampledRun& run) const;
+
+    /// What is wrong with them: a largest time below h, or one that is more than the longest sampled stage lasts.
+    /// @param analysis  for the message
+    [[nodiscard]] Misfits check(const SampledRun& run, const std::string& analysis) const;
+
+  private:
+    UsualLags usual_;
+};
 
 /// Configurations in a window over which correlations at these times are averaged: twice as many as the largest one
 /// spans, or what the longest sampled stage holds; always more than lags.count.
 [[nodiscard]] Index correlation_window(const LagTimes& lags, const SampledRun& run);
-
-/// What is wrong with them: a largest time below h, or one that is more than the longest sampled stage lasts.
-/// @param analysis  for the message
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> lag_mistakes(const Section& section,
-                                                                            const SampledRun& run,
-                                                                            const UsualLags& usual,
-                                                                            const std::string& analysis);
 
 }  // namespace ljmd
