@@ -89,7 +89,8 @@ void check_missed_pairs(int rounds) {
     CAPTURE(edges.transpose(), longest);
     CHECK(wrong == 0);
     CHECK(missed < rounds);
-    CHECK((longest < 0.6 * skin || missed > 0));
+    const double surely_missed = rounds < 60 ? 0.9 : 0.6;  // [skin]: atoms that go so far meet others in so many rounds
+    CHECK((longest < surely_missed * skin || missed > 0));
 }
 
 }  // namespace

@@ -127,10 +127,10 @@ void analyze_command(const AnalyzeOptions& options);
 
 /// What `ljmd info` is to tell of, one of them; by default the program.
 struct InfoOptions {
-    std::string directory;  ///< of a run or a study
-    bool keys = false;      ///< the reference page of all keys of a deck, in Markdown
-    bool schema = false;    ///< a JSON Schema of decks
-    bool json = false;      ///< the program or the directory, as JSON
+    std::string directory = {};  ///< of a run or a study
+    bool keys = false;           ///< the reference page of all keys of a deck, in Markdown
+    bool schema = false;         ///< a JSON Schema of decks
+    bool json = false;           ///< the program or the directory, as JSON
 };
 
 void info_command(const InfoOptions& options);
