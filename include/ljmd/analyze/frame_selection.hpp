@@ -27,7 +27,6 @@ struct FrameSelection {
 /// @param stages     of the run; frames of stages that are not sampled are excluded
 /// @param from       frames before this time [tau] are excluded
 /// @throws InputError  `from` is given, but the frames have no times
-/// @throws InputError  `from` is given and the frames have no times
 /// @throws DataError   no frame is left
 [[nodiscard]] FrameSelection select_frames(const TrajectorySummary& trajectory, std::optional<double> time_step,
                                            const std::vector<Stage>* stages, std::optional<double> from);

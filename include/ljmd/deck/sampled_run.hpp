@@ -12,8 +12,8 @@ namespace ljmd {
 /// @pre root has [system] and at least one [[stage]]
 [[nodiscard]] SampledRun sampled_run(const Section& root, Index atoms, const Box& box);
 
-/// The ensemble of the samples of a run; none for several sampled stages, whose samples do not fluctuate like those of
-/// one.
+/// The ensemble of the samples of a run. Without a barostat, several sampled stages have none: their samples do not
+/// fluctuate like those of one.
 [[nodiscard]] Ensemble sampled_ensemble(const Deck& deck);
 
 /// Check that the values in [analysis] fit the run, that the box stays constant, and that sampled stages have one time

@@ -46,10 +46,10 @@ struct Simulation {
     Index relaxation_iterations = 0;  ///< of a random start
 };
 
-/// Whether a deck of a fluid asks for tail corrections.
+/// Whether a fluid's deck asks for tail corrections.
 [[nodiscard]] bool wants_tail(const Deck& deck);
 
-/// The forces of a deck on a fluid.
+/// The force field of a fluid's deck.
 [[nodiscard]] PairForceField make_force_field(const Deck& deck);
 
 /// The interaction of a fluid's deck.

@@ -22,7 +22,7 @@ struct ExtendedXyzPremises {
 ///
 ///     N
 ///     comment line, see extended_xyz_header.hpp
-///     one line an atom, columns as Properties says; unknown columns are skipped
+///     one line per atom, columns as in Properties; unknown columns are skipped
 ///
 /// Columns read: pos, velo (or vel, or velocities), id, mass (or masses), and those that distinguish kinds of atoms,
 /// see one_kind.hpp: all atoms must be of one kind. Without velocities, ASE's momenta are read and divided by the mass
