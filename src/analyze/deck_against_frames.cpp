@@ -10,12 +10,12 @@ namespace ljmd {
 
 namespace {
 
-/// Between 0 at constant energy and 1 in the canonical ensemble.
+/// Threshold between 0 at constant energy and 1 in the canonical ensemble.
 constexpr double constant_or_canonical = 0.5;
 constexpr double temperature_errors = 5.0;
 constexpr double temperature_fraction = 0.05;
 
-/// Why the heat capacity of the deck's ensemble is not that of the frames; empty where nothing speaks against it.
+/// Why the frames do not have the heat capacity of the deck's ensemble; empty if there is no contradiction.
 std::string against_heat_capacity(Ensemble ensemble, const EnergyFluctuations& energies,
                                   std::optional<Index> box_changes) {
     if (box_changes) {

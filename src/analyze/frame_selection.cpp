@@ -13,11 +13,11 @@ namespace ljmd {
 
 namespace {
 
-/// Times may have the digits of single-precision numbers.
+/// Times may be rounded to single precision.
 constexpr double time_rounding = 2.0 * std::numeric_limits<float>::epsilon();
-constexpr double usual_rounding = 1e-3;  // of the spacing
+constexpr double usual_rounding = 1e-3;  // relative to the spacing
 
-/// The times of all frames; none when nothing tells them.
+/// The times of all frames; empty if unknown.
 std::vector<double> times_of(const TrajectorySummary& trajectory, std::optional<double> time_step) {
     if (!trajectory.times.empty() || !time_step) {
         return trajectory.times;
@@ -30,7 +30,7 @@ std::vector<double> times_of(const TrajectorySummary& trajectory, std::optional<
     return times;
 }
 
-/// Pairs of frames that follow each other in one part, by the number of the second.
+/// Frames that follow another one in the same part.
 std::vector<std::size_t> followers(const FrameSelection& selection) {
     std::vector<std::size_t> found;
     for (std::size_t k = 1; k < selection.parts.size(); ++k) {
@@ -41,7 +41,7 @@ std::vector<std::size_t> followers(const FrameSelection& selection) {
     return found;
 }
 
-/// How many steps apart all of them are; nothing when that differs.
+/// The common number of steps between them; nothing if it varies.
 std::optional<Index> common_steps(const std::vector<std::size_t>& followers, const std::vector<Index>& steps) {
     std::optional<Index> apart;
     for (const std::size_t k : followers) {
@@ -54,7 +54,7 @@ std::optional<Index> common_steps(const std::vector<std::size_t>& followers, con
     return apart;
 }
 
-/// The common spacing in time, or why there is none. Of times that are rounded a time step tells which was meant.
+/// The common spacing in time, or why there is none. For rounded times, the time step determines the exact spacing.
 void find_spacing(FrameSelection& selection, const std::vector<double>& times, std::optional<double> time_step) {
     const std::vector<std::size_t> pairs = followers(selection);
     if (times.empty()) {

@@ -8,10 +8,10 @@ namespace ljmd {
 
 namespace {
 
-// All in edges of the box.
-constexpr double short_step = 0.25;       ///< of atoms that are followed without doubt
-constexpr double followable_step = 0.45;  ///< beyond, two images are about as near
-constexpr double wrapped_spread = 1.5;    ///< programs that wrap late leave atoms outside for a while
+// In units of the box edges.
+constexpr double short_step = 0.25;       ///< up to here atoms can be followed without doubt
+constexpr double followable_step = 0.45;  ///< beyond it, two images are almost equally near
+constexpr double wrapped_spread = 1.5;    ///< programs that wrap only now and then leave atoms outside for a while
 
 bool jumps_by_edges(const FrameMotion& motion) {
     return motion.jumps > 0 && motion.largest_step < short_step && motion.spread < wrapped_spread;

@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Align = TextTable::Align;
 
-constexpr Index most_starts = 100;  // of a series that are tried
+constexpr Index most_starts = 100;  // candidate start rows of a series
 constexpr std::array<const char*, 4> reported{"temperature", "potential_energy", "total_energy", "pressure"};
 
 Estimate blocking(const std::vector<double>& series) {
@@ -36,7 +36,7 @@ Estimate blocking(const std::vector<double>& series) {
     return blocks.estimate(0);
 }
 
-/// The number of atoms, which thermo.csv does not have; nothing when the file that the run began from is gone.
+/// The number of atoms, which thermo.csv does not contain; nothing if the start file of the run is gone.
 std::optional<Index> atoms_of(const Deck& deck) {
     try {
         return find_start(deck).atoms;
@@ -45,7 +45,7 @@ std::optional<Index> atoms_of(const Deck& deck) {
     }
 }
 
-/// From the fluctuations of temperature and potential energy.
+/// Heat capacity from the fluctuations of temperature and potential energy.
 std::optional<ObservableAverage> heat_capacity(const DataTable& table, const Deck& deck) {
     const auto atoms = atoms_of(deck);
     if (!atoms) {
@@ -68,19 +68,19 @@ std::optional<ObservableAverage> heat_capacity(const DataTable& table, const Dec
     return std::nullopt;
 }
 
-/// Fewer independent rows than this do not carry an error bar, see BlockingAccumulator.
+/// With fewer independent rows the error bar is unreliable, see BlockingAccumulator.
 constexpr double few_samples = 16.0;
 
 std::string remark_on(const Equilibration& found) {
     return found.independent_samples < few_samples ? std::string(guessed_error) : "";
 }
 
-/// Behind a number; nothing for an empty mark.
+/// The mark after a number; empty for an empty mark.
 std::string spaced(const std::string& mark) {
     return mark.empty() ? "" : " " + mark;
 }
 
-/// (g - 1)/2 rows as a time.
+/// (g - 1)/2 rows, as a time.
 double correlation_time(const ThermoReport& report, const Equilibration& found) {
     return 0.5 * (found.inefficiency - 1.0) * report.interval;
 }

@@ -20,9 +20,9 @@ namespace {
 
 const std::string analysis_table = "analysis";
 
-/// The [analysis] of a deck as it was written, with its settings; empty where it has none.
+/// The [analysis] of a deck as written, with its settings; empty if it has none.
 Table written_analysis(const Deck& deck) {
-    Diagnostics none;  // the deck has been read before
+    Diagnostics none;  // the deck was checked before
     DeckFile file = parse_deck(deck.path, deck.source, none);
     for (const std::string& setting : deck.settings) {
         apply_setting(file.table, setting, none);
@@ -31,7 +31,7 @@ Table written_analysis(const Deck& deck) {
     return entry != nullptr ? std::get<Table>(entry->value.data) : Table{};
 }
 
-/// Steps between configurations in a table of a deck.
+/// Steps between configurations, from a table of a deck.
 Index steps_between(const Table& table, const AnalysisMethod& method) {
     if (const Entry* every = find(table, "every")) {
         return std::get<std::int64_t>(every->value.data);
@@ -41,7 +41,7 @@ Index steps_between(const Table& table, const AnalysisMethod& method) {
     return std::get<std::int64_t>(*key->default_value);
 }
 
-/// The tables of these analyses, with `every` in frames.
+/// The tables of these analyses, with `every` converted to frames.
 Table tables_of(const std::vector<AnalysisMethod>& methods, const Deck* deck, std::optional<Index> steps_apart) {
     Table written = deck != nullptr ? written_analysis(*deck) : Table{};
     Table tables;
@@ -57,7 +57,7 @@ Table tables_of(const std::vector<AnalysisMethod>& methods, const Deck* deck, st
     return tables;
 }
 
-/// What keys of the command line say goes over what stands there.
+/// Apply the settings of the command line.
 Table with_settings(Table tables, const std::vector<std::string>& settings, const std::vector<std::string>& names) {
     Table root;
     root.push_back({analysis_table, {}, Value{std::move(tables), {}}});
@@ -80,7 +80,7 @@ Table with_settings(Table tables, const std::vector<std::string>& settings, cons
     return std::get<Table>(root.front().value.data);
 }
 
-/// The run that the trajectory stands for, its steps being frames.
+/// The run that the trajectory represents; its steps are frames.
 SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection) {
     Box box(trajectory.smallest_edges);
     if (deck != nullptr) {
@@ -96,7 +96,7 @@ SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const F
     return run;
 }
 
-/// Why an analysis cannot be had from a trajectory; empty when it can.
+/// Why an analysis of a trajectory is impossible; empty if it is possible.
 std::string obstacle(const AnalysisMethod& method, const SampledRun& run, const TrajectorySummary& trajectory,
                      const FrameSelection& selection) {
     const AnalysisNeeds& needs = method.needs;

@@ -53,7 +53,7 @@ class Pass {
         }
     }
 
-    /// Of energies and pressures where they are wanted; of the temperature alone where there are velocities.
+    /// Averages of energies and pressures, if requested; else only of the temperature, if there are velocities.
     [[nodiscard]] std::vector<ObservableAverage> averages() const {
         std::vector<ObservableAverage> found = averages_.averages();
         std::erase_if(found, [&](const ObservableAverage& average) {
@@ -98,7 +98,7 @@ class Pass {
         State state(trajectory_.summary.atoms, box_of(configuration));
         place_configuration(state, configuration);
         state.time = configuration.time;
-        state.step = configuration.step;  // random numbers go by it
+        state.step = configuration.step;  // random numbers depend on it
         Evaluation evaluation;
         if (trajectory_.thermo || std::ranges::any_of(analyses_, [&](const FrameAnalysis& each) {
                 return each.analysis->due(number) && each.analysis->needs_energy();
@@ -115,7 +115,7 @@ class Pass {
         }
     }
 
-    /// By a force field of its own for each frame: a list of neighbours does not last from one to the next.
+    /// With a new force field for each frame, because a neighbour list does not last from frame to frame.
     [[nodiscard]] Evaluation evaluate(State& state, std::size_t k) const {
         const Evaluation evaluation = make_force_field(*trajectory_.deck).evaluate(state, Request::forces_and_energy);
         if (!std::isfinite(evaluation.potential_energy)) {
@@ -129,12 +129,12 @@ class Pass {
     const std::vector<FrameAnalysis>& analyses_;
     RunAverages averages_;
     EnergyFluctuations energies_;
-    TailCorrection tail_;  ///< of energies and pressures, where they are wanted
+    TailCorrection tail_;  ///< for energies and pressures, if requested
     FrameUnwrapper unwrapper_;
     std::optional<std::size_t> part_;  ///< of the last frame
 };
 
-/// How positions were taken; null where no displacement was measured.
+/// How positions were treated; null if no displacement was measured.
 nlohmann::ordered_json positions_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
     const PositionReading& reading = trajectory.summary.positions;
     if (!result.used_displacements) {
@@ -220,7 +220,7 @@ std::string trajectory_json(const AnalyzedTrajectory& trajectory, const Trajecto
                                          {"positions", positions_json(trajectory, result)},
                                          {"observables", observables_json(result.averages, trajectory.units())},
                                          {"warnings", result.warnings}};
-    // A path need not be UTF-8, as JSON must.
+    // A path may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -8,10 +8,10 @@ namespace ljmd {
 
 namespace {
 
-/// Edges are stored with the digits of a single-precision number, or more; they count as the same within this.
+/// Edges may be stored in single precision. They count as equal within this relative difference.
 constexpr double same_edge = 1e-6;
 
-/// Gathers what frames tell, one after the other.
+/// Collects the properties of the frames.
 class Summarizer {
   public:
     void add(const Frame& frame) {

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 const std::string thermo = "thermo";
 
-/// What is asked for: each once, in the order of the command line.
+/// The requested analyses, without repetition, in the order of the command line.
 struct Wanted {
     bool thermo = false;
     std::vector<std::string> analyses;
@@ -77,13 +77,13 @@ std::optional<Positions> said_positions(const AnalyzeOptions& options) {
     return options.positions == "wrapped" ? Positions::wrapped : Positions::unwrapped;
 }
 
-/// Analyze a trajectory and write the tables.
-/// @param is_run  the deck is that of the run that the trajectory is of
-/// @return what is to be printed
+/// Analyse a trajectory and write the tables.
+/// @param is_run  the deck is that of the run that wrote the trajectory
+/// @return the text to print
 std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
                     const AnalyzeOptions& options, const fs::path& directory) {
     set_thread_count(default_thread_count());
-    // A run has its thermo.csv.
+    // for a run, thermo reads thermo.csv instead
     AnalyzedTrajectory trajectory{path, deck, {}, {}, options.group, wanted.thermo && !is_run, options.xyz_comment};
     trajectory.summary =
         summarize(path, trajectory.units(), options.group, said_positions(options), options.xyz_comment);
@@ -139,7 +139,7 @@ void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
     print_result(analyze(path, deck ? &*deck : nullptr, false, wanted, options, directory));
 }
 
-/// The trajectory that a run has written.
+/// The trajectory written by a run.
 fs::path trajectory_of(const Deck& deck) {
     if (deck.kind == DeckKind::few_body) {
         throw InputError("a few-body run has no box: `ljmd analyze` wants one of a fluid");

@@ -16,8 +16,8 @@ namespace ljmd {
 
 namespace {
 
-/// Memory of this process [bytes], "VmRSS" in use or "VmHWM" the most so far, as the kernel counts it; 0 where it does
-/// not tell. (The peak that getrusage knows may be of the program that started this one.)
+/// Memory of this process [bytes] from the kernel: "VmRSS" now or "VmHWM" at its peak; 0 if unknown. (The peak of
+/// getrusage may be that of the program that started this one.)
 double memory(std::string_view field) {
     std::ifstream status("/proc/self/status");
     for (std::string name; status >> name;) {
@@ -29,7 +29,7 @@ double memory(std::string_view field) {
     return 0.0;
 }
 
-/// Says nothing, and looks at the memory when the last step is done: writing the results takes some more.
+/// Records the peak memory at the last step, because writing the results takes more.
 struct MemoryAtEnd : RunListener {
     explicit MemoryAtEnd(Index last) : last_step(last) {}
     void step_done(Index step) override {

@@ -35,12 +35,12 @@ namespace ljmd {
 
 namespace {
 
-/// @throws InputError with every mistake of the deck
+/// @throws InputError with all mistakes of the deck
 Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
     if (!options.simd.empty()) {
         set_default_simd_level(usable_simd_level(options.simd));
     }
-    static_cast<void>(default_simd_level());  // a wrong LJMD_SIMD is an error before anything is done
+    static_cast<void>(default_simd_level());  // report a wrong LJMD_SIMD before anything is done
     if (options.deck.empty()) {
         throw InputError("the name of the deck is empty");
     }
@@ -53,11 +53,11 @@ Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
     return std::move(*deck);
 }
 
-/// The start of a fluid, with which its deck is right in every respect.
+/// The start of a fluid, after all checks of its deck.
 Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
     Start start = find_start(deck);
     set_thread_count(options.threads > 0 ? options.threads : default_thread_count());
-    if (start.configuration) {  // only now is the box known
+    if (start.configuration) {  // the box is known only now
         check_start(deck, start, diagnostics);
         diagnostics.throw_if_errors();
     }
@@ -78,11 +78,11 @@ std::string check_json(const Deck& deck, const Start& start, const Forecast& for
                                          {"memory_bytes", forecast.memory_bytes},
                                          {"disk_bytes", forecast.disk_bytes},
                                          {"seconds", forecast.seconds}};
-    // The path of a deck need not be UTF-8, as JSON must.
+    // The path of a deck may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// What `ljmd export` takes: a deck with the configuration at the start, or that of a run with the one at its end.
+/// Input of `ljmd export`: a deck and its start configuration, or that of a run and its last configuration.
 struct Exportable {
     Deck deck;
     State state;
@@ -115,7 +115,7 @@ Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
     return {deck, std::move(simulation.state)};
 }
 
-/// `argon.toml` or `runs/argon` with target `lammps`: argon-lammps, here.
+/// "argon-lammps" for `argon.toml` or `runs/argon` and target `lammps`; in the working directory.
 std::filesystem::path export_directory(const std::filesystem::path& source, bool is_run, const std::string& to) {
     const std::filesystem::path whole = files::absolute(source).lexically_normal();
     const std::filesystem::path name = !is_run                ? whole.stem()
@@ -149,7 +149,7 @@ std::string export_report(const Exportable& what, const Exported& written) {
     return text + written.usage + "\n";
 }
 
-/// "90 s", "30 min", "2h", "1 d" in seconds; nothing for an empty text. @throws InputError
+/// "90 s", "30 min", "2h" or "1 d" in seconds; nothing for an empty text. @throws InputError
 std::optional<double> wall_time(const std::string& text) {
     if (text.empty()) {
         return std::nullopt;
@@ -163,12 +163,12 @@ std::optional<double> wall_time(const std::string& text) {
 }
 
 void run_fluid(Deck& deck, Start start, const DeckOptions& options, RunControl& control) {
-    // The start is made before anything is touched: what refuses it must not cost an earlier run.
+    // Create the start before any file is touched: if it fails, an earlier run must not be lost.
     check_directory(deck, options.force);
     Progress progress(start.atoms, deck.total_steps(), options.quiet);
     Simulation simulation =
         make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
-    heed_signals();  // until here nothing would be lost
+    heed_signals();  // before this, nothing would be lost
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
     const RunResult result = run_deck(deck, simulation, progress, control);
@@ -176,7 +176,7 @@ void run_fluid(Deck& deck, Start start, const DeckOptions& options, RunControl& 
     lock.warn_if_moved();
 }
 
-/// A few-body deck is known whole when it is read: what is to be warned of is said then.
+/// All warnings about a few-body deck are known when it has been read.
 void talk_of_bodies(const DeckOptions& options, const Diagnostics& diagnostics) {
     if (!options.quiet) {
         talk_of_warnings(diagnostics);

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number with what it is called in JSON, what it is in print, and its unit.
+/// A number with its key in JSON and in tables, and its unit.
 struct Line {
     const char* key;
     const char* unit;

@@ -16,9 +16,9 @@ namespace ljmd {
 
 namespace {
 
-/// @return the code
+/// @return the exit code
 int say(const std::string& message, int code) {
-    // Diagnostics arrive with their own "error:" in front of each line that needs it.
+    // Diagnostics already have "error:" in front of each line that needs it.
     talk(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
     return code;
 }

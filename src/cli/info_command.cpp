@@ -34,7 +34,7 @@ std::vector<std::string_view> usable_levels() {
     return names;
 }
 
-/// What decks can select, by the word that `ljmd info` puts before it.
+/// What decks can select, with the headings of `ljmd info`.
 std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
     return {{"potentials", PairPotential::formula_names()},
             {"truncations", PairPotential::truncation_names()},

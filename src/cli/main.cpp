@@ -20,7 +20,7 @@ namespace {
 
 constexpr int most_steps_compared = 1'000'000;
 
-/// For options that take a number in reduced units: tells what to write instead of "120 K".
+/// Check of options that take a number in reduced units: says what to write instead of "120 K".
 CLI::Validator reduced(const std::string& unit, ljmd::Dimension dimension) {
     return {[=](const std::string& text) { return ljmd::not_reduced(text, unit, dimension); }, ""};
 }
@@ -138,7 +138,7 @@ void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
 
 constexpr int usage_error = 2;
 
-/// What was meant by a first word that is no command.
+/// Message for an unknown command, with the nearest known one.
 std::string unknown_command(const CLI::App& app, const std::string& word) {
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -150,7 +150,7 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
                                        : fmt::format("did you mean '{}'?", nearest));
 }
 
-/// Say what is wrong with the command line: CLI11 calls a command that it does not know a missing one.
+/// Report a wrong command line. For an unknown command, CLI11's message says that a command is missing.
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> rest = app.remaining(true);
     const std::vector<CLI::App*> used = app.get_subcommands();
@@ -167,7 +167,7 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
     return usage_error;
 }
 
-/// What --help or --version asks for.
+/// Print the text for --help or --version.
 int print_help(const CLI::App& app, const CLI::Success& asked) try {
     std::ostringstream text;
     const int code = app.exit(asked, text);

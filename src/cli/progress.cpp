@@ -14,7 +14,7 @@ namespace {
 
 constexpr double seconds_between_lines = 0.2;
 constexpr double window_seconds = 5.0;
-constexpr double longest_forecast = 1e12;  // [s]; nobody waits for it, and 64 bits count it
+constexpr double longest_forecast = 1e12;  // [s]; fits into 64 bits, and is too long to matter
 
 std::string duration(double seconds) {
     if (!(seconds < longest_forecast)) {

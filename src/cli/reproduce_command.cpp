@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The rows that "RHO" or "RHO:T" means. @throws InputError  none
+/// The rows for "RHO" or "RHO:T". @throws InputError  there are none
 std::vector<VerletRow> rows_meant(const std::string& word) {
     const std::size_t colon = word.find(':');
     const auto density = to_number(std::string_view(word).substr(0, colon));
@@ -42,7 +42,7 @@ std::vector<VerletRow> rows_meant(const std::string& word) {
     return found;
 }
 
-/// The rows that were asked for, in the order of the table, each once.
+/// The requested rows, in the order of the table, without repetition.
 std::vector<VerletRow> chosen_rows(const std::vector<std::string>& words) {
     if (words.empty()) {
         return verlet1967_table();
@@ -62,7 +62,7 @@ std::vector<VerletRow> chosen_rows(const std::vector<std::string>& words) {
     return rows;
 }
 
-/// One row of the table on its way: a deck, a directory, runs that follow each other.
+/// A row of the table being computed: a deck, a directory, and runs that follow one another.
 class RowRun {
   public:
     RowRun(const VerletRow& row, const fs::path& folder, const ReproductionLength& length)
@@ -79,7 +79,7 @@ class RowRun {
     [[nodiscard]] const std::optional<ReproducedRow>& result() const { return result_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
 
-    /// Refuse a directory in which another deck was run. @throws InputError
+    /// Refuse a directory with a run of another deck. @throws InputError
     void check(bool force) const {
         check_places(run_);
         if (!force && holds_another_run(run_)) {
@@ -88,16 +88,16 @@ class RowRun {
         }
     }
 
-    /// Write the deck. @param folder  of the rows
+    /// Write the deck. @param folder  of all rows
     void prepare(const OpenDirectory& folder) const { write_file_atomically(folder / deck_name(row_), run_.source); }
 
-    /// The first thing to do; nothing when the row is done already.
+    /// The first job; nothing if the row is finished.
     std::optional<Job> begin() {
         const auto job = next_job(run_);
         return job ? job : after(0);
     }
 
-    /// What to do when a job of the row has ended; nothing when the row is done or has failed.
+    /// The next job after one has ended; nothing if the row is finished or has failed.
     std::optional<Job> after(int exit_status) {
         if (exit_status != 0) {
             failure_ = failure_of(run_, exit_status);
@@ -117,7 +117,7 @@ class RowRun {
 
 const std::string rows_folder = "rows";
 
-/// Refuse a directory whose files are not those of a reproduction. @throws InputError
+/// Refuse a directory whose files are not those of a reproduced table. @throws InputError
 void require_usable(const fs::path& out, bool force) {
     const std::string consequence = "Nothing was run";
     require_no_run(out, consequence);
@@ -158,7 +158,7 @@ void reproduce_command(const ReproduceOptions& options) {
     }
 
     run_lines(runs, options.jobs, until_signal(), [&](const RowRun& run, std::size_t done) {
-        directory.require_at_its_path();  // runs are begun by their paths
+        directory.require_at_its_path();  // runs are started by path
         if (!run.failure().empty()) {
             warn(run.failure());
         } else if (!options.quiet) {

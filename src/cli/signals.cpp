@@ -19,11 +19,11 @@ extern "C" void receive(int signal) {
 struct StopSignal {
     int number;
     const char* name;
-    bool may_be_ignored;  ///< where the parent ignores it: nohup, or a shell's background
-    bool once;            ///< the second one ends the program
+    bool may_be_ignored;  ///< if the parent ignores it: nohup, or a background job of a shell
+    bool once;            ///< a second one ends the program
 };
 
-/// SIGUSR1 is a queue's warning that time is short. SIGXCPU comes every second once the processor time is used up.
+/// SIGUSR1 is a queue's warning before its time limit. SIGXCPU comes every second once the processor time is used up.
 constexpr std::array<StopSignal, 5> stop_signals{{{SIGINT, "SIGINT", true, true},
                                                   {SIGHUP, "SIGHUP", true, true},
                                                   {SIGTERM, "SIGTERM", false, true},

@@ -20,19 +20,19 @@ namespace ljmd {
 void prepare_standard_streams() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(descriptor, F_GETFD) == -1) {
-            // The lowest free number is this one. For stdout the wrong way round: results must not vanish without a
-            // word.
+            // The lowest free number is this one. stdout is opened for reading only, so that writing results fails and
+            // is reported.
             [[maybe_unused]] const int opened = ::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
         }
     }
-    // A closed pipe or a file-size limit then shows as a failed write, which is reported, instead of a silent end.
+    // A closed pipe or a file-size limit then causes a failed write, which is reported, and not a silent end.
     static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
     static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
 }
 
 namespace {
 
-/// Bytes at the beginning of a text that a terminal may get as they are.
+/// Number of bytes at the beginning of a text that may be written to a terminal unchanged.
 std::size_t harmless_beginning(std::string_view text) {
     std::size_t end = 0;
     while (end < text.size()) {
@@ -46,8 +46,8 @@ std::size_t harmless_beginning(std::string_view text) {
     return end;
 }
 
-/// The one way to a terminal for texts that hold what others have written: names of files, titles, words of other
-/// programs. Takes no memory, which may be what there is to tell of. @return false when it does not arrive
+/// The only way to a terminal for text from others: names of files, titles, output of other programs. Allocates no
+/// memory, because the message may be that there is none. @return false when the text cannot be written
 bool write_harmless(std::string_view text, std::FILE* stream) noexcept {
     while (!text.empty()) {
         const std::size_t harmless = harmless_beginning(text);

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A point on its way: one run, to its end.
+/// A point being computed, by one run.
 class PointRun {
   public:
     PointRun(ChildRun run, std::vector<std::string> values)
@@ -30,7 +30,7 @@ class PointRun {
 
     [[nodiscard]] const SweptPoint& point() const { return point_; }
 
-    /// What is to be done; nothing when the point is done already.
+    /// The job of the point; nothing if it is finished.
     std::optional<Job> begin() {
         auto job = next_job(run_);
         if (!job) {
@@ -39,7 +39,7 @@ class PointRun {
         return job;
     }
 
-    /// There is nothing to do when the run has ended.
+    /// Take the results; there is no further job.
     std::optional<Job> after(int exit_status) {
         if (exit_status == 0) {
             take_results();
@@ -62,7 +62,7 @@ class PointRun {
     SweptPoint point_;
 };
 
-/// The deck and the points, checked: everything that can be wrong with them is told before anything is touched.
+/// The checked deck and points: all mistakes are reported before any file is touched.
 SweepPlan checked_plan(const SweepOptions& options) {
     if (options.grids.empty() == options.list.empty()) {
         throw InputError("a sweep wants its points from --grid or from --list, one of the two");
@@ -95,7 +95,7 @@ SweptPoints sweep(const SweepPlan& plan, const OpenDirectory& directory, const S
         runs.emplace_back(std::move(run), plan.points.values[runs.size()]);
     }
     run_lines(runs, options.jobs, until_signal(), [&](const PointRun& run, std::size_t done) {
-        directory.require_at_its_path();  // runs are begun by their paths
+        directory.require_at_its_path();  // runs are started by path
         const SweptPoint& point = run.point();
         if (!point.failure.empty()) {
             warn(point.failure);
@@ -110,7 +110,7 @@ SweptPoints sweep(const SweepPlan& plan, const OpenDirectory& directory, const S
     return swept;
 }
 
-/// @throws PhysicsError  when there are points that have failed
+/// @throws PhysicsError  if any points have failed
 void tell_of_failures(const SweptPoints& swept) {
     std::string failures;
     std::size_t count = 0;
@@ -130,7 +130,7 @@ void tell_of_failures(const SweptPoints& swept) {
 
 void sweep_command(const SweepOptions& options) {
     heed_signals();
-    static_cast<void>(default_simd_level());  // a wrong LJMD_SIMD is an error before anything is done
+    static_cast<void>(default_simd_level());  // report a wrong LJMD_SIMD before anything is done
     const SweepPlan plan = checked_plan(options);
     const fs::path directory = directory_of(options);
     make_directory(directory);

@@ -13,43 +13,43 @@ namespace {
 
 using Limits = std::vector<Agreement::Limit>;
 
-// The situation that limits are written down for.
+// The situation for which limits are written down.
 constexpr double usual_time_step = 0.004;  // [tau]
-constexpr double usual_edge = 16.0;        // coordinates below have one unit in the last place [sigma]
+constexpr double usual_edge = 16.0;        // coordinates below it have one unit in the last place [sigma]
 constexpr double usual_atoms = 864.0;
 
 constexpr double hot = 1.0;           // [epsilon/k_B]
 constexpr double cold_growth = 3.75;  // [1/tau]
 constexpr double hot_growth = 7.5;
 
-/// From this step on the furthest atom is one of few whose neighbourhood is less stable than the others'.
+/// From this step on, the atom with the largest distance is one of few in less stable surroundings.
 constexpr Index late = 500;
 
-/// How much coarser their coordinates are than those in a box of the usual edge.
+/// Factor by which coordinates are less exact than in a box of the usual edge.
 double coarser_coordinates(const Situation& situation) {
     return std::max(1.0, situation.longest_edge / usual_edge);
 }
 
-/// The same in whole powers of two, as last places go.
+/// The same as a power of two, for units in the last place.
 double coarser_last_place(const Situation& situation) {
     return std::exp2(std::max(0.0, std::ceil(std::log2(situation.longest_edge / usual_edge))));
 }
 
-/// How much coarser our grid is than in a box below 10.6 sigma. There two numbers that agree but for their rounding,
-/// ours to the grid, theirs to the last place, are half a unit of both apart in each direction: 4.6e-15.
+/// Factor by which our grid is coarser than in a box below 10.6 sigma. There, two numbers that agree up to rounding,
+/// ours to the grid and theirs to the last place, differ by half a unit of both in each direction: 4.6e-15.
 double coarser_grid(const Situation& situation) {
     constexpr double usual_resolution = 0x1p-48;
     return std::max(1.0, Box(Vec3::Constant(situation.longest_edge)).resolution() / usual_resolution);
 }
 
-/// By how much differences grow in so many steps more than in as many of the usual length.
+/// Extra growth of differences in this many steps, compared with steps of the usual length.
 double later_growth(const Situation& situation, Index steps) {
     const double growth = situation.temperature > hot ? hot_growth : cold_growth;
     return std::exp(growth * std::max(0.0, static_cast<double>(steps) * (situation.time_step - usual_time_step)));
 }
 
-/// Limits as they are in another situation: never below those written down.
-/// @param coarser  by how much roundings are larger
+/// Limits for another situation; never below those written down.
+/// @param coarser  factor by which rounding errors are larger
 Limits limits_in(const Situation& situation, double coarser, Limits limits) {
     for (Agreement::Limit& limit : limits) {
         limit.distance *= later_growth(situation, limit.step);
@@ -61,15 +61,15 @@ Limits limits_in(const Situation& situation, double coarser, Limits limits) {
     return limits;
 }
 
-/// A limit of the relative difference of kinetic energies, which comes about in two ways.
+/// Limit of the relative difference of kinetic energies, which has two causes.
 ///
-/// Atoms whose places differ have taken up another potential energy: sum of F dr. That grows as distances do, and is
-/// the larger the fewer atoms there are for it to cancel over. And a program that takes velocities from places, as
-/// OpenMM's leapfrog does, v = (r' - r)/dt, has the rounding u of a coordinate in them, so that
+/// If positions of atoms differ, so do potential energies: by the sum of F dr. This grows like the distances, and is
+/// larger for fewer atoms, where it cancels less. Also, a program that computes velocities from positions, as OpenMM's
+/// leapfrog does with v = (r' - r)/dt, has the rounding error u of a coordinate in them, so that
 ///
 ///     |dK|/K <= (2 K)^(1/2) (sum of m dv^2)^(1/2)/K <= 2 dv/T^(1/2),   dv = u/dt
 ///
-/// which is as much at each step, and the more the shorter the step. At T = 0 it says nothing: infinite.
+/// which is the same at each step, and larger for shorter steps. At T = 0 there is no limit: infinite.
 /// @param written  the limit in the usual situation
 double kinetic_energy_limit(const Situation& situation, double written) {
     constexpr double usual_last_place = 0x1p-49;  // of coordinates from 8 to 16 sigma

@@ -34,7 +34,7 @@ double largest_distance(const ConstVectorView& a, const ConstVectorView& b) {
     return (a - b).colwise().norm().maxCoeff();
 }
 
-/// Follows the run with two references and notes how far it is from them.
+/// Runs the deck together with two references and records the differences.
 class Comparer : private StepObserver {
   public:
     Comparer(const Deck& deck, RunListener& listener)
@@ -61,7 +61,7 @@ class Comparer : private StepObserver {
     void stage_ends(const Stage&) override {}
     void moved(Index) override {}
 
-    /// The reference is compared at up to a thousand steps; energy and angular momentum are looked at in every one.
+    /// Rows are recorded at up to a thousand steps; energy and angular momentum are checked at every step.
     [[nodiscard]] bool wants_energy(Index) const override { return true; }
 
     void step_done(const Stage&, const Evaluation& evaluation) override {
@@ -187,7 +187,7 @@ std::string comparison_json(const GslComparison& comparison, const Deck& deck) {
         {"largest_energy_error", comparison.largest_energy_error},
         {"largest_angular_momentum_error", comparison.largest_angular_momentum_error},
         {"rows", rows}};
-    // The path of a deck need not be UTF-8, as JSON must.
+    // The path of a deck may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

@@ -22,21 +22,21 @@ namespace ljmd {
 
 namespace {
 
-/// Rows of a trajectory beside those that are judged: enough for a curve.
+/// Trajectory rows besides those compared: enough for a curve.
 constexpr Index rows_of_curve = 100;
-/// Coordinates of all rows together, of both programs, stay below half a gigabyte.
+/// The coordinates of all rows, of both programs, stay below half a gigabyte.
 constexpr Index most_places = 10'000'000;
 
 constexpr Index usual_bins = 250;
 constexpr Index usual_frames = 300;
-/// Thermodynamics is costly to ask for in other programs, and rows that follow closely tell nearly the same.
+/// Sampling is costly in other programs, and closely spaced samples are strongly correlated.
 constexpr Index most_samples = 2500;
 
 constexpr int rounds = 3;
 constexpr double seconds_per_round = 0.5;
 constexpr Index steps_to_calibrate = 20;
 
-/// Tells of steps alone.
+/// Reports only steps.
 class Quiet : public StepObserver {
   public:
     Quiet(State& state, RunListener& listener) : state_(state), listener_(listener) {}
@@ -52,18 +52,18 @@ class Quiet : public StepObserver {
     RunListener& listener_;
 };
 
-/// The stage that is compared: the first that is sampled, else the last.
+/// The stage to compare: the first sampled one, else the last.
 std::size_t compared_stage(const Deck& deck) {
     const auto sampled = std::find_if(deck.stages.begin(), deck.stages.end(), [](const Stage& s) { return s.sample; });
     return sampled != deck.stages.end() ? static_cast<std::size_t>(sampled - deck.stages.begin())
                                         : deck.stages.size() - 1;
 }
 
-/// Find out that so many threads can be had beside those that there are: OpenMM waits for ever for one that the system
-/// refuses. @throws ThreadsError
+/// Check that the system grants this many additional threads: OpenMM hangs if a thread is refused.
+/// @throws ThreadsError
 void require_threads(int count) {
     try {
-        const ThreadTeam as_many(count + 1);  // with this one
+        const ThreadTeam as_many(count + 1);  // plus this thread
     } catch (const ThreadsError& refused) {
         throw ThreadsError(fmt::format("OpenMM takes threads of its own, {}: {}", count, refused.what()));
     }
@@ -87,7 +87,7 @@ Peers peers_of(const Fluid& fluid, const Situation& situation, bool mixed, const
     return peers;
 }
 
-/// Steps at which trajectories are looked at: those that are judged, and evenly spread ones for the curve.
+/// Steps of the trajectory rows: those to compare, and evenly spaced ones for the curve.
 std::vector<Index> steps_of_trajectory(const CrosscheckOptions& options, Index atoms) {
     std::vector<Index> steps{0, options.steps};
     for (const Index frame : options.frames) {
@@ -121,7 +121,7 @@ EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const Box
     return options;
 }
 
-/// Wall time of that many steps of ljmd [s].
+/// Wall time of this many steps of ljmd [s].
 double our_seconds(const Fluid& fluid, ForceField& force_field, const EnsembleOptions& options, Index steps) {
     State state = state_of(fluid);
     const Integrator method(find_integrator(options.integrator), options.time_step);
@@ -201,7 +201,7 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
         return fluid_of(simulation.state, simulation.force_field.potential(), wants_tail(deck));
     };
     const bool mixed = simulation.force_field.arithmetic().precision == Precision::mixed;
-    // A program that is not there should be missed before minutes have passed.
+    // Report a missing program now, not after minutes of equilibration.
     static_cast<void>(peers_of(fluid_now(), {}, mixed, options));
 
     const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
@@ -226,7 +226,8 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
                       .trajectory = {},
                       .ensemble = std::nullopt,
                       .speed = std::nullopt};
-    // The other program's long run, meanwhile, where a processor is free for it and the system has a thread; or later.
+    // The other program's long run is concurrent if there is a free processor and the system grants a thread; else it
+    // is later.
     const bool averages = options.wants("averages") && ensemble.steps >= ensemble.every;
     std::future<EnsembleAverages> theirs;
     if (averages) {

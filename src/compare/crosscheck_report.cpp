@@ -164,7 +164,7 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
     if (found.speed) {
         json["atom_steps_per_second"] = {{"ljmd", found.speed->ours}, {"peer", found.speed->theirs}};
     }
-    // The path of a deck need not be UTF-8, as JSON must.
+    // The path of a deck may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -13,11 +13,11 @@ namespace ljmd {
 
 namespace {
 
-/// For which rdf_difference was measured.
+/// Sample size for which rdf_difference was measured.
 constexpr double measured_frames = 300.0;
 constexpr double measured_atoms = 864.0;
 
-/// Temperature, potential energy an atom and pressure of one side, and its g(r).
+/// Samples of one program: temperature, potential energy per atom, pressure and g(r).
 class Side {
   public:
     Side(const Fluid& fluid, const EnsembleOptions& options)
@@ -49,7 +49,7 @@ class Side {
     RadialDistribution rdf_;
 };
 
-/// A state for g(r) out of positions that may lie anywhere.
+/// A state for g(r), from positions that may be outside the box.
 State configuration_of(const Fluid& fluid, const std::vector<Vec3>& positions) {
     State state(static_cast<Index>(positions.size()), Box(fluid.edges));
     auto r = state.write_positions();

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One configuration on its way out.
+/// Input of an export.
 struct Export {
     const Deck& deck;
     const State& state;
@@ -36,8 +36,7 @@ struct Export {
     [[nodiscard]] std::string in_directory() const { return fmt::format("cd '{}'", directory.string()); }
 };
 
-/// What of the deck has no place in the files for another program, which get a configuration, a potential and the time
-/// step of one stage.
+/// Parts of the deck that are not exported: the files hold a configuration, a potential and the time step of one stage.
 /// @param to_come  whether the configuration is from before the first stage, else from after the last one
 std::vector<std::string> left_out(const Deck& deck, bool to_come) {
     const Stage& exported = exported_stage(deck);
@@ -73,7 +72,7 @@ std::vector<std::string> left_out(const Deck& deck, bool to_come) {
     return words;
 }
 
-/// What follows upon an export: how to use it, and what to know.
+/// Usage and warnings of an export.
 struct Notes {
     std::string usage;
     std::vector<std::string> warnings{};
@@ -83,7 +82,7 @@ Notes export_lammps(const Export& what) {
     const Fluid fluid = what.fluid();
     const Stage& stage = exported_stage(what.deck);
     const std::string title = what.deck.title.empty() ? what.deck.path : what.deck.title;
-    // What LAMMPS does not have is refused before anything is written.
+    // Refuse unsupported potentials before anything is written.
     const std::string input = lammps_user_input(fluid, stage.time_step, stage.steps, title);
     make_directory(what.directory);
     write_file_atomically(what.directory / LammpsFiles::start, lammps_data(fluid));
@@ -119,7 +118,7 @@ Notes export_extxyz(const Export& what) {
     return {fmt::format("in a deck: [system] file = \"{}\"; in Python: ase.io.read(\"start.xyz\")", path.string())};
 }
 
-/// A trajectory grows in its place, so it gets a place of its own until it is whole.
+/// A trajectory writer does not replace its file atomically, so this one gets a temporary place until it is complete.
 Notes export_h5md(const Export& what) {
     make_directory(what.directory);
     const fs::path path = what.directory / "start.h5md";

@@ -14,13 +14,13 @@ namespace ljmd {
 
 namespace {
 
-/// A potential of ours and LAMMPS' name for it.
+/// A potential of ljmd and its LAMMPS pair style.
 struct PairStyle {
     std::string_view formula;
     std::string_view truncation;
     std::string_view style;
     std::string_view modify;  ///< the options of pair_modify
-    bool tail = false;        ///< LAMMPS has its tail corrections
+    bool tail = false;        ///< LAMMPS has tail corrections for it
 };
 constexpr std::array pair_styles{
     PairStyle{"lennard-jones", "cut", "lj/cut", "shift no tail no", true},
@@ -53,7 +53,7 @@ double parameter(const PairPotential& potential, std::string_view key) {
     throw ContractViolation(fmt::format("the potential '{}' has no parameter '{}'", potential.formula(), key));
 }
 
-/// What pair_coeff takes behind the types of atoms.
+/// Arguments of pair_coeff after the atom types.
 std::string coefficients(const PairPotential& potential) {
     return potential.formula() == "morse"
                ? fmt::format("{} {} {}", parameter(potential, "well_depth"), parameter(potential, "steepness"),
@@ -61,7 +61,7 @@ std::string coefficients(const PairPotential& potential) {
                : "1.0 1.0";  // epsilon and sigma
 }
 
-/// Atoms, forces and lists.
+/// Units, atoms, forces and neighbour lists.
 std::string system_lines(const Fluid& fluid) {
     return fmt::format(
         "units lj\n"
@@ -73,8 +73,8 @@ std::string system_lines(const Fluid& fluid) {
         LammpsFiles::start, lammps_pair_style(fluid.potential));
 }
 
-/// With what the tables show. The kinetic energy is not that of thermo_style, which is made from the temperature and
-/// vanishes for a single atom.
+/// The same with the columns of the tables. The kinetic energy is not that of thermo_style, which is computed from the
+/// temperature and vanishes for a single atom.
 std::string table_lines(const Fluid& fluid) {
     return system_lines(fluid) +
            "compute kinetic all ke\n"
@@ -89,8 +89,8 @@ std::string frame_line() {
                        LammpsFiles::frames);
 }
 
-/// A title that means nothing to LAMMPS in a comment: an `&` at its end would hide the line that follows, quotes may
-/// open a text of many lines.
+/// A title that is safe in a LAMMPS comment: an `&` at its end would hide the next line, and quotes may open a
+/// multi-line text.
 std::string harmless(std::string title) {
     constexpr std::string_view allowed = " ()+,-./0123456789:=ABCDEFGHIJKLMNOPQRSTUVWXYZ_abcdefghijklmnopqrstuvwxyz";
     std::replace_if(
@@ -106,7 +106,7 @@ void append_vector(std::string& text, std::size_t id, std::string_view between, 
 
 std::string lammps_data(const Fluid& fluid) {
     const std::size_t count = fluid.positions.size();
-    std::vector<double> masses;  // of the types
+    std::vector<double> masses;  // of the atom types
     std::vector<std::size_t> types(count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto known = std::find(masses.begin(), masses.end(), fluid.masses[i]);
@@ -164,7 +164,7 @@ std::string lammps_follow_input(const Fluid& fluid, double time_step, const std:
     std::string text = table_lines(fluid) + fmt::format("timestep {}\nthermo 0\nrun 0 post no\n", time_step);
     Index step = 0;
     for (const Index wanted : steps) {
-        // Without "pre" a run goes on as if it had not been interrupted.
+        // With "pre no" a run continues as if there had been no break.
         if (wanted > step) {
             text += fmt::format("run {} pre no post no\n", wanted - step);
         }

@@ -52,7 +52,7 @@ std::optional<LammpsVersion> lammps_version(const std::string& help) {
     }
     const std::size_t begin = at + before.size();
     const std::string version = help.substr(begin, help.find('\n', begin) - begin);
-    // The list ends at an empty line; before September 2021 the package was called USER-OMP.
+    // The list ends at an empty line. Before September 2021 the package was named USER-OMP.
     const std::size_t list = help.find("Installed packages:");
     bool openmp = false;
     if (list != std::string::npos) {

@@ -25,7 +25,7 @@ constexpr const char* method_name = "fix nve";
 constexpr const char* log_name = "log.lammps";
 const std::vector<std::string> unwrapped{"xu", "yu", "zu"};
 
-/// The file from some byte before its end on.
+/// The last `bytes` bytes of a file.
 std::string end_of(const fs::path& path, std::streamoff bytes) {
     std::ifstream file = open_input(path);
     const auto size = static_cast<std::streamoff>(file.seekg(0, std::ios::end).tellg());
@@ -87,7 +87,7 @@ class LammpsPeer : public Peer {
   public:
     LammpsPeer(const Fluid& fluid, int threads)
         : fluid_(fluid), program_(find_lammps()), version_(ask_version(program_)), threads_(threads) {
-        // What LAMMPS does not have is to be known now.
+        // Refuse unsupported potentials now.
         static_cast<void>(lammps_pair_style(fluid.potential));
     }
 
@@ -165,7 +165,7 @@ class LammpsPeer : public Peer {
     void run(const fs::path& directory, const std::string& input) const {
         write_file(directory / LammpsFiles::start, lammps_data(fluid_));
         write_file(directory / "in.lammps", input);
-        // What it would write into its log goes to the screen as well, and there also what MPI has to say.
+        // With no log file, everything goes to stdout, together with messages of MPI.
         std::vector<std::string> arguments{"-in", "in.lammps", "-log", "none"};
         if (version_.openmp) {
             for (const char* argument : {"-suffix", "omp", "-package", "omp"}) {
@@ -191,7 +191,8 @@ class LammpsPeer : public Peer {
         file.close();
     }
 
-    /// The row of a step. Runs in pieces show the step where they begin again; a step that was not asked for may show.
+    /// The row of a step. Runs in pieces repeat the step at which they continue, and may print steps that were not
+    /// requested.
     static LammpsRow required_row(LammpsLog& log, Index step) {
         while (const std::optional<LammpsRow> row = log.next_row()) {
             if (row->step == step) {
@@ -204,7 +205,7 @@ class LammpsPeer : public Peer {
         throw DataError(fmt::format("LAMMPS' log has no row of step {}", step));
     }
 
-    /// The vectors of the next frame, which must be that of the step, by id.
+    /// The vectors of the next frame by id; the frame must be that of the step.
     [[nodiscard]] std::vector<Vec3> next_vectors(LammpsDump& dump, Index step,
                                                  const std::vector<std::string>& columns) const {
         if (!dump.next_frame(atoms())) {

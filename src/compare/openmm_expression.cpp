@@ -11,7 +11,7 @@ namespace ljmd {
 
 namespace {
 
-/// Written anew, not derived from truncation.hpp: this is the other side of a comparison.
+/// Written independently of truncation.hpp, because this is the other side of a comparison.
 constexpr std::array<std::pair<const char*, const char*>, 4> truncations{{
     {"cut", "u"},
     {"shifted", "u-u_cutoff"},
@@ -32,7 +32,7 @@ std::string openmm_expression(const PairPotential& potential) {
 }
 
 std::string openmm_formula(const PairPotential& potential) {
-    // What follows a name defines it in all that stands before, so the last r is the distance itself.
+    // A definition applies to everything before it, so the last r is the distance itself.
     return potential.expression() + "; r=scale*r";
 }
 

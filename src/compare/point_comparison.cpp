@@ -9,12 +9,12 @@ namespace ljmd {
 
 namespace {
 
-/// Forces of this size are what rounding leaves of a sum that vanishes.
+/// Forces below this are rounding errors of a vanishing sum.
 constexpr double vanishing_force = 1e-9;
 
-/// Between two closed forms.
+/// Tolerance between two closed forms.
 constexpr double closed_form = 1e-10;
-/// Where one side integrates numerically: OpenMM's custom forces do, until two estimates differ by 1e-5.
+/// Tolerance if one side integrates numerically: OpenMM's custom forces do, until two estimates differ by 1e-5.
 constexpr double numerical_tail = 1e-4;
 
 double volume(const Fluid& fluid) {

@@ -13,7 +13,7 @@ namespace ljmd {
 
 namespace {
 
-/// Distances between these tell how trajectories part: below is rounding, above is the size of the cages.
+/// The divergence rate is fitted to distances in this range: below is rounding, above is the size of the cages.
 constexpr double least_distance = 1e-12;
 constexpr double largest_distance_fitted = 1e-2;
 constexpr Index fewest_rows = 8;
@@ -26,8 +26,8 @@ double furthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return largest;
 }
 
-/// Over the larger of what it is and what it was at the start: few atoms may all be at a turning point, where any
-/// difference is large beside it.
+/// Difference relative to the kinetic energy now or at the start, whichever is larger: if few atoms are all at turning
+/// points, their kinetic energy is too small a reference.
 double kinetic_difference(const PeerFrame& ours, const PeerFrame& theirs, const PeerFrame& start) {
     const double size = std::max(theirs.kinetic_energy, start.kinetic_energy);
     const double difference = std::abs(ours.kinetic_energy - theirs.kinetic_energy);

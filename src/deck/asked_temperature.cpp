@@ -16,9 +16,9 @@ namespace ljmd {
 namespace {
 
 constexpr double noticeable_errors = 3.0;
-constexpr double rounding = 1e-9;          // of the temperature: what is held exactly has no error
-constexpr double farthest_shift = 0.1;     // of the temperature: an equation's slope is good for that
-constexpr double least_full_cutoff = 2.5;  // [sigma]: from there on a tail with g = 1 makes it the full fluid
+constexpr double rounding = 1e-9;       // of the temperature: a value that is held exactly has no error
+constexpr double farthest_shift = 0.1;  // of the temperature: the range in which the slope of an equation is reliable
+constexpr double least_full_cutoff = 2.5;  // [sigma]: beyond it, a tail with g = 1 gives the full fluid
 constexpr double thol2015_cutoff = 2.5;    // [sigma]
 
 bool is_off(double asked, const Estimate& found) {
@@ -34,11 +34,11 @@ std::string in_words(double temperature, const Deck& deck) {
                       : fmt::format("{:.6g}", temperature);
 }
 
-/// The equation describes one stable phase there, within the range that it was fitted to.
+/// Whether the equation describes one stable phase there, within its fitted range.
 bool is_good_at(const EquationOfState& equation, double temperature, double density) {
     try {
         return doubts(equation, temperature, density).empty();
-    } catch (const PhysicsError&) {  // it has no pressure, or no coexistence to find
+    } catch (const PhysicsError&) {  // no pressure, or no coexistence found
         return false;
     }
 }

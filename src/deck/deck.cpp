@@ -17,7 +17,7 @@ namespace ljmd {
 
 namespace {
 
-/// All units that follow from these three are numbers that one can divide by.
+/// Whether all units derived from these three are normal numbers, so that one can divide by them.
 bool make_units(double sigma, double epsilon, double mass) {
     const SubstanceUnits units(sigma, epsilon, mass);
     const auto usable = [&](Dimension dimension) { return std::isnormal(units.si(dimension)); };
@@ -25,8 +25,8 @@ bool make_units(double sigma, double epsilon, double mass) {
            usable(Dimension::velocity) && usable(Dimension::temperature);
 }
 
-/// [argon] is read before the rest, because the rest may be written in its units. Its own mistakes are reported when
-/// the whole deck is validated.
+/// [argon] is read first, because other values may use its units. Its own mistakes are reported when the whole deck is
+/// validated.
 std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& diagnostics) {
     const Entry* argon = find(table, "argon");
     if (argon == nullptr || !std::holds_alternative<Table>(argon->value.data)) {
@@ -36,7 +36,7 @@ std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& d
     const Schema schema = deck_schema(DeckKind::fluid).find("argon")->inner.front();
     const Section section =
         validate(std::get<Table>(argon->value.data), argon->key_location, schema, std::nullopt, ignored);
-    const SubstanceUnits stand_in(1.0, 1.0, 1.0);  // lets the other units be checked; the deck is refused anyway
+    const SubstanceUnits stand_in(1.0, 1.0, 1.0);  // so that the other units can be checked; the deck is refused anyway
     if (ignored.has_errors()) {
         return stand_in;
     }
@@ -50,7 +50,7 @@ std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& d
     return SubstanceUnits(sigma, epsilon, mass);
 }
 
-/// Tables with nothing but optional keys may be left out: they then exist with their defaults.
+/// Add missing tables that have only optional keys: they exist with their defaults.
 void add_optional_tables(Table& table, DeckKind kind, const Location& where) {
     for (const char* name : {"neighbors", "performance", "output", "analysis"}) {
         if (deck_schema(kind).find(name) != nullptr && find(table, name) == nullptr) {
@@ -59,12 +59,12 @@ void add_optional_tables(Table& table, DeckKind kind, const Location& where) {
     }
 }
 
-/// What a deck is a deck of shows in the tables that it has.
+/// The tables of a deck determine its kind.
 DeckKind kind_of(const Table& table) {
     return find(table, "force") != nullptr || find(table, "body") != nullptr ? DeckKind::few_body : DeckKind::fluid;
 }
 
-/// A deck that mixes both kinds has many unknown tables; this says why.
+/// Explain why a deck that mixes both kinds has many unknown tables.
 void explain_mixture(const Table& table, Diagnostics& diagnostics) {
     for (const char* name : {"system", "potential", "neighbors", "argon"}) {
         if (const Entry* entry = find(table, name)) {
@@ -156,7 +156,7 @@ Index Deck::total_steps() const {
 
 namespace {
 
-/// @param path  what the deck is called
+/// @param path  the deck's name in messages
 std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, const std::vector<std::string>& settings,
                             bool force, Diagnostics& diagnostics) {
     if (diagnostics.has_errors()) {
@@ -176,7 +176,7 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
     add_optional_tables(file.table, kind, whole);
     const auto units = kind == DeckKind::fluid ? substance_units(file.table, diagnostics) : std::nullopt;
     const Section root = validate(file.table, whole, deck_schema(kind), units, diagnostics);
-    // Sense is checked even when single values are wrong, as long as there is something to check.
+    // Check sense even if single values are wrong, as far as possible.
     if (kind == DeckKind::few_body) {
         check_few_body_sense(root, diagnostics);
     } else if (root.has("system") && root.has("potential") && root.has("stage")) {
@@ -191,7 +191,7 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
         return deck;
     }
     check_effects(root, diagnostics);
-    if (const Section& system = deck.system(); system.has("lattice")) {  // else the file decides, see check_start
+    if (const Section& system = deck.system(); system.has("lattice")) {  // a file is checked later, see check_start
         check_start_effects(root, false, diagnostics);
         check_phase(deck, system.number("density"), diagnostics);
     }

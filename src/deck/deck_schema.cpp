@@ -16,7 +16,7 @@ namespace {
 
 constexpr double least_density = 1e-12;  // one atom in a box of 10^4 sigma
 constexpr double least_cutoff = 0.01;    // r^-12 there is 10^24
-constexpr double largest_skin = 10.0;    // a list beyond it is all pairs, many times over in a small box
+constexpr double largest_skin = 10.0;    // a longer list has all pairs, many times over in a small box
 
 Schema argon_schema() {
     return Schema(
@@ -135,7 +135,7 @@ Schema performance_schema() {
                                 "in double; verlet-list only")});
 }
 
-/// A table whose `type` is the name of one of these plug-ins, which has keys of its own.
+/// A table whose `type` selects one of these plug-ins; each has its own keys.
 template <class Plugin>
 Schema plugin_schema(const std::string& title, const std::vector<Plugin>& plugins) {
     std::map<std::string, std::vector<Key>> keys;

@@ -15,26 +15,26 @@ namespace ljmd {
 
 namespace {
 
-constexpr double unlikely_time_step = 0.02;   // [tau]; Lennard-Jones is unstable a little above
-constexpr double unlikely_density = 1.5;      // [sigma^-3]; half again as dense as the crystal at its melting point
-constexpr double unlikely_temperature = 50;   // [epsilon/k_B]; argon would be at 6000 K
+constexpr double unlikely_time_step = 0.02;   // [tau]; slightly above, Lennard-Jones is unstable
+constexpr double unlikely_density = 1.5;      // [sigma^-3]; 1.5 times the density of the crystal at its melting point
+constexpr double unlikely_temperature = 50;   // [epsilon/k_B]; 6000 K for argon
 constexpr double unlikely_cutoff = 6;         // [sigma]; 2.5 to 5 are usual
 constexpr Index most_atoms = Index{1} << 30;  // a process indexes atoms and images with 32 bits
 
-// Values that validation found wrong are passed over: their stand-ins say nothing about the deck, and one mistake is
+// Values that validation found wrong are skipped: their stand-ins say nothing about the deck, and each mistake is
 // reported once.
 
-/// The key has a value that the deck meant.
+/// Whether the key has a valid value.
 bool given(const Section& section, const char* key) {
     return section.has(key) && section.sound(key);
 }
 
-/// The key was left out, and not merely misspelled.
+/// Whether the key was left out, not merely misspelt.
 bool absent(const Section& section, const char* key) {
     return !section.has(key) && section.sound(key);
 }
 
-/// An error that --force turns into a warning.
+/// Report an error that --force turns into a warning.
 void unlikely(bool force, const Location& where, const std::string& message, const std::string& hint,
               Diagnostics& diagnostics) {
     if (force) {
@@ -156,7 +156,7 @@ void check_potential(const Section& potential, Diagnostics& diagnostics) {
     }
 }
 
-/// What only a Verlet list can do.
+/// Refuse settings that only a Verlet list supports.
 void check_search(const Section& root, Diagnostics& diagnostics) {
     const Section& neighbors = root.section("neighbors");
     if (!neighbors.sound("method") || neighbors.text("method") == "verlet-list") {
@@ -205,7 +205,7 @@ void check_output(const Section& output, bool has_units, Diagnostics& diagnostic
     }
 }
 
-/// Number of atoms of a lattice start; nothing when the deck is too wrong to tell, also of the box.
+/// Number of atoms of a lattice start; nothing if the deck has too many errors to determine it or the box.
 std::optional<Index> lattice_start(const Section& system) {
     if (!given(system, "lattice") || !given(system, "density")) {
         return std::nullopt;

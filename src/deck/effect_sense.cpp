@@ -12,14 +12,14 @@ namespace ljmd {
 
 namespace {
 
-/// Steps of the run that a stage is made of: first < n <= last.
+/// The steps of a stage: first < n <= last.
 struct StageSteps {
     const Section& stage;
     Index first;
     Index last;
 
     [[nodiscard]] Index count() const { return last - first; }
-    /// Whether something that is done every so many steps of the run is done in it.
+    /// Whether a multiple of `every`, in steps of the run, is in this stage.
     [[nodiscard]] bool has_multiple_of(Index every) const { return last / every > first / every; }
 };
 
@@ -37,12 +37,12 @@ std::string steps_in_words(Index steps) {
     return fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
 }
 
-/// The key of [output] that says how often something is written, or the default.
+/// The interval of an output in [output], or the default.
 Index interval(const Section& output, const char* what, Index usual) {
     return output.has(what) ? output.section(what).integer("every") : usual;
 }
 
-/// A thermostat or barostat that acts every so many steps of its stage may never do so.
+/// Warn if a thermostat or barostat never acts because its interval is longer than the stage.
 void check_acts(const StageSteps& steps, const char* bath, Diagnostics& diagnostics) {
     if (steps.count() == 0 || !steps.stage.has(bath) || !steps.stage.section(bath).has("every")) {
         return;
@@ -64,7 +64,7 @@ void check_stage(const StageSteps& steps, Diagnostics& diagnostics) {
     check_acts(steps, "barostat", diagnostics);
 }
 
-/// No stage is sampled: said at the last one, which is most often the one that was meant.
+/// Warn that no stage is sampled, at the last one, which is usually the one that was meant.
 void warn_of_no_sampling(const StageSteps& last, const std::string& what, Diagnostics& diagnostics) {
     diagnostics.warning(last.stage.location(), fmt::format("no stage is sampled: {}", what),
                         "sample = true in the stage that is to be measured");
@@ -95,7 +95,7 @@ void check_sampling(const std::vector<StageSteps>& stages, Index thermo_every, b
     }
 }
 
-/// An analysis that looks every so many steps of the run may never see a sampled stage.
+/// Warn if an analysis with an interval in steps of the run never sees a sampled stage.
 void check_analysis_looks(const Section& section, const std::string& name, const std::vector<StageSteps>& stages,
                           Diagnostics& diagnostics) {
     if (!section.has("every")) {
@@ -113,7 +113,7 @@ void check_analysis_looks(const Section& section, const std::string& name, const
     }
 }
 
-/// The names of those that [analysis] asks for.
+/// The names of the analyses that [analysis] asks for.
 template <class Method>
 std::vector<std::string> asked_for(const Section& analysis, const std::vector<Method>& methods) {
     std::vector<std::string> names;
@@ -141,7 +141,7 @@ void check_trajectory(const Section& output, Index steps, Diagnostics& diagnosti
 }  // namespace
 
 bool is_written(const Section& section, const std::string& key) {
-    // A default stands where its table stands.
+    // A default value has the location of its table.
     const Location value = section.location(key);
     const Location& table = section.location();
     return section.has(key) &&
@@ -161,7 +161,7 @@ void check_effects(const Section& root, Diagnostics& diagnostics) {
         check_stage(steps, diagnostics);
     }
     if (stages.back().last == 0) {
-        return;  // the start is evaluated once, and measured
+        return;  // the start is evaluated once, and sampled
     }
     const Section& output = root.section("output");
     const Section& analysis = root.section("analysis");

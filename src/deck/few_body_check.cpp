@@ -11,9 +11,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr double bytes_per_number = 20.0;  // as text
+constexpr double bytes_per_number = 20.0;  // in text form
 
-/// Of the two files that grow with the run.
+/// Size of the two files that grow with the run.
 double disk_bytes(const Deck& deck, const FewBodySystem& system) {
     const auto steps = static_cast<double>(deck.total_steps());
     double numbers = (1.0 + steps / static_cast<double>(deck.thermo_every)) * (5.0 + 2.0 * system.dimensions);
@@ -57,7 +57,7 @@ std::string few_body_check_json(const Deck& deck) {
                                          {"total_energy", energy_at_start(system)},
                                          {"steps", deck.total_steps()},
                                          {"disk_bytes", disk_bytes(deck, system)}};
-    // The path of a deck need not be UTF-8, as JSON must.
+    // The path of a deck may not be UTF-8, but JSON must be.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

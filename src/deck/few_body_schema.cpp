@@ -7,7 +7,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double largest_coordinate = 1e100;  // its square and cube are numbers
+constexpr double largest_coordinate = 1e100;  // its square and cube are finite
 constexpr double largest_mass = 1e100;
 
 Schema force_schema() {

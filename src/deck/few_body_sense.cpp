@@ -18,7 +18,7 @@ std::string count(std::size_t components) {
     return fmt::format("{} component{}", components, components == 1 ? "" : "s");
 }
 
-/// The first body decides the dimension of the deck. @return nothing when vectors do not agree, or are not sound
+/// The first body determines the dimension of the deck. @return nothing if vectors disagree or are invalid
 std::optional<int> check_dimensions(const std::vector<Section>& bodies, Diagnostics& diagnostics) {
     std::optional<std::size_t> dimensions;
     bool agree = true;
@@ -55,7 +55,7 @@ bool check_force_dimensions(const Section& root, const FewBodyForceMethod& force
     return false;
 }
 
-/// Every value in the table of the force and of the bodies was found good.
+/// Whether all values of the force and all masses are valid.
 bool is_sound(const Section& root, const FewBodyForceMethod& force) {
     const Section& section = root.section("force");
     for (const Key& key : keys_of(force)) {
@@ -71,7 +71,7 @@ bool is_sound(const Section& root, const FewBodyForceMethod& force) {
     return true;
 }
 
-/// Analyses follow the motion from step to step: they would take a gap for one long step, and a turn for motion.
+/// Analyses follow the motion step by step: they would mistake a gap for one long step, and a reversal for motion.
 void check_sampled_stages(const Section& root, Diagnostics& diagnostics) {
     const auto methods = all_few_body_analyses();
     if (std::none_of(methods.begin(), methods.end(),

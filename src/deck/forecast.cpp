@@ -28,7 +28,7 @@ double density_of(const Start& start) {
     return static_cast<double>(start.atoms) / start.box.volume();
 }
 
-/// Seconds that a step takes here, pair search and integration included.
+/// Measured seconds per step, pair search and integration included.
 double seconds_per_step(const std::string& method, State& state, PairForceField& force_field) {
     const Integrator integrator(find_integrator(method), usual_time_step);
     force_field.evaluate(state, Request::forces);
@@ -42,12 +42,12 @@ double seconds_per_step(const std::string& method, State& state, PairForceField&
             took = std::chrono::steady_clock::now() - began;
         } while (took.count() < trial_seconds);
     } catch (const PhysicsError&) {
-        // The usual time step is too large for this potential: what was measured until it blew up has to do.
+        // The usual time step is too large for this potential: use what was measured until it blew up.
     }
     return took.count() / static_cast<double>(std::max<Index>(steps, 1));
 }
 
-/// Seconds that an atom takes in all stages here, by a trial of each integrator on a stand-in for the start.
+/// Measured seconds per atom for all stages, from a trial of each integrator on a stand-in for the start.
 double seconds_per_atom(const Deck& deck, const Start& start) {
     const double density = density_of(start);
     const double cutoff = deck.potential().number("cutoff");
@@ -66,7 +66,7 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
     const double temperature = deck.system().has("temperature") ? deck.system().number("temperature") : 1.0;
     draw_velocities(state, std::min(temperature, hottest_trial), 1);
     PairForceField force_field = make_force_field(deck);
-    std::map<std::string, double> seconds;  // a step, by integrator
+    std::map<std::string, double> seconds;  // per step, by integrator
     double sum = 0.0;
     Index evaluations_of_start = 1;  // takes about as long as a step
     for (const Stage& stage : deck.stages) {

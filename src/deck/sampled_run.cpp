@@ -10,7 +10,7 @@ namespace ljmd {
 
 namespace {
 
-/// What one analysis for all sampled stages needs of them: a box that stays as it is.
+/// Analyses of the sampled stages need a box that does not change.
 void check_box_stays(const std::vector<Section>& stages, Diagnostics& diagnostics) {
     bool sampled = false;
     for (const Section& stage : stages) {
@@ -24,7 +24,7 @@ void check_box_stays(const std::vector<Section>& stages, Diagnostics& diagnostic
     }
 }
 
-/// What analyses that compare configurations at different times need of a sampled stage.
+/// Analyses that compare configurations at different times need equal time steps, and Newton's equations.
 void check_motion(const Section& stage, const SampledRun& run, Diagnostics& diagnostics) {
     if (stage.sound("time_step") && stage.number("time_step") != run.time_step) {
         diagnostics.error(stage.location("time_step"),

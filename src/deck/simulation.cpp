@@ -17,7 +17,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double noticeable_drift = 1e-6;  // velocity of the centre of mass [sigma/tau]
+constexpr double noticeable_drift = 1e-6;  // speed of the centre of mass [sigma/tau]
 
 Lattice lattice_type(const Section& lattice) {
     return lattice.text("type") == "fcc" ? Lattice::fcc : Lattice::simple_cubic;

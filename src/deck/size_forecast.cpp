@@ -11,21 +11,21 @@ namespace ljmd {
 
 namespace {
 
-// Bytes, as runs of 4,000 to 256,000 atoms at densities of 0.05 to 0.85 took.
+// Bytes, measured in runs of 4,000 to 256,000 atoms at densities of 0.05 to 0.85.
 constexpr double program_itself = 18.3e6;  // with its libraries
 constexpr double checkpoint_of_few = 4e3;
 constexpr double checkpoint_of_atom = 110.0;  // positions, velocities, forces, masses, ids, images
-constexpr double checkpoint_of_list = 32.0;   // positions that it was built from
-constexpr double atom_itself = 190.0;         // the same in memory, and room to sort it
+constexpr double checkpoint_of_list = 32.0;   // positions at which it was built
+constexpr double atom_itself = 190.0;         // the same in memory, plus space for sorting
 constexpr double atom_in_cells = 10.0;
-constexpr double point_in_cells = 8.0;  // atoms and images
+constexpr double point_in_cells = 8.0;  // atoms and ghosts
 constexpr double image = 32.0;
-constexpr double atom_on_list = 98.0;      // clusters, images of tiles and their forces
-constexpr double neighbor_on_list = 0.85;  // of all within its range; each pair is listed once, in clusters
+constexpr double atom_on_list = 98.0;      // clusters, ghosts of tiles and their forces
+constexpr double neighbor_on_list = 0.85;  // per neighbour within its range; each pair is listed once, in clusters
 constexpr double atom_on_mixed_list = 73.0;
 constexpr double neighbor_on_mixed_list = 0.56;
 
-// Bytes of a row of thermo.csv, without and with SI columns.
+// Bytes per row of thermo.csv, without and with SI columns.
 constexpr double thermo_row = 240.0;
 constexpr double thermo_row_si = 350.0;
 constexpr double records = 8e3;  // run.json, results.json, results.txt
@@ -36,7 +36,7 @@ double points_around(const Deck& deck, const Start& start) {
     return density * 4.0 / 3.0 * std::numbers::pi * range * range * range;
 }
 
-/// Of an atom, in the pair search.
+/// Bytes per atom in the pair search.
 double search(const Deck& deck, const Start& start) {
     const std::string method = deck.neighbors().text("method");
     if (method == "verlet-list") {

@@ -26,7 +26,8 @@ void check_name(const Section& stage, std::set<std::string>& names, Diagnostics&
     }
 }
 
-/// A start from a file with velocities needs no temperature; where [system] does, that is said of it.
+/// Whether a missing temperature of [system] is allowed: a start from a file with velocities needs none. Otherwise its
+/// absence is reported there.
 bool system_may_lack_temperature(const Section& root) {
     if (!root.sound("system")) {
         return false;

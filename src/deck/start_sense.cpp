@@ -14,7 +14,7 @@ namespace ljmd {
 
 namespace {
 
-/// Stages in which a thermostat is at work.
+/// Stages with an active thermostat.
 std::vector<const Section*> held_stages(const Section& root) {
     std::vector<const Section*> held;
     for (const Section& stage : root.sections("stage")) {
@@ -25,7 +25,7 @@ std::vector<const Section*> held_stages(const Section& root) {
     return held;
 }
 
-/// `temperature` in [system] is that of first velocities that are drawn, and of thermostats without one of their own.
+/// `temperature` in [system] is used for drawn velocities, and for thermostats without a temperature of their own.
 void check_temperature(const Section& root, bool keeps_velocities, Diagnostics& diagnostics) {
     const Section& system = root.section("system");
     const std::vector<const Section*> held = held_stages(root);
@@ -65,7 +65,7 @@ bool has_random_analysis(const Section& analysis) {
         all_analyses(), [&](const AnalysisMethod& method) { return method.is_random && analysis.has(method.name); });
 }
 
-/// Random numbers are drawn for velocities, places, stochastic thermostats, barostats and some analyses.
+/// Random numbers are used for velocities, positions, stochastic thermostats, barostats and some analyses.
 void check_seed(const Section& root, bool keeps_velocities, Diagnostics& diagnostics) {
     const Section& system = root.section("system");
     const auto is_random = [](const Section* stage) {

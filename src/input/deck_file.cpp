@@ -38,7 +38,7 @@ DeckFile read_deck(const std::filesystem::path& path, Diagnostics& diagnostics) 
     };
     std::ifstream file;
     if (const std::string why = open_input(path, file); !why.empty()) return fail(why);
-    // One byte more than allowed tells a text that is too large, whatever its size.
+    // One byte more than allowed, after a byte order mark, shows that a text is too large, whatever its size.
     std::string text(max_bytes + 4, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (file.bad()) return fail(why_reading_failed());

@@ -7,7 +7,7 @@
 namespace ljmd {
 namespace {
 
-/// A cell of a Markdown table: one line, no bare '|'.
+/// A cell of a Markdown table: one line, with every '|' escaped.
 std::string cell(const std::string& text) {
     std::string escaped;
     for (const char c : text) {

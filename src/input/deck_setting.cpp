@@ -19,10 +19,10 @@ namespace {
 constexpr std::size_t max_keys = 32;
 
 constexpr std::string_view setting_source = "--set ";
-constexpr std::string_view value_lead = "value = ";  // makes TOML of a value
+constexpr std::string_view value_lead = "value = ";  // turns a value into TOML
 
-/// A value and all its parts stand in the setting, in a column each, so that a key that is given differs in its place
-/// from one that is left to its default.
+/// Move a value and its parts to the location of the setting, each with its own column. So the location of a key that
+/// is set differs from that of a default (see is_written).
 void relocate(Value& value, const Location& setting, int shift) {
     const auto place = [&](const Location& found) { return Location{setting.source, 0, found.column + shift}; };
     value.location = place(value.location);
@@ -36,9 +36,8 @@ void relocate(Value& value, const Location& setting, int shift) {
     }
 }
 
-/// The value of a setting: TOML, or else the text itself. Empty, with an error, where TOML was meant but cannot be
-/// used.
-/// @param column  at which it begins
+/// The value of a setting: TOML, or else the text itself. Nothing, with an error, for TOML that cannot be used.
+/// @param column  at which the text begins
 std::optional<Value> read_value(const std::string& text, const Location& setting, int column,
                                 Diagnostics& diagnostics) {
     Diagnostics mistakes;
@@ -54,7 +53,7 @@ std::optional<Value> read_value(const std::string& text, const Location& setting
     return Value{text, {setting.source, 0, column}};
 }
 
-/// A value that an earlier setting has given counts for nothing.
+/// Warn that the value of an earlier setting has no effect.
 void warn_of_earlier_setting(const Entry& entry, const Location& setting, Diagnostics& diagnostics) {
     const Location& earlier = entry.key_location;
     if (earlier.source && earlier.source->name.starts_with(setting_source)) {
@@ -62,12 +61,12 @@ void warn_of_earlier_setting(const Entry& entry, const Location& setting, Diagno
     }
 }
 
-/// The tables of an array, and those of them that have a name.
+/// The tables of an array, and those that have a name.
 struct Elements {
     std::vector<Table*> tables;
     std::vector<std::pair<std::string, Table*>> names;
 
-    /// How a setting reaches them, as a hint.
+    /// How a setting selects them, as a hint.
     [[nodiscard]] std::string reached(const std::string& key) const {
         if (tables.empty()) return fmt::format("it is set as a whole: {}=[...]", key);
         if (names.empty()) return fmt::format("its elements are reached by number: {}.1.KEY=VALUE", key);
@@ -104,7 +103,7 @@ Table* named_element(const Elements& elements, const std::string& key, const std
 
 Table* numbered_element(const Elements& elements, const std::string& key, const std::string& text,
                         const Location& where, Diagnostics& diagnostics) {
-    std::size_t number = 0;  // stays 0 where more digits are given than it holds
+    std::size_t number = 0;  // stays 0 when the number is out of range
     const char* end = std::from_chars(text.data(), text.data() + text.size(), number).ptr;
     const std::size_t count = elements.tables.size();
     if (end != text.data() + text.size()) {
@@ -120,7 +119,8 @@ Table* numbered_element(const Elements& elements, const std::string& key, const 
     return nullptr;
 }
 
-/// The table that holds the last of `keys`, made if it is missing; null, with an error, where the way is blocked.
+/// The table that holds the last of `keys`, created if missing. Null, with an error, if the path leads through
+/// something that is not a table.
 Table* descend(Table& root, const std::vector<std::string>& keys, const Location& where, Diagnostics& diagnostics) {
     Table* here = &root;
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {

@@ -25,7 +25,7 @@ Json with_range(Json json, const Key& key) {
     return json;
 }
 
-/// The value, without the words about it.
+/// The type and range of the value, without its description.
 Json of_value(const Key& key) {
     const Json text = {{"type", "string"}};
     switch (key.kind) {
@@ -88,7 +88,7 @@ void add_required(Json& json, const std::vector<Key>& keys) {
     }
 }
 
-/// The keys of one choice, and no key of another one.
+/// The keys of one choice; those of other choices are excluded.
 Json of_case(const std::vector<Key>& keys, const std::set<std::string>& of_all_cases) {
     Json json = Json::object();
     for (const std::string& name : of_all_cases) {
@@ -101,7 +101,7 @@ Json of_case(const std::vector<Key>& keys, const std::set<std::string>& of_all_c
     return json;
 }
 
-/// "if it is this choice, then these keys".
+/// Add one "if it is this choice, then these keys" for each choice.
 void add_selection(Json& json, const Schema& schema, const Schema::Selection& selection) {
     std::set<std::string> names;
     for (const auto& [choice, keys] : selection.cases) {
@@ -110,7 +110,7 @@ void add_selection(Json& json, const Schema& schema, const Schema::Selection& se
         }
     }
     for (const std::string& name : names) {
-        json["properties"][name] = true;  // told by the cases
+        json["properties"][name] = true;  // defined by the cases
     }
     const auto& default_value = schema.find(selection.key)->default_value;
     for (const auto& [choice, keys] : selection.cases) {

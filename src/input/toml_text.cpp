@@ -26,7 +26,7 @@ Location at_offset(const std::shared_ptr<const Source>& source, std::size_t offs
             1 + static_cast<int>(count_characters(before.substr(line_start))), 1};
 }
 
-/// The end of the string literal that begins at `start`: behind its closing quotes, or at the end of its line.
+/// The end of the string literal that begins at `start`: after its closing quotes, or at the end of its line.
 std::size_t skip_string(std::string_view text, std::size_t start) {
     const char quote = text[start];
     const bool multi_line = text.substr(start).starts_with(std::string(3, quote));
@@ -46,8 +46,8 @@ std::size_t skip_string(std::string_view text, std::size_t start) {
     return text.size();
 }
 
-/// Where brackets nest, or a dotted key grows, beyond max_depth; npos when nowhere. The parser and the trees that it
-/// builds recurse; this keeps them from the end of the stack.
+/// The position where brackets are nested, or a dotted key grows, deeper than max_depth; npos if there is none. The
+/// parser and all functions on its trees recurse; the limit protects the stack.
 std::size_t find_too_deep(std::string_view text) {
     int depth = 0;
     int dots = 0;
@@ -87,7 +87,7 @@ std::size_t find_too_deep(std::string_view text) {
     return std::string_view::npos;
 }
 
-/// toml++'s report of a syntax error in the words of a deck.
+/// A syntax error of toml++, reworded for decks.
 struct Mistake {
     std::string message;
     std::string hint;
@@ -122,7 +122,7 @@ Mistake in_own_words(std::string_view description, bool at_line_end) {
         return {(scope == "table header" ? "table '" : "key '") + token + "' is given twice", "", token};
     }
     for (const char* like : {"expected 'true'", "expected 'false'", "expected 'inf'", "expected 'nan'"}) {
-        // A bare word that begins like one of these, such as fcc, and that is none.
+        // A bare word that begins like one of these, such as fcc.
         if (reason.starts_with(like)) reason = "could not determine value type";
     }
     std::string hint;
@@ -146,7 +146,7 @@ void report(const toml::parse_error& error, const std::shared_ptr<const Source>&
     const std::string_view line = line_of(source->text, where.line);
     const Mistake mistake =
         in_own_words(error.description(), static_cast<std::size_t>(where.column) > count_characters(line));
-    // toml++ stops at the start of a header or behind a key or number: the token is the last one before that, if any.
+    // toml++ stops at the start of a header, or after a key or number: the token is the last one before that, if any.
     std::size_t byte = 0;
     for (int column = 1; column < where.column && byte < line.size(); ++column) {
         byte += std::max<std::size_t>(utf8_length(line.substr(byte)), 1);
@@ -160,7 +160,7 @@ void report(const toml::parse_error& error, const std::shared_ptr<const Source>&
     diagnostics.error(where, mistake.message, mistake.hint);
 }
 
-/// Turns toml++'s tree into ours.
+/// Converts toml++'s tree into ours.
 class Converter {
   public:
     explicit Converter(std::shared_ptr<const Source> source) : source_(std::move(source)) {}

@@ -24,16 +24,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_words = 1000;  // of what others have written
+constexpr std::size_t longest_words = 1000;  // of text that others have written
 
 struct Contents {
     bool running;
     RecordedRun run;
     std::optional<ResumePoint> point;
     std::vector<std::string> damaged;
-    std::vector<std::pair<std::string, std::uintmax_t>> files;  ///< with their bytes, by name
+    std::vector<std::pair<std::string, std::uintmax_t>> files;  ///< names and bytes, sorted by name
 
-    /// Of the stage that the checkpoint is in.
+    /// The stage that the checkpoint is in.
     [[nodiscard]] const Stage& stage() const { return run.deck.stages.at(point->head.position.stage); }
 };
 
@@ -125,7 +125,7 @@ std::string directory_json(const fs::path& directory) {
                        {"checkpoint", checkpoint},
                        {"damaged", contents.damaged},
                        {"files", files}};
-    // Names of files need not be UTF-8, as JSON must.
+    // Names of files may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

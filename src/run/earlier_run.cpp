@@ -17,12 +17,12 @@ namespace ljmd {
 
 namespace {
 
-// Two names, so that it is known of every file beside the folder which run it is of: while files are moved they are all
-// of the earlier run, and when all have been moved they are all of the new one.
+// Two names, so that the run of every file beside the folder is known: while files are being moved, these all belong to
+// the earlier run; when all have been moved, to the new one.
 const std::string moving = ".ljmd-moving";
 const std::string aside = ".ljmd-earlier";
 
-/// Shows a run that was given up, and stays: the message of its failure names it.
+/// Shows why a run failed. It stays, because the error message names it.
 const std::string failure = "failed.xyz";
 
 bool is_there(const OpenDirectory& directory, const std::string& name) {
@@ -30,7 +30,7 @@ bool is_there(const OpenDirectory& directory, const std::string& name) {
     return ::fstatat(directory.descriptor(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
 }
 
-/// Of a file that may not be there. @return 0 or the error number
+/// Move a file that may be missing. @return 0 or the error number
 int move(const OpenDirectory& from, const std::string& name, const OpenDirectory& to, const std::string& new_name) {
     const bool moved = ::renameat(from.descriptor(), name.c_str(), to.descriptor(), new_name.c_str()) == 0;
     return moved || errno == ENOENT ? 0 : errno;
@@ -48,7 +48,7 @@ void remove_folder(const OpenDirectory& directory, const std::string& name) {
     ::unlinkat(directory.descriptor(), name.c_str(), AT_REMOVEDIR);
 }
 
-/// From the folder `moving` to where they were; what cannot be moved stays in it.
+/// Move the files from the folder `moving` back; those that cannot be moved stay in it.
 void move_back(const OpenDirectory& directory, const std::vector<std::string>& names) {
     const OpenDirectory folder = directory.made_within(moving);
     if (is_there(directory, failure)) {
@@ -61,7 +61,7 @@ void move_back(const OpenDirectory& directory, const std::vector<std::string>& n
     remove_folder(directory, moving);
 }
 
-/// Take the earlier run from the folder `aside`.
+/// Put the earlier run back from the folder `aside`.
 void put_back(const OpenDirectory& directory, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         if (name != failure) {
@@ -108,7 +108,7 @@ EarlierRun::~EarlierRun() {
         if (aside_) {
             put_back(directory_, names_);
         }
-    } catch (const FileError&) {  // it stays aside, for settle_earlier_run()
+    } catch (const FileError&) {  // it stays in the folder, for settle_earlier_run()
     }
 }
 

@@ -16,8 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Align = TextTable::Align;
 
-/// The numbers follow from the deck without chance: a mean over the rows has no standard error, only a mean over
-/// orbits.
+/// These numbers are deterministic: a mean over the rows has no standard error, only a mean over orbits has one.
 Json history_json(const FewBodyHistory& history) {
     return {{"mean", number_or_null(history.mean)},
             {"standard_error", nullptr},
@@ -61,7 +60,7 @@ std::string few_body_results_json(const Deck& deck, const FewBodyResult& result)
         {"analysis", findings},
         {"stages", stages},
         {"warnings", Json::array()}};
-    // What came from a checkpoint need not be UTF-8, as JSON must.
+    // Strings from a checkpoint may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

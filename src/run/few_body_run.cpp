@@ -36,7 +36,7 @@ std::vector<std::pair<std::string, double>> named(const FewBodyTotals& totals, i
     return values;
 }
 
-/// One run of a few bodies: samples and writes what the time loop goes through.
+/// A run of a few bodies: samples and writes while the time loop runs.
 class FewBodyRun : private StepObserver {
   public:
     FewBodyRun(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control)
@@ -59,7 +59,7 @@ class FewBodyRun : private StepObserver {
         if (from_ && from_->begun) {
             listener.stage_begins(deck.stages.at(from_->stage));
         }
-        // Only now is anything touched.
+        // No file was changed until here.
         files_.emplace(deck, system, outputs);
     }
 
@@ -70,7 +70,7 @@ class FewBodyRun : private StepObserver {
     }
 
   private:
-    /// All that the rest of the run depends on, files excepted.
+    /// Everything that the rest of the run depends on, except files.
     void archive(Archive& a) {
         a(system_.state);
         system_.force_field->archive(a, system_.state);
@@ -82,7 +82,7 @@ class FewBodyRun : private StepObserver {
         }
     }
 
-    /// @throws CheckpointError unless what was sampled is what the stages that have begun ask for
+    /// @throws CheckpointError unless the samples match the stages that have begun
     void require_sampled() const {
         const auto begun = deck_.stages.begin();
         const auto values = named(totals_of(system_.state, 0.0), system_.dimensions);
@@ -102,7 +102,7 @@ class FewBodyRun : private StepObserver {
     }
 
     void checkpoint(const LoopPosition& position) override {
-        require_finite();  // a checkpoint of a run that has blown up is of no use
+        require_finite();  // a checkpoint after a blow-up would be useless
         const CommittedOutputs outputs = files_->commit();
         checkpoints_.write(system_.state, position, outputs, [this](Archive& a) { archive(a); });
     }
@@ -116,12 +116,12 @@ class FewBodyRun : private StepObserver {
     void stage_begins(const Stage& stage) override {
         listener_.stage_begins(stage);
         const State& state = system_.state;
-        if (stage.sample && !sampling_) {  // the sampled stages are one piece, see check_few_body_sense()
+        if (stage.sample && !sampling_) {  // sampled stages are contiguous, see check_few_body_sense()
             sampling_ = true;
             sample_analyses(state);
         }
         if (stage.reverse) {
-            sense_of_angle_ = -sense_of_angle_;  // the velocities are turned round after this
+            sense_of_angle_ = -sense_of_angle_;  // the velocities are reversed after this
             if (angle_) {
                 angle_ = quadrature_.turn_round();
             }
@@ -177,8 +177,8 @@ class FewBodyRun : private StepObserver {
         stage.checksum_at_end = checksum(system_.state);
     }
 
-    /// The end has a row, too: results tell of it. It comes behind the last checkpoint, so that a run which is made
-    /// longer does not keep it where the one long run has none.
+    /// Add a row for the end, because the results report it. It comes after the last checkpoint: so a run that is
+    /// extended does not keep a row that one long run would not have.
     void record_end() {
         State& state = system_.state;
         if (thermo_every_.due(state.step)) {
@@ -192,7 +192,7 @@ class FewBodyRun : private StepObserver {
         stages_.back().energy_drift = drift_.slope();
     }
 
-    /// @throws PhysicsError when a body has left the range of numbers
+    /// @throws PhysicsError when a body has a position or velocity that is not finite
     void require_finite() const {
         const State& state = system_.state;
         for (Index i = 0; i < state.count(); ++i) {
@@ -266,15 +266,15 @@ class FewBodyRun : private StepObserver {
     RunListener& listener_;
     Every thermo_every_;
     RunCheckpoints checkpoints_;
-    std::optional<LoopPosition> from_;       ///< of a run that goes on
-    std::optional<FewBodyDirectory> files_;  ///< not there before it is known that the run can begin
+    std::optional<LoopPosition> from_;       ///< of a resumed run
+    std::optional<FewBodyDirectory> files_;  ///< opened when it is known that the run can begin
     PolarAngleQuadrature quadrature_;
     std::optional<PolarAngle> angle_;
-    double sense_of_angle_ = 1.0;  ///< -1 while the motion goes backwards
+    double sense_of_angle_ = 1.0;  ///< -1 after a reversal
     bool sampling_ = false;        ///< a sampled stage has begun
     Index rows_ = 0;
     std::vector<FewBodyHistory> histories_;
-    LinearTrend drift_;  ///< of the total energy in the stage that is running
+    LinearTrend drift_;  ///< of the total energy in the current stage
     std::vector<StageResult> stages_;
 };
 

@@ -12,10 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Watches a text while it is parsed.
+/// Checks the limits of a JSON text while it is parsed.
 class Bounds {
   public:
-    /// @param depth  of the value, or of the object that a key belongs to; 0: the text's own
+    /// @param depth  of the value, or of the object that a key belongs to; 0: the outermost one
     void see(int depth, Json::parse_event_t event) {
         using Event = Json::parse_event_t;
         if (event == Event::key) {
@@ -35,7 +35,7 @@ class Bounds {
     }
 
   private:
-    std::array<std::size_t, deepest_json + 1> keys_{};  ///< of the object that is open at each depth
+    std::array<std::size_t, deepest_json + 1> keys_{};  ///< number of keys of the open object at each depth
     std::size_t values_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// No name of ours is longer, those included under which files grow (ReplacementFile).
+/// Upper bound of the length of our file names, including those of growing files (ReplacementFile).
 constexpr std::size_t longest_name = 64;
 
 void require_usable(const fs::path& directory, const std::string& consequence) {

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How an observable is reported for a substance.
+/// The unit of an observable for a substance.
 struct SiUnit {
     double factor;
     std::string name;
@@ -109,7 +109,7 @@ Json at_asked_json(const std::optional<AtAskedTemperature>& there, const std::op
             {"observables", observables_json(there->observables, units)}};
 }
 
-/// Below the table: what the run has at the temperature that was asked for.
+/// Lines below the table: results at the asked temperature.
 std::string at_asked_lines(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
     if (!there) {
         return "";
@@ -204,7 +204,7 @@ std::string results_json(const Deck& deck, const RunResult& result) {
     if (deck.units) {
         json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();
     }
-    // What came from a checkpoint need not be UTF-8, as JSON must.
+    // Strings from a checkpoint may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

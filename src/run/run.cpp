@@ -26,13 +26,13 @@ namespace ljmd {
 
 namespace {
 
-/// Sampling a liquid while this much of the crystal is left measures neither.
+/// With more than this of the crystal left, sampling measures neither crystal nor liquid.
 constexpr double crystal_left = 0.1;
 
-/// Steps between looks at the atoms' speeds; looking costs a hundredth of a step.
+/// Steps between checks of the atoms' speeds; a check costs a hundredth of a step.
 constexpr Index steps_between_looks = 10;
 
-/// One run of a fluid: samples and writes what the time loop goes through.
+/// A run of a fluid: samples and writes while the time loop runs.
 class FluidRun : private StepObserver {
   public:
     FluidRun(const Deck& deck, Simulation& simulation, RunListener& listener, const RunControl& control)
@@ -59,14 +59,14 @@ class FluidRun : private StepObserver {
         if (from_ && from_->begun) {
             listener.stage_begins(deck.stages.at(from_->stage));
         }
-        // Only now is anything touched.
+        // No file was changed until here.
         files_.emplace(deck, simulation.state, simulation.order.has_value(), outputs);
     }
 
     RunResult run() { return finish(run_stages(deck_, simulation_.state, simulation_.force_field, *this, from_)); }
 
   private:
-    /// All that the rest of the run depends on, files excepted.
+    /// Everything that the rest of the run depends on, except files.
     void archive(Archive& a) {
         a(simulation_.state);
         simulation_.force_field.archive(a, simulation_.state);
@@ -88,7 +88,7 @@ class FluidRun : private StepObserver {
 
     void checkpoint(const LoopPosition& position) override {
         if (watch_) {
-            watch_->check_speeds(simulation_.state);  // a checkpoint of a run that has blown up is of no use
+            watch_->check_speeds(simulation_.state);  // a checkpoint after a blow-up would be useless
         }
         Stopwatch watch;
         const CommittedOutputs outputs = files_->commit();
@@ -107,7 +107,7 @@ class FluidRun : private StepObserver {
         files_->write_frame(simulation_.state);
         write_thermo(row);
         first_ = row;
-        // The time loop begins: what was spent before does not count.
+        // The time loop begins here: earlier time is not counted.
         seconds_ = {};
         force_before_ = simulation_.force_field.seconds_summing();
         search_before_ = simulation_.force_field.search_statistics();
@@ -129,7 +129,7 @@ class FluidRun : private StepObserver {
         return simulation_.order ? std::optional((*simulation_.order)(simulation_.state)) : std::nullopt;
     }
 
-    /// Per atom; nothing when this stage has none.
+    /// Per atom; nothing if this stage has no conserved energy.
     [[nodiscard]] std::optional<double> conserved_energy(const Thermodynamics& row) const {
         const State& state = simulation_.state;
         return conserves_energy_ ? std::optional(row.total_energy - state.heat() / static_cast<double>(state.count()))
@@ -181,7 +181,7 @@ class FluidRun : private StepObserver {
                            {}});
     }
 
-    /// A barostat has changed the box since the analyses were made; nothing was sampled yet, see check_analysis.
+    /// A barostat has changed the box since the analyses were made. They have no samples yet, see check_analysis.
     void adapt_analyses() {
         const State& state = simulation_.state;
         Diagnostics diagnostics;
@@ -309,7 +309,7 @@ class FluidRun : private StepObserver {
         }
     }
 
-    /// What a reader of the results should know before trusting them.
+    /// Warnings about the results.
     [[nodiscard]] std::vector<std::string> doubts(const RunResult& result) const {
         std::vector<std::string> doubts;
         if (deck_.total_steps() == 0) {
@@ -352,22 +352,22 @@ class FluidRun : private StepObserver {
     RunListener& listener_;
     Every thermo_every_;
     RunCheckpoints checkpoints_;
-    std::optional<LoopPosition> from_;   ///< of a run that goes on
-    std::optional<RunDirectory> files_;  ///< not there before it is known that the run can begin
+    std::optional<LoopPosition> from_;   ///< of a resumed run
+    std::optional<RunDirectory> files_;  ///< opened when it is known that the run can begin
     RunAverages averages_;
     std::optional<double> order_at_sampling_;
-    std::optional<StabilityWatch> watch_;  ///< of the stage that is running
-    bool sampling_ = false;                ///< in it
-    bool conserves_energy_ = true;         ///< in it
-    Vec3 analysed_edges_;                  ///< of the box that the analyses were made for
+    std::optional<StabilityWatch> watch_;  ///< for the current stage
+    bool sampling_ = false;                ///< the current stage is sampled
+    bool conserves_energy_ = true;         ///< the current stage has a conserved energy
+    Vec3 analysed_edges_;                  ///< edges of the box that the analyses were made for
     Thermodynamics first_;
     Thermodynamics last_;
-    LinearTrend drift_;         ///< of the total energy in it
-    TimeStepError step_error_;  ///< in it
+    LinearTrend drift_;         ///< of the conserved energy per atom in the current stage
+    TimeStepError step_error_;  ///< in the current stage
     std::vector<StageResult> stages_;
-    PhaseSeconds seconds_;            ///< what is spent here
-    double force_before_ = 0.0;       ///< seconds that the force field
-    SearchStatistics search_before_;  ///< and its search had spent when the time loop began
+    PhaseSeconds seconds_;            ///< wall time measured here
+    double force_before_ = 0.0;       ///< seconds spent by the force field
+    SearchStatistics search_before_;  ///< and by its search before the time loop
 };
 
 }  // namespace

@@ -14,13 +14,13 @@ namespace ljmd {
 
 namespace {
 
-/// Calls between looks at the clock.
+/// Calls between readings of the clock.
 constexpr int calls_between_looks = 16;
 
-/// Least bytes that an atom takes in a checkpoint: three vectors of four numbers, mass, id and image.
+/// Minimum bytes per atom in a checkpoint: three vectors of four numbers, mass, id and image.
 constexpr Index bytes_per_atom = 3 * 4 * 8 + 8 + 8 + 3 * 4;
 
-/// Steps until there, from the start of the run.
+/// Steps from the start of the run to this position.
 Index steps_until(const LoopPosition& position, const Deck& deck) {
     Index steps = position.steps;
     for (std::size_t stage = 0; stage < position.stage; ++stage) {
@@ -39,7 +39,7 @@ bool is_possible_box(const Deck& deck, Index atoms, const Vec3& edges) {
     }
 }
 
-/// What shows that no run of the deck has written this; empty when nothing does.
+/// Why no run of the deck can have written this checkpoint; empty if one can.
 std::string impossible(const CheckpointHead& head, const Deck& deck, std::size_t bytes) {
     const LoopPosition& position = head.position;
     if (position.stage >= deck.stages.size()) {
@@ -71,7 +71,7 @@ void CheckpointHead::archive(Archive& a) {
 std::optional<ResumePoint> find_resume_point(const Deck& deck) {
     FoundCheckpoints found = find_checkpoints(deck.directory);
     if (deck.locked) {
-        deck.locked->require_at_its_path();  // else they are those of another directory
+        deck.locked->require_at_its_path();  // else these are checkpoints of another directory
     }
     if (found.whole.empty()) {
         if (found.damaged.empty()) {

@@ -121,7 +121,7 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                            {"mass_u", deck_.units->dalton()},
                            {"tau_ps", deck_.units->picosecond()}};
     }
-    // The path of a deck need not be UTF-8, as JSON must.
+    // The path of a deck may not be UTF-8, but JSON must.
     const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     write_file_atomically(deck_.outputs() / "run.json", text + "\n");
 }

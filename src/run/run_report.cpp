@@ -18,19 +18,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_title = 200;
 
-/// Of the kinetic energy. A plain cut of 256 atoms, whose energy makes a random walk, reaches 0.1 % in 200 tau with the
-/// usual time step; with one of 0.019 tau, where velocity Verlet begins to be unstable, 0.6 % are there after 60 tau.
+/// Fraction of the kinetic energy. A plain cut with 256 atoms, whose energy performs a random walk, reaches 0.1 % in
+/// 200 tau with the usual time step. With a time step of 0.019 tau, where velocity Verlet begins to be unstable, it
+/// reaches 0.6 % after 60 tau.
 constexpr double large_drift = 0.003;
 
-/// In a short stage the slope is mostly chance, and a plain cut answers every change of structure: only more than that
-/// tells of the time step.
+/// In a short stage the slope is mostly chance, and with a plain cut it follows changes of structure: only a larger
+/// drift indicates the time step.
 constexpr double short_stage = 5.0;  // [tau]
 constexpr double large_drift_of_short_stage = 0.02;
 
-/// In liquid argon 0.001 is that of the usual time step, 0.004, and 0.01 that of 0.012, where p is off by 0.04.
+/// In liquid argon the usual time step, 0.004, gives 0.001; a time step of 0.012 gives 0.01, and p is off by 0.04.
 constexpr double small_time_step_error = 0.001;
 constexpr double large_time_step_error = 0.01;
-constexpr int highest_order = 2;  ///< of integrators that TimeStepError tells of
+constexpr int highest_order = 2;  ///< of integrators for which TimeStepError is meaningful
 
 }  // namespace
 

@@ -41,7 +41,7 @@ Job start(const ChildRun& run) {
 }
 
 struct LastLines {
-    std::string error;  ///< the last one that tells of an error
+    std::string error;  ///< the last line with an error
     std::string any;
 };
 
@@ -59,7 +59,7 @@ LastLines last_lines(const fs::path& log) {
     return last;
 }
 
-constexpr std::size_t longest_words = 400;  // of a log in a message
+constexpr std::size_t longest_words = 400;  // of a log, in a message
 
 }  // namespace
 

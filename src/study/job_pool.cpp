@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::milliseconds look_again{10};
 
-/// A line with a job that runs.
+/// A line of jobs with its running job.
 struct Running {
     std::size_t line;
     ChildProcess process;
@@ -26,7 +26,7 @@ class Pool {
   public:
     Pool(const std::filesystem::path& program, int at_most) : program_(program), at_most_(at_most) {}
 
-    /// Nobody is left behind.
+    /// Stops all jobs and waits for them.
     ~Pool() {
         stop(SIGTERM);
         while (!running_.empty()) {
@@ -40,7 +40,7 @@ class Pool {
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
-    /// If this program is killed, jobs stop as they do when they are told to: with checkpoints.
+    /// If this program is killed, the jobs receive SIGTERM and stop with checkpoints.
     void start(std::size_t line, const Job& job) {
         try {
             running_.push_back({line, ChildProcess({.program = program_,
@@ -63,7 +63,7 @@ class Pool {
 
     [[nodiscard]] std::size_t size() const { return running_.size(); }
 
-    /// One that has ended, taken out: its line and exit status; nothing while all run.
+    /// Remove a job that has ended: its line and exit status; nothing if all are running.
     std::optional<std::pair<std::size_t, int>> take_ended() {
         for (auto one = running_.begin(); one != running_.end(); ++one) {
             if (const auto status = one->process.ended()) {

@@ -29,7 +29,7 @@ ZAndU values_of(const EquationOfState& equation, double temperature, double dens
     return {state.compressibility_factor, state.potential_energy};
 }
 
-/// Temperature, potential energy and pressure of the production stage.
+/// Temperature, potential energy and pressure in the production stage.
 BlockingAccumulator production_series(const fs::path& path, Index first_step) {
     const DataTable thermo = read_csv(path);
     const auto step = step_column(thermo, path);
@@ -49,7 +49,7 @@ BlockingAccumulator production_series(const fs::path& path, Index first_step) {
     return series;
 }
 
-/// g(r) as a run has written it.
+/// g(r), as written by a run.
 DataTable read_rdf(const fs::path& path) {
     DataTable rdf = read_csv(path);
     if (rdf.rows.size() < 2) {
@@ -58,7 +58,7 @@ DataTable read_rdf(const fs::path& path) {
     return rdf;
 }
 
-/// The stage in which a row is measured.
+/// The sampled stage of a row.
 struct SampledStage {
     Index first_step;
     Index steps;
@@ -76,7 +76,7 @@ SampledStage sampled_stage(const fs::path& results) {
     });
 }
 
-/// Z and U at the nominal temperature, from those at the one that was measured.
+/// Z and U at the nominal temperature, converted from the measured one.
 void estimate_at(ReproducedRow& row, const BlockingAccumulator& series) {
     const AtTemperature nominal =
         at_temperature(equation_of_state("thol2016"), row.verlet.density, row.verlet.temperature, series.mean(),

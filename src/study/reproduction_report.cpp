@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Verlet's numbers are printed with two digits behind the point; their errors are about as large.
+// Verlet's numbers are printed with two decimals; their errors are about as large.
 constexpr double printed_error_z = 0.05;
 constexpr double printed_error_u = 0.03;
 
@@ -27,7 +27,7 @@ std::string with_error_of_digits(const Estimate& found) {
         return fmt::format("{:.4f}", found.mean);
     }
     constexpr int most_digits = 9;
-    constexpr double three_digits = 99.5;  // what is rounded to 100
+    constexpr double three_digits = 99.5;  // values from here on would be rounded to 100
     int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(found.standard_error))), 0, most_digits);
     if (digits > 0 && found.standard_error * std::pow(10.0, digits) >= three_digits) {
         --digits;
@@ -57,7 +57,7 @@ const char* name_of(Soundness soundness) {
     return "";
 }
 
-/// One column of the table: its name and what it holds of a row, as text.
+/// A column of the table: its name and the text for a row.
 struct Column {
     const char* name;
     std::string (*text)(const ReproducedRow&);
@@ -186,7 +186,7 @@ std::string isotherms_csv() {
     const EquationOfState kolafa = equation_of_state("kolafa-nezbeda1994");
     DataTable table{"isotherms", {"T", "rho", "Z_thol2016", "Z_kolafa_nezbeda1994"}, {}};
     for (const double t : temperatures) {
-        std::vector<std::vector<double>> isotherm;  // from the dense end as far as the fluid is stable, or metastable
+        std::vector<std::vector<double>> isotherm;  // from the dense end, as long as the fluid is stable or metastable
         for (int k = 0; k <= steps; ++k) {
             const double rho = densest - k * step;
             const FluidProperties state = properties(thol, t, rho);

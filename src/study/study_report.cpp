@@ -25,22 +25,22 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t longest_words = 1000;  // of what others have written
+constexpr std::size_t longest_words = 1000;  // of text that others have written
 constexpr std::array<const char*, 5> states{"finished", "running", "stopped", "failed", "not begun"};
 
 struct RunState {
     std::string name;
     fs::path directory;
-    std::string state;          ///< of `states`
+    std::string state;          ///< one of `states`
     std::optional<Index> step;  ///< of the newest checkpoint
-    Index total_steps = 0;      ///< 0 where no run has begun
-    std::string words;          ///< of the log, where it failed
+    Index total_steps = 0;      ///< 0 before the run has begun
+    std::string words;          ///< from the log, if it failed
 };
 
 struct Study {
     bool is_sweep;
     std::string deck;  ///< of a sweep
-    bool running;      ///< the command that makes it
+    bool running;      ///< whether the command is running
     std::vector<RunState> runs;
 
     [[nodiscard]] auto count(const std::string& state) const {
@@ -61,7 +61,7 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
             found.step = point->head.step;
         }
     } catch (const CheckpointError&) {
-        found.step.reset();  // `ljmd info` of this run tells what is wrong with its checkpoints
+        found.step.reset();  // `ljmd info` for this run shows what is wrong with its checkpoints
     }
     if (run.finished) {
         found.state = "finished";
@@ -148,7 +148,7 @@ std::string study_json(const fs::path& directory) {
                                 {"total_steps", run.total_steps},
                                 {"words", run.words}});
     }
-    // Names of files and what a log ends with need not be UTF-8, as JSON must.
+    // Names of files and the end of a log may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

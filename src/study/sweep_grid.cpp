@@ -15,15 +15,15 @@ namespace ljmd {
 
 namespace {
 
-constexpr int digits = 14;  // of the numbers of a range
+constexpr int digits = 14;  // of the numbers in a range
 
-/// One key of a grid and its values.
+/// A key of a grid and its values.
 struct Axis {
     std::string key;
     std::vector<std::string> values;
 };
 
-/// The parts of a text, without blanks around them; separators in quotes or brackets separate nothing.
+/// The parts of a text, without blanks around them; separators in quotes or brackets do not count.
 std::vector<std::string> parts_of(std::string_view text, char separator) {
     std::vector<std::string> parts;
     std::size_t begin = 0;
@@ -34,7 +34,7 @@ std::vector<std::string> parts_of(std::string_view text, char separator) {
         if (quote != '\0') {
             quote = c == quote ? '\0' : quote;
         } else if ((c == '"' || c == '\'') && (i == 0 || std::isalnum(static_cast<unsigned char>(text[i - 1])) == 0)) {
-            quote = c;  // in a word it is an apostrophe
+            quote = c;  // within a word it is an apostrophe
         } else if (c == '[' || c == '{') {
             ++depth;
         } else if (c == ']' || c == '}') {
@@ -48,7 +48,7 @@ std::vector<std::string> parts_of(std::string_view text, char separator) {
     return parts;
 }
 
-/// `count` numbers at equal distances. What lies between the ends is rounded to so many digits of the larger end.
+/// `count` equally spaced numbers. Those between the ends are rounded to 14 digits of the larger end.
 std::vector<std::string> numbers(double from, double to, Index count) {
     const double largest = std::max(std::abs(from), std::abs(to));
     const int decimals = std::max(0, digits - static_cast<int>(std::ceil(std::log10(largest))));
@@ -63,7 +63,7 @@ std::vector<std::string> numbers(double from, double to, Index count) {
     return values;
 }
 
-/// The values of FROM:TO:COUNT; none, with errors, when it is no such thing.
+/// The values of FROM:TO:COUNT; none, with errors, if it is invalid.
 std::vector<std::string> range(const std::vector<std::string>& parts, const Location& where, Diagnostics& diagnostics) {
     constexpr const char* form = "FROM:TO:COUNT, as in 0.1:0.9:9; a list of values has the form A|B|C";
     if (parts.size() != 3) {
@@ -96,7 +96,7 @@ std::vector<std::string> range(const std::vector<std::string>& parts, const Loca
     return from && to ? numbers(*from, *to, count) : std::vector<std::string>{};
 }
 
-/// A key with its values; without values, and with errors, when there is a mistake.
+/// A key with its values; no values, with errors, if there is a mistake.
 Axis read_axis(const std::string& text, const Location& where, Diagnostics& diagnostics) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
@@ -126,7 +126,7 @@ Axis read_axis(const std::string& text, const Location& where, Diagnostics& diag
     return axis;
 }
 
-/// All combinations, those of the last axis next to each other.
+/// All combinations; the last axis varies fastest.
 SweepPoints combinations(const std::vector<Axis>& axes) {
     SweepPoints points{{}, {{}}};
     for (const Axis& axis : axes) {

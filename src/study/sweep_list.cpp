@@ -13,7 +13,7 @@ namespace {
 
 constexpr Index most_bytes = Index{1} << 24;
 
-/// The whole text, so that messages can show its lines.
+/// Reads the whole text, so that messages can show its lines.
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
     TextFile file(path);
     if (file.bytes_left() > most_bytes) {
@@ -26,7 +26,7 @@ std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
     return std::make_shared<const Source>(std::move(source));
 }
 
-/// Takes a list line by line.
+/// Parses a list line by line.
 class ListReader {
   public:
     ListReader(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
@@ -89,8 +89,8 @@ class ListReader {
     std::shared_ptr<const Source> source_;
     Diagnostics& diagnostics_;
     SweepPoints points_;
-    std::map<std::vector<std::string>, int> lines_;  ///< of the points
-    bool header_is_wrong_ = false;                   ///< what is below it then means nothing
+    std::map<std::vector<std::string>, int> lines_;  ///< line numbers of the points
+    bool header_is_wrong_ = false;                   ///< the lines below it are then meaningless
 };
 
 }  // namespace

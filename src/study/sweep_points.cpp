@@ -13,9 +13,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr std::size_t longest_name = 200;  // of a directory; file systems allow 255 bytes
+constexpr std::size_t longest_name = 200;  // of a directory name; file systems allow 255 bytes
 
-/// A text as a part of a name: what a shell or a file system would take for something else is '-'.
+/// A text as part of a name: characters that are special to shells or file systems become '-'.
 std::string as_name(const std::string& text) {
     std::string name;
     for (const char c : text) {
@@ -68,7 +68,7 @@ std::vector<std::string> short_keys(const std::vector<std::string>& keys) {
 std::vector<std::string> point_names(const SweepPoints& points) {
     const std::vector<std::string> keys = short_keys(points.keys);
     std::set<std::string> taken;
-    std::map<std::string, int> numbers;  ///< the last one that a name was given to tell it from others
+    std::map<std::string, int> numbers;  ///< the last number appended to each name to make it unique
     std::vector<std::string> names;
     for (const auto& values : points.values) {
         std::string wanted;

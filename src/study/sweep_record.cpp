@@ -29,11 +29,11 @@ std::string record_json(const SweepPlan& plan) {
     }
     const Json record = {{"program", "ljmd"},         {"deck_file", plan.deck_file}, {"deck", plan.deck},
                          {"settings", plan.settings}, {"keys", plan.points.keys},    {"points", points}};
-    // The path of a deck need not be UTF-8, as JSON must.
+    // The path of a deck may not be UTF-8, but JSON must.
     return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// What the sweep in a directory has and this one has not; empty when they are the same.
+/// How the recorded sweep differs from this one; empty if they are the same.
 std::string difference(const SweepPlan& recorded, const SweepPlan& plan) {
     return recorded.deck != plan.deck           ? "another deck"
            : recorded.settings != plan.settings ? "other settings (--set)"
@@ -63,16 +63,16 @@ void require_sound(const SweepPoints& points, const std::vector<std::string>& se
     }
 }
 
-/// Take away what a run writes, and nothing else.
+/// Remove the files of a run, and nothing else.
 void remove_run(const ChildRun& run) {
     if (files::exists(run.directory / "run.json")) {
         prepare_directory(run.directory);
-        files::try_to_remove(run.directory);  // unless something else is in it
+        files::try_to_remove(run.directory);  // if it is empty
     }
     files::try_to_remove(run.log);
 }
 
-/// Runs that a sweep has made and another one has no use for.
+/// Runs of an old sweep that a new one cannot use.
 std::vector<ChildRun> unwanted_runs(const SweepPlan& old, const SweepPlan& plan, const fs::path& directory) {
     std::map<std::string, std::vector<std::string>> wanted;
     for (const ChildRun& run : sweep_runs(plan, directory)) {
@@ -88,7 +88,7 @@ std::vector<ChildRun> unwanted_runs(const SweepPlan& old, const SweepPlan& plan,
     return runs;
 }
 
-/// Runs that are in the way of a sweep: those of another one; nothing where there is none. Changes nothing.
+/// Runs of another sweep that must be replaced; nothing if there is no other sweep. Changes nothing.
 /// @throws InputError, DataError  as prepare_sweep()
 std::optional<std::vector<ChildRun>> runs_to_replace(const SweepPlan& plan, const fs::path& directory, bool force) {
     const auto recorded = recorded_sweep(directory);
@@ -113,7 +113,7 @@ std::optional<std::vector<ChildRun>> runs_to_replace(const SweepPlan& plan, cons
     return other.empty() ? std::nullopt : std::optional(unwanted_runs(*recorded, plan, directory));
 }
 
-/// @throws InputError  the files of a run cannot be removed, as something else is there
+/// @throws InputError  the files of a run cannot be removed because something else has one of their names
 void require_removable(const ChildRun& run) {
     check_places(run);
     static_cast<void>(existing_outputs(run.directory, run_output_names(), "Nothing was run"));
@@ -173,7 +173,7 @@ void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool f
                 fmt::format("{} holds a run that is not of this sweep; --force makes it anew", run.directory.string()));
         }
     }
-    // The record is on the disk before the first run is removed, and takes its place after the last one.
+    // The record is on the disk before the first run is removed, and takes its place after the last one was.
     ReplacementFile record(directory / "sweep.json");
     OutputFile file(record);
     file.write(record_json(plan));

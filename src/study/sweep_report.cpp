@@ -26,7 +26,7 @@ struct TableColumn {
     const char* heading;
 };
 
-/// Energies are per atom in a fluid, of the whole where there is no temperature.
+/// Energies are per atom for a fluid, and totals for few bodies, which have no temperature.
 const std::vector<TableColumn>& columns_for(bool fluid) {
     static const std::vector<TableColumn> of_fluid{
         {"temperature", "T"}, {"potential_energy", "U/N"}, {"pressure", "p"}, {"compressibility_factor", "Z"}};
@@ -49,7 +49,7 @@ std::string in_words(const ObservedMean* found) {
     return found == nullptr || std::isnan(found->mean) ? "-" : with_error(found->mean, found->standard_error);
 }
 
-/// As in_words, with the mark of its remark.
+/// Like in_words(), with the mark of its remark.
 std::string in_marked_words(const ObservedMean* found, Footnotes& footnotes) {
     const std::string mark = found == nullptr ? "" : footnotes.mark(found->remark);
     return in_words(found) + (mark.empty() ? "" : " " + mark);
@@ -65,7 +65,7 @@ std::string remarks_of(const SweptPoint& point) {
     return text;
 }
 
-/// The members of an object, which an array would be taken for otherwise.
+/// The members of an object; an array is refused.
 auto members_of(const Json& value, std::string_view name) {
     if (!value.is_object()) {
         throw WrongJson(fmt::format("'{}' is no object", name));
@@ -81,7 +81,7 @@ std::string number_or_nothing(double value) {
     return std::isnan(value) ? "" : fmt::format("{}", value);
 }
 
-/// A value of --set as JSON: itself where it is a number, a flag or an array, else a text.
+/// A value of --set as JSON: a number, a flag or an array as itself, anything else as a string.
 Json value_json(const std::string& value) {
     try {
         return parse_json(value);
@@ -92,7 +92,7 @@ Json value_json(const std::string& value) {
     }
 }
 
-/// The observables of all points, each once, in the order in which they come.
+/// The observables of all points without repetition, in order of appearance.
 std::vector<std::string> observables_of(const SweptPoints& swept) {
     std::vector<std::string> names;
     for (const SweptPoint& point : swept.points) {
@@ -197,7 +197,7 @@ std::string sweep_json(const SweptPoints& swept) {
                           {"observables", observables}});
     }
     const Json json = {{"keys", swept.keys}, {"points", points}};
-    // Names of directories and what a log ends with need not be UTF-8, as JSON must.
+    // Names of directories and the end of a log may not be UTF-8, but JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -14,9 +14,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr std::size_t most_named = 3;  // points of a mistake
+constexpr std::size_t most_named = 3;  // number of points named in a mistake
 
-/// What is found in one point: everything that `ljmd check` would say of it.
+/// The diagnostics of one point, as `ljmd check` would report them.
 Diagnostics look_at(const Source& deck, const std::vector<std::string>& settings, bool force) {
     Diagnostics found;
     const auto loaded = load_deck_text(deck.name, deck.text, settings, force, found);
@@ -45,7 +45,7 @@ std::string without_numbers(const std::string& text) {
     return result;
 }
 
-/// One mistake, and the points that have it.
+/// A mistake and the points that have it.
 struct SharedMistake {
     Diagnostic first;
     std::vector<std::size_t> points;

@@ -11,39 +11,37 @@
 
 namespace ljmd {
 
-/// Where the rows of thermo.csv in the sampled stages of a run have come to equilibrium; of all stages where none is
-/// sampled.
+/// Equilibration of the rows of thermo.csv in the sampled stages of a run; in all stages if none is sampled.
 struct ThermoReport {
     struct Column {
         std::string name;
         Equilibration found;
         double whole_inefficiency;  ///< statistical inefficiency of all rows
-        Estimate by_blocking;       ///< of all rows, as results.json has it
+        Estimate by_blocking;       ///< of all rows, as in results.json
     };
 
     Index rows;
     Index first_step;
     Index last_step;
     double interval;  ///< between rows [tau]
-    Index stride;     ///< rows between the starts that were tried
+    Index stride;     ///< rows between candidate start rows
     std::vector<Column> columns;
     std::optional<ObservableAverage> heat_capacity = {};  ///< c_v from the fluctuations of all rows, see RunAverages
 };
 
-/// @param run   of a fluid; may still be going on
-/// @param from  rows before this time [tau] are left out
-/// @throws InputError  it is one of few bodies
-/// @throws DataError   its thermo.csv cannot be used, or has fewer than two rows to look at
+/// @param run   of a fluid; may still be running
+/// @param from  rows before this time [tau] are excluded
+/// @throws InputError  it is a few-body run
+/// @throws DataError   its thermo.csv cannot be used, or fewer than two rows are left
 [[nodiscard]] ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from = std::nullopt);
 
-/// For people: one line a column, steps and times since the first row; below them the remarks that numbers are marked
-/// with.
+/// Table for the user: one line per column, with the step from which it is in equilibrium; below it the remarks.
 [[nodiscard]] std::string thermo_table(const ThermoReport& report);
 
 /// rows, first_step, last_step, interval, stride; observables, by name: equilibrated_at_row, equilibrated_at_step,
-/// statistical_inefficiency, correlation_time, independent_samples, mean, standard_error; of all rows:
-/// statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all. Where the
-/// ensemble has one, heat_capacity_cv: mean, standard_error. Remarks, where there are any.
+/// statistical_inefficiency, correlation_time, independent_samples, mean, standard_error, and for all rows
+/// statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all. If the ensemble has one,
+/// heat_capacity_cv: mean, standard_error. Remarks, if there are any.
 [[nodiscard]] std::string thermo_json(const ThermoReport& report);
 
 }  // namespace ljmd

@@ -10,34 +10,34 @@
 
 namespace ljmd {
 
-/// An analysis that is fed with the frames of a trajectory. Its schedule counts frames.
+/// An analysis of the frames of a trajectory. Its schedule counts frames.
 struct FrameAnalysis {
     AnalysisMethod method;
     std::unique_ptr<Analysis> analysis;
 };
 
-/// What a trajectory is analyzed for when nothing is asked for: rdf, structure_factor where the box stays the same, and
-/// msd where frames are equally spaced and it is known whether positions are wrapped.
+/// The default analyses of a trajectory: rdf; structure_factor if the box is constant; msd if also the frames are
+/// equally spaced and it is known whether positions are wrapped.
 [[nodiscard]] std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory,
                                                       const FrameSelection& selection);
 
-/// Refuse names that are neither those of analyses nor "thermo". @throws InputError
+/// Refuse names that are neither analyses nor "thermo". @throws InputError
 void check_analysis_names(const std::vector<std::string>& names);
 
-/// Refuse a trajectory whose energies and pressures cannot be had: without velocities, or without a deck for the
-/// interaction. @throws InputError
+/// Refuse a trajectory whose energies and pressures cannot be computed: it has no velocities, there is no deck for the
+/// interaction, or the cutoff is more than half the box. @throws InputError
 void check_thermo(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection);
 
-/// Make analyses for a trajectory. Their settings are those of the deck's [analysis] where it has them, else defaults;
-/// the deck's `every`, which counts steps, becomes as many frames, one at least; where the deck does not ask for an
-/// analysis every frame counts. Then `settings`, "analysis.rdf.bins=100", apply; their `every` counts frames.
+/// Create analyses for a trajectory. Their settings are those of the deck's [analysis], else defaults. The deck's
+/// `every`, which counts steps, is converted to frames, at least one; analyses that the deck does not ask for use every
+/// frame. Then `settings`, "analysis.rdf.bins=100", are applied; their `every` counts frames.
 ///
-/// @param names     of analyses, each once
-/// @param settings  of --set
-/// @param deck      for the interaction, the seed and what thermostats hold; may be null
-/// @throws InputError  a setting is wrong or does not fit the trajectory; the trajectory or the deck lacks what an
-///                     analysis needs: velocities, equally spaced frames, a box that stays the same, an interaction, or
-///                     what tells whether positions are wrapped
+/// @param names     of analyses, without repetition
+/// @param settings  arguments of --set
+/// @param deck      for the interaction, the seed and the temperature of thermostats; may be null
+/// @throws InputError  a setting is wrong or does not fit the trajectory; or the trajectory or the deck lacks something
+/// that an analysis needs: velocities, equally spaced frames, a constant box, an interaction, or whether positions are
+/// wrapped
 [[nodiscard]] std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& names,
                                                              const std::vector<std::string>& settings, const Deck* deck,
                                                              const TrajectorySummary& trajectory,

@@ -9,36 +9,36 @@
 
 namespace ljmd {
 
-/// A trajectory that is to be analyzed.
+/// A trajectory to be analysed.
 struct AnalyzedTrajectory {
     std::filesystem::path path;
-    const Deck* deck = nullptr;  ///< null: none is known
+    const Deck* deck = nullptr;  ///< null: unknown
     TrajectorySummary summary;
     FrameSelection selection;
-    std::string group = {};     ///< of particles, see open_trajectory()
-    bool thermo = false;        ///< energies and pressures of the frames are wanted, see check_thermo()
-    std::string xyz_comment{};  ///< what the comment lines of an extended XYZ file lack
+    std::string group = {};     ///< particle group, see open_trajectory()
+    bool thermo = false;        ///< compute energies and pressures of the frames, see check_thermo()
+    std::string xyz_comment{};  ///< keys missing from the comment lines of an extended XYZ file
 
     [[nodiscard]] std::optional<SubstanceUnits> units() const { return deck != nullptr ? deck->units : std::nullopt; }
 };
 
-/// What was found in a trajectory.
+/// Results from a trajectory.
 struct TrajectoryResult {
     std::vector<ObservableAverage> averages;
     std::vector<DataTable> tables;
     std::vector<std::string> warnings;
-    bool used_displacements = false;  ///< so that it matters whether positions are wrapped
+    bool used_displacements = false;  ///< so whether positions are wrapped matters
 };
 
-/// Feed the analyses with the frames that are selected. Wrapped positions are unwrapped by the nearest image from frame
-/// to frame. Forces are evaluated where one needs them, and for `thermo`, which gives the
-/// averages that a run has of its rows. Of a trajectory with velocities there is the temperature in any case.
-/// @throws DataError  the file is not what it was when it was summarized, a mass is not 1, or atoms overlap so that
-/// their forces are not finite
+/// Feed the selected frames to the analyses. Wrapped positions are unwrapped frame by frame with nearest images. Forces
+/// are evaluated if an analysis needs them, and for `thermo`, which gives the same averages as the rows of a run. The
+/// temperature is given for every trajectory with velocities.
+/// @throws DataError  the file has changed since it was summarised, a mass is not 1, or atoms overlap so that their
+/// forces are not finite
 [[nodiscard]] TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory,
                                                   const std::vector<FrameAnalysis>& analyses);
 
-/// For people: what was analyzed, and one line an observable.
+/// Table for the user: the trajectory, and one line per observable.
 [[nodiscard]] std::string trajectory_table(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result);
 
 /// trajectory, atoms, box_edges, frames, frames_used, spacing, positions; observables as in results.json; warnings.

@@ -6,16 +6,16 @@
 
 namespace ljmd {
 
-/// How fast a run was.
+/// Speed of a run.
 struct BenchResult {
     Index atoms;
     Index steps;
-    Index rebuilds;         ///< of the neighbour list, in the time loop and before
-    std::string lists;      ///< when they are rebuilt
+    Index rebuilds;         ///< of the neighbour list, also before the time loop
+    std::string lists;      ///< when lists are rebuilt
     std::string precision;  ///< of pair terms
-    PhaseSeconds seconds;   ///< of the time loop
-    double bytes_per_atom;  ///< memory at its peak until the last step, without what the program had before the atoms
-                            ///< were there
+    PhaseSeconds seconds;   ///< in the time loop
+    double bytes_per_atom;  ///< peak memory until the last step, without what the program used before the atoms were
+                            ///< created
     Thermodynamics first;   ///< at the start
     Thermodynamics last;    ///< at the last thermo step
 
@@ -24,11 +24,11 @@ struct BenchResult {
     }
 };
 
-/// Run a deck as `ljmd run` does, with all its outputs, in a directory that is removed afterwards.
-/// @throws what a run throws
+/// Run a deck like `ljmd run`, with all its outputs, in a temporary directory.
+/// @throws all exceptions of run_deck()
 [[nodiscard]] BenchResult bench(Deck deck, Start start);
 
-/// The Lennard-Jones melt of 32000 atoms, inputs/examples/melt-32k.toml, as it was when the program was built.
+/// The Lennard-Jones melt of 32000 atoms: inputs/examples/melt-32k.toml at build time.
 [[nodiscard]] std::string_view melt_deck();
 
 [[nodiscard]] std::string bench_report(const BenchResult& result);

@@ -6,13 +6,13 @@
 
 namespace ljmd {
 
-// What an equation of state says, as `ljmd eos` prints it: for people, or as JSON. In reduced units, energies per atom.
+// Reports of `ljmd eos` as a table or as JSON. In reduced units, energies per atom.
 
-/// All equations of state: whose, where they hold, critical point.
+/// All equations of state: source, range, critical point.
 [[nodiscard]] std::string equations_table();
 [[nodiscard]] std::string equations_json();
 
-/// One state.
+/// One state of the fluid.
 /// @param temperature  > 0
 /// @param density      >= 0
 /// @throws PhysicsError where the equation gives no pressure

@@ -10,14 +10,13 @@
 
 namespace ljmd {
 
-/// Tells a person how far a run is, on stderr: on a terminal one line that renews itself, elsewhere a plain line at
-/// every tenth of the run. Rates are over the last seconds, so that they follow the stage that is running.
+/// Shows the progress of a run on stderr: on a terminal one line that is updated, elsewhere a line at every tenth of
+/// the run. Rates are averages over the last seconds, so that they follow the current stage.
 class Progress : public RunListener {
   public:
-    /// @param atoms  of a fluid, whose time is in tau. None: few bodies, whose time is in the deck's own unit, and
-    /// whose
-    ///               steps are as fast whatever they are
-    /// @param quiet  say nothing but warnings
+    /// @param atoms  of a fluid, whose time is in tau. None: a few-body run, with time in the deck's units and no rate
+    /// per atom
+    /// @param quiet  print only warnings
     Progress(std::optional<Index> atoms, Index total_steps, bool quiet, Index first_step = 0);
     ~Progress() override;
     Progress(const Progress&) = delete;
@@ -39,7 +38,7 @@ class Progress : public RunListener {
     };
 
     [[nodiscard]] double windowed_rate(const Mark& now);
-    /// The first step at which that many tenths of the run are done.
+    /// The first step at which this many tenths of the run are done.
     [[nodiscard]] Index step_of_tenth(Index tenth) const;
     void clear_line();
 
@@ -49,8 +48,8 @@ class Progress : public RunListener {
     bool terminal_;
     std::string stage_;
     std::deque<Mark> window_;
-    Index next_look_ = 0;   ///< step at which the clock is read again: on a terminal by time, and at every tenth
-    Index next_tenth_ = 1;  ///< the next tenth of the run, which is always reported
+    Index next_look_ = 0;   ///< step at which to read the clock again: by time on a terminal, and at every tenth
+    Index next_tenth_ = 1;  ///< the next tenth of the run; each is reported
     bool line_is_open_ = false;
 };
 

@@ -6,19 +6,19 @@
 
 namespace ljmd {
 
-/// Undo what a parent may have left to this program: a mask that keeps signals from it for ever, and SIGCHLD, SIGTERM,
-/// SIGUSR1 and SIGXCPU ignored. Without SIGCHLD no child could be waited for. SIGINT and SIGHUP stay ignored where they
-/// are: so nohup and shells keep a terminal's keys and its end from a program. @pre no threads yet
+/// Reset signal settings inherited from the parent: blocked signals, and ignored SIGCHLD, SIGTERM, SIGUSR1 and SIGXCPU.
+/// With SIGCHLD ignored, waiting for children would fail. SIGINT and SIGHUP stay ignored, because nohup and shells use
+/// this to protect a program from the terminal's keys and its end. @pre no threads yet
 void forget_inherited_signals();
 
-/// From now on SIGINT, SIGHUP, SIGTERM, SIGUSR1 and SIGXCPU ask the program to stop, where they are not ignored. The
-/// second SIGINT, SIGHUP or SIGTERM ends it at once; the other two, which queues and the system repeat, do not.
+/// From now on SIGINT, SIGHUP, SIGTERM, SIGUSR1 and SIGXCPU ask the program to stop, unless they are ignored. A second
+/// SIGINT, SIGHUP or SIGTERM ends it at once. The other two do not, because queues and the system repeat them.
 void heed_signals();
 
-/// The signal that has asked to stop, if there was one.
+/// The signal that asked to stop, if any.
 [[nodiscard]] std::optional<StopRequest> stop_signal();
 
-/// What goes on until such a signal comes, or its time is over. @param walltime  [s] from now; none: no limit
+/// An Interruption by such a signal or by wall time. @param walltime  [s] from now; none: no limit
 [[nodiscard]] Interruption until_signal(std::optional<double> walltime = std::nullopt);
 
 }  // namespace ljmd

@@ -8,29 +8,29 @@ namespace ljmd {
 
 /// Make stdin, stdout and stderr safe to use. Call it once, before any file is opened.
 ///
-/// A standard stream that was closed before the start is given a place, so that no output file can take its number and
-/// receive what was meant for a terminal; writing results to it fails. A reader that goes away, or
-/// a file-size limit, no longer ends the program in the middle of a run: the write fails, and is reported.
+/// A standard stream that was closed before the start is opened on /dev/null, so that no output file can get its number
+/// and receive messages for a terminal; writing results to it fails. A reader that goes away, or a file-size limit,
+/// does not end the program in the middle of a run: the write fails and is reported.
 void prepare_standard_streams();
 
-// What these functions write may hold names of files, titles and words of other programs. No control character of
-// theirs but the end of a line and the tab reaches a terminal, nor what is no UTF-8: '?' stands in its place.
+// The text for these functions may contain names of files, titles and output of other programs. Control characters,
+// except line ends and tabs, and invalid UTF-8 never reach a terminal; '?' replaces them.
 
-/// Print results to stdout.
-/// @throws FileError when they do not arrive. If the reader has gone away (`ljmd info | head -1`) the program ends
-/// here, quietly, by SIGPIPE, as filters do.
+/// Print results to stdout. If the reader has gone away (`ljmd info | head -1`), the program ends here silently by
+/// SIGPIPE, as filters do.
+/// @throws FileError when the results cannot be written
 void print_result(const std::string& text);
 
-/// Say something to the user on stderr. That nobody listens is no reason to stop.
+/// Print a message to stderr. Errors are ignored.
 void talk(const std::string& text) noexcept;
 
-/// The same for a warning, of one line.
+/// Print a warning of one line to stderr.
 void warn(const std::string& text) noexcept;
 
-/// Write over the line of the terminal that the cursor is in. An empty text clears it.
+/// Replace the terminal line at the cursor. An empty text clears it.
 void talk_over_line(const std::string& text) noexcept;
 
-/// Say what is to be warned of.
+/// Print the warnings among the diagnostics.
 void talk_of_warnings(const Diagnostics& diagnostics);
 
 }  // namespace ljmd

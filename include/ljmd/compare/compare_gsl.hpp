@@ -9,10 +9,10 @@
 
 namespace ljmd {
 
-/// A few-body run held against the adaptive solution of its equations of motion, at equal times.
+/// Comparison of a few-body run with the adaptive solution of its equations of motion, at equal times.
 ///
-/// Errors are absolute, in the deck's units: of the position of the body that is furthest off, of its velocity
-/// likewise, of total energy and angular momentum against their values at the start.
+/// Errors are absolute, in the deck's units: the largest position error and velocity error of a body, and the
+/// deviations of total energy and angular momentum from their start values.
 struct GslComparison {
     struct Row {
         Index step;
@@ -21,8 +21,8 @@ struct GslComparison {
         double velocity_error;
         double energy_error;
         double angular_momentum_error;
-        double reference_error;  ///< how far two references, of tolerances 1e-13 and 1e-12, are apart: where this is
-                                 ///< not far below position_error, the motion is too chaotic to be followed
+        double reference_error;  ///< distance of two references with tolerances 1e-13 and 1e-12; unless it is far below
+                                 ///< position_error, the motion is too chaotic to be followed
     };
     std::vector<Row> rows;
     double largest_position_error = 0.0;
@@ -35,7 +35,7 @@ struct GslComparison {
     [[nodiscard]] bool passed() const { return reference_energy_error <= reference_energy_tolerance; }
 };
 
-/// Run the deck's stages and follow them with GSL's adaptive Runge-Kutta-Prince-Dormand method.
+/// Run the deck's stages and compare them with GSL's adaptive Runge-Kutta-Prince-Dormand method.
 /// @throws InputError    for a fluid, and for a stage that runs backwards
 /// @throws PhysicsError  when bodies collide
 [[nodiscard]] GslComparison compare_with_gsl(const Deck& deck, RunListener& listener);
@@ -43,7 +43,7 @@ struct GslComparison {
 [[nodiscard]] std::string comparison_table(const GslComparison& comparison, const Deck& deck);
 [[nodiscard]] std::string comparison_json(const GslComparison& comparison, const Deck& deck);
 
-/// compare-gsl.csv and compare-gsl.json in a directory, which is made if it is not there. @throws FileError
+/// Write compare-gsl.csv and compare-gsl.json into a directory, creating it if needed. @throws FileError
 void write_comparison(const GslComparison& comparison, const Deck& deck, const std::filesystem::path& directory);
 
 }  // namespace ljmd

@@ -12,7 +12,7 @@
 
 namespace ljmd {
 
-/// What is sampled, by both programs alike.
+/// Sampling options, equal for both programs.
 struct EnsembleOptions {
     std::string integrator;  ///< ljmd's
     double time_step;        ///< [tau]
@@ -23,12 +23,12 @@ struct EnsembleOptions {
     double radius;           ///< of g(r) [sigma]
 };
 
-/// One side's averages.
+/// Averages of one program.
 struct EnsembleAverages {
-    std::array<Estimate, 3> estimates;  ///< temperature, potential energy an atom, pressure; without tails
-    DataTable rdf;                      ///< columns as RadialDistribution has them; empty without configurations
+    std::array<Estimate, 3> estimates;  ///< temperature, potential energy per atom, pressure; without tail corrections
+    DataTable rdf;                      ///< columns as in RadialDistribution; empty without configurations
     Index frames = 0;
-    bool has_temperature = true;  ///< a single atom has none
+    bool has_temperature = true;  ///< false for a single atom
 };
 
 /// @pre options.steps >= options.every > 0
@@ -36,7 +36,8 @@ struct EnsembleAverages {
                                             const EnsembleOptions& options);
 [[nodiscard]] EnsembleAverages their_averages(const Fluid& fluid, Peer& peer, const EnsembleOptions& options);
 
-/// Averages of two runs at constant energy from one start, which part soon and then are independent. Without tails.
+/// Averages of two runs at constant energy from one start. The trajectories diverge soon and are then independent.
+/// Without tail corrections.
 struct EnsembleComparison {
     struct Row {
         std::string name;    ///< as in results.json
@@ -53,16 +54,16 @@ struct EnsembleComparison {
         double theirs;
         double their_error;
     };
-    std::vector<Row> rows;  ///< temperature where there is one, potential energy an atom, pressure
+    std::vector<Row> rows;  ///< temperature if there is one, potential energy per atom, pressure
     std::vector<Bin> rdf;
-    Index frames = 0;  ///< configurations behind g(r)
+    Index frames = 0;  ///< number of configurations for g(r)
     [[nodiscard]] double largest_rdf_difference() const;
 };
 
 [[nodiscard]] EnsembleComparison compare_ensembles(const EnsembleAverages& ours, const EnsembleAverages& theirs);
 
-/// Means within most_sigmas; g(r) within rdf_difference, and more where fewer than 300 configurations of 864 atoms are
-/// behind it, as the noise of a histogram goes.
+/// Checks of means, against most_sigmas, and of g(r), against rdf_difference. The latter is scaled up by the noise of a
+/// histogram for fewer than 300 configurations of 864 atoms.
 [[nodiscard]] std::vector<Check> checks_of(const EnsembleComparison& comparison, const Fluid& fluid);
 
 }  // namespace ljmd

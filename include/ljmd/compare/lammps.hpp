@@ -7,12 +7,12 @@
 
 namespace ljmd {
 
-/// The fluid in LAMMPS: the program `lmp`, or the one that the environment's LJMD_LAMMPS names. Each call starts it
-/// anew in a scratch directory. Its method is "fix nve", velocity Verlet.
+/// The fluid in LAMMPS: the program `lmp`, or the one named by the environment variable LJMD_LAMMPS. Each call starts
+/// it in a new scratch directory. Its method is "fix nve", velocity Verlet.
 ///
-/// @param threads  of pair styles of the package OPENMP; a LAMMPS without it has one
-/// @throws InputError  there is no such program, it is no LAMMPS, or LAMMPS has no such potential
-/// What LAMMPS refuses, or says otherwise than expected, is a DataError of the call, with LAMMPS' own words.
+/// @param threads  of pair styles of the package OPENMP; without the package LAMMPS runs one thread
+/// @throws InputError  there is no such program, it is not LAMMPS, or LAMMPS does not have the potential
+/// If LAMMPS fails or writes unexpected output, the call throws a DataError with LAMMPS' message.
 [[nodiscard]] std::unique_ptr<Peer> make_lammps_peer(const Fluid& fluid, int threads);
 
 }  // namespace ljmd

@@ -10,10 +10,9 @@
 
 namespace ljmd {
 
-// What the scripts of lammps_input.hpp make LAMMPS write, read one piece at a time. What is not as expected is a
-// DataError with file and line.
+// Readers for the output of the scripts of lammps_input.hpp. Unexpected output becomes a DataError with file and line.
 
-/// A row of a table in the log, totals of all atoms.
+/// A row of a table in the log: totals over all atoms.
 struct LammpsRow {
     Index step;
     double potential_energy;  ///< U [epsilon]
@@ -21,15 +20,15 @@ struct LammpsRow {
     double virial_pressure;   ///< W/3V [epsilon/sigma^3]
 };
 
-/// The tables of a log, one after the other; what stands between them is passed over.
+/// The tables of a log, one after the other; other lines are skipped.
 class LammpsLog {
   public:
     explicit LammpsLog(const std::filesystem::path& path) : file_(path) {}
 
-    /// The next row; nothing when there is none. @throws DataError also when the log ends within a table
+    /// The next row; nothing after the last one. @throws DataError, also when the log ends within a table
     [[nodiscard]] std::optional<LammpsRow> next_row();
 
-    /// "Loop time" of the last table that was read to its end [s]. @throws DataError when there was none
+    /// "Loop time" of the last complete table [s]. @throws DataError when there is none
     [[nodiscard]] double loop_seconds() const;
 
   private:
@@ -39,12 +38,12 @@ class LammpsLog {
     std::optional<double> seconds_;
 };
 
-/// What `lmp -h` says of itself.
+/// Version information from `lmp -h`.
 struct LammpsVersion {
     std::string version;  ///< "29 Sep 2021 - Update 2"
-    bool openmp;          ///< it has the package OPENMP, of pair styles with threads
+    bool openmp;          ///< has the package OPENMP: pair styles with threads
 };
-/// Nothing when the text is not that of LAMMPS.
+/// Nothing if the text is not from LAMMPS.
 [[nodiscard]] std::optional<LammpsVersion> lammps_version(const std::string& help);
 
 }  // namespace ljmd

@@ -6,14 +6,14 @@
 
 namespace ljmd {
 
-/// The truncated pair energy in the language of OpenMM's custom forces, as a function of r.
+/// The truncated pair energy as a function of r, in the expression language of OpenMM's custom forces.
 ///
-/// Its parameters: `scale`, which multiplies r wherever the potential has it (not where it ends); `cutoff`,
-/// `switch_start`; `u_cutoff` and `f_cutoff`, energy and force of the formula at the cutoff; those of the formula by
-/// their keys. A parameter may occur or not.
+/// Parameters that may occur: `scale`, which multiplies r everywhere except in the truncation; `cutoff`,
+/// `switch_start`; `u_cutoff` and `f_cutoff`, the energy and force of the formula at the cutoff; and the parameters of
+/// the formula, by their keys.
 /// Source: the language is Lepton's, OpenMM user guide, section 19
 ///
-/// @throws InputError for a truncation that it does not know
+/// @throws InputError for an unknown truncation
 [[nodiscard]] std::string openmm_expression(const PairPotential& potential);
 
 /// The same without truncation.

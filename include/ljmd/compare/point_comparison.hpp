@@ -8,17 +8,17 @@
 
 namespace ljmd {
 
-/// A configuration as ljmd evaluates it.
+/// Evaluate a configuration with ljmd.
 [[nodiscard]] PeerPoint point_of(const Fluid& fluid, ForceField& force_field);
 
-/// Pressure without tail by the convention that both sides are held to: (2 K + W)/3V, as LAMMPS prints it, in place of
+/// Pressure without tail correction, by the convention for both programs: (2 K + W)/3V, as LAMMPS prints it, instead of
 /// rho T + W/3V [epsilon/sigma^3].
 [[nodiscard]] double pressure(const Totals& totals, const Fluid& fluid);
 
-/// Energy, forces, pressure, and the tail corrections that both know.
+/// Compare energy, forces, pressure, and the tail corrections that both programs have.
 ///
-/// Differences of forces are divided by the root mean square of the other program's, or by 1 where those vanish, as
-/// they do on a lattice.
+/// Differences of forces are divided by the root mean square force of the other program, or by 1 if that vanishes, as
+/// on a lattice.
 [[nodiscard]] std::vector<Check> compare_points(const PeerPoint& ours, const PeerPoint& theirs, const Fluid& fluid,
                                                 const Agreement& agreement);
 

@@ -10,29 +10,29 @@
 
 namespace ljmd {
 
-/// The temperature that a deck of a fluid asks for where it samples: that of the thermostat there, else of the last one
-/// before, else that of [system]. Nothing where it asks for none, or for several.
+/// The temperature that a fluid's deck asks for in its sampled stages: that of their thermostat, else of the last
+/// thermostat before them, else of [system]. Nothing if it asks for none, or for several.
 [[nodiscard]] std::optional<double> asked_temperature(const Deck& deck);
 
-/// What is to be said where the temperature of a run is off the one that its deck asks for by more than three standard
-/// errors; empty where it is not.
-/// @param found  over the sampled stages
+/// A remark if the temperature of a run differs from the one that its deck asks for by more than three standard errors;
+/// else empty.
+/// @param found  mean over the sampled stages
 [[nodiscard]] std::string temperature_remark(const Deck& deck, const std::optional<Estimate>& found);
 
-/// The equation of state of the very fluid that a deck simulates; nothing where there is none. The full Lennard-Jones
-/// fluid is one that is cut at 2.5 sigma or farther out, with tail corrections.
+/// The equation of state of exactly the fluid that a deck simulates; nothing if there is none. Cut at 2.5 sigma or
+/// farther out and with tail corrections, a fluid counts as the full Lennard-Jones fluid.
 [[nodiscard]] std::optional<EquationOfState> equation_of_fluid(const Deck& deck);
 
-/// What a run at constant energy has at the temperature that its deck asks for.
+/// Results of a run at constant energy, converted to the temperature that its deck asks for.
 struct AtAskedTemperature {
     double temperature;
-    std::string equation;                        ///< of state, by whose slopes
+    std::string equation;                        ///< equation of state that was used
     std::vector<ObservableAverage> observables;  ///< potential_energy, pressure, compressibility_factor
 };
 
-/// Nothing where the temperature that was found is the one that was asked for (see temperature_remark()), farther off
-/// it than a tenth, or held by a thermostat; where there is no equation of state of the fluid, or where this one is
-/// outside of its range or describes no stable phase.
+/// Convert the averages of a run. Nothing if the measured temperature agrees with the asked one (see
+/// temperature_remark()), differs from it by more than a tenth, or is held by a thermostat; if the fluid has no
+/// equation of state; or if the state is outside its range or describes no stable phase.
 /// @param averages  not empty
 [[nodiscard]] std::optional<AtAskedTemperature> at_asked_temperature(const Deck& deck, double density,
                                                                      const RunAverages& averages);

@@ -8,7 +8,7 @@
 
 namespace ljmd {
 
-/// What a fluid has at a temperature other than the one at which it was measured.
+/// Properties of a fluid at a temperature other than the measured one.
 struct AtTemperature {
     Estimate potential_energy;        ///< U/N [epsilon]
     Estimate pressure;                ///< p [epsilon/sigma^3]
@@ -18,16 +18,16 @@ struct AtTemperature {
 /// Means of temperature, potential energy per atom and pressure, in this order.
 using MeansOfState = Vec3;
 
-/// A value that is computed from such means, with its error; the gradient is that of the value with respect to them.
+/// Estimate of a value computed from such means; the gradient is that of the value with respect to them.
 using EstimateFromMeans = std::function<Estimate(double value, const Vec3& gradient)>;
 
-/// Bring means from the temperature T that was measured to another one, T_0, by an equation of state of the same fluid:
+/// Convert means from the measured temperature T to another one, T_0, with an equation of state of the same fluid:
 ///
 ///     Z(T_0) = <p>/(rho <T>) + Z_m(T_0) - Z_m(<T>),    U(T_0) = <u> + U_m(T_0) - U_m(<T>),    p(T_0) = rho T_0 Z(T_0)
 ///
-/// The errors follow from those of the three series together (delta method): at constant energy they swing together,
-/// and what a swing of T explains is no error at a given T. What the equation of state is wrong by in the difference is
-/// not in them; it vanishes with T_0 - <T>.
+/// The errors follow from those of the three series together (delta method): at constant energy they fluctuate
+/// together, and the part that fluctuations of T explain is no error at a given T. The error of the equation of state
+/// in the difference is not included; it vanishes with T_0 - <T>.
 /// @pre density > 0, <T> > 0, T_0 > 0
 [[nodiscard]] AtTemperature at_temperature(const EquationOfState& equation, double density, double temperature,
                                            const MeansOfState& means, const EstimateFromMeans& estimate);

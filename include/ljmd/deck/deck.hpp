@@ -23,24 +23,24 @@ struct TrajectoryOutput {
     bool si;
 };
 
-/// When checkpoints are written, beside those at the start, at the ends of stages and when a run is stopped.
+/// When checkpoints are written, in addition to those at the start, at the ends of stages, and when a run is stopped.
 struct CheckpointOutput {
     Interval every;
     int keep;  ///< generations
 };
 
-/// A run as its deck describes it: every key consumed, every value in range and in reduced units.
+/// A run as described by its deck: every key consumed, every value in range and in reduced units.
 struct Deck {
     DeckKind kind;
     std::string path;                   ///< as the user gave it
     std::string source;                 ///< the text of the file
-    std::vector<std::string> settings;  ///< the `--set` that were applied, in order
+    std::vector<std::string> settings;  ///< the `--set` arguments that were applied, in order
     std::string title;
-    std::optional<SubstanceUnits> units;  ///< of [argon]
+    std::optional<SubstanceUnits> units;  ///< from [argon]
     Section root;
     std::vector<Stage> stages;
     std::filesystem::path directory;
-    std::optional<OpenDirectory> locked;  ///< the same, when a command has locked it; shares the lock
+    std::optional<OpenDirectory> locked;  ///< the same directory, if a command has locked it; shares the lock
     Index thermo_every;
     std::optional<TrajectoryOutput> trajectory;
     CheckpointOutput checkpoint;
@@ -56,19 +56,19 @@ struct Deck {
 
     [[nodiscard]] Index total_steps() const;
 
-    /// Where the outputs go: the directory that was locked, whatever stands at its path by now. @throws FileError
+    /// The output directory: the locked one, even if its path leads elsewhere by now. @throws FileError
     [[nodiscard]] OpenDirectory outputs() const { return locked ? *locked : OpenDirectory(directory); }
 };
 
 /// Read and validate a deck.
 /// @param settings  `key=value` of each --set
-/// @param force     accept what is refused as unlikely (see check_sense)
-/// @param diagnostics  receives every mistake and every warning
+/// @param force     accept unlikely values (see check_sense)
+/// @param diagnostics  receives every error and every warning
 /// @return the deck, or nothing when there are errors
 [[nodiscard]] std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vector<std::string>& settings,
                                             bool force, Diagnostics& diagnostics);
 
-/// The same for a text that is already in memory. @param name  what messages call it
+/// The same for a text in memory. @param name  the deck's name in messages
 [[nodiscard]] std::optional<Deck> load_deck_text(const std::string& name, const std::string& text,
                                                  const std::vector<std::string>& settings, bool force,
                                                  Diagnostics& diagnostics);

@@ -6,20 +6,20 @@
 
 namespace ljmd {
 
-/// Of a stage, or of a run that is gone on with.
+/// Maximum number of steps of a stage, and of a resumed run.
 inline constexpr Index most_steps = 1'000'000'000'000'000;
 
-/// What a deck is a deck of.
+/// What a deck describes.
 enum class DeckKind {
     fluid,     ///< atoms in a periodic box
     few_body,  ///< bodies without a box: `[force]` and `[[body]]`
 };
 
-/// The keys of a deck: what validates it, and what the reference page is made from.
+/// The keys of a deck. Decks are validated with them, and the reference page is made from them.
 [[nodiscard]] Schema deck_schema(DeckKind kind);
 [[nodiscard]] Schema few_body_schema();
 
-/// What the stages and outputs of both kinds share.
+/// Common to the stages and outputs of both kinds.
 [[nodiscard]] Schema stage_schema(DeckKind kind, const Key& time_step);
 [[nodiscard]] Schema output_schema(const Schema& thermo, const Schema& trajectory, const std::string& thermo_default);
 

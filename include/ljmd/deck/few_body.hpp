@@ -12,12 +12,12 @@
 
 namespace ljmd {
 
-/// The bodies of a deck where they start, without a box; ids in the order of the deck. Their masses are what the force
-/// has for inertia.
+/// The bodies of a deck at their start, without a box; ids in the order of the deck. Masses are the inertia that the
+/// force assigns.
 /// @pre position and velocity of every [[body]] have one to three components
 [[nodiscard]] State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptions& force);
 
-/// Everything that moves and is moved in a few-body run.
+/// The bodies, forces and analyses of a few-body run.
 struct FewBodySystem {
     State state;
     int dimensions;
@@ -26,7 +26,7 @@ struct FewBodySystem {
     std::vector<std::pair<std::string, std::unique_ptr<FewBodyAnalysis>>> analyses;
 };
 
-/// @pre the deck is a few-body deck and has been checked
+/// @pre the deck is a valid few-body deck
 [[nodiscard]] FewBodySystem make_few_body_system(const Deck& deck);
 
 }  // namespace ljmd

@@ -6,8 +6,8 @@
 
 namespace ljmd {
 
-/// What `ljmd check` says of a few-body deck that is good: bodies, energy, stages, disk. Runs nothing.
-/// @pre the deck is a few-body deck and has been checked
+/// The report of `ljmd check` on a few-body deck: bodies, energy, stages, disk. Nothing is run.
+/// @pre the deck is a valid few-body deck
 [[nodiscard]] std::string few_body_check_report(const Deck& deck);
 [[nodiscard]] std::string few_body_check_json(const Deck& deck);
 

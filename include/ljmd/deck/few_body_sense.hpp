@@ -5,9 +5,9 @@
 
 namespace ljmd {
 
-/// Check a few-body deck for sense: as many components for every vector as the force and the other bodies have, no two
-/// bodies in one place, analyses of bodies that are there.
-/// @param root  validated with few_body_schema(); its single values may have been found wrong
+/// Check a few-body deck for sense: all vectors have as many components as the force and the other bodies need, no two
+/// bodies are in one place, and analyses refer to existing bodies.
+/// @param root  validated with few_body_schema(); single values may have been found wrong
 void check_few_body_sense(const Section& root, Diagnostics& diagnostics);
 
 }  // namespace ljmd

@@ -6,15 +6,15 @@
 
 namespace ljmd {
 
-/// What a run will need.
+/// Estimated cost of a run.
 struct Forecast {
     double memory_bytes;  ///< see SizeForecast
     double disk_bytes;
-    double seconds;  ///< of the time loop, on this machine, from a short trial on a stand-in crystal
+    double seconds;  ///< of the time loop on this machine, extrapolated from a short trial with a stand-in crystal
 };
 
-/// Estimate the cost of a run. Integrates a crystal of at most a few thousand atoms at the deck's density, potential
-/// and pair search for about a third of a second; the deck itself is not run and nothing is written.
+/// Estimate the cost of a run. For each integrator, runs a crystal of about 4000 atoms at most with the deck's density,
+/// potential and pair search for about 0.3 seconds. The deck itself is not run and nothing is written.
 [[nodiscard]] Forecast forecast(const Deck& deck, const Start& start);
 
 /// The report of `ljmd check`.

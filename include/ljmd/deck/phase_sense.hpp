@@ -5,11 +5,12 @@
 
 namespace ljmd {
 
-/// Warn where the fluid that a deck samples is beyond its freezing density at the temperature that the deck asks for.
+/// Warn if a deck samples the fluid beyond its freezing density at the temperature that the deck asks for.
 ///
-/// Known for the full Lennard-Jones potential alone (see freezing_densities()); what a cutoff changes is small beside
-/// the gap between fluid and crystal, so the warning is given for every truncation, and says so. Silent where no one
-/// density or temperature is asked for: with a barostat, several temperatures, or none.
+/// The freezing density is known only for the full Lennard-Jones potential (see freezing_densities()). The effect of a
+/// cutoff is small compared with the gap between fluid and crystal, so the warning is given for every truncation, and
+/// names the potential. No warning is given without a single density and temperature: with a barostat, several
+/// temperatures, or none.
 /// @param density  of the start [sigma^-3]
 /// @pre  the deck has no errors
 void check_phase(const Deck& deck, double density, Diagnostics& diagnostics);

@@ -9,14 +9,14 @@
 
 namespace ljmd {
 
-/// Which steps of a run are looked at: those of stages that are sampled, or all where none is. In a run of no steps,
-/// its start is sampled.
+/// The steps of a run that are sampled: those of sampled stages, or all if no stage is sampled. In a run of 0 steps the
+/// start is sampled.
 class SampledSteps {
   public:
     explicit SampledSteps(const std::vector<Stage>& stages)
         : stages_(stages), all_(std::ranges::none_of(stages, &Stage::sample)) {}
 
-    /// The stage that a step belongs to; nothing when that one is not looked at, or there is none.
+    /// The stage of a step; nothing if the step is not sampled or outside the run.
     [[nodiscard]] std::optional<std::size_t> stage_of(Index step) const {
         Index before = 0;
         for (std::size_t k = 0; k < stages_.size(); ++k) {
@@ -35,7 +35,7 @@ class SampledSteps {
     bool all_;
 };
 
-/// Whether a time lies before another, and not merely by rounding.
+/// Whether a time is before another one by more than rounding.
 [[nodiscard]] inline bool is_before(double time, double from) {
     return time < from - 1e-9 * std::abs(from);
 }

@@ -13,30 +13,30 @@
 
 namespace ljmd {
 
-/// What a deck starts from, before atoms are placed: enough to tell N, L and what a run will cost.
+/// The start of a deck before atoms are placed: enough to know N, L and the cost of the run.
 struct Start {
     Index atoms;
     Box box;
-    std::optional<Configuration> configuration;  ///< when the start is a file
+    std::optional<Configuration> configuration;  ///< if the start is a file
 };
 
-/// The file that a deck's `file` means: itself, or in the directory of a run its last configuration.
+/// The file that a deck's `file` refers to: itself, or the last configuration if it is the directory of a run.
 [[nodiscard]] std::filesystem::path configuration_file(const std::string& file);
 
-/// Work out the start of a deck; reads its file, places nothing.
+/// Determine the start of a deck: reads its file, places no atoms.
 /// @throws DataError when the file cannot be used
 [[nodiscard]] Start find_start(const Deck& deck);
 
-/// Whether a run begins with the velocities of the file that it starts from; else they are drawn.
+/// Whether a run keeps the velocities of its start file; else they are drawn.
 [[nodiscard]] bool keeps_velocities(const Section& system, const Start& start);
 
-/// Give a state the positions and, where there are any, the velocities of a file. Positions may lie anywhere; edges
-/// crossed are counted, so that displacements continue from there.
-/// @pre the state has as many atoms, and the file's box
+/// Set the positions and, if there are any, the velocities of a state from a file. Positions outside the box are
+/// wrapped and the crossed edges counted, so that displacements continue from there.
+/// @pre the state has the same number of atoms and the file's box
 /// @throws DataError for a position far outside the box, or a mass that is not 1
 void place_configuration(State& state, const Configuration& configuration);
 
-/// Everything that moves and is moved in a run.
+/// The atoms, forces and analyses of a run.
 struct Simulation {
     State state;
     PairForceField force_field;
@@ -46,24 +46,24 @@ struct Simulation {
     Index relaxation_iterations = 0;  ///< of a random start
 };
 
-/// Whether a deck of a fluid asks for tail corrections.
+/// Whether a fluid's deck asks for tail corrections.
 [[nodiscard]] bool wants_tail(const Deck& deck);
 
-/// The forces of a deck on a fluid.
+/// The force field of a fluid's deck.
 [[nodiscard]] PairForceField make_force_field(const Deck& deck);
 
-/// Of a deck of a fluid.
+/// The interaction of a fluid's deck.
 [[nodiscard]] Interaction interaction_of(const Deck& deck);
 
-/// A fluid with nothing in its place yet: what a checkpoint fills.
+/// A fluid whose atoms are not placed yet: filled in from a checkpoint.
 [[nodiscard]] Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box);
 
-/// The analyses of a deck, nothing sampled yet, for the box that the state has now.
+/// The analyses of a deck, without samples, for the current box of the state.
 [[nodiscard]] std::vector<std::unique_ptr<Analysis>> make_analyses(const Deck& deck, const Simulation& simulation);
 
-/// Place the atoms, draw or take velocities, and set up forces and analyses.
-/// @param warn  receives one line for each thing a user should know
-/// @pre the deck has been checked against the start's box
+/// Place the atoms, set velocities, and create forces and analyses.
+/// @param warn  receives one line per remark for the user
+/// @pre the deck was checked against the box of the start
 [[nodiscard]] Simulation make_simulation(const Deck& deck, Start start,
                                          const std::function<void(const std::string&)>& warn);
 

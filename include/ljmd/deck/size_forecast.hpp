@@ -4,14 +4,14 @@
 
 namespace ljmd {
 
-/// Bytes that a run of a fluid will take, within a factor of about 1.3.
+/// Estimated memory and disk space of a run of a fluid, in bytes, within a factor of about 1.3.
 struct SizeForecast {
-    double memory;  ///< resident, at the highest: program, atoms, pair search, analyses, a checkpoint that is made
+    double memory;  ///< peak resident memory: program, atoms, pair search, analyses, and a checkpoint being written
     double disk;    ///< all files at the end
 };
 
-/// Nothing is run or allocated. Memory counts what analyses keep twice, as they lie in memory and in the checkpoint
-/// that is made: a window of velocities that is empty at each checkpoint takes less.
+/// Estimate sizes; nothing is run or allocated. Data that analyses keep count twice in memory, for the analysis and for
+/// the checkpoint being written; a window of velocities that is empty at each checkpoint takes less.
 [[nodiscard]] SizeForecast forecast_size(const Deck& deck, const Start& start);
 
 }  // namespace ljmd

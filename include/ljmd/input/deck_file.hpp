@@ -9,22 +9,22 @@
 
 namespace ljmd {
 
-/// A deck as it was read: its text, and what the text holds.
+/// A deck file: its text and its parsed contents.
 struct DeckFile {
     std::shared_ptr<const Source> source;  ///< never null; the text without a byte order mark
     Table table;                           ///< empty after an error
 };
 
-/// Read a deck (TOML 1.0, UTF-8, at most 1 MiB; a byte order mark and CRLF are accepted).
+/// Read a deck: TOML 1.0, UTF-8, at most 1 MiB; a byte order mark and CRLF are accepted.
 ///
-/// Nothing is thrown. A path that is missing, a directory, a device or unreadable, a text that is too large, binary, no
-/// UTF-8, nested deeper than 32 levels, no TOML, or without any key gives one error, with line and column where there
-/// is one. Report errors before validating the table: after one it is empty.
+/// Throws nothing: every mistake is reported as one error, with line and column where there is one. Mistakes are: a
+/// path that is missing, not a regular file or unreadable; a text that is too large, binary, not UTF-8, nested deeper
+/// than 32 levels, not TOML, or without any key. Report errors before validating the table: after an error it is empty.
 ///
-/// @param path  shown in messages as it stands
+/// @param path  shown in messages as given
 [[nodiscard]] DeckFile read_deck(const std::filesystem::path& path, Diagnostics& diagnostics);
 
-/// The same for a text that is already in memory.
+/// The same for a text in memory.
 [[nodiscard]] DeckFile parse_deck(std::string name, std::string text, Diagnostics& diagnostics);
 
 }  // namespace ljmd

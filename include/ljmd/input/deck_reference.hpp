@@ -7,11 +7,11 @@
 namespace ljmd {
 
 /// One section of the reference page in Markdown: a heading with the title, a table
-/// | key | type | unit | allowed | default | meaning |, and after it one section for each inner table, a level deeper.
+/// | key | type | unit | allowed | default | meaning |, then a section one level deeper for each inner table.
 ///
-/// The column `default` says "required", the value that a missing key takes, or what happens without it.
+/// The column `default` says "required", the default value, or what happens without the key.
 ///
-/// @param heading_level  number of '#', 1 to 6; inner tables stay at 6 where they would go deeper
+/// @param heading_level  number of '#', 1 to 6; inner tables do not go deeper than 6
 [[nodiscard]] std::string schema_markdown(const Schema& schema, int heading_level);
 
 }  // namespace ljmd

@@ -8,11 +8,11 @@
 
 namespace ljmd {
 
-/// Read a TOML 1.0 text. Every key and value is located in `source`; tables are located at their header.
+/// Parse a TOML 1.0 text. Every key and value has its location in `source`; tables are located at their header.
 ///
-/// At the first mistake one error is reported and nothing returned. A mistake of the grammar has a message that begins
-/// with "not valid TOML: "; a NUL byte, invalid UTF-8, a number that 64 bits do not hold, a key given twice, and
-/// brackets or dotted keys deeper than 32 levels (which guards every recursion over the result) have one of their own.
+/// The first mistake is reported as one error, and nothing is returned. The message for a syntax error begins with "not
+/// valid TOML: ". These have messages of their own: a NUL byte, invalid UTF-8, a number that does not fit in 64 bits, a
+/// duplicate key, and brackets or dotted keys deeper than 32 levels. That limit bounds every recursion over the result.
 [[nodiscard]] std::optional<Table> parse_toml(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
 }  // namespace ljmd

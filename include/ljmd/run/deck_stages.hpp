@@ -5,8 +5,9 @@
 
 namespace ljmd {
 
-/// The stages of a deck whose run has an output directory, where a failure leaves failed.xyz. See run_stages().
-/// @throws PhysicsError naming the step, the stage and that file
+/// Run the stages of a deck, see run_stages(). On a PhysicsError the configuration is saved as failed.xyz in the output
+/// directory.
+/// @throws PhysicsError with the step, the stage and that file
 LoopSeconds run_stages(const Deck& deck, State& state, ForceField& force_field, StepObserver& observer,
                        const std::optional<LoopPosition>& from = std::nullopt);
 

@@ -7,21 +7,21 @@
 
 namespace ljmd {
 
-/// Files of an earlier run that a new one in the same directory is to replace. They are set aside, in a folder
-/// `.ljmd-earlier` there, until the new run has its first checkpoint; when it fails before that, they are put back.
-/// A program that is killed meanwhile leaves them aside, see settle_earlier_run().
+/// Files of an earlier run that a new run in the same directory will replace. They are kept in a folder `.ljmd-earlier`
+/// there until the new run has its first checkpoint. If it fails before that, they are put back. A program that is
+/// killed in between leaves them there, see settle_earlier_run().
 class EarlierRun {
   public:
-    /// Move the files with these names aside.
+    /// Move the files with these names into the folder.
     /// @pre the directory is held alone, and there is no such folder (settle_earlier_run)
-    /// @throws FileError; then all is as it was
+    /// @throws FileError; nothing has changed then
     EarlierRun(OpenDirectory directory, std::vector<std::string> names);
-    /// Puts back what was not discarded.
+    /// Puts the files back unless they were discarded.
     ~EarlierRun();
     EarlierRun(const EarlierRun&) = delete;
     EarlierRun& operator=(const EarlierRun&) = delete;
 
-    /// Remove the earlier run: the new one can be resumed now.
+    /// Remove the earlier run: the new one can now be resumed.
     void discard();
 
   private:
@@ -30,8 +30,8 @@ class EarlierRun {
     bool aside_ = false;
 };
 
-/// Where a program was killed that had set an earlier run aside: remove that when the new run has a checkpoint, else
-/// put it back in place of what the new run has written.
+/// Clean up after a program that was killed while it replaced a run: remove the earlier run if the new one has a
+/// checkpoint, else put it back in place of the new run's files.
 /// @pre the directory is locked  @return whether it was put back  @throws FileError
 bool settle_earlier_run(const OpenDirectory& directory, const std::vector<std::string>& names);
 

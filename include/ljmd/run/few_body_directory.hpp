@@ -13,29 +13,29 @@ namespace ljmd {
 
 struct FewBodyResult;
 
-/// The files of a few-body run while it goes. See docs/files.md for what each holds.
+/// The output files of a running few-body run; docs/files.md describes them.
 class FewBodyDirectory {
   public:
     /// Opens the outputs and writes run.json.
-    /// @param resumed  go on with the files of an earlier part of the run  @throws FileError, CheckpointError
+    /// @param resumed  continue the files of an interrupted run  @throws FileError, CheckpointError
     FewBodyDirectory(const Deck& deck, const FewBodySystem& system,
                      const std::optional<ResumedOutputs>& resumed = std::nullopt);
 
     void write_thermo(const State& state, const FewBodyTotals& totals);
 
-    /// A frame of the trajectory, if the deck has one.
+    /// Write a frame of the trajectory, if the deck has one.
     void write_frame(const State& state, const std::optional<PolarAngle>& angle);
 
-    /// All that was written is on the disk. @return how much that is  @throws FileError
+    /// Synchronise everything written. @return how much that is  @throws FileError
     CommittedOutputs commit();
 
-    /// Closes the outputs and writes final.xyz, the analyses' tables, results.json and .txt, and run.json once more.
+    /// Close the outputs; write final.xyz, the tables of the analyses, results.json and .txt, and run.json again.
     void finish(const State& state, const FewBodyResult& result, const std::vector<DataTable>& tables);
 
   private:
     const Deck& deck_;
     std::optional<TrajectoryCsv> csv_;
-    std::unique_ptr<TrajectoryWriter> trajectory_;  ///< where it is not CSV; it may refuse to go on
+    std::unique_ptr<TrajectoryWriter> trajectory_;  ///< if it is not CSV; may throw when the run is resumed
     FewBodyThermoCsv thermo_;
     RunRecord record_;
     Index rows_since_flush_ = 0;

@@ -9,7 +9,7 @@
 
 namespace ljmd {
 
-/// What became of a total of the system: conserved ones show the error of the integrator.
+/// History of a total of the system; conserved totals show the error of the integrator.
 struct FewBodyHistory {
     std::string name;
     double at_start;
@@ -20,7 +20,7 @@ struct FewBodyHistory {
     void archive(Archive& a) { a(name, at_start, at_end, mean, largest_deviation); }
 };
 
-/// What a few-body run found.
+/// Results of a few-body run.
 struct FewBodyResult {
     Index bodies;
     int dimensions;
@@ -33,10 +33,8 @@ struct FewBodyResult {
 
 /// Run all stages of a few-body deck and write its output directory (see docs/files.md).
 ///
-/// @pre  the output directory exists and is empty of earlier outputs , or it is the one of the
-/// run
-///       that is gone on with
-/// @throws PhysicsError, FileError, CheckpointError, Interrupted; what was written until then stays
+/// @pre  the output directory exists and has no earlier outputs, or it is that of the resumed run
+/// @throws PhysicsError, FileError, CheckpointError, Interrupted; files written until then stay
 FewBodyResult run_few_body(const Deck& deck, FewBodySystem& system, RunListener& listener,
                            const RunControl& control = {});
 

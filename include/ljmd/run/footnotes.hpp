@@ -5,13 +5,13 @@
 
 namespace ljmd {
 
-/// Remarks on numbers in a table, each told once below it.
+/// Remarks on numbers in a table, listed once each below it.
 class Footnotes {
   public:
-    /// What stands beside the number that the remark is about, such as "[1]"; nothing for an empty remark.
+    /// The mark beside the number that a remark is about, such as "[1]"; empty for an empty remark.
     [[nodiscard]] std::string mark(const std::string& remark);
 
-    /// "  [1] ..." and a line break for each remark.
+    /// One line "  [1] ..." per remark.
     [[nodiscard]] std::string text() const;
 
   private:

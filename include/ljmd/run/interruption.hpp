@@ -10,7 +10,7 @@
 
 namespace ljmd {
 
-/// A run was stopped from outside, between two steps and with a checkpoint written. The text tells how to resume it.
+/// A run was stopped from outside between two steps, after writing a checkpoint. The text says how to resume it.
 class Interrupted : public Error {
   public:
     Interrupted(const std::string& text, int exit_code) : Error(text), exit_code_(exit_code) {}
@@ -25,18 +25,18 @@ struct StopRequest {
     int signal;
     std::string name;  ///< "SIGTERM"
 
-    /// 128 + n, as a shell says it.
+    /// 128 + n, as in a shell.
     [[nodiscard]] int exit_code() const;
 };
 
-/// Tells whether somebody has asked to stop. Called after every step.
+/// Returns the request to stop, if there is one. Called after every step.
 using AskedToStop = std::function<std::optional<StopRequest>()>;
 
-/// Why a run has to stop before its end: somebody has asked for it, or its time is over.
+/// Reasons to stop a run before its end: a request, or the end of its wall time.
 class Interruption {
   public:
     /// @param walltime  [s] from now; none: no limit
-    /// @param asked     none: nobody asks
+    /// @param asked     none: no requests
     explicit Interruption(std::optional<double> walltime = std::nullopt, AskedToStop asked = {});
 
     [[nodiscard]] std::optional<StopRequest> request() const { return asked_ ? asked_() : std::nullopt; }
@@ -46,7 +46,7 @@ class Interruption {
     /// @throws Interrupted
     [[noreturn]] void stop(Index step, const std::string& directory) const;
 
-    /// End a command that makes many runs, when all of them have stopped. @pre request()  @throws Interrupted
+    /// End a command that starts many runs, after all of them have stopped. @pre request()  @throws Interrupted
     [[noreturn]] void stop_many_runs() const;
 
   private:

@@ -13,45 +13,45 @@
 
 namespace ljmd {
 
-/// A JSON file is not what it should be. read_json() adds the path.
+/// The content of a JSON file is wrong. read_json() adds the path.
 class WrongJson : public DataError {
   public:
     using DataError::DataError;
 };
 
-// More is taken for a mistake: what is read, copied or printed later then needs little stack, memory and time.
-inline constexpr int deepest_json = 32;                                 ///< arrays and objects in each other
-inline constexpr std::size_t most_json_values = 1'000'000;              ///< of all arrays and objects
-inline constexpr std::size_t most_json_keys = 1000;                     ///< of an object, which is searched for each
-inline constexpr std::size_t most_settings = 10'000;                    ///< --set, in records
-inline constexpr std::size_t most_json_bytes = std::size_t{64} << 20U;  ///< of a file
+// Limits, so that reading, copying and printing need little stack, memory and time. Larger values count as mistakes.
+inline constexpr int deepest_json = 32;                                 ///< depth of nested arrays and objects
+inline constexpr std::size_t most_json_values = 1'000'000;              ///< in all arrays and objects
+inline constexpr std::size_t most_json_keys = 1000;                     ///< in an object; lookups are linear in it
+inline constexpr std::size_t most_settings = 10'000;                    ///< --set arguments in a record
+inline constexpr std::size_t most_json_bytes = std::size_t{64} << 20U;  ///< size of a file
 
-/// The value that a JSON text holds. Objects keep their order.
-/// @throws WrongJson  it is nested deeper than `deepest_json`, or has more than `most_json_values` values, or an object
-///                    of more than `most_json_keys` keys
-/// @throws nlohmann::json::exception  it is no JSON
+/// Parse a JSON text. Objects keep their order.
+/// @throws WrongJson  it is nested deeper than `deepest_json`, has more than `most_json_values` values, or has an
+/// object with more than `most_json_keys` keys
+/// @throws nlohmann::json::exception  it is not JSON
 [[nodiscard]] nlohmann::ordered_json parse_json(std::string_view text);
 
 /// @param name  of the value, for messages
-/// @throws WrongJson when it is no integer, or below `least` or above `most`
+/// @throws WrongJson when it is not an integer from `least` to `most`
 [[nodiscard]] Index integer_of(const nlohmann::ordered_json& value, std::string_view name, Index least, Index most);
 
-/// The texts of an array, no more than `most`. @throws WrongJson
+/// The texts of an array, at most `most`. @throws WrongJson
 [[nodiscard]] std::vector<std::string> texts_of(const nlohmann::ordered_json& value, std::string_view name,
                                                 std::size_t most);
 
-/// What the library says of a mistake, without its own number for it.
+/// The message of a library error, without its error number.
 [[nodiscard]] std::string complaint_of(const nlohmann::json::exception& error);
 
-/// All that a JSON file holds.
-/// @throws DataError  it is not a regular file, or cannot be read  @throws WrongJson  it has more than
-/// `most_json_bytes`
+/// The text of a JSON file.
+/// @throws DataError  it is not a regular file, or cannot be opened  @throws WrongJson  it cannot be read, or has more
+/// than `most_json_bytes`
 [[nodiscard]] std::string json_text(const std::filesystem::path& path);
 
-/// What `read` makes of a JSON file, whose objects keep their order.
-/// @param what  it should be, for messages: "the record of a run"
-/// @throws DataError naming the file, when it is not a regular file, too large, not JSON, beyond the bounds of
-///                   parse_json(), or `read` misses something in it
+/// Parse a JSON file, whose objects keep their order, and convert it with `read`.
+/// @param what  description of the file for messages: "the record of a run"
+/// @throws DataError with the path, when it is not a regular file, too large, not JSON, beyond the limits of
+/// parse_json(), or when `read` misses something in it
 template <class Read>
 auto read_json(const std::filesystem::path& path, std::string_view what, const Read& read) {
     const auto complain = [&](const std::string& why) {

@@ -6,7 +6,7 @@
 
 namespace ljmd {
 
-/// A number as JSON has it: null for what is not finite or not known, which JSON has no number for.
+/// A number in JSON: null if it is unknown or not finite, for which JSON has no numbers.
 [[nodiscard]] inline nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }

@@ -10,30 +10,30 @@
 
 namespace ljmd {
 
-/// The deck that a run was made with, as its run.json has it.
+/// The deck of a run, from its run.json.
 /// @param directory    of the run
-/// @param settings     `key=value` of each --set, applied after those of the run; none of [system], which tells how the
-///                     run began
-/// @param diagnostics  receives every mistake that they make; what is merely unlikely is no error, as the run took it
+/// @param settings     `key=value` of each --set, applied after those of the run; none of [system], which describes the
+/// start of the run
+/// @param diagnostics  receives the mistakes in them; unlikely values are only warnings, because the run accepted them
 /// @throws DataError   there is no run.json, or it is not ljmd's
 /// @throws InputError  a mistake in the settings
 [[nodiscard]] Deck recorded_deck(const std::filesystem::path& directory, const std::vector<std::string>& settings,
                                  Diagnostics& diagnostics);
 
-/// A run as its directory shows it, to be gone on with.
+/// A run as recorded in its directory, to be resumed.
 struct RecordedRun {
-    Deck deck;             ///< writes to the directory
+    Deck deck;             ///< its output directory is that of the run
     EarlierParts earlier;  ///< without the part that begins now
-    std::string simd;      ///< level that it was computed with; empty for a few bodies
+    std::string simd;      ///< level that the run was computed with; empty for a few-body run
     int threads;
     bool finished;
 };
 
-/// @param more_steps  at the end of the last stage, beside those that were added earlier
-/// @throws DataError as recorded_deck  @throws InputError more steps than can be counted
+/// @param more_steps  added to the last stage, besides those added earlier
+/// @throws DataError as recorded_deck()  @throws InputError more steps than can be counted
 [[nodiscard]] RecordedRun recorded_run(const std::filesystem::path& directory, Index more_steps = 0);
 
-/// The last configuration of a fluid's run, as its final.xyz has it.
+/// The last configuration of a fluid's run, from its final.xyz.
 /// @throws DataError  there is none, or it cannot be used
 [[nodiscard]] State last_configuration(const std::filesystem::path& directory, const Deck& deck);
 

@@ -15,22 +15,22 @@
 
 namespace ljmd {
 
-/// How one stage went.
+/// Results of one stage.
 struct StageResult {
     std::string name;
     std::string integrator;
-    Index first_step;  ///< step of the run before its first one
+    Index first_step;  ///< the step before its first one, counted from the start of the run
     Index last_step;
     double time_step;  ///< [tau]
     bool sampled;
     bool thermostatted;
-    bool reversed;                       ///< the motion was turned round at its start
+    bool reversed;                       ///< the velocities were reversed at its start
     std::optional<double> energy_drift;  ///< least-squares slope of the conserved energy per atom [epsilon/tau]
     std::string checksum_at_start;       ///< of the positions, see checksum()
     std::string checksum_at_end;
-    std::optional<double> time_step_error = {};  ///< see TimeStepError; of sampled stages of a fluid
-    std::string drift_remark = {};               ///< why the drift is too large; of a run that is done
-    std::string time_step_remark = {};           ///< why the time step is too long; of a run that is done
+    std::optional<double> time_step_error = {};  ///< see TimeStepError; for sampled stages of a fluid
+    std::string drift_remark = {};               ///< why the drift is too large; set at the end of the run
+    std::string time_step_remark = {};           ///< why the time step is too long; set at the end of the run
 
     void archive(Archive& a) {
         a(name, integrator, first_step, last_step, time_step, sampled, thermostatted, reversed, energy_drift,
@@ -38,17 +38,17 @@ struct StageResult {
     }
 };
 
-/// @throws CheckpointError unless these are the results of the stages of the deck that have begun
+/// @throws CheckpointError unless these are the results of exactly those stages of the deck that have begun
 void require_stages(const std::vector<StageResult>& results, const Deck& deck, const LoopPosition& position);
 
-/// What a run found.
+/// Results of a run.
 struct RunResult {
     Index atoms;
     double density;  ///< [sigma^-3]
     Vec3 edges;      ///< [sigma]
     std::vector<ObservableAverage> averages;
     std::optional<double> asked_temperature;     ///< see asked_temperature()
-    std::optional<AtAskedTemperature> at_asked;  ///< where it was not found, but can be reckoned with
+    std::optional<AtAskedTemperature> at_asked;  ///< converted, if the run missed that temperature
     std::optional<double> order_at_sampling;     ///< translational order when sampling began
     std::vector<StageResult> stages;
     std::vector<DataTable> tables;      ///< of the analyses
@@ -59,7 +59,7 @@ struct RunResult {
     Thermodynamics last;   ///< of the last row of thermo.csv
 };
 
-/// Receives what happens during a run. The default ignores it all.
+/// Receives the events of a run. The default ignores them.
 class RunListener {
   public:
     virtual ~RunListener() = default;
@@ -73,26 +73,26 @@ class RunListener {
     RunListener& operator=(const RunListener&) = default;
 };
 
-/// How a run is to go, beside what its deck says.
+/// Run options that are not in the deck.
 struct RunControl {
-    Interruption interruption{};  ///< stop then, with a checkpoint
+    Interruption interruption{};  ///< when to stop, with a checkpoint
 
-    /// Go on from a checkpoint.
+    /// Resume from a checkpoint.
     struct Resumed {
         ResumePoint point;
         EarlierParts earlier;
     };
     std::optional<Resumed> resumed = {};
 
-    /// Called when a run has its first checkpoint, from which it can be gone on with.
+    /// Called after the first checkpoint: the run can now be resumed.
     std::function<void()> has_begun = {};
 };
 
-/// Run all stages of a deck and write its output directory (see docs/files.md): run.json when the run begins and when
-/// it ends, thermo.csv and the trajectory while it goes, final.xyz, the analyses' tables and results.json at the end.
+/// Run all stages of a deck and write its output directory (see docs/files.md): run.json at the beginning and the end,
+/// thermo.csv and the trajectory during the run, final.xyz, the tables of the analyses and results.json at the end.
 ///
-/// @pre  the output directory exists and is empty of earlier outputs, or it is the one of the run that is gone on with
-/// @throws PhysicsError, FileError, CheckpointError, Interrupted; what was written until then stays
+/// @pre  the output directory exists and has no earlier outputs, or it is that of the resumed run
+/// @throws PhysicsError, FileError, CheckpointError, Interrupted; files written until then stay
 RunResult run_deck(const Deck& deck, Simulation& simulation, RunListener& listener, const RunControl& control = {});
 
 }  // namespace ljmd

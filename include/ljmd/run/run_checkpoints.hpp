@@ -15,7 +15,7 @@
 
 namespace ljmd {
 
-/// What of the files that grow during a run was on the disk; see OutputFile::commit and TrajectoryWriter::commit.
+/// The parts of the growing output files that were on the disk; see OutputFile::commit and TrajectoryWriter::commit.
 struct CommittedOutputs {
     std::int64_t thermo = 0;
     CommittedFrames trajectory;
@@ -23,11 +23,11 @@ struct CommittedOutputs {
     void archive(Archive& a) { a(thermo, trajectory); }
 };
 
-/// What stands in a checkpoint before the run's own part.
+/// The part of a checkpoint before the run's own data.
 struct CheckpointHead {
-    std::string deck_hash;  ///< of the deck that it belongs to
+    std::string deck_hash;  ///< of the deck it belongs to
     std::string version;    ///< of the program that wrote it
-    Index step = 0;         ///< that is done
+    Index step = 0;         ///< last completed step
     Index atoms = 0;
     Vec3 edges = Vec3::Zero();  ///< of the box; zero without one
     LoopPosition position;
@@ -36,36 +36,36 @@ struct CheckpointHead {
     void archive(Archive& a);
 };
 
-/// A checkpoint to go on from.
+/// A checkpoint to resume from.
 struct ResumePoint {
     CheckpointFile file;
     CheckpointHead head;
     std::vector<std::string> warnings;  ///< generations that could not be used
 
     /// Let a run read its own part.
-    /// @param state  of the run, which is then at the step of the checkpoint  @throws CheckpointError
+    /// @param state  of the run; it must be at the step of the checkpoint afterwards  @throws CheckpointError
     void restore(const Deck& deck, const State& state, const std::function<void(Archive&)>& archive) const;
 };
 
-/// The newest whole checkpoint in the output directory of a deck; nothing when there is none at all.
-/// @throws CheckpointError when all are damaged, or it belongs to another deck or version, or no run of the deck can
-///         have written it
+/// The newest intact checkpoint in the output directory of a deck; nothing if there is none at all.
+/// @throws CheckpointError when all are damaged, or when it belongs to another deck or version, or cannot have been
+/// written by a run of the deck
 [[nodiscard]] std::optional<ResumePoint> find_resume_point(const Deck& deck);
 
-/// When a run writes checkpoints, and how.
+/// Decides when a run writes checkpoints, and writes them.
 class RunCheckpoints {
   public:
     /// @param interruption  when to stop
-    /// @param generation    of the checkpoint that the run goes on from; 0: none
+    /// @param generation    of the checkpoint that the run is resumed from; 0: none
     /// @param has_begun     called after the first checkpoint
     RunCheckpoints(const Deck& deck, const Interruption& interruption, std::uint64_t generation,
                    std::function<void()> has_begun);
 
-    /// @param last_of_stage  the stage has come to its end
+    /// Whether to write a checkpoint after this step. @param last_of_stage  the step is the last one of its stage
     [[nodiscard]] bool due(Index step, bool last_of_stage);
 
-    /// Write one, and stop the run if that is wanted.
-    /// @param outputs  what is on the disk of them
+    /// Write a checkpoint, and stop the run if that was requested.
+    /// @param outputs  their parts on the disk
     /// @param archive  writes the run's own part
     /// @throws FileError, Interrupted
     void write(const State& state, const LoopPosition& position, const CommittedOutputs& outputs,

@@ -11,26 +11,26 @@
 
 namespace ljmd {
 
-/// Holds the directory of a run while a command writes there. First it puts right what a killed program left in the
-/// middle of replacing a run (settle_earlier_run).
+/// Holds the directory of a run locked while a command writes there. First it cleans up after a program that was killed
+/// while it replaced a run (settle_earlier_run).
 class RunLock {
   public:
-    using Warn = std::function<void(const std::string&)>;  ///< receives one line for each thing a user should know
+    using Warn = std::function<void(const std::string&)>;  ///< receives one line per remark for the user
 
-    /// For a run that is resumed. @throws FileError, InUseError
+    /// For a resumed run. @throws FileError, InUseError
     RunLock(const std::filesystem::path& directory, Warn warn);
 
-    /// For a new run, which then writes to the directory that is locked (Deck::locked). The directory is made if it is
-    /// not there; with `force` an earlier run in it is set aside until has_begun().
-    /// @throws InputError  as check_directory()  @throws FileError, InUseError; then all is as it was
+    /// For a new run, which then writes to the locked directory (Deck::locked). The directory is created if it is
+    /// missing. With `force` an earlier run in it is set aside until has_begun().
+    /// @throws InputError  as check_directory()  @throws FileError, InUseError; nothing has changed then
     RunLock(Deck& deck, bool force, Warn warn);
 
     [[nodiscard]] const OpenDirectory& directory() const { return lock_.directory(); }
 
-    /// The new run can be gone on with: the earlier one is removed.
+    /// The new run can be resumed: remove the earlier one.
     void has_begun();
 
-    /// Tell the user at the end when the files are not where they were asked for, as the directory was moved.
+    /// Warn at the end if the directory was moved, so that the files are not where the user expects them.
     void warn_if_moved() const;
 
   private:

@@ -11,24 +11,24 @@
 
 namespace ljmd {
 
-/// What the record of a run that is gone on with tells of its earlier parts.
+/// The earlier parts of a resumed run, from its record.
 struct EarlierParts {
     std::string began;
     std::vector<Index> resumed_at_steps;
     Index steps_added = 0;  ///< to the last stage of the deck, by `ljmd resume --steps`
 };
 
-/// XXH3 (64 bits) of the deck's text and of every --set, so that two runs can be told apart.
+/// XXH3 (64 bits) of the deck's text and of every --set: identifies what was run.
 [[nodiscard]] std::string deck_hash(const Deck& deck);
 
-/// run.json: what was run, by which program, where and when. Written when the run begins and again when it ends.
+/// run.json: what was run, by which program, where and when. Written at the beginning and the end of a run.
 class RunRecord {
   public:
-    /// @param earlier  of a run that is gone on with, the step included at which it is now  @throws FileError
+    /// @param earlier  for a resumed run, including the step at which it is resumed  @throws FileError
     explicit RunRecord(const Deck& deck, const std::optional<EarlierParts>& earlier = std::nullopt);
 
     /// @param seconds  wall time of the time loop
-    /// @param phases   where it went, if that was measured
+    /// @param phases   its parts, if measured
     void finish(double seconds, const std::optional<PhaseSeconds>& phases = std::nullopt) const;
 
   private:
@@ -40,15 +40,15 @@ class RunRecord {
     Index steps_added_;
 };
 
-/// The trajectory that a deck asks for, in H5MD or extended XYZ; nothing when it asks for none.
-/// @param kept  what of an existing one to go on with, see TrajectoryOptions
+/// Create or continue the trajectory that a deck asks for, in H5MD or extended XYZ; null if it asks for none.
+/// @param kept  committed part of an existing file, see TrajectoryOptions
 /// @throws FileError, CheckpointError
 [[nodiscard]] std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first,
                                                                 std::optional<CommittedFrames> kept = std::nullopt);
 
-/// failed.xyz: the configuration at which a run was given up, whatever it is. Its positions and velocities may belong
-/// to no one time, but they show where it went wrong.
-/// @return what to tell the user of it; nothing when it cannot be written: the failure itself is what matters
+/// Write failed.xyz: the configuration at which a run failed, whatever it is. Its positions and velocities may belong
+/// to different times, but they show where the run went wrong.
+/// @return a line for the user; empty if the file cannot be written, because the failure itself matters more
 [[nodiscard]] std::string save_failure(const Deck& deck, const State& state);
 
 }  // namespace ljmd

@@ -12,49 +12,51 @@
 
 namespace ljmd {
 
-/// A run that processes of this program bring to its end, one thread each; a command that needs many runs has many.
+/// A run that is completed by child processes of this program, one thread each. A command that needs many runs has many
+/// of these.
 struct ChildRun {
-    std::string name;                     ///< what messages call it
-    std::filesystem::path deck;           ///< file that `ljmd run` is given
-    std::string source;                   ///< the text of it
-    std::vector<std::string> settings{};  ///< of --set
+    std::string name;                     ///< its name in messages
+    std::filesystem::path deck;           ///< deck file, for `ljmd run`
+    std::string source;                   ///< text of the deck
+    std::vector<std::string> settings{};  ///< arguments of --set
     std::filesystem::path directory;
-    std::filesystem::path log;  ///< file for what the process says
+    std::filesystem::path log;  ///< file for the messages of the process
 };
 
-/// Refuse what leads elsewhere and would be written through: a log that is a link or a pipe, a directory, or the folder
-/// that both are in, that is a link. @throws InputError
+/// Refuse places through which something else would be written: a log that is not a regular file, a directory that is a
+/// link, or a parent folder that is a link. @throws InputError
 void check_places(const ChildRun& run);
 
-/// Wait until no process has a lock on a directory in `folder`: when the command that started them was killed, runs
-/// still write their last checkpoints for a moment. @throws Interrupted by a signal
+/// Wait until no process holds a lock on a directory in `folder`. After the command that started them was killed, runs
+/// may still be writing their last checkpoints.
 /// @param tell  receives one line for each run that is waited for
+/// @throws Interrupted by a signal
 void wait_for_runs(const std::filesystem::path& folder, const Interruption& interruption,
                    const std::function<void(const std::string&)>& tell);
 
-/// Whether the directory holds a run of another deck, or with other settings.
+/// Whether the directory holds a run of another deck or with other settings.
 /// @throws DataError  its run.json is damaged
 [[nodiscard]] bool holds_another_run(const ChildRun& run);
 
-/// What leads to the end: `ljmd run`, or `ljmd resume` where a part of this run has left a checkpoint; nothing when it
-/// is finished. Another run in the directory is replaced. @throws DataError  its run.json is damaged
+/// The job that completes the run: `ljmd resume` if this run has left a checkpoint, else `ljmd run`; nothing if it is
+/// finished. Another run in the directory is replaced. @throws DataError  its run.json is damaged
 [[nodiscard]] std::optional<Job> next_job(const ChildRun& run);
 
-/// Make a finished run longer.
+/// The job that extends a finished run.
 [[nodiscard]] Job longer(const ChildRun& run, Index more_steps);
 
 /// "NAME: exit code 5: error: the run has blown up": the last error in its log, or its last line.
 [[nodiscard]] std::string failure_of(const ChildRun& run, int exit_status);
 
-/// The last line in a log that tells of an error; empty without one, and without a log.
+/// The last line with an error in a log; empty if there is none, or no log.
 [[nodiscard]] std::string error_in_log(const std::filesystem::path& log);
 
-/// Run lines of jobs of this program to their ends, several lines at a time.
+/// Run lines of jobs of this program, several lines at a time.
 ///
-/// @tparam Line  has begin(), the first job or nothing when there is nothing to do, and after(exit_status), the next
-///               one or nothing at the end
-/// @param jobs   lines at a time; 0: as many as there are processors
-/// @param ended  is called as ended(line, done) for each line at its end, when `done` of them are there
+/// @tparam Line  has begin(), which returns the first job or nothing, and after(exit_status), which returns the next
+/// job, or nothing at the end of the line
+/// @param jobs   lines at a time; 0: the number of processors
+/// @param ended  called as ended(line, done) at the end of each line, when `done` lines have ended
 /// @throws Interrupted, FileError  as run_jobs()
 template <class Line, class Ended>
 void run_lines(std::vector<Line>& lines, int jobs, const Interruption& interruption, const Ended& ended) {

@@ -10,30 +10,31 @@
 
 namespace ljmd {
 
-/// One command line of this program, to be run as a process of its own.
+/// A command line of this program, to be run as a process.
 struct Job {
     std::vector<std::string> arguments;
-    std::filesystem::path output;  ///< file for what it says
+    std::filesystem::path output;  ///< file for its messages
 };
 
-/// What is done next in a line of jobs when one of them has ended; nothing: the line is at its end.
+/// Returns the next job of a line after one of its jobs has ended; nothing at the end of the line.
 /// @param line         its number, from 0
-/// @param exit_status  of the job that has ended
+/// @param exit_status  of the job that ended
 using NextJob = std::function<std::optional<Job>(std::size_t line, int exit_status)>;
 
-/// Run lines of jobs, the jobs of a line one after the other, several lines at a time.
+/// Run lines of jobs, several lines at a time; the jobs of a line run one after the other.
 ///
-/// A signal that asks this program to stop is handed to all jobs, which stop with checkpoints, and no further one is
-/// started. Keys on the terminal reach them in no other way.
+/// A signal that asks this program to stop is passed to all jobs, which stop with checkpoints; no further job is
+/// started. Jobs are in process groups of their own, so Ctrl-C reaches them only in this way.
 ///
-/// @param program  the one to run: this one, usually
+/// @param program  usually this one
 /// @param first    the first job of each line
 /// @param at_most  lines at a time, >= 1
-/// @throws Interrupted  when all jobs have ended  @throws FileError  one cannot be started; the others are stopped, too
+/// @throws Interrupted  after all jobs have ended  @throws FileError  a job cannot be started; the others are then
+/// stopped
 void run_jobs(const std::filesystem::path& program, const std::vector<Job>& first, int at_most, const NextJob& next,
               const Interruption& interruption = Interruption());
 
-/// The file of the program that is running. @throws FileError
+/// The executable file of this program. @throws FileError
 [[nodiscard]] std::filesystem::path this_program();
 
 }  // namespace ljmd

@@ -5,16 +5,16 @@
 
 namespace ljmd {
 
-/// Whether a directory holds a study, which is many runs: a sweep (sweep.json) or a reproduced table (rows/).
+/// Whether a directory holds a study, which consists of many runs: a sweep (sweep.json) or a reproduced table (rows/).
 [[nodiscard]] bool holds_study(const std::filesystem::path& directory);
 
-/// How far the runs of a study got: `ljmd info DIR`. A run is finished, running, stopped after a step, failed, or not
-/// begun; of one that has failed the last words of its log are told.
+/// Progress of the runs of a study: `ljmd info DIR`. A run is finished, running, stopped after a step, failed, or not
+/// begun; for a failed one, the last error in its log is shown.
 /// @pre holds_study(directory)  @throws DataError  its sweep.json, or the run.json of one of its runs, is damaged
 [[nodiscard]] std::string study_report(const std::filesystem::path& directory);
 
-/// The same as JSON: kind ("sweep" or "reproduction"), deck (of a sweep), running, the number of runs in each state,
-/// and runs, a list of name, directory, state, step (null before the first checkpoint), total_steps and words.
+/// The same as JSON: kind ("sweep" or "reproduction"), deck (of a sweep), running, states with the number of runs in
+/// each, and runs, a list of name, directory, state, step (null before the first checkpoint), total_steps and words.
 [[nodiscard]] std::string study_json(const std::filesystem::path& directory);
 
 }  // namespace ljmd

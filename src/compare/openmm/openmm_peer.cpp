@@ -16,7 +16,7 @@ namespace {
 const std::string leapfrog_method = "VerletIntegrator";
 const std::string kick_drift_kick_method = "kick-drift-kick";
 
-/// Steps before time is taken: the first ones build what the others use.
+/// Steps before timing: the first ones build data structures.
 constexpr int warm_up = 5;
 
 std::unique_ptr<OpenMM::Integrator> make_integrator(const std::string& method, double time_step) {
@@ -28,7 +28,7 @@ std::unique_ptr<OpenMM::Integrator> make_integrator(const std::string& method, d
     if (method != kick_drift_kick_method) {
         throw ContractViolation(fmt::format("no method of OpenMM is called '{}'", method));
     }
-    // f0: the force of group 0 alone.
+    // f0: force of group 0 only.
     auto custom = std::make_unique<OpenMM::CustomIntegrator>(time_step);
     custom->addComputePerDof("v", "v+0.5*dt*f0/m");
     custom->addComputePerDof("x", "x+dt*v");
@@ -37,7 +37,7 @@ std::unique_ptr<OpenMM::Integrator> make_integrator(const std::string& method, d
     return custom;
 }
 
-/// Integrator and context, which goes first.
+/// Integrator and context; the context is destroyed first.
 struct Motion {
     std::unique_ptr<OpenMM::Integrator> integrator;
     std::unique_ptr<OpenMM::Context> context;
@@ -117,7 +117,7 @@ class OpenmmPeer : public Peer {
             const Motion motion = begin(leapfrog_method, time_step);
             const auto run = [&](Index count) {
                 motion.integrator->step(static_cast<int>(count));
-                // A platform may only have queued the steps: what depends on the last one is waited for.
+                // A platform may only have queued the steps; this waits for the last one.
                 static_cast<void>(motion.context->getState(OpenMM::State::Positions));
             };
             run(warm_up);
@@ -128,7 +128,7 @@ class OpenmmPeer : public Peer {
     }
 
   private:
-    /// @throws PhysicsError when OpenMM gives up
+    /// @throws PhysicsError when OpenMM fails
     template <class Result, class F>
     Result guarded(const F& f) const {
         try {
@@ -165,15 +165,16 @@ class OpenmmPeer : public Peer {
         return motion;
     }
 
-    /// @param state  of the context, with the energy of the force that moves: kinetic energy, too, depends on the group
+    /// @param state  of the context, with the energy of the moving force: its kinetic energy depends on the force
+    /// group, too
     static Totals totals(const OpenMM::Context& context, const OpenMM::State& state) {
         const auto derivatives =
             context.getState(OpenMM::State::ParameterDerivatives, false, virial).getEnergyParameterDerivatives();
         return {state.getPotentialEnergy(), state.getKineticEnergy(), -derivatives.at(scale_parameter)};
     }
 
-    /// What the long-range correction adds for each atom, on the Reference platform whatever the peer's: no other has
-    /// the digits for a difference of energies.
+    /// The long-range correction per atom, always on the Reference platform: no other is precise enough for a
+    /// difference of energies.
     [[nodiscard]] double tail_energy() const {
         const auto energy = [&](OpenmmForces forces) {
             const auto system = openmm_system(fluid_, forces, options_.epsilon);

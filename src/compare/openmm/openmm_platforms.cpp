@@ -16,15 +16,14 @@ namespace ljmd {
 
 namespace {
 
-/// Where the platforms lie: the environment's word, or what the build found.
+/// The folder of the platforms, from the environment or from the build.
 std::string plugin_folder() {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody writes the environment
     const char* named = std::getenv("OPENMM_PLUGIN_DIR");
     return named != nullptr ? named : LJMD_OPENMM_PLUGIN_DIR;
 }
 
-/// The regular files in it, by name. OpenMM itself would open whatever is there, and wait for what a pipe or a file of
-/// /proc has to say.
+/// The regular files in it, sorted by name. OpenMM itself would open everything and block at pipes or files of /proc.
 std::vector<std::string> plugin_files() {
     std::vector<std::string> names;
     if (files::is_directory(plugin_folder())) {
@@ -37,7 +36,7 @@ std::vector<std::string> plugin_files() {
     return names;
 }
 
-/// Load what is in the folder, once. Plug-ins that cannot be loaded (for hardware that is not there, say) are left out.
+/// Load the plug-ins in the folder, once. Those that cannot be loaded, for example for missing hardware, are skipped.
 void load_plugins() {
     static const bool loaded = [] {
         for (const std::string& file : plugin_files()) {

@@ -6,7 +6,7 @@
 
 namespace ljmd {
 
-/// A platform that is loaded, by its name. @throws InputError that lists those loaded
+/// A loaded platform, by name. @throws InputError that lists the loaded ones
 [[nodiscard]] OpenMM::Platform& openmm_platform(const std::string& name);
 
 }  // namespace ljmd

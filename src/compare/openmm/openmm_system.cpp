@@ -11,7 +11,7 @@ namespace {
 
 void check(const Fluid& fluid) {
     for (std::size_t i = 0; i < fluid.positions.size(); ++i) {
-        // The Reference platform computes with what is not finite.
+        // The Reference platform does not report numbers that are not finite.
         if (!fluid.positions[i].allFinite() || !fluid.velocities[i].allFinite()) {
             throw InputError(fmt::format("position or velocity of atom {} is not finite", i + 1));
         }
@@ -23,7 +23,7 @@ void check(const Fluid& fluid) {
     }
 }
 
-/// Lennard-Jones as everybody uses it in OpenMM.
+/// Lennard-Jones as commonly used in OpenMM.
 std::unique_ptr<OpenMM::Force> nonbonded_force(const Fluid& fluid, bool tail, double epsilon) {
     auto force = std::make_unique<OpenMM::NonbondedForce>();
     force->setNonbondedMethod(OpenMM::NonbondedForce::CutoffPeriodic);
@@ -39,7 +39,7 @@ std::unique_ptr<OpenMM::Force> nonbonded_force(const Fluid& fluid, bool tail, do
     return force;
 }
 
-/// Any potential by its expression, the truncated one or that of its formula.
+/// Any potential by its expression, truncated or not.
 std::unique_ptr<OpenMM::CustomNonbondedForce> custom_force(const Fluid& fluid, const std::string& expression,
                                                            double epsilon) {
     const PairPotential& potential = fluid.potential;
@@ -68,7 +68,7 @@ std::unique_ptr<OpenMM::Force> moving_force(const Fluid& fluid, bool tail, doubl
     if (fluid.potential.formula() == "lennard-jones" && (truncation == "cut" || truncation == "switched")) {
         return nonbonded_force(fluid, tail, epsilon);
     }
-    // OpenMM's own switch, because its long-range correction knows of no other.
+    // OpenMM's own switch, because its long-range correction supports no other.
     const bool switched = truncation == "switched";
     auto force =
         custom_force(fluid, switched ? openmm_formula(fluid.potential) : openmm_expression(fluid.potential), epsilon);

@@ -9,19 +9,19 @@
 
 namespace ljmd {
 
-// Numbers in OpenMM's units are those in reduced ones: sigma = 1 nm, epsilon = 1 kJ/mol, m = 1 u, tau = 1 ps.
+// Numbers in OpenMM's units equal those in reduced units: sigma = 1 nm, epsilon = 1 kJ/mol, m = 1 u, tau = 1 ps.
 
-/// Force groups: what moves the atoms, and what is only asked for its derivative.
+/// Force groups: the force that moves the atoms, and the one used only for its derivative.
 inline constexpr int moving_group = 0;
 inline constexpr int virial_group = 1;
-/// As the masks that OpenMM's calls take.
+/// As bit masks for OpenMM's calls.
 inline constexpr int moving = 1 << moving_group;
 inline constexpr int virial = 1 << virial_group;
 
 /// The name of the parameter whose derivative is minus the virial.
 inline constexpr const char* scale_parameter = "scale";
 
-/// What there is besides the force that moves the atoms.
+/// Forces besides the one that moves the atoms.
 enum class OpenmmForces {
     alone,        ///< nothing
     with_tail,    ///< OpenMM's long-range correction of that force
@@ -34,11 +34,11 @@ enum class OpenmmForces {
 [[nodiscard]] std::unique_ptr<OpenMM::System> openmm_system(const Fluid& fluid, OpenmmForces forces,
                                                             double epsilon = 1.0);
 
-/// What a context needs.
+/// Conversion of vectors for a context.
 [[nodiscard]] std::vector<OpenMM::Vec3> openmm_vectors(const std::vector<Vec3>& vectors);
 [[nodiscard]] std::vector<Vec3> from_openmm(const std::vector<OpenMM::Vec3>& vectors);
 
-/// v(-dt/2) = v(0) - F(0) dt/2m: what VerletIntegrator takes for the velocities of time 0.
+/// v(-dt/2) = v(0) - F(0) dt/2m: the velocities that VerletIntegrator expects at time 0.
 /// @param context  at the fluid's positions
 [[nodiscard]] std::vector<OpenMM::Vec3> half_step_velocities(OpenMM::Context& context, const Fluid& fluid,
                                                              double time_step);

@@ -29,7 +29,7 @@ constexpr std::string_view end_mark = "LJMDEND\n";
 constexpr std::uint32_t format_version = 1;
 constexpr int most_generations = 9;
 
-/// What stands in front of the content, and behind it.
+/// The header of a file, before the content.
 struct Head {
     std::array<char, magic.size()> word;
     std::uint32_t version;
@@ -45,7 +45,7 @@ std::string name_of(std::uint64_t slot) {
     return fmt::format("checkpoint.{}", slot + 1);
 }
 
-/// Of one text behind the other.
+/// Hash of the concatenated texts.
 XXH128_canonical_t hash_of(std::initializer_list<std::string_view> texts) {
     const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
     if (state == nullptr) {
@@ -60,8 +60,8 @@ XXH128_canonical_t hash_of(std::initializer_list<std::string_view> texts) {
     return hash;
 }
 
-/// The three parts of a file. A checkpoint of many atoms is written and read back piece by piece: a copy of it all
-/// would be a good part of the memory that a run takes.
+/// The three parts of a file. A large checkpoint is written and read back piece by piece: a full copy would be a large
+/// part of the memory of a run.
 using Parts = std::array<std::string_view, 3>;
 constexpr std::size_t piece_length = std::size_t{1} << 20;
 
@@ -88,13 +88,13 @@ bool reads_back(const OutputFile& file, const Parts& parts) {
     return true;
 }
 
-/// A file whose head says another length than it has is not read: what it claims may not fit into memory.
+/// A file whose length is not the one in its header is not read: the claimed length may not fit into memory.
 std::string read_whole(const fs::path& path) {
-    if (!files::is_regular_file(path)) {  // opening a pipe would wait for ever
+    if (!files::is_regular_file(path)) {  // opening a pipe could block
         throw CheckpointError("it is not a file");
     }
     const std::uintmax_t size = files::size_of(path).value_or(0);
-    if (size == 0) {  // as are files of /proc, which may be waited for
+    if (size == 0) {  // so are files of /proc, which may block
         throw CheckpointError("it is empty");
     }
     std::ifstream file = open_input(path);
@@ -118,7 +118,7 @@ std::string read_whole(const fs::path& path) {
     return text;
 }
 
-/// @throws CheckpointError that says what is wrong with it
+/// @throws CheckpointError with the fault
 CheckpointFile parse(const fs::path& path) {
     const std::string text = read_whole(path);
     Head head{};

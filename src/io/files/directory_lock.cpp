@@ -30,7 +30,7 @@ Answer ask_for_lock(int descriptor, int kind) {
 
 DirectoryLock::DirectoryLock(const OpenDirectory& directory) : directory_(directory) {
     Answer answer = ask_for_lock(directory_.descriptor(), LOCK_EX);
-    if (answer == Answer::refused) {  // is_held() of somebody else has it for a moment
+    if (answer == Answer::refused) {  // another process may hold it briefly, in is_held()
         constexpr std::chrono::milliseconds moment{20};
         std::this_thread::sleep_for(moment);
         answer = ask_for_lock(directory_.descriptor(), LOCK_EX);

@@ -19,14 +19,14 @@ void require(const std::error_code& error, const char* doing, const fs::path& pa
     }
 }
 
-/// With an error code set by a status that is known, too: that there is nothing.
+/// A status with a known result may also set an error code: when there is no such file.
 void require_known(fs::file_type type, const std::error_code& error, const fs::path& path) {
     if (type == fs::file_type::none) {
         require(error, "look at", path);
     }
 }
 
-/// Of all links.
+/// The type of the file at the end of all links.
 fs::file_type type_at_end(const fs::path& path) {
     std::error_code error;
     const fs::file_type type = fs::status(path, error).type();

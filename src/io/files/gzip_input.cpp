@@ -11,7 +11,7 @@ namespace ljmd {
 namespace {
 
 constexpr std::size_t block = 65536;
-constexpr int gzip_format = 16 + MAX_WBITS;  // what zlib calls a window for gzip alone
+constexpr int gzip_format = 16 + MAX_WBITS;  // zlib's window size for gzip format only
 
 }  // namespace
 
@@ -79,7 +79,7 @@ GzipInput::int_type GzipInput::underflow() {
         if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR) {
             stop(fmt::format("the gzip file is damaged: {}", stream_.msg != nullptr ? stream_.msg : "it is no gzip"));
         }
-        if (at_end && found == 0 && in_member_ && fault_.empty()) {  // zlib had nothing left, either
+        if (at_end && found == 0 && in_member_ && fault_.empty()) {  // zlib had no buffered output, either
             is_cut_ = true;
             stop("the gzip file is cut off: it ends before its end mark");
         }

@@ -14,27 +14,26 @@ namespace ljmd {
 /// True for the first bytes of a file that is compressed with gzip.
 [[nodiscard]] bool is_gzip(std::string_view beginning);
 
-/// Unpacks a file that is compressed with gzip while it is read, all its members if there are several. A block is in
-/// memory at a time, and no more is unpacked than a given number of bytes: a small file can be made that unpacks to any
-/// length (a decompression bomb).
+/// Unpacks a gzip file, with all its members, while it is read. One block is in memory at a time, and the number of
+/// unpacked bytes is limited: a small file can unpack to any length (a decompression bomb).
 /// Source: P. Deutsch (1996), RFC 1952, "GZIP file format specification"
 class GzipInput : public std::streambuf {
   public:
     /// @param packed  at its start; must outlive this
-    /// @param limit   bytes to unpack at most
+    /// @param limit   maximum number of unpacked bytes
     GzipInput(std::istream& packed, Index limit);
     ~GzipInput() override;
     GzipInput(const GzipInput&) = delete;
     GzipInput& operator=(const GzipInput&) = delete;
 
-    /// Back to the start.
+    /// Return to the start.
     void rewind();
 
-    /// Why there is no more to read than was read, or is in the buffer, although the file has not come to its end: it
-    /// is damaged, cut off, or unpacks to too much. Empty when all is well.
+    /// Why reading stopped before the end of the file: it is damaged, cut off, or unpacks to too much. Empty when there
+    /// is no fault. The bytes read before it are valid.
     [[nodiscard]] const std::string& fault() const { return fault_; }
 
-    /// Whether the fault is that the file was cut off.
+    /// Whether the fault is that the file is cut off.
     [[nodiscard]] bool is_cut() const { return is_cut_; }
 
   protected:

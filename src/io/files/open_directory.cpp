@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory that may be written to but not read can be worked in, though neither locked nor synced by itself.
-/// @return its descriptor; below 0: errno tells why not
+/// A directory that may be written to but not read can be used, but not locked or synchronised by itself.
+/// @return its descriptor; negative: see errno
 int open_directory(int where, const char* name, int flags) {
     const int usual = O_DIRECTORY | O_CLOEXEC | flags;
     const int descriptor = ::openat(where, name, O_RDONLY | usual);
@@ -51,7 +51,7 @@ OutputPlace OpenDirectory::operator/(const std::string& name) const {
 }
 
 OpenDirectory OpenDirectory::made_within(const std::string& name) const {
-    constexpr mode_t permissions = 0777;  // less what the user's umask takes away
+    constexpr mode_t permissions = 0777;  // reduced by the umask
     if (::mkdirat(descriptor(), name.c_str(), permissions) == 0) {
         sync();
     } else if (errno != EEXIST) {
@@ -98,7 +98,7 @@ void OpenDirectory::require_at_its_path() const {
 
 void OpenDirectory::sync() const {
     const int error = sync_descriptor(descriptor());
-    if (error == EBADF) {  // it may not be read
+    if (error == EBADF) {  // the directory is not readable
         ::sync();
     } else if (error != 0) {
         throw file_error("write", path_, error);

@@ -26,7 +26,7 @@ void require_bytes(const OutputPlace& place, std::int64_t bytes) {
         throw CheckpointError(errno == ENOENT ? fmt::format("'{}' is not there any more", place.path().string())
                                               : file_error("look at", place.path(), errno).what());
     }
-    if (!S_ISREG(status.st_mode)) {  // a link leads elsewhere, opening a pipe would wait for ever
+    if (!S_ISREG(status.st_mode)) {  // a link leads elsewhere, and opening a pipe could block
         throw CheckpointError(fmt::format("'{}' is not the file that the run wrote", place.path().string()));
     }
     if (status.st_size < bytes) {
@@ -57,7 +57,7 @@ void overwrite_beginning(const OutputPlace& place, std::string_view bytes) {
 }
 
 void OutputFile::open(const OutputPlace& place, std::optional<std::int64_t> kept) {
-    constexpr mode_t permissions = 0666;  // less what the user's umask takes away
+    constexpr mode_t permissions = 0666;  // reduced by the umask
     const int flags = O_RDWR | O_NOFOLLOW | O_CLOEXEC | (kept ? 0 : O_CREAT | O_TRUNC);
     descriptor_ = ::openat(place.directory.descriptor(), place.name.c_str(), flags, permissions);
     if (descriptor_ < 0) {
@@ -96,7 +96,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 OutputFile::~OutputFile() {
     try {
         close();
-    } catch (const FileError&) {  // a destructor has nobody to tell
+    } catch (const FileError&) {  // a destructor cannot report it
     }
 }
 
@@ -112,7 +112,7 @@ void OutputFile::require_usable() const {
 void OutputFile::fail(const char* doing, int error) {
     failed_ = true;
     buffer_.clear();
-    // Best effort: a device has no length to cut, and the first error is the one worth telling.
+    // Best effort: a device cannot be cut, and the first error is the one to report.
     [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, committed_);
     throw file_error(doing, path(), error);
 }
@@ -184,7 +184,7 @@ void OutputFile::close() {
         ::close(std::exchange(descriptor_, -1));
         throw;
     }
-    // After EINTR the descriptor is gone on Linux: closing again could hit another file.
+    // After EINTR the descriptor is already closed on Linux; closing it again could hit another file.
     if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) {
         failed_ = true;
         throw file_error("close", path(), errno);

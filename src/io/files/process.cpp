@@ -31,7 +31,7 @@ bool is_executable(const fs::path& path) {
     return files::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
 }
 
-/// Pointers to texts, with the null at the end that exec wants.
+/// Pointers to the texts, with the null pointer that exec expects at the end.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
     std::vector<char*> result;
     result.reserve(texts.size() + 1);
@@ -60,8 +60,8 @@ std::vector<std::string> environment_of(const Process& process) {
     return result;
 }
 
-/// The signals of this process are handled in the usual way, but for those that its parent was told to ignore: SIGPIPE
-/// and SIGXFSZ are ignored by this program alone. None is blocked.
+/// Reset all signals to their default actions and unblock them. Signals that the parent was told to ignore stay
+/// ignored; SIGPIPE and SIGXFSZ do not, because this program itself ignores them.
 void usual_signals() {
     for (int number = 1; number < NSIG; ++number) {
         struct sigaction action {};
@@ -77,7 +77,7 @@ void usual_signals() {
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// Get a signal when the thread that made this process ends. @return whether that has not happened yet
+/// Receive a signal when the thread that started this process ends. @return whether the parent is still alive
 bool tied_to_parent([[maybe_unused]] int number, pid_t parent) {
 #ifdef PR_SET_PDEATHSIG
     ::prctl(PR_SET_PDEATHSIG, number);
@@ -85,8 +85,8 @@ bool tied_to_parent([[maybe_unused]] int number, pid_t parent) {
     return ::getppid() == parent;
 }
 
-/// Become the program, in the child process. Nothing is called that might wait for another thread of the parent, of
-/// which there is none here: no memory is asked for. @return only if it fails, with errno
+/// Become the program, in the child process. No memory is allocated and no lock is taken: another thread of the parent
+/// may have held one at the fork. @return only on failure, with errno set
 void become(const Process& process, char* const* arguments, char* const* environment, pid_t parent) {
     if (process.at_our_end != 0 && !tied_to_parent(process.at_our_end, parent)) {
         ::_exit(EXIT_FAILURE);
@@ -107,19 +107,19 @@ void become(const Process& process, char* const* arguments, char* const* environ
     ::execve(process.program.c_str(), arguments, environment);
 }
 
-/// What fork() and become() make of a program.
+/// The result of fork() and become().
 struct Launched {
     pid_t id;
-    int error;  ///< 0: it runs
+    int error;  ///< 0: the program runs
 };
 
 /// @throws ProcessesError
 Launched launch(const Process& process, const std::vector<char*>& arguments, const std::vector<char*>& environment) {
-    Pipe failure;  // closed by the beginning of the program, or told why it does not begin
+    Pipe failure;  // closed by exec, or receives the error number
     const pid_t parent = ::getpid();
     Launched launched{};
     {
-        const SignalsBlocked until_its_own_are_set;  // our handlers in the child would swallow them
+        const SignalsBlocked until_its_own_are_set;  // in the child, our handlers would swallow signals
         launched.id = ::fork();
         launched.error = launched.id < 0 ? errno : 0;
         if (launched.id == 0) {
@@ -148,7 +148,7 @@ std::optional<fs::path> find_program(const std::string& name) {
     std::string_view rest = variable != nullptr ? variable : "/usr/bin:/bin";
     while (!name.empty() && !rest.empty()) {
         const std::size_t length = std::min(rest.find(':'), rest.size());
-        const fs::path candidate = fs::path(rest.substr(0, length)) / name;  // an empty one is where we are
+        const fs::path candidate = fs::path(rest.substr(0, length)) / name;  // empty: the working directory
         if (is_executable(candidate)) {
             return files::absolute(candidate);
         }

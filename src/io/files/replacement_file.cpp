@@ -34,7 +34,7 @@ bool is_left_over(std::string_view name) {
            name.find_first_not_of("0123456789abcdef", prefix_alone.size()) == std::string_view::npos;
 }
 
-/// A file or a link to one may be replaced, and not a directory, a pipe or a device. @throws FileError
+/// Files and links to files may be replaced; directories, pipes and devices may not. @throws FileError
 void require_replaceable(const OutputPlace& place) {
     struct stat status {};
     if (::fstatat(place.directory.descriptor(), place.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
@@ -45,7 +45,7 @@ void require_replaceable(const OutputPlace& place) {
 
 OutputPlace made_beside(const OutputPlace& place) {
     require_replaceable(place);
-    constexpr mode_t permissions = 0666;  // less what the user's umask takes away
+    constexpr mode_t permissions = 0666;  // reduced by the umask
     while (true) {
         OutputPlace beside(place.directory, random_name(place.directory.is_held_alone()));
         const int descriptor = ::openat(place.directory.descriptor(), beside.name.c_str(),
@@ -83,10 +83,10 @@ void remove_left_over(const OpenDirectory& directory) {
     std::vector<std::filesystem::path> there;
     try {
         there = files::list(directory.path());
-    } catch (const FileError&) {  // it may be written to and not read
+    } catch (const FileError&) {  // the directory may be writable but not readable
         return;
     }
-    // By the descriptor: where the path leads elsewhere by now, there are no files of these names.
+    // Remove by descriptor: if the path leads elsewhere by now, there are no files of these names.
     for (const std::filesystem::path& path : there) {
         if (const std::string name = path.filename().string(); is_left_over(name)) {
             ::unlinkat(directory.descriptor(), name.c_str(), 0);

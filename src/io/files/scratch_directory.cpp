@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Waits for the end of its stdin. Signals that end this program and all of its group are not for it; and a program
-/// that writes into the directory may end a moment later than this one, so it tries more than once.
+/// Waits for the end of its stdin. It ignores the signals that end this program with its process group. A program that
+/// writes into the directory may end later than this one, so removal is tried several times.
 constexpr const char* remove_at_end_of_input = R"(trap '' HUP INT QUIT TERM USR1 USR2
 read -r end
 for attempt in 1 2 3 4 5; do
@@ -57,7 +57,7 @@ ScratchDirectory::~ScratchDirectory() {
     life_.close_write_end();
     try {
         static_cast<void>(remover_->wait());
-    } catch (const Error&) {  // the program waits for all its children elsewhere
+    } catch (const Error&) {  // the program may already have waited for all its children
     }
 }
 

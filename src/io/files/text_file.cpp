@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr Index largest_compression = 100;  // of a text; deflate itself reaches 1032
+constexpr Index largest_compression = 100;  // of text; deflate itself reaches 1032
 constexpr Index usual_text = Index{1} << 24;
 
 bool separates(char c) {
     return c == ' ' || c == '\t';
 }
 
-/// from_chars knows no leading plus sign; files do.
+/// from_chars accepts no leading plus sign, but files have them.
 std::string_view without_plus(std::string_view field) {
     const bool plus = field.size() > 1 && field[0] == '+' && field[1] != '-' && field[1] != '+';
     return plus ? field.substr(1) : field;
@@ -40,7 +40,7 @@ std::errc parse(std::string_view field, Index& value) {
     return parse_digits(without_plus(field), value);
 }
 
-/// Fortran writes the exponents of double precision with a D, which from_chars does not know.
+/// Fortran writes exponents of double precision with a D, which from_chars does not accept.
 std::errc parse(std::string_view field, double& value) {
     const std::string_view digits = without_plus(field);
     const std::errc error = parse_digits(digits, value);
@@ -55,7 +55,7 @@ std::errc parse(std::string_view field, double& value) {
     return parse_digits(with_e, value);
 }
 
-/// The first bytes of a text; the stream is left behind them.
+/// The first bytes of a text. The stream is left after them.
 std::string beginning_of(std::istream& stream) {
     constexpr std::size_t enough = 4096;
     std::string bytes(enough, '\0');
@@ -161,7 +161,7 @@ Index TextFile::integer(std::string_view field, std::string_view what) const {
 }
 
 void split_fields(std::string_view text, std::vector<std::string_view>& fields) {
-    // Character by character: the searches of string_view for sets of characters are several times slower.
+    // Character by character: string_view's searches for character sets are several times slower.
     fields.clear();
     std::size_t end = 0;
     while (true) {

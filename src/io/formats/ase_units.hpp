@@ -5,11 +5,11 @@
 
 namespace ljmd {
 
-/// The velocity sqrt(eV/u) in which ASE counts, in angstrom/ps (CODATA 2018: e and u).
+/// ASE's unit of velocity, sqrt(eV/u), in angstrom/ps (CODATA 2018: e and u).
 inline constexpr double ase_velocity = 98.22694750253277;
 
-/// The mass [u] that ASE gives to the atoms of an element, by its symbol in any case: standard atomic weights, and 1
-/// for the species X. Nothing for what is no element. Source: J. Meija et al. (2016), doi:10.1515/pac-2015-0305, as in
+/// The mass [u] that ASE gives to an element: standard atomic weights, and 1 for the species X. The symbol is
+/// case-insensitive. Nothing for an unknown symbol. Source: J. Meija et al. (2016), doi:10.1515/pac-2015-0305, as in
 /// ase.data.atomic_masses
 [[nodiscard]] std::optional<double> ase_mass(std::string_view symbol);
 

@@ -17,7 +17,7 @@ Index read_atom_count(TextFile& file, std::string_view field, Index wanted) {
 }
 
 std::size_t expected_atoms(const TextFile& file, Index count) {
-    constexpr Index usual_shortest_line = 8;  // "1 0 0 0" and its end
+    constexpr Index usual_shortest_line = 8;  // "1 0 0 0" and the line end
     return static_cast<std::size_t>(std::min(count, file.bytes_left() / usual_shortest_line + 1));
 }
 

@@ -13,11 +13,11 @@
 namespace ljmd {
 namespace {
 
-constexpr double farthest = 1e6;        // edges between an atom and the box
-constexpr double largest_aspect = 1e6;  // longest edge over shortest
-constexpr double no_tilt = 1e-12;       // of the shortest edge
+constexpr double farthest = 1e6;        // distance of an atom from the box, in edges
+constexpr double largest_aspect = 1e6;  // longest edge / shortest edge
+constexpr double no_tilt = 1e-12;       // in units of the shortest edge
 
-/// What is wrong with the box; empty when nothing is.
+/// The fault of the box; empty when there is none.
 std::string fault_of_box(const Vec3& edges) {
     for (int axis = 0; axis < 3; ++axis) {
         const double edge = edges[axis];
@@ -32,7 +32,7 @@ std::string fault_of_box(const Vec3& edges) {
     return std::isnormal(edges.prod()) ? "" : "the volume of the box is outside the range of numbers";
 }
 
-/// What is wrong with an atom, to stand behind its name; empty when nothing is.
+/// The fault of an atom, to follow its name; empty when there is none.
 std::string fault_of_atom(const Configuration& configuration, std::size_t k) {
     if (!configuration.positions[k].allFinite()) {
         return "has a position that is not finite in reduced units";
@@ -50,11 +50,11 @@ std::string fault_of_atom(const Configuration& configuration, std::size_t k) {
     return "";
 }
 
-/// Where an atom lies in the box, on the box's grid.
+/// The place of an atom in the box, on the grid of the box.
 std::array<double, 3> place_in(const Box& box, const Vec3& position) {
     Vec3 place = box.snap(position - box.crossings(position).cwiseProduct(box.edges()));
     for (int axis = 0; axis < 3; ++axis) {
-        // Rounded up to the far wall, which is the image of the near one.
+        // Rounding may give the far wall, which is the image of the near one.
         if (place[axis] == box.edges()[axis]) place[axis] = 0.0;
     }
     return {place[0], place[1], place[2]};

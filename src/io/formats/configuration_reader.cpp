@@ -18,7 +18,7 @@ namespace {
 
 enum class Format { nist, extended_xyz, lammps_data, h5md, unknown };
 
-/// A LAMMPS header is short; "N atoms" stands in one of its first lines.
+/// A LAMMPS header is short; "N atoms" is in one of its first lines.
 constexpr Index longest_lammps_header = 100;
 
 Format recognise(TextFile& file) {
@@ -30,7 +30,7 @@ Format recognise(TextFile& file) {
                              : numbers && fields.size() == 1 ? Format::extended_xyz
                                                              : Format::unknown;
     bool has_count = false;
-    bool has_box = otherwise == Format::unknown;  // else a comment "864 atoms" in extended XYZ would count
+    bool has_box = otherwise == Format::unknown;  // else a comment "864 atoms" in extended XYZ would match
     while (file.line_number() < longest_lammps_header && !(has_count && has_box) && file.next_line()) {
         has_count = has_count || is_lammps_atom_count(file.line());
         has_box = has_box || is_lammps_box_bound(file.line());
@@ -38,7 +38,7 @@ Format recognise(TextFile& file) {
     return has_count && has_box ? Format::lammps_data : otherwise;
 }
 
-/// The last frame of a trajectory. One that was cut off, or is still written, is no start.
+/// The last frame of a trajectory. A file that was cut off or is still being written is refused.
 Configuration read_h5md(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units) {
     H5mdReader reader(path, units);
     Frame frame;
@@ -60,7 +60,7 @@ Configuration read_h5md(const std::filesystem::path& path, const std::optional<S
 
 Configuration read_configuration(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
                                  const std::string& xyz_comment) {
-    TextFile file(path);  // refuses what is no regular file, which HDF5 would open
+    TextFile file(path);  // refuses files that are not regular, which HDF5 would open
     const Format format = is_hdf5(path) ? Format::h5md : recognise(file);
     if (!xyz_comment.empty() && format != Format::extended_xyz) {
         file.fail_at(0, "is no extended XYZ file, but 'xyz_comment' is given");

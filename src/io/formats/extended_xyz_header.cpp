@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-/// A key of the comment line and its value without quotes.
+/// A key of the comment line and its value, without quotes.
 struct Pair {
     std::string_view key;
     std::string_view value;
-    bool in_file;  ///< else told beside it
+    bool in_file;  ///< else it was given beside the file
 };
 using Pairs = std::vector<Pair>;
 
@@ -30,7 +30,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// What ends a value that begins with this character; nothing where a blank does.
+/// The character that closes a value with this opening character; null if a blank ends it.
 char closing(char opening) {
     switch (opening) {
         case '"':
@@ -45,8 +45,8 @@ char closing(char opening) {
     }
 }
 
-/// Where a text that was opened before its start is closed; backslashes make quotes part of it, and brackets may stand
-/// in brackets.
+/// The position of the closing character in the text after an opening one. A backslash escapes the next character;
+/// brackets may be nested.
 std::size_t closed_at(std::string_view text, char opening) {
     const char end = closing(opening);
     int open = 1;
@@ -62,7 +62,7 @@ std::size_t closed_at(std::string_view text, char opening) {
     return std::string_view::npos;
 }
 
-/// Cut the value off the front of `rest`: up to what closes it, or up to the next blank.
+/// Remove the value from the front of `rest`: up to its closing character, or up to the next blank.
 std::string_view take_value(const TextFile& file, std::string_view& rest, std::string_view key) {
     const char opening = rest.empty() ? ' ' : rest.front();
     const bool is_closed = closing(opening) != '\0';
@@ -81,7 +81,7 @@ std::string_view take_value(const TextFile& file, std::string_view& rest, std::s
     return value;
 }
 
-/// Words that are no key=value, as a title or "time = 0.5,", are skipped.
+/// Words that are not key=value, such as a title or "time = 0.5,", are skipped.
 void split_pairs(const TextFile& file, std::string_view rest, bool in_file, Pairs& pairs) {
     while (true) {
         rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
@@ -96,7 +96,7 @@ void split_pairs(const TextFile& file, std::string_view rest, bool in_file, Pair
     }
 }
 
-/// The value of a key of ours; nothing where it is not given. Files of others may have keys that differ in case alone.
+/// The value of a key; nothing if it is missing. Foreign files may have keys that differ in case alone.
 std::optional<std::string_view> find(const TextFile& file, const Pairs& pairs, const std::string& key) {
     const auto is_key = [&](const Pair& pair) { return lower_case(pair.key) == key; };
     const auto first = std::ranges::find_if(pairs, is_key);
@@ -115,7 +115,7 @@ std::optional<std::string_view> find(const TextFile& file, const Pairs& pairs, c
     return first->value;
 }
 
-/// What stands in a list: "1 0 0", "1, 0, 0" or "[1, 0], [0, 1".
+/// The elements of a list: "1 0 0", "1, 0, 0" or "[1, 0], [0, 1".
 std::vector<std::string_view> split_list(std::string_view value) {
     constexpr std::string_view separators = " \t,[]{}";
     std::vector<std::string_view> fields;
@@ -155,7 +155,7 @@ struct Property {
     Index columns;
 };
 
-/// "species:S:1:pos:R:3" in triples.
+/// Split "species:S:1:pos:R:3" into triples.
 std::vector<Property> split_properties(const TextFile& file, std::string_view text) {
     std::vector<std::string_view> parts;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -178,7 +178,8 @@ std::vector<Property> split_properties(const TextFile& file, std::string_view te
     return properties;
 }
 
-/// Where a property starts; empty when there is none of that name. It must have the given type and columns.
+/// The column in which a property starts; nothing if there is none of these names. Type and number of columns must
+/// match.
 std::optional<std::size_t> column_of(const TextFile& file, const std::vector<Property>& properties,
                                      std::initializer_list<std::string_view> names, std::string_view type,
                                      Index columns) {

@@ -19,13 +19,13 @@ struct FileUnits {
     double ase_velocity = 1.0;
 };
 
-/// How a file is to be read.
+/// Options for reading a file.
 struct Reading {
     const std::optional<SubstanceUnits>& units;
     std::string_view comment;
 };
 
-/// A frame line by line.
+/// A frame in the order of its lines.
 struct RawFrame {
     ExtendedXyzHeader header;
     Index header_line = 0;
@@ -36,7 +36,7 @@ struct RawFrame {
     std::vector<double> masses;
 };
 
-/// @param si  what the first frame says, to be set by it
+/// @param si  the units of the first frame; set by that frame
 FileUnits units_of(const TextFile& file, const ExtendedXyzHeader& header, std::optional<bool>& si,
                    const std::optional<SubstanceUnits>& units) {
     const auto name = [](bool is_si) { return is_si ? "si" : "reduced"; };
@@ -62,7 +62,7 @@ void reserve(RawFrame& frame, std::size_t size) {
     if (frame.header.columns.mass) frame.masses.reserve(size);
 }
 
-/// The mass that belongs to a momentum of ASE [u]: that of the file, else the one that ASE takes for the species.
+/// The mass [u] for ASE's momenta: that of the file, else ASE's mass of the species.
 double mass_of_momentum(const TextFile& file, const std::vector<std::string_view>& fields,
                         const ExtendedXyzColumns& columns) {
     if (columns.mass) return file.number(fields[*columns.mass], "the mass");
@@ -92,12 +92,12 @@ void read_atom(const TextFile& file, const std::vector<std::string_view>& fields
     if (columns.mass) frame.masses.push_back(file.number(fields[*columns.mass], "the mass") / frame.units.mass);
 }
 
-/// Read one frame. The file stands at the line with its number of atoms, whose only field is given.
+/// Read one frame. The file is at the line with the number of atoms, whose only field is given.
 /// @param wanted  number of atoms; 0: any
 RawFrame read_frame(TextFile& file, std::string_view count_field, Index wanted, const Reading& how,
                     ExtendedXyzPremises& premises) {
     const Index count = read_atom_count(file, count_field, wanted);
-    file.next_line();  // the comment line; there is one, or the count would have been refused
+    file.next_line();  // the comment line; it exists, else the count would have been refused
     RawFrame frame;
     frame.header_line = file.line_number();
     frame.header = parse_extended_xyz_header(file, how.comment);
@@ -112,7 +112,7 @@ RawFrame read_frame(TextFile& file, std::string_view count_field, Index wanted, 
     return frame;
 }
 
-/// A configuration whose atoms are in order, not checked yet.
+/// A configuration with atoms in order, not checked yet.
 Configuration to_configuration(const RawFrame& frame, const AtomOrder& order) {
     Configuration configuration;
     configuration.edges = frame.header.edges / frame.units.length;
@@ -130,7 +130,7 @@ AtomOrder order_of(const TextFile& file, const RawFrame& frame) {
                              : order_by_id(file, frame.ids, first_line);
 }
 
-/// The next frame; nothing behind the last one.
+/// The next frame; nothing after the last one.
 /// @param number  of the frame, from 1
 std::optional<RawFrame> next_frame(TextFile& file, Index number, Index wanted, const Reading& how,
                                    ExtendedXyzPremises& premises) {

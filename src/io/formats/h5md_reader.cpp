@@ -17,7 +17,7 @@ namespace {
 
 constexpr Index most_atoms = Index{1} << 30;
 constexpr Index numbers_at_once = Index{1} << 16;
-constexpr double largest_step = 1e15;  // that and what is below are exact in doubles
+constexpr double largest_step = 1e15;  // up to here, integers are exact in doubles
 
 }  // namespace
 
@@ -115,7 +115,7 @@ H5mdReader::Element H5mdReader::vectors(const std::string& name) {
     return found;
 }
 
-/// Of all arrays, so many frames are whole.
+/// Find the number of frames that are complete in all arrays.
 void H5mdReader::find_frames() {
     frame_count_ = file_.extent(position_.value)[0];
     Index most = frame_count_;
@@ -147,8 +147,7 @@ void H5mdReader::find_frames() {
     }
 }
 
-/// Whether an element that not every analysis needs has an entry for each frame. A file that was not closed may lack
-/// the last ones.
+/// Whether an optional element has an entry for each frame. A file that was not closed may lack the last ones.
 bool H5mdReader::is_at_steps_of_positions(const std::string& name, const Element& element) const {
     if (element.value.empty() || element.fixed) {
         return true;
@@ -168,7 +167,7 @@ bool H5mdReader::is_at_steps_of_positions(const std::string& name, const Element
            (steps.size() == others.size() || !file_.was_closed());
 }
 
-/// Another element must not have been written at other steps than the positions.
+/// Refuse an element that was written at other steps than the positions.
 void H5mdReader::require_same_steps(const std::string& name) const {
     const std::vector<double> others = series(fmt::format("{}/{}/step", group_, name), frame_count_);
     if (steps_.empty() || others.empty()) {
@@ -197,7 +196,7 @@ void H5mdReader::check_box() const {
     }
 }
 
-/// An array must have a number for each atom, or one for all of them, before it is read.
+/// Refuse, before it is read, an array that has neither one number per atom nor one for all.
 void H5mdReader::require_of_atoms(const std::string& name, const Element& element) const {
     if (element.value.empty()) {
         return;
@@ -212,7 +211,8 @@ void H5mdReader::require_of_atoms(const std::string& name, const Element& elemen
     }
 }
 
-/// Of all that tells kinds of atoms apart, in as many entries as there are frames: they may be at other steps.
+/// Checks everything that distinguishes kinds of atoms, in as many entries as there are frames, which may be at other
+/// steps.
 void H5mdReader::check_kind() const {
     OneKind kind;
     const auto add = [&](const std::string& name, const std::vector<double>& values) {
@@ -244,9 +244,9 @@ void H5mdReader::check_kind() const {
     }
 }
 
-/// What an array with one entry a frame, or an increment from one to the next, says of each frame; nothing when there
-/// is none.
-/// @param entries  that an increment stands for; an array with more is cut to as many
+/// The values of an array for each frame: the array has one entry per frame, or is an increment from frame to frame.
+/// Nothing if there is no such array.
+/// @param entries  number of values; a longer array is cut to it
 std::vector<double> H5mdReader::series(const std::string& array, Index entries) const {
     if (!file_.exists(array)) {
         return {};
@@ -282,7 +282,7 @@ Vec3 H5mdReader::edges_of(Index frame) const {
     return matrix.diagonal();
 }
 
-/// Where the file has each atom, by id, and these ids; empty for a file without ids.
+/// The order of the atoms by id, and the ids; empty for a file without ids.
 AtomOrder H5mdReader::order_of(Index frame) const {
     if (id_.value.empty()) {
         return {};

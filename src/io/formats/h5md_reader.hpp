@@ -8,7 +8,7 @@
 
 namespace ljmd {
 
-/// The frames of an H5MD 1.1 file, by whatever program:
+/// The frames of an H5MD 1.1 file, written by any program:
 ///
 ///     particles/<group>           the one that is asked for, the only one, or `trajectory`
 ///       position                  value (F, N, 3); step, time
@@ -18,25 +18,25 @@ namespace ljmd {
 ///       id                        (N) or value (F, N): atoms are sorted by it
 ///       species, mass             (N) or value (F, N), numbers or an enumeration: one kind of atom, see one_kind.hpp
 ///
-/// `step` and `time` hold one entry a frame, or the increment from one to the next with an attribute `offset`; they may
-/// be missing. Positions with an attribute `unit` are converted to reduced units, and so are times and velocities; all
-/// have one or none has. Masses without a unit in a file with units are not used. Where there is an `image`, it is
-/// applied; ljmd's own files hold unwrapped positions.
+/// `step` and `time` hold one entry per frame, or the increment between frames with an attribute `offset`; they may be
+/// missing. Positions with an attribute `unit` are converted to reduced units, and so are times and velocities; all of
+/// them have one or none has. Masses without a unit in a file with units are not used. An `image` is applied; ljmd's
+/// own files hold unwrapped positions.
 ///
-/// A file that was not closed after appending in SWMR mode, as ljmd writes, is read as far as it goes. Where arrays
-/// have different numbers of frames, those are read that all of them have.
+/// A file that was not closed after appending in SWMR mode, ljmd's mode, is read as far as it goes. If arrays have
+/// different numbers of frames, the frames that all of them have are read.
 /// Source: P. de Buyl et al. (2014), doi:10.1016/j.cpc.2014.01.018; nongnu.org/h5md
 class H5mdReader : public TrajectoryReader {
   public:
-    /// @param group  of particles; empty: the only one
+    /// @param group  particle group; empty: the only one
     /// @throws DataError
     H5mdReader(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
                const std::string& group = {});
 
   private:
-    /// A time-dependent element, or one that never changes.
+    /// An element, time-dependent or fixed.
     struct Element {
-        std::string value;  ///< the dataset; empty: there is none
+        std::string value;  ///< the dataset; empty: missing
         bool fixed = false;
     };
 
@@ -64,10 +64,10 @@ class H5mdReader : public TrajectoryReader {
     Element image_;
     Element edges_;
     Element id_;
-    std::optional<double> mass_;  ///< of every atom, reduced; nothing where the file does not tell
+    std::optional<double> mass_;  ///< of every atom, in reduced units; nothing if unknown
     Index atom_count_ = 0;
     Index frame_count_ = 0;
-    std::vector<double> steps_;  ///< of the frames; empty where the file has none
+    std::vector<double> steps_;  ///< of the frames; empty if the file has none
     std::vector<double> times_;
     H5mdScale scale_;
     bool is_ljmd_ = false;

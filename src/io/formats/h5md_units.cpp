@@ -8,7 +8,7 @@ namespace ljmd {
 
 namespace {
 
-/// A unit as H5MD files name it, "nm" or "Angstrom", in SI; nothing when it is unknown.
+/// A unit as H5MD files name it, "nm" or "Angstrom", in SI units; nothing if unknown.
 std::optional<double> si_of(std::string name, Dimension dimension) {
     if (name == "Angstrom") {
         name = "angstrom";
@@ -18,7 +18,7 @@ std::optional<double> si_of(std::string name, Dimension dimension) {
     return parse_quantity("1 " + name, dimension);
 }
 
-/// "nm ps-1", "Angstrom/fs" in m/s.
+/// "nm ps-1" or "Angstrom/fs" in m/s.
 std::optional<double> si_of_velocity(const std::string& name) {
     const std::size_t gap = name.find_first_of(" /");
     if (gap == std::string::npos) {
@@ -41,7 +41,7 @@ std::optional<std::string> unit_of(const Hdf5Input& file, const std::string& dat
     return unit.empty() ? std::nullopt : std::optional(unit[0]);
 }
 
-/// One reduced unit in the one that a dataset is in.
+/// One reduced unit in the unit of a dataset.
 double scale_of(const Hdf5Input& file, const std::string& dataset, const std::string& unit, Dimension dimension,
                 const std::optional<SubstanceUnits>& units) {
     const auto si = dimension == Dimension::velocity ? si_of_velocity(unit) : si_of(unit, dimension);

@@ -9,7 +9,7 @@
 
 namespace ljmd {
 
-/// The datasets of an H5MD file whose numbers have units. An empty name, or one that is not in the file: there is none.
+/// The datasets of an H5MD file whose numbers have units. An empty or unknown name: there is no such dataset.
 struct H5mdQuantities {
     std::string positions;
     std::string times;
@@ -18,15 +18,15 @@ struct H5mdQuantities {
     std::string masses = {};
 };
 
-/// One reduced unit in those of the file.
+/// One reduced unit in the units of the file.
 struct H5mdScale : UnitScale {
-    double edges = 1.0;                ///< of sigma
-    std::optional<double> mass = 1.0;  ///< of m; nothing for masses without a unit in a file with units
+    double edges = 1.0;                ///< sigma in the unit of the box edges
+    std::optional<double> mass = 1.0;  ///< unit of mass; nothing for masses without a unit in a file with units
 };
 
-/// What the attributes `unit` say: "nm", "ps", "nm ps-1", "Angstrom/fs", ... Positions, times and velocities have one
-/// all or none; without, the file is in reduced units. Edges without one have that of the positions.
-/// Masses may have one where the positions have.
+/// Read the attributes `unit`: "nm", "ps", "nm ps-1", "Angstrom/fs", ... Positions, times and velocities all have one
+/// or none has; without one the file is in reduced units. Edges without a unit have that of the positions. Masses may
+/// have a unit if the positions have one.
 /// @param units  of the substance; needed for a file with units
 /// @throws DataError
 [[nodiscard]] H5mdScale h5md_scale(const Hdf5Input& file, const H5mdQuantities& quantities,

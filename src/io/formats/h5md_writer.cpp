@@ -18,10 +18,10 @@ namespace {
 
 const std::string particles = "particles/trajectory";
 
-/// Chunks of the arrays with one small entry a frame; no chunk holds more frames.
+/// Chunk length of arrays with one small entry per frame; no chunk holds more frames.
 constexpr hsize_t most_frames_per_chunk = 64;
 
-/// A frame above a mebibyte is divided into equal pieces below it.
+/// A frame above 1 MiB is divided into equal pieces below that.
 Index atoms_per_chunk(Index atoms) {
     constexpr Index bytes_per_atom = 3 * sizeof(double);
     constexpr Index most_bytes = Index{1} << 20;
@@ -29,7 +29,7 @@ Index atoms_per_chunk(Index atoms) {
     return std::max<Index>(1, (atoms + pieces - 1) / pieces);
 }
 
-/// Frames in a chunk of vectors: a power of two, so that it divides those in a chunk of small entries.
+/// Frames per chunk of vectors: a power of two, so that it divides the chunk length of small entries.
 hsize_t frames_per_chunk(Index atoms) {
     constexpr Index bytes_per_atom = 3 * sizeof(double);
     constexpr Index most_bytes = Index{64} << 10;
@@ -44,7 +44,7 @@ std::vector<hsize_t> vector_chunk(Index atoms) {
     return {frames_per_chunk(atoms), static_cast<hsize_t>(atoms_per_chunk(atoms)), 3};
 }
 
-/// Vectors in the order of ids, (N, 3) by rows.
+/// Vectors in the order of ids, (N, 3) in row-major order.
 template <class VectorOf>
 std::vector<double> gathered(const State& state, double scale, VectorOf vector_of) {
     std::vector<double> result;
@@ -56,12 +56,12 @@ std::vector<double> gathered(const State& state, double scale, VectorOf vector_o
     return result;
 }
 
-/// Of the part of a frame that lies in its first chunk.
+/// Checksum of the part of a frame that is in its first chunk.
 std::uint64_t checksum(const std::vector<double>& positions, Index atoms) {
     return XXH3_64bits(positions.data(), 3 * static_cast<std::size_t>(atoms_per_chunk(atoms)) * sizeof(double));
 }
 
-/// What stands there in a file; zero where it ends.
+/// The numbers at this offset in a file; zeros after its end.
 std::vector<double> numbers_at(const std::filesystem::path& path, std::uint64_t place, std::size_t count) {
     std::vector<double> numbers(count);
     std::ifstream file = open_input(path);
@@ -104,7 +104,7 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
     last_ = options.kept->last;
 }
 
-/// The file must be the one that was committed, before it is changed.
+/// Check that the file is the committed one, before it is changed.
 void H5mdWriter::require_kept(const TrajectoryOptions& options) {
     const CommittedFrames& kept = *options.kept;
     const std::string name = options.path.path().string();
@@ -145,7 +145,7 @@ void H5mdWriter::create_parameters(const TrajectoryOptions& options) {
     }
     const std::string units = "parameters/units";
     file_.create_group(units);
-    // An unbounded system is not made of sigma and tau: its deck chose the units and did not name them.
+    // The deck of an unbounded system chose the units and did not name them.
     file_.set_variable_text(units, "length", si ? "nm" : has_box_ ? "sigma" : "unit of the deck");
     file_.set_variable_text(units, "time", si ? "ps" : has_box_ ? "tau" : "unit of the deck");
     file_.set_variable_text(units, "velocity", si ? "nm ps-1" : has_box_ ? "sigma/tau" : "unit of the deck");
@@ -217,7 +217,7 @@ void H5mdWriter::write(const State& state) {
     if (failed_) {
         throw FileError(fmt::format("cannot write '{}': an earlier write failed", file_.path().string()));
     }
-    failed_ = true;  // until the frame is complete
+    failed_ = true;  // reset when the frame is complete
     const std::int64_t step = state.step;
     const double time = scale_.time * state.time;
     file_.append(step_, &step);

@@ -7,7 +7,7 @@
 namespace ljmd {
 
 /// A trajectory in H5MD 1.1 (P. de Buyl et al. (2014), doi:10.1016/j.cpc.2014.01.018), in the subset that MDAnalysis,
-/// VMD and h5py all read alike:
+/// VMD and h5py all read:
 ///
 ///     h5md                              version [1, 1], author, creator
 ///     parameters/units                  attributes length, time, velocity: names of the units
@@ -18,11 +18,11 @@ namespace ljmd {
 ///     particles/trajectory/position     step (F), time (F), value (F, N, 3), unwrapped
 ///     particles/trajectory/velocity     when asked for
 ///
-/// step and time of box and velocity are hard links to those of position. SI files have `unit` attributes nm, ps and
-/// nm ps-1; reduced ones have none, because readers refuse units that they do not know.
+/// step and time of box and velocity are hard links to those of position. Files in SI units have `unit` attributes nm,
+/// ps and nm ps-1; reduced files have none, because readers refuse unknown units.
 ///
 /// A chunk holds up to 64 frames and up to 64 KiB; larger frames have chunks of their own, those above 1 MiB several.
-/// So what HDF5 writes about chunks is small, and written as often as there are chunks, not frames.
+/// So HDF5's records of chunks are small, and their number grows with the number of chunks, not of frames.
 ///
 /// An interrupted file is continued in place: HDF5's records are written again (Hdf5Output::continue_appending), frames
 /// are not touched.

@@ -14,8 +14,8 @@ namespace {
 
 using Fields = std::vector<std::string_view>;
 
-/// True for the sections that LAMMPS knows and that say nothing about where atoms are. All others are refused: a
-/// misspelt or cut "Velocities" must not be passed over.
+/// True for the sections of LAMMPS that do not say where atoms are. Unknown sections are refused: a misspelt or
+/// truncated "Velocities" must not be skipped.
 bool is_skipped_section(std::string_view name) {
     constexpr std::array<std::string_view, 8> names{"Bonds",      "Angles", "Dihedrals", "Impropers",
                                                     "Ellipsoids", "Lines",  "Triangles", "Bodies"};
@@ -54,7 +54,7 @@ class Reader {
     }
 
   private:
-    /// LAMMPS writes "units = lj" into the first line; numbers in other units would be taken for reduced ones.
+    /// LAMMPS writes "units = lj" into the first line. Numbers in other units would be mistaken for reduced ones.
     void read_title() {
         file_.next_line();
         split_fields(file_.line(), fields_);
@@ -96,7 +96,7 @@ class Reader {
         }
     }
 
-    /// xy xz yz: of the second vector along x, of the third along x and y.
+    /// xy xz yz: the component of the second vector along x, those of the third along x and y.
     void read_tilt() {
         if (fields_.size() != 6) file_.fail(fmt::format("expected 'xy xz yz xy xz yz', found {}", shown(file_.line())));
         tilt_(1, 0) = file_.number(fields_[0], "a tilt factor");
@@ -117,7 +117,7 @@ class Reader {
         }
     }
 
-    /// @return true when the lines of the section are to be passed over
+    /// @return true when the lines of the section are to be skipped
     bool read_section() {
         section_ = fmt::format("{}", fmt::join(fields_, " "));
         if (section_ == "Masses") {
@@ -203,7 +203,7 @@ class Reader {
         configuration_.velocities = arranged(velocities, order.rows);
     }
 
-    /// Read the vectors of all atoms, each from the fields of its line.
+    /// Read one vector per atom from the fields of its line.
     template <class ReadVector>
     AtomOrder read_rows(std::vector<Vec3>& vectors, ReadVector read_row_vector) {
         find_first_row();

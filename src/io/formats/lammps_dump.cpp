@@ -11,19 +11,19 @@ namespace ljmd {
 
 namespace {
 
-/// LAMMPS ends some of its lines in a space.
+/// LAMMPS ends some of its lines with a space.
 std::string_view without_end(std::string_view line) {
     return line.substr(0, std::min(line.find_last_not_of(" \t") + 1, line.size()));
 }
 
-/// Three columns that make a vector.
+/// Three columns that form a vector.
 struct VectorColumns {
     std::array<const char*, 3> names;
-    bool scaled = false;     ///< in edges, from the corner of the box
-    bool unwrapped = false;  ///< as if the box had no walls
+    bool scaled = false;     ///< in units of the edges, relative to the corner of the box
+    bool unwrapped = false;  ///< continuous across the walls of the box
 };
 
-/// What positions may be called, the best of them first.
+/// Possible columns of positions, the preferred ones first.
 constexpr std::array<VectorColumns, 4> all_positions{{{{"xu", "yu", "zu"}, false, true},
                                                       {{"xsu", "ysu", "zsu"}, true, true},
                                                       {{"x", "y", "z"}, false, false},

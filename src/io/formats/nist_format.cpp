@@ -7,7 +7,7 @@
 namespace ljmd {
 namespace {
 
-/// Split the next line and require so many fields.
+/// Split the next line; it must have this many fields.
 void read_line(TextFile& file, std::size_t count, std::string_view what, std::vector<std::string_view>& fields) {
     if (!file.next_line()) file.fail(fmt::format("the file ends before {}", what));
     split_fields(file.line(), fields);

@@ -14,7 +14,7 @@ namespace ljmd {
 
 namespace {
 
-/// In capitals and small letters as programs write them: in a dump `z` is a coordinate.
+/// Case-sensitive, as programs write them: in a dump `z` is a coordinate.
 constexpr std::array<std::string_view, 14> columns{"species",        "element",  "type",   "types",   "typelabel",
                                                    "mass",           "masses",   "Z",      "numbers", "atomic_number",
                                                    "atomic_numbers", "diameter", "radius", "radii"};

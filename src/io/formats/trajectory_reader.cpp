@@ -15,9 +15,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr double same_place = 1e-4;  // of an edge: digits that text lacks, and no more
+constexpr double same_place = 1e-4;  // in units of an edge: allows for digits that text files lack
 
-/// Where a frame stands in the order of the file: its step, or its time.
+/// The place of a frame in the order of the file: its step, or its time.
 std::optional<double> place_of(const Frame& frame) {
     const auto step = static_cast<double>(frame.configuration.step);
     const auto time = frame.has_time ? std::optional(frame.configuration.time) : std::nullopt;
@@ -66,7 +66,7 @@ void TrajectoryReader::check_like_first(const Frame& frame) {
     }
 }
 
-/// Whether the frame comes after all that were counted.
+/// Whether the frame comes after all counted ones.
 bool TrajectoryReader::is_counted(Frame& frame) {
     const std::optional<double> place = place_of(frame);
     const Configuration& found = frame.configuration;
@@ -119,7 +119,7 @@ std::vector<std::string> TrajectoryReader::warnings() const {
 std::unique_ptr<TrajectoryReader> open_trajectory(const std::filesystem::path& path,
                                                   const std::optional<SubstanceUnits>& units, const std::string& group,
                                                   const std::string& xyz_comment) {
-    TextFile file(path);  // refuses what is no regular file, which HDF5 would open
+    TextFile file(path);  // refuses files that are not regular, which HDF5 would open
     const auto refuse_comment = [&] {
         if (!xyz_comment.empty()) {
             file.fail_at(0, "is no extended XYZ file, but --xyz-comment is given");

@@ -6,10 +6,10 @@ namespace ljmd {
 
 namespace {
 
-// Before main, because it has no effect once HDF5 has been used. See Hdf5Handle.
+// Before main(), because it has no effect once HDF5 has been used. See Hdf5Handle.
 [[maybe_unused]] const herr_t no_work_at_exit = H5dont_atexit();
 
-/// HDF5 puts the system's message between these, deep inside a line of its own.
+/// HDF5 puts the system's message between these, within a longer line.
 constexpr std::string_view before = "error message = '";
 constexpr std::string_view after = "'";
 
@@ -20,7 +20,7 @@ herr_t keep_first_cause(unsigned, const H5E_error2_t* error, void* data) {
     if (begin != std::string_view::npos) {
         const std::string_view message = description.substr(begin + before.size());
         text = message.substr(0, message.find(after));
-        return 1;  // nothing says it better: stop here
+        return 1;  // the most specific message: stop here
     }
     if (text.empty()) {
         text = description;

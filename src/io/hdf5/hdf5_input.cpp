@@ -15,16 +15,17 @@ namespace ljmd {
 
 namespace {
 
-/// What compression can make of a byte, at most: 1032 with deflate.
+/// Upper bound of the compression ratio; deflate reaches 1032.
 constexpr double largest_compression = 1100.0;
-/// A compressed chunk is unpacked whole for any number in it: to this, or so many times what is stored of all chunks.
+/// HDF5 unpacks a compressed chunk as a whole. Its unpacked size must not exceed this, or this multiple of the stored
+/// size of all chunks, whichever is larger.
 constexpr double usual_chunk_bytes = 16 << 20;
 constexpr double chunk_compression = 100.0;
-/// What HDF5 has for the chunks of a dataset.
+/// HDF5's default chunk cache of a dataset.
 constexpr std::size_t usual_cache = std::size_t{1} << 20;
 constexpr int most_axes = 8;
-/// Of what is written at the same time. HDF5 waits twice as long before each: milliseconds in all, and not for ever
-/// where a file is damaged.
+/// Attempts to read metadata that another program is writing. HDF5 doubles the wait before each: milliseconds in all,
+/// and no endless loop for a damaged file.
 constexpr unsigned read_attempts = 20;
 constexpr Index most_attribute_elements = 64;
 
@@ -38,7 +39,7 @@ double product(const std::vector<Index>& extent) {
                            [](double sum, Index n) { return sum * static_cast<double>(n); });
 }
 
-/// Links to other files may lead to pipes or devices.
+/// Refuse links to other files, which may be pipes or devices.
 herr_t refuse_to_follow(const char*, const char*, const char*, const char*, unsigned*, hid_t, void*) {
     return -1;
 }
@@ -65,7 +66,7 @@ Hdf5Input::Hdf5Input(const std::filesystem::path& path) : name_(path.string()) {
     checked(H5Pset_elink_cb(links_.get(), refuse_to_follow, nullptr), "preparing to open it");
     require_memory(hdf5_file_memory);
     const Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), "preparing to open it"), H5Pclose);
-    // Not locked: there are file systems that know no locks, and whoever writes the file asks for none either.
+    // Not locked: some file systems have no locks, and the writer of the file takes none either.
     checked(H5Pset_file_locking(access.get(), false, true), "preparing to open it");
     file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
     if (file_) {
@@ -125,7 +126,8 @@ hid_t Hdf5Input::open_dataset(const std::string& dataset) const {
     }
     require_stored(handle.get(), dataset);
     if (const double bytes = packed_chunk_bytes(handle.get(), dataset); bytes > 0.0) {
-        // Room for a chunk, else it is unpacked again for each entry in it. Closed first: who opens it decides.
+        // Room for a chunk, else it is unpacked again for each entry in it. Closed first: the cache is set at the first
+        // opening.
         handle.close();
         const std::string doing = "opening " + dataset;
         const Hdf5Handle access(checked(H5Pcreate(H5P_DATASET_ACCESS), doing), H5Pclose);
@@ -172,7 +174,7 @@ std::vector<Index> Hdf5Input::extent(const std::string& dataset) const {
     return extent_of(space.get(), dataset);
 }
 
-/// An extent that nothing stands behind must not be believed.
+/// Refuse a dataset whose extent is larger than its stored data can explain.
 void Hdf5Input::require_stored(hid_t dataset, const std::string& name) const {
     const Hdf5Handle type(checked(H5Dget_type(dataset), "reading " + name), H5Tclose);
     const Hdf5Handle space(checked(H5Dget_space(dataset), "reading " + name), H5Sclose);
@@ -189,7 +191,7 @@ void Hdf5Input::require_stored(hid_t dataset, const std::string& name) const {
     }
 }
 
-/// Of a dataset whose chunks are compressed; else 0. @throws DataError  unpacked they are too large
+/// Unpacked size of a chunk of a compressed dataset; else 0. @throws DataError  the chunks unpack to too much
 double Hdf5Input::packed_chunk_bytes(hid_t dataset, const std::string& name) const {
     const Hdf5Handle creation(checked(H5Dget_create_plist(dataset), "reading " + name), H5Pclose);
     if (H5Pget_layout(creation.get()) != H5D_CHUNKED || H5Pget_nfilters(creation.get()) == 0) {
@@ -266,10 +268,10 @@ struct Hdf5Input::Attribute {
     Hdf5Handle handle;
     Hdf5Handle type;
     Hdf5Handle space;
-    std::size_t count;  ///< of its elements
+    std::size_t count;  ///< number of elements
 };
 
-/// Nothing when there is none of that name. @throws DataError  it has too many elements
+/// Nothing if there is no such attribute. @throws DataError  it has too many elements
 std::optional<Hdf5Input::Attribute> Hdf5Input::open_attribute(const std::string& object,
                                                               const std::string& name) const {
     if (!exists(object)) {

@@ -12,18 +12,19 @@
 
 namespace ljmd {
 
-/// Whether the file begins as HDF5 files do. @throws DataError when it cannot be read
+/// Whether the file begins like an HDF5 file. @throws DataError when it cannot be read
 [[nodiscard]] bool is_hdf5(const std::filesystem::path& path);
 
-/// An HDF5 file that is read. Objects are named by their paths, "particles/trajectory/id". Every failure of HDF5 is a
-/// DataError with file, object and cause. Memory is bounded by the size of the file, whatever extents and chunks in it
-/// claim.
+/// An HDF5 file that is read. Objects are named by their paths, "particles/trajectory/id". Every failure of HDF5
+/// becomes a DataError with file, object and cause. Memory is bounded by the size of the file, whatever extents and
+/// chunk sizes it claims.
 class Hdf5Input {
   public:
-    /// @throws DataError  it is no HDF5 file, is damaged, or was not closed by a program that cannot append for readers
+    /// @throws DataError  it is not an HDF5 file, is damaged, or was left open by a program that did not write in SWMR
+    /// mode
     explicit Hdf5Input(const std::filesystem::path& path);
 
-    /// False for a file that its writer appended to (SWMR mode) and did not close: it may go on, or was killed.
+    /// False for a file that was written in SWMR mode and not closed: its writer is still running, or was killed.
     [[nodiscard]] bool was_closed() const { return was_closed_; }
 
     [[nodiscard]] const std::string& name() const { return name_; }  ///< of the file
@@ -31,26 +32,26 @@ class Hdf5Input {
     [[nodiscard]] bool exists(const std::string& object) const;
     [[nodiscard]] bool is_dataset(const std::string& object) const;
 
-    /// Names of what is in a group, in alphabetical order.
+    /// Names of the members of a group, in alphabetical order.
     [[nodiscard]] std::vector<std::string> members(const std::string& group) const;
 
-    /// Numbers along each axis of a dataset; none of a scalar.
+    /// The extent of a dataset along each axis; empty for a scalar.
     [[nodiscard]] std::vector<Index> extent(const std::string& dataset) const;
 
-    /// All of a dataset, by rows.
+    /// All numbers of a dataset, in row-major order.
     [[nodiscard]] std::vector<double> numbers(const std::string& dataset) const;
-    /// The first entries along the first axis of a dataset, by rows: so many, or all where there are fewer.
+    /// The first `entries` entries along the first axis, or all if there are fewer, in row-major order.
     [[nodiscard]] std::vector<double> first_numbers(const std::string& dataset, Index entries) const;
-    /// These entries along the first axis of a dataset, by rows.
+    /// The entries [begin, end) along the first axis, in row-major order.
     [[nodiscard]] std::vector<double> numbers_between(const std::string& dataset, Index begin, Index end) const;
-    /// One entry along the first axis of a dataset, by rows.
+    /// One entry along the first axis, in row-major order.
     [[nodiscard]] std::vector<double> numbers_at(const std::string& dataset, Index entry) const;
     [[nodiscard]] std::vector<std::int64_t> integers(const std::string& dataset) const;
     [[nodiscard]] std::vector<std::int64_t> integers_at(const std::string& dataset, Index entry) const;
 
-    /// The numbers of an attribute; none when there is no such attribute.
+    /// The numbers of an attribute; empty if there is no such attribute.
     [[nodiscard]] std::vector<double> number_attribute(const std::string& object, const std::string& name) const;
-    /// The texts of an attribute, of fixed or variable length; none when there is no such attribute.
+    /// The texts of an attribute, of fixed or variable length; empty if there is no such attribute.
     [[nodiscard]] std::vector<std::string> text_attribute(const std::string& object, const std::string& name) const;
 
     /// @throws DataError always, "FILE: message"
@@ -73,10 +74,10 @@ class Hdf5Input {
     hid_t checked(hid_t id, const std::string& doing) const;
 
     std::string name_;
-    Hdf5Handle links_;  ///< how they are followed: not to other files
+    Hdf5Handle links_;  ///< link access: links to other files are refused
     Hdf5Handle file_;
     bool was_closed_ = true;
-    mutable std::map<std::string, Hdf5Handle> datasets_;  ///< open from the first look on: frames are read one by one
+    mutable std::map<std::string, Hdf5Handle> datasets_;  ///< kept open: frames are read one by one
 };
 
 }  // namespace ljmd

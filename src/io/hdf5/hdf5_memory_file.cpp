@@ -21,7 +21,7 @@ struct Hdf5MemoryFile::Image {
     static void* reallocate(void* buffer, std::size_t size, H5FD_file_image_op_t, void*) {
         return std::realloc(buffer, size);
     }
-    /// HDF5 gives up its memory: when the file is closed, all is written there.
+    /// HDF5 releases the memory. When the file is closed, it is complete at that moment.
     static herr_t release(void* buffer, H5FD_file_image_op_t operation, void* image) {
         if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE) {
             auto* self = static_cast<Image*>(image);
@@ -39,7 +39,7 @@ void Hdf5MemoryFile::Free::operator()(Image* image) const {
 }
 
 Hdf5MemoryFile::Hdf5MemoryFile() : image_(new Image) {
-    static std::atomic<int> files = 0;  // HDF5 takes those of one name for one file
+    static std::atomic<int> files = 0;  // HDF5 would take files of the same name for one file
     name_ = fmt::format("/dev/null/file {} in memory", ++files);
 }
 

@@ -7,21 +7,22 @@
 
 namespace ljmd {
 
-/// Catches the bytes of an HDF5 file that is made in memory: those that a file on the disk would have after closing.
+/// Makes an HDF5 file in memory and returns the bytes that a file on the disk would have after closing.
 ///
-/// (H5Fget_file_image would give the bytes of an open file. HDF5 1.10 then marks it as closed and leaves the checksum
-/// of before, so that no reader accepts it.)
+/// (H5Fget_file_image would return the bytes of an open file. HDF5 1.10 then marks them as closed but keeps the earlier
+/// checksum, so that no reader accepts them.)
 class Hdf5MemoryFile {
   public:
     Hdf5MemoryFile();
 
-    /// Let a file be made in memory. @param access  H5P_FILE_ACCESS  @return negative when HDF5 reports an error
+    /// Set a file access property list to create the file in memory.
+    /// @param access  H5P_FILE_ACCESS  @return negative when HDF5 reports an error
     herr_t use_for(hid_t access);
 
-    /// To create the file under. No file on the disk has such a name: HDF5 would read all of it first.
+    /// The name to create the file under. No file on the disk has it: HDF5 would read all of that first.
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// Flush the file and note how long it is. Closing it then yields its bytes.
+    /// Flush the file and record its length. Closing it then yields its bytes.
     /// @return negative when HDF5 reports an error
     herr_t flush(hid_t file);
 
@@ -34,7 +35,7 @@ class Hdf5MemoryFile {
         void operator()(Image* image) const;
     };
     std::string name_;
-    std::unique_ptr<Image, Free> image_;  ///< at a fixed address: HDF5 knows it
+    std::unique_ptr<Image, Free> image_;  ///< at a fixed address, because HDF5 holds a pointer to it
 };
 
 }  // namespace ljmd

@@ -20,7 +20,7 @@ namespace ljmd {
 
 namespace {
 
-/// Texts end to end, each padded with zeros to the same length.
+/// Texts end to end, each padded with zeros to `length`.
 std::string padded(const std::vector<std::string>& texts, std::size_t length) {
     std::string block(texts.size() * length, '\0');
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -64,18 +64,18 @@ Hdf5Output::~Hdf5Output() {
     }
     try {
         close();
-    } catch (const FileError&) {  // a destructor has nobody to tell
+    } catch (const FileError&) {  // a destructor cannot report it
     }
 }
 
 Hdf5Handle Hdf5Output::access_properties() {
     const std::string doing = "preparing to write";
     Hdf5Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), doing), H5Pclose);
-    // The format of HDF5 1.10: the first that can be appended to safely, and readable by all later versions.
+    // The format of HDF5 1.10: the first that can be appended to safely, and all later versions read it.
     checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), doing);
-    // The directory of a run is locked, the file need not be, and there are file systems that know no locks.
+    // Not locked: the directory of a run is locked, and some file systems have no locks.
     checked(H5Pset_file_locking(access.get(), false, true), doing);
-    // No room is set aside for what comes later: where it is left over would depend on when the file was flushed.
+    // No space is reserved for later metadata: where it is left over would depend on when the file was flushed.
     checked(H5Pset_meta_block_size(access.get(), 0), doing);
     checked(H5Pset_small_data_block_size(access.get(), 0), doing);
     return access;
@@ -107,7 +107,7 @@ Hdf5Handle Hdf5Output::fixed_text_type(const std::vector<std::string>& texts) {
         length = std::max(length, text.size());
     }
     Hdf5Handle type(checked(H5Tcopy(H5T_C_S1), "describing a text"), H5Tclose);
-    checked(H5Tset_size(type.get(), length + 1), "describing a text");  // readers in C expect the closing zero
+    checked(H5Tset_size(type.get(), length + 1), "describing a text");  // readers in C expect a terminating zero
     checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), "describing a text");
     return type;
 }
@@ -166,7 +166,7 @@ void Hdf5Output::write_dataset(const std::string& name, hid_t file_type, hid_t m
                 doing),
         H5Dclose);
     checked(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), doing);
-    checked(dataset.close(), doing);  // only then a small array is written to the file
+    checked(dataset.close(), doing);  // a small array is written to the file only now
 }
 
 void Hdf5Output::write_numbers(const std::string& name, const std::vector<double>& values) {
@@ -196,8 +196,7 @@ void Hdf5Output::create_series(const Series& series, const std::vector<hsize_t>&
     const Hdf5Handle space(checked(H5Screate_simple(rank, extent.data(), limit.data()), doing), H5Sclose);
     const Hdf5Handle creation = without_times(H5P_DATASET_CREATE);
     checked(H5Pset_chunk(creation.get(), rank, chunk.data()), doing);
-    // A chunk gets its place when the first of its entries is to come, and is not filled: entries are written one by
-    // one.
+    // A chunk is allocated when its first entry is appended, and is not filled: entries are written one by one.
     checked(H5Pset_alloc_time(creation.get(), H5D_ALLOC_TIME_EARLY), doing);
     checked(H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER), doing);
     const hid_t file_type = series.type == H5T_NATIVE_DOUBLE ? H5T_IEEE_F64LE : H5T_STD_I64LE;
@@ -236,7 +235,7 @@ void Hdf5Output::open_file(const OutputPlace& place) {
     const std::string doing = "opening the file";
     const Hdf5Handle access = access_properties();
     require_memory(hdf5_file_memory);
-    place.directory.require_at_its_path();  // HDF5 knows paths alone
+    place.directory.require_at_its_path();  // HDF5 takes only paths
     file_ = Hdf5Handle(checked(H5Fopen(place.path().c_str(), H5F_ACC_RDWR, access.get()), doing), H5Fclose);
     if (!place.holds(descriptor())) {
         fail(doing, "its directory was replaced meanwhile");
@@ -260,8 +259,8 @@ void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t 
     overwrite_beginning(place_, objects_);
     const Hdf5Silence silence;
     open_file(place_);
-    // In one go up to the end of a chunk, and all series before the next: chunks get the places that they got when
-    // entries came one by one.
+    // Extend all series to the end of a chunk before the next step: chunks then get the same places as when entries
+    // came one by one.
     for (hsize_t begin = 0; begin < entries; begin += stride) {
         for (Series* one : series) {
             extend(*one, std::min(begin + stride, entries));
@@ -270,7 +269,7 @@ void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t 
     for (Series* one : series) {
         one->dataset = -1;
     }
-    datasets_.clear();  // to be opened again in the other mode
+    datasets_.clear();  // to be reopened in SWMR mode
     switch_to_appending();
 }
 
@@ -286,7 +285,7 @@ void Hdf5Output::open_series(Series& series) {
     }
     const std::string doing = "opening " + series.name;
     const Hdf5Handle access(checked(H5Pcreate(H5P_DATASET_ACCESS), doing), H5Pclose);
-    // Entries go straight to the file: a cache would write the whole chunk for each.
+    // No cache: entries go straight to the file, while a cache would write the whole chunk for each of them.
     checked(H5Pset_chunk_cache(access.get(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT), doing);
     series.dataset = checked(H5Dopen2(file_.get(), series.name.c_str(), access.get()), doing);
     datasets_.emplace_back(series.dataset, H5Dclose);
@@ -329,7 +328,7 @@ std::uint64_t Hdf5Output::place_of_last(Series& series) {
     std::vector<hsize_t> chunk(series.entry.size() + 1);
     checked(H5Pget_chunk(creation.get(), static_cast<int>(chunk.size()), chunk.data()), doing);
     std::vector<hsize_t> corner(chunk.size());
-    const hsize_t before = (series.length - 1) % chunk[0];  // in the same chunk
+    const hsize_t before = (series.length - 1) % chunk[0];  // entries before it in the same chunk
     corner[0] = series.length - 1 - before;
     unsigned filters = 0;
     haddr_t place = HADDR_UNDEF;
@@ -372,7 +371,7 @@ void Hdf5Output::close() {
     for (Hdf5Handle& dataset : datasets_) {
         checked(dataset.close(), doing);
     }
-    // HDF5 writes while it closes: what is to be on the disk then needs a descriptor that is still open.
+    // HDF5 writes while it closes, so synchronising needs a second descriptor that is still open then.
     const int kept_open = ::dup(descriptor());
     if (kept_open < 0) {
         fail(doing, std::generic_category().message(errno));

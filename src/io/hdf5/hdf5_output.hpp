@@ -11,30 +11,30 @@
 
 namespace ljmd {
 
-/// An HDF5 file being written, in the few verbs that a trajectory needs. Objects are named by their paths in the file.
-/// Every failed call becomes a FileError with the name of the file and what was being done; after it nothing is written
-/// any more, and the file on disk stays as it was.
+/// An HDF5 file being written, with the operations that a trajectory needs. Objects are named by their paths in the
+/// file. Every failed call becomes a FileError with the name of the file and the operation. After it nothing more is
+/// written, and the file on the disk stays as it was.
 ///
-/// First all objects are created, in memory. Then start_appending() makes the file of them and switches to
-/// single-writer-multiple-reader mode, in which HDF5 orders its writes so that the file is sound after each of them,
-/// and entries are appended.
+/// First all objects are created in memory. Then start_appending() writes the file and switches to
+/// single-writer-multiple-reader (SWMR) mode, and entries are appended. In this mode HDF5 orders its writes so that the
+/// file is readable after each of them.
 ///
-/// Where an entry lies in the file depends only on the objects, the number of entries and the version of HDF5: every
-/// chunk and every record about chunks is put behind all that is there, and none is given up. So a file that was left
-/// in any state is continued in place (continue_appending): all of HDF5's records are written again as they were after
-/// so many entries, by the calls that wrote them first, and the entries themselves stay where they are.
+/// The place of an entry in the file depends only on the objects, the number of entries and the version of HDF5: every
+/// chunk and every record of chunks is put at the end of the file, and none is freed. So a file can be continued in
+/// place, whatever state it was left in (continue_appending): the calls that first wrote HDF5's records are repeated up
+/// to the same number of entries, and the entries themselves stay where they are.
 class Hdf5Output {
   public:
     /// A dataset that grows by one entry along its first axis at each append.
     struct Series {
         std::string name;
-        std::vector<hsize_t> entry;  ///< shape of one entry; empty: a number
+        std::vector<hsize_t> entry;  ///< shape of one entry; empty: a scalar
         hid_t type;                  ///< H5T_NATIVE_DOUBLE or H5T_NATIVE_INT64, in memory
         hsize_t length = 0;
         hid_t dataset = -1;  ///< owned by the output
     };
 
-    /// @param place  of the file that is to be; nothing is written to it yet
+    /// @param place  of the future file; nothing is written to it yet
     explicit Hdf5Output(OutputPlace place);
     Hdf5Output(const Hdf5Output&) = delete;
     Hdf5Output& operator=(const Hdf5Output&) = delete;
@@ -42,7 +42,7 @@ class Hdf5Output {
     /// Closes, but cannot report an error: call close() first.
     ~Hdf5Output();
 
-    /// The parent must exist.
+    /// @pre the parent group exists
     void create_group(const std::string& name);
 
     void set_attribute(const std::string& object, const std::string& name, const std::vector<int>& values);
@@ -51,45 +51,46 @@ class Hdf5Output {
     void set_fixed_texts(const std::string& object, const std::string& name, const std::vector<std::string>& texts);
     void set_variable_text(const std::string& object, const std::string& name, const std::string& text);
 
-    /// Datasets that do not change with time: one axis.
+    /// Fixed datasets with one axis.
     void write_numbers(const std::string& name, const std::vector<double>& values);
     void write_numbers(const std::string& name, const std::vector<std::int64_t>& values);
     void write_texts(const std::string& name, const std::vector<std::string>& texts);
 
     /// Create the dataset of a series, without entries.
-    /// @param chunk  shape of a storage chunk: entries, then the axes of an entry
+    /// @param chunk  shape of a storage chunk: number of entries, then the axes of an entry
     void create_series(const Series& series, const std::vector<hsize_t>& chunk);
 
-    /// A second name for the same object.
+    /// Create a hard link: a second name for the same object.
     void link(const std::string& existing, const std::string& name);
 
-    /// What decides where entries will lie: a hash of all objects so far and of the version of HDF5. No object can be
-    /// created after it.
+    /// Hash of everything that determines the places of entries: all objects and the version of HDF5. No objects can be
+    /// created after this call.
     [[nodiscard]] std::uint64_t layout();
 
-    /// Create the file, replacing one of that name. From here on only append() and commit().
+    /// Create the file, replacing one of that name. After this call only append() and commit() are allowed.
     void start_appending();
 
-    /// Continue a file with the same layout() from as many entries of each series, whatever else was done to it after
-    /// these were committed. From here on only append() and commit().
-    /// @param series  all, in the order in which each entry of them was appended
-    /// @param stride  entries that are appended without a new chunk after the first: divides each chunk's entries
-    /// @pre the file is at least as long as it was when these entries were committed
+    /// Continue a file of the same layout() after this number of entries of each series, whatever happened to it after
+    /// these were committed. After this call only append() and commit() are allowed.
+    /// @param series  all series, in the order in which write calls append to them
+    /// @param stride  entries that fit into one chunk of every series; divides the length of each chunk
+    /// @pre the file is at least as long as when these entries were committed
     void continue_appending(const std::vector<Series*>& series, hsize_t entries, hsize_t stride);
 
     /// Append one entry and hand it to the operating system.
-    /// @param data  as many numbers of series.type as an entry has
+    /// @param data  one entry, numbers of series.type
     void append(Series& series, const void* data);
 
-    /// Where the last entry begins in the file. Not for each entry: HDF5 looks through all chunks. @pre there is one
+    /// Offset of the last entry in the file. Slow: HDF5 searches all chunks, so do not call it for each entry.
+    /// @pre there is an entry
     [[nodiscard]] std::uint64_t place_of_last(Series& series);
 
-    /// Wait until everything appended is on the disk. @return bytes in the file
+    /// Synchronise everything appended. @return length of the file in bytes
     std::int64_t commit();
 
     [[nodiscard]] std::filesystem::path path() const { return place_.path(); }
 
-    /// Flush, close and fsync. A second call does nothing. A file that nothing was to be appended to is created first.
+    /// Flush, close and fsync. Does nothing when closed. A file whose appending was not started is created first.
     void close();
 
   private:
@@ -97,7 +98,7 @@ class Hdf5Output {
     Result checked(Result result, const std::string& doing);
     [[noreturn]] void fail(const std::string& doing, const std::string& cause);
     [[nodiscard]] Hdf5Handle fixed_text_type(const std::vector<std::string>& texts);
-    /// Properties for creating an object that does not remember when: the same frames give the same file.
+    /// Creation properties without time stamps: the same frames give the same file.
     [[nodiscard]] Hdf5Handle without_times(hid_t kind);
     [[nodiscard]] Hdf5Handle axis(std::size_t length);
     void write_attribute(const std::string& object, const std::string& name, hid_t type, hid_t space, const void* data);
@@ -106,7 +107,7 @@ class Hdf5Output {
 
     [[nodiscard]] Hdf5Handle access_properties();
     void finish_objects();
-    /// @throws InUseError  its directory is another one by now
+    /// @throws InUseError  the path of its directory leads elsewhere by now
     void open_file(const OutputPlace& place);
     void open_series(Series& series);
     void extend(Series& series, hsize_t entries);

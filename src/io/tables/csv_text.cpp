@@ -8,7 +8,7 @@ namespace ljmd {
 
 namespace {
 
-/// Take the field in quotes that a text begins with. @return false when it has no end
+/// Remove a quoted field from the front of a text. @return false when it is not closed
 bool take_quoted(std::string_view& rest, std::string& field) {
     for (rest.remove_prefix(1); !rest.empty(); rest.remove_prefix(1)) {
         if (rest.front() == '"') {

@@ -26,14 +26,14 @@ std::vector<std::string_view> fields_of(std::string_view line) {
     return fields;
 }
 
-constexpr double largest_step = 9007199254740992.0;  // 2^53: every whole number up to it is a double
+constexpr double largest_step = 9007199254740992.0;  // 2^53: up to here, all integers are doubles
 
-/// Of a file whose first line is the header.
+/// Line of a row in a file whose first line is the header.
 Index line_of_row(Index row) {
     return row + 2;
 }
 
-/// Whether the last line of a file has its end. True for a file that cannot be read, which others will say.
+/// Whether a file ends with a line end. True for a file that cannot be read: reading it will report why.
 bool ends_with_a_line(const std::filesystem::path& path) {
     std::ifstream file = open_input(path);
     file.seekg(0, std::ios::end);

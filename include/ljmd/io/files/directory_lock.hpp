@@ -6,19 +6,18 @@
 
 namespace ljmd {
 
-/// Keeps other runs out of a directory while it lives; a program that is killed leaves no lock behind. Of a file system
-/// that knows no such locks nothing is asked, nor of a directory that may not be read.
+/// Keeps other runs out of a directory during its lifetime. A killed program leaves no lock behind. Does nothing where
+/// the file system has no locks or the directory is not readable.
 class DirectoryLock {
   public:
-    /// Removes, too, what a holder of the lock that was killed has left over (see ReplacementFile).
-    /// @throws InUseError when another run has it  @throws FileError when it cannot be opened
+    /// Also removes the files that a killed holder of the lock left behind (see ReplacementFile).
+    /// @throws InUseError when another run holds the lock  @throws FileError when the directory cannot be opened
     explicit DirectoryLock(const OpenDirectory& directory);
 
-    /// The directory that is locked, whatever stands at its path by now; held alone, unless the file system knows no
-    /// locks.
+    /// The locked directory, even if its path now leads elsewhere. It is held alone unless it could not be locked.
     [[nodiscard]] const OpenDirectory& directory() const { return directory_; }
 
-    /// Whether another has it now: not of what is no directory, or is one that may not be read.
+    /// Whether another process holds the lock now. False for a path that is missing, no directory or not readable.
     /// @throws FileError when it cannot be opened for another reason
     [[nodiscard]] static bool is_held(const std::filesystem::path& directory);
 

@@ -7,31 +7,31 @@
 
 namespace ljmd {
 
-/// Why there is nothing to read at a path, "no such file" or "is a pipe, not a regular file"; empty when there is.
+/// Why a path cannot be read, "no such file" or "is a pipe, not a regular file"; empty when it can.
 ///
-/// Only regular files are read, or links to them: opening a pipe may wait for ever, a device may have no end, and of
-/// the files that the kernel makes up below /proc and /sys some do either.
+/// Only regular files and links to them are read. Opening a pipe may block, a device may have no end, and some files of
+/// /proc and /sys behave like either.
 [[nodiscard]] std::string why_unreadable(const std::filesystem::path& path);
 
-/// Whether an input is there, if only a link that leads nowhere. @throws DataError when that cannot be told
+/// Whether an input exists, even as a broken link. @throws DataError when this cannot be determined
 [[nodiscard]] bool input_is_there(const std::filesystem::path& path);
 
-/// Open a file to be read.
-/// @return why not, as why_unreadable() has it; empty when it is open
+/// Open a file for reading.
+/// @return why it cannot be opened, worded as by why_unreadable(); empty on success
 [[nodiscard]] std::string open_input(const std::filesystem::path& path, std::ifstream& file);
 
-/// @throws DataError naming the path, when it is not a regular file or cannot be opened
+/// As above. @throws DataError with the path, when it is not a regular file or cannot be opened
 [[nodiscard]] std::ifstream open_input(const std::filesystem::path& path);
 
-/// All bytes of a file. @throws DataError naming the path, when it is not a regular file or cannot be read to its end
+/// All bytes of a file. @throws DataError with the path, when it is not a regular file or cannot be read to its end
 [[nodiscard]] std::string read_input(const std::filesystem::path& path);
 
-/// Why the last reading of a stream failed, to be asked at once: "cannot be read: Input/output error".
+/// Why the last read from a stream failed: "cannot be read: Input/output error". Call it at once: it reads errno.
 [[nodiscard]] std::string why_reading_failed();
 
-/// What a file is that does not begin as a text does: HDF5, compressed, text in UTF-16, or lines that end in CR alone.
-/// Empty for a text, and for what is unknown.
-/// @param beginning  its first bytes
+/// What a file is whose beginning is not text: HDF5, compressed, UTF-16, or lines that end in CR alone. Empty for text
+/// and for unknown formats.
+/// @param beginning  the first bytes of the file
 [[nodiscard]] std::string why_no_text(std::string_view beginning);
 
 }  // namespace ljmd

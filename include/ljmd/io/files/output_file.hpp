@@ -12,20 +12,20 @@ namespace ljmd {
 
 class ReplacementFile;
 
-/// A text file being written, every call of which is checked. Nothing is lost in silence: a full disk, a file-size
-/// limit or a failing device becomes a FileError that names the file and the cause.
+/// A file being written, with every call checked. A full disk, a file-size limit or a failing device becomes a
+/// FileError that names file and cause.
 ///
-/// Writes are collected and reach the file at flush(). When a write fails, the file is cut back to its length at the
-/// last successful flush(), so that it never ends in half a line; after that every call throws.
+/// Writes are buffered; flush() hands them to the system. When a write fails, the file is cut back to its length at the
+/// last successful flush(), so that it never ends within a line. After that every call throws.
 class OutputFile {
   public:
-    /// Create the file, or empty it if it exists; or go on with one that exists. No link is followed.
-    /// @param kept  bytes of it that stay, as commit() told them; what is behind is cut off
+    /// Create the file, emptying it if it exists; or continue an existing one. Links are not followed.
+    /// @param kept  bytes of an existing file to keep, as returned by commit(); the rest is cut off
     /// @throws FileError
-    /// @throws CheckpointError when the file to go on with is not there or is shorter
+    /// @throws CheckpointError when the file to continue is missing, not a regular file, or shorter than `kept`
     explicit OutputFile(OutputPlace place, std::optional<std::int64_t> kept = std::nullopt);
 
-    /// Write to a file that is to take the place of another one, which messages name. @throws FileError
+    /// Write to a replacement file; messages name the file that it will replace. @throws FileError
     explicit OutputFile(const ReplacementFile& file);
 
     OutputFile(OutputFile&& other) noexcept;
@@ -33,28 +33,28 @@ class OutputFile {
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Writes what is still collected, but cannot report an error: call close() first.
+    /// Writes what is still buffered, but cannot report an error: call close() first.
     ~OutputFile();
 
     /// Append text. @throws FileError
     void write(std::string_view text);
 
-    /// Hand everything written so far to the operating system: it survives a kill of this process. @throws FileError
+    /// Hand everything written so far to the system: it then survives a kill of this process. @throws FileError
     void flush();
 
-    /// flush(), then wait until it is on the disk: it survives a power cut. @throws FileError
+    /// flush(), then wait until the data are on the disk: they then survive a power cut. @throws FileError
     void sync();
 
-    /// sync(). @return bytes in the file
+    /// sync(). @return length of the file in bytes  @throws FileError
     std::int64_t commit();
 
-    /// Whether the file holds these bytes from there on. @pre they were flushed  @throws FileError
+    /// Whether the file holds these bytes from this offset on. @pre they were flushed  @throws FileError
     [[nodiscard]] bool holds(std::string_view bytes, std::int64_t from) const;
 
-    /// flush() and close. A second call does nothing. @throws FileError
+    /// flush() and close. Does nothing when closed. @throws FileError
     void close();
 
-    /// sync() and close. A second call does nothing. @throws FileError
+    /// sync() and close. Does nothing when closed. @throws FileError
     void close_on_disk();
 
     [[nodiscard]] std::filesystem::path path() const { return place_.path(); }
@@ -65,7 +65,7 @@ class OutputFile {
     void spill();
     [[noreturn]] void fail(const char* doing, int error);
 
-    OutputPlace place_;  // that messages name
+    OutputPlace place_;  // the name used in messages
     std::string buffer_;
     int descriptor_ = -1;
     bool failed_ = false;
@@ -73,11 +73,11 @@ class OutputFile {
     std::int64_t committed_ = 0;  // bytes in the file at the last flush
 };
 
-/// Refuse to go on with a file that is not there, is no regular file or has fewer bytes. Changes nothing.
+/// Check that a file can be continued: it exists, is a regular file and has at least this many bytes.
 /// @throws CheckpointError
 void require_bytes(const OutputPlace& place, std::int64_t bytes);
 
-/// Write over the first bytes of a file that is there, and leave the rest. No link is followed. @throws FileError
+/// Overwrite the first bytes of an existing file and keep the rest. Links are not followed. @throws FileError
 void overwrite_beginning(const OutputPlace& place, std::string_view bytes);
 
 }  // namespace ljmd

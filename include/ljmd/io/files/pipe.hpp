@@ -2,8 +2,7 @@
 
 namespace ljmd {
 
-/// A pipe whose ends no program inherits that this one starts. Its reader finds the end when the writer has closed its
-/// end, or has died.
+/// A pipe that started programs do not inherit. Its reader sees the end when the writer closes its end or dies.
 class Pipe {
   public:
     /// @throws FileError

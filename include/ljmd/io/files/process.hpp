@@ -13,45 +13,44 @@
 
 namespace ljmd {
 
-/// Another program and what it is to do.
+/// A program to start, with its arguments and surroundings.
 struct Process {
-    std::filesystem::path program;  ///< as find_program gave it
+    std::filesystem::path program;  ///< as returned by find_program
     std::vector<std::string> arguments{};
-    std::filesystem::path directory;  ///< where it runs
-    std::filesystem::path output;     ///< file that takes its stdout and stderr; a relative one lies in `directory`
-    std::vector<std::pair<std::string, std::string>> environment{};  ///< set for it, beside what this process has
-    bool own_group = false;  ///< keys on the terminal (Ctrl-C) do not reach it; who started it tells it to stop
-    /// The signal that it gets when the thread that started it ends first, however that ends; 0: none. On Linux; other
-    /// systems know nothing of the kind.
+    std::filesystem::path directory;  ///< working directory
+    std::filesystem::path output;     ///< file for its stdout and stderr; a relative path is relative to `directory`
+    std::vector<std::pair<std::string, std::string>> environment{};  ///< added to the environment of this process
+    bool own_group = false;  ///< a process group of its own: Ctrl-C does not reach it, the caller must stop it
+    /// Signal sent to it (Linux only) when the thread that started it ends first, for whatever reason; 0: none.
     int at_our_end = SIGKILL;
-    int input = -1;  ///< descriptor that it reads as stdin; -1: its stdin is empty
+    int input = -1;  ///< descriptor used as stdin; -1: empty stdin
 };
 
-/// The system refuses another process, for lack of memory or because of a limit.
+/// The system refuses to start another process, for lack of memory or because of a limit.
 class ProcessesError : public Error {
   public:
     using Error::Error;
 };
 
-/// The file that a name means, as a shell finds it: a name with a slash is itself, every other one is looked for in the
-/// directories of PATH. @return absolute; nothing when there is no such file or it may not be executed
+/// Find a program as a shell does: a name with a slash is a path, any other is searched for in the directories of PATH.
+/// @return its absolute path; nothing when there is no such file or it is not executable
 [[nodiscard]] std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// A program that runs beside this one. Its signals are handled in the usual way and none is blocked, but those that
-/// this process was told to ignore stay so.
+/// A running child process. It starts with default signal handlers and no blocked signals; signals that this process
+/// was told to ignore stay ignored.
 class ChildProcess {
   public:
-    /// Start it without a shell between.
-    /// @throws FileError  it cannot be started, or the output cannot be made  @throws ProcessesError
+    /// Start it, without a shell.
+    /// @throws FileError  it cannot be started, or its output file cannot be created  @throws ProcessesError
     explicit ChildProcess(const Process& process);
 
-    /// Its exit status, 128 + n when signal n ended it; nothing while it runs. @throws FileError
+    /// Its exit status, or 128 + n when signal n ended it; nothing while it runs. @throws FileError
     [[nodiscard]] std::optional<int> ended() { return wait(false); }
 
-    /// Wait for its end. @return as ended()
+    /// Wait until it ends. @return as ended()  @throws FileError
     [[nodiscard]] int wait() { return *wait(true); }
 
-    /// Send it a signal, if it still runs.
+    /// Send it a signal, unless it is known to have ended.
     void signal(int number) const;
 
   private:
@@ -62,8 +61,8 @@ class ChildProcess {
     std::optional<int> status_;
 };
 
-/// Run a program to its end.
-/// @return its exit status; 128 + n when signal n ended it
+/// Run a program and wait until it ends.
+/// @return its exit status, or 128 + n when signal n ended it
 /// @throws FileError, ProcessesError  as ChildProcess
 [[nodiscard]] int run_process(const Process& process);
 

@@ -10,13 +10,13 @@
 
 namespace ljmd {
 
-/// A new file that is to take the place of another one, or of none: it grows in the same directory under a name that
-/// nothing has, `.ljmd-` and a random number, so that no file of others is written to, replaced or removed. In a
-/// directory that is held alone the name begins with `.ljmd-locked-`. Removed at the end of the scope unless it has
-/// taken its place; when the program is killed it stays, see remove_left_over().
+/// A new file that will replace another one or fill a free name. It grows in the same directory under an unused name,
+/// `.ljmd-` and a random number, so that no foreign file is written to, replaced or removed. In a directory that is
+/// held alone the name begins with `.ljmd-locked-`. The destructor removes it unless it has taken its place. A killed
+/// program leaves it behind; see remove_left_over().
 class ReplacementFile {
   public:
-    /// Makes the file, empty. @throws FileError
+    /// Create the empty file. @throws FileError
     explicit ReplacementFile(OutputPlace place);
     ~ReplacementFile();
     ReplacementFile(const ReplacementFile&) = delete;
@@ -25,10 +25,10 @@ class ReplacementFile {
     /// Where it grows.
     [[nodiscard]] const OutputPlace& growing() const { return growing_; }
 
-    /// Where it is to lie.
+    /// Where it will be.
     [[nodiscard]] const OutputPlace& place() const { return place_; }
 
-    /// From now on it lies in its place: rename, fsync of the folder. @pre it is on the disk  @throws FileError
+    /// Move it to its place: rename, then fsync of the directory. @pre the file was synchronised  @throws FileError
     void take_place();
 
   private:
@@ -37,12 +37,12 @@ class ReplacementFile {
     bool taken_ = false;
 };
 
-/// Remove the files that a program which held the directory alone was about to put in their places when it was killed.
+/// Remove the replacement files that a killed program left in a locked directory.
 /// @pre the directory is held alone
 void remove_left_over(const OpenDirectory& directory);
 
-/// Write a whole file so that a reader finds either the old one or the new one: see ReplacementFile. On failure there
-/// is what was there before.
+/// Write a whole file through a ReplacementFile, so that a reader finds either the old or the new one. On failure the
+/// old one stays.
 /// @throws FileError, and whatever `fill` throws
 void write_file_atomically(const OutputPlace& place, const std::function<void(OutputFile&)>& fill);
 void write_file_atomically(const OutputPlace& place, std::string_view text);

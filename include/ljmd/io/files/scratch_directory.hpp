@@ -8,11 +8,11 @@
 
 namespace ljmd {
 
-/// A new directory among the temporary files of the system, removed with all that is in it at the end of the scope; or,
-/// when this program is ended before, even by SIGKILL, by a shell that waits for that.
+/// A new directory for temporary files, removed with its contents at the end of the scope. If this program ends before
+/// that, even by SIGKILL, a waiting shell removes it.
 class ScratchDirectory {
   public:
-    /// @throws FileError when it cannot be made, or the system names no directory for temporary files
+    /// @throws FileError when it cannot be created, or the system has no directory for temporary files
     /// @throws ProcessesError
     ScratchDirectory();
     ~ScratchDirectory();
@@ -22,7 +22,7 @@ class ScratchDirectory {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   private:
-    Pipe life_;  ///< its writer is this program
+    Pipe life_;  ///< the shell waits for its end: only this program holds the writing end
     std::filesystem::path path_;
     std::optional<ChildProcess> remover_;
 };

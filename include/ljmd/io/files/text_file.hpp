@@ -13,60 +13,59 @@ namespace ljmd {
 
 class GzipInput;
 
-/// A text file that is read line by line, and that words every complaint about itself: "start.xyz:17: frame 2: ...".
+/// A text file that is read line by line. Its error messages begin with file and line: "start.xyz:17: frame 2: ...".
 ///
-/// Lines end in LF or CRLF, the last one possibly in nothing; a UTF-8 byte order mark at the start is dropped. A file
-/// that is compressed with gzip is unpacked while it is read, to at most 100 times its size and 16 MiB: more is
-/// refused. One line is in memory at a time; lines of more than `longest_line` bytes are refused.
+/// Lines end in LF or CRLF; the last one may have no end. A UTF-8 byte order mark is skipped. A file compressed with
+/// gzip is unpacked while it is read; more than 100 times its size plus 16 MiB is refused. One line is in memory at a
+/// time; lines of more than `longest_line` bytes are refused.
 class TextFile {
   public:
     static constexpr std::size_t longest_line = 65536;
 
-    /// Open a regular file. Nothing else is opened, so that a pipe or a device cannot block.
-    /// @throws DataError when it is missing, a directory, a pipe, a device, or cannot be opened
+    /// Open a regular file. Nothing else is opened, because a pipe or a device could block.
+    /// @throws DataError when it is missing, not a regular file, or cannot be opened or read
     explicit TextFile(const std::filesystem::path& path);
     ~TextFile();
 
-    /// Go to the next line. @return false at the end of the file; line_number() then stays.
-    /// @throws DataError when the line is too long, the file cannot be read, or is no text (see why_no_text())
+    /// Read the next line. @return false at the end of the file; line_number() is then unchanged
+    /// @throws DataError when the line is too long, the file cannot be read, or it is not text (see why_no_text())
     bool next_line();
 
-    /// Whether the file has ended: behind its last line, or in it where that has no end, as when a program was killed
-    /// while it wrote.
+    /// Whether the end of the file was reached, by the last read or within the current line. A program that is killed
+    /// while it writes leaves a last line without an end.
     [[nodiscard]] bool is_cut() const;
 
-    /// Back to the start: the next line is line 1.
+    /// Return to the start: the next line is line 1.
     void rewind();
 
-    [[nodiscard]] std::string_view line() const { return line_; }     ///< without its end; valid until next_line()
+    [[nodiscard]] std::string_view line() const { return line_; }     ///< without its line end; valid until next_line()
     [[nodiscard]] Index line_number() const { return line_number_; }  ///< from 1; 0 before the first line
 
-    /// What stands between line number and message from now on, "frame 2: ".
+    /// Text for messages between line number and message from now on, "frame 2: ".
     void set_context(std::string context) { context_ = std::move(context); }
 
-    /// Behind the current line; of a compressed file how many there can be at most.
+    /// Bytes after the current line; for a compressed file, an upper bound.
     [[nodiscard]] Index bytes_left() const { return bytes_left_; }
 
-    /// Refuse a number of atoms, one a line, for which the rest of the file is too short whatever it holds.
-    /// @throws DataError with the count and the number of lines, not counting blank ones, that follow
+    /// Check that the rest of the file is long enough for this many atoms, one per line.
+    /// @throws DataError with the count and the number of non-blank lines that follow
     void require_room(Index atoms);
 
-    /// @throws DataError always: at the current line, or at the given one (0: the file as a whole)
+    /// @throws DataError always: at the current line, or at the given one (0: for the whole file)
     [[noreturn]] void fail(const std::string& message) const { fail_at(line_number_, message); }
     [[noreturn]] void fail_at(Index line, const std::string& message) const;
 
-    /// The number that a field holds, all of it. `what` names it in the message: "x must be a finite number, found
-    /// 'a'".
-    /// @throws DataError when it is no number, not finite, or beyond the range of the type
+    /// The number in a field. `what` names it in the message: "x must be a finite number, found 'a'".
+    /// @throws DataError when the field is not a number, not finite, or out of the range of the type
     [[nodiscard]] double number(std::string_view field, std::string_view what) const;
     [[nodiscard]] Index integer(std::string_view field, std::string_view what) const;
 
   private:
     std::string name_;
     std::ifstream file_;
-    std::unique_ptr<GzipInput> gzip_;  ///< nothing where the file is not compressed
-    std::istream stream_{nullptr};     ///< the text
-    std::string no_text_;              ///< why it is none
+    std::unique_ptr<GzipInput> gzip_;  ///< null for a file that is not compressed
+    std::istream stream_{nullptr};     ///< the text, unpacked
+    std::string no_text_;              ///< why the file is not text; empty when it is
     std::vector<char> buffer_;
     std::string_view line_;
     std::string context_;
@@ -78,13 +77,13 @@ class TextFile {
 /// Split at spaces and tabs; `fields` is overwritten (and reused, so that reading a line allocates nothing).
 void split_fields(std::string_view text, std::vector<std::string_view>& fields);
 
-/// True when there is nothing but spaces and tabs.
+/// True when the text has only spaces and tabs.
 [[nodiscard]] bool is_blank(std::string_view text);
 
-/// True when the whole field is a number, finite or not, in range or not. Exponents may have the D of Fortran: 1.5D+02.
+/// True when the whole field is a number, even infinite or out of range. Exponents may be Fortran's: 1.5D+02.
 [[nodiscard]] bool is_number(std::string_view field);
 
-/// A piece of a file as messages show it: in quotes, bytes that do not print as \xNN, cut after 40 bytes.
+/// A piece of a file for messages: in quotes, unprintable bytes as \xNN, cut after 40 bytes.
 [[nodiscard]] std::string shown(std::string_view text);
 
 }  // namespace ljmd

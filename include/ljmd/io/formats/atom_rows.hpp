@@ -8,26 +8,26 @@
 
 namespace ljmd {
 
-/// What the readers of all formats do alike with a block of lines that holds one atom each.
+/// Common to the readers of all formats that have one line per atom.
 
-/// The number of atoms that the current line announces.
-/// @param wanted  how many there must be; 0: any number
-/// @throws DataError unless it is an integer of at least 1, that number, for which the file has room
+/// The number of atoms, read from a field of the current line.
+/// @param wanted  the required number; 0: any
+/// @throws DataError unless it is an integer >= 1, equal to `wanted`, and the file is long enough for it
 [[nodiscard]] Index read_atom_count(TextFile& file, std::string_view field, Index wanted = 0);
 
-/// For how many of `count` atoms to reserve memory: no more than the rest of the file can hold.
+/// For how many of `count` atoms to reserve memory: at most as many as the rest of the file can hold.
 [[nodiscard]] std::size_t expected_atoms(const TextFile& file, Index count);
 
-/// Go to the line of the next atom, number `row` (from 0) of `count`.
+/// Read the line of the next atom, number `row` (from 0) of `count`.
 /// @throws DataError when the file ends or the line is blank
 void next_atom_line(TextFile& file, Index row, Index count);
 
-/// Three numbers that stand in `fields` from `first` on.
+/// The three numbers in `fields`, starting at `first`.
 [[nodiscard]] Vec3 read_vector(const TextFile& file, const std::vector<std::string_view>& fields, std::size_t first);
 
-/// Where the atoms stand in a block of lines: atom k (from 0) in the line first_line + rows[k].
+/// The order of atoms in a block of lines: atom k (from 0) is in line first_line + rows[k].
 struct AtomOrder {
-    std::vector<Index> ids;  ///< of atom k, as the file has them; empty when it has none: then they count from 1
+    std::vector<Index> ids;  ///< id of atom k in the file; empty when the file has none: ids then count from 1
     std::vector<Index> rows;
     Index first_line = 0;
 
@@ -35,15 +35,15 @@ struct AtomOrder {
     [[nodiscard]] Index line(Index k) const { return first_line + rows[static_cast<std::size_t>(k)]; }
 };
 
-/// The order in which the file lists its atoms, for files without ids.
+/// The order of the lines, for files without ids.
 [[nodiscard]] AtomOrder file_order(Index count, Index first_line);
 
-/// Sort by id. Ids may have gaps: a dump of a group of atoms, or a file from which atoms were deleted, has them.
-/// @param ids  as written, one a line from first_line on
-/// @throws DataError with its line for a negative or repeated id
+/// Sort atoms by id. Ids may have gaps, as in a dump of a group or after atoms were deleted.
+/// @param ids  in the order of the lines, which begin at first_line
+/// @throws DataError with the line of a negative or repeated id
 [[nodiscard]] AtomOrder order_by_id(const TextFile& file, const std::vector<Index>& ids, Index first_line);
 
-/// Values as read, row by row, in the order of the atoms: atom k is that of rows[k].
+/// Values in row order, rearranged into atom order: atom k gets the value of rows[k].
 template <class T>
 [[nodiscard]] std::vector<T> arranged(const std::vector<T>& values, const std::vector<Index>& rows) {
     std::vector<T> sorted;
@@ -53,13 +53,12 @@ template <class T>
     return sorted;
 }
 
-/// Refuse what find_fault() finds in a configuration in reduced units, O(N).
-/// @param header_line  where the box stands
+/// Check a configuration in reduced units with find_fault(), O(N).
+/// @param header_line  line of the box, for messages
 /// @throws DataError that names the atom by its id
 void check_frame(const TextFile& file, const Configuration& configuration, const AtomOrder& order, Index header_line);
 
-/// The same for a configuration that a run can start from, O(N log N): no two atoms are at the same place modulo the
-/// box, either.
+/// As check_frame(), for a start configuration, O(N log N): also no two atoms may be at the same place modulo the box.
 void check_configuration(const TextFile& file, const Configuration& configuration, const AtomOrder& order,
                          Index header_line);
 

@@ -10,23 +10,22 @@ namespace ljmd {
 
 /// Why a configuration cannot be used.
 struct ConfigurationFault {
-    std::optional<Index> atom;  ///< from 0; none: the box or the time
-    std::string message;        ///< of an atom, what follows its name: "has the mass 0; ..."
+    std::optional<Index> atom;  ///< index from 0; none: the fault is in the box or the time
+    std::string message;        ///< for an atom, the text after its name: "has the mass 0; ..."
 };
 
-/// Checks on a configuration in reduced units, O(N): a box that can be computed with, all numbers finite, masses
-/// positive, no atom more than 10^6 edges away (its place in the box would be lost to rounding).
-/// @return the first fault; nothing when all is well
+/// Check a configuration in reduced units, O(N): a usable box, finite numbers, positive masses, and no atom more than
+/// 10^6 edges away, where rounding would lose its place in the box.
+/// @return the first fault; nothing when there is none
 [[nodiscard]] std::optional<ConfigurationFault> find_fault(const Configuration& configuration);
 
-/// Two atoms that are at the same place modulo the box, from 0, O(N log N); nothing when all are apart. Places are
-/// compared on the grid of the box, so that what is told apart here stays apart in a State.
-/// @pre find_fault() finds none
+/// Two atoms (from 0) at the same place modulo the box, O(N log N); nothing when there are none. Places are compared on
+/// the grid of the box, so that atoms which differ here also differ in a State.
+/// @pre find_fault() finds nothing
 [[nodiscard]] std::optional<std::pair<Index, Index>> find_coincident_atoms(const Configuration& configuration);
 
-/// Whether three box vectors, as rows, make a box along the axes: no component off the diagonal is above 1e-12 of the
-/// shortest edge. Programs that compute a box from its angles write cosines of 90 degrees, of 6e-17, or tilt factors of
-/// zero.
+/// Whether three box vectors, given as rows, are along the axes: no off-diagonal component exceeds 1e-12 of the
+/// shortest edge. The tolerance admits boxes computed from angles, where the cosine of 90 degrees is 6e-17.
 [[nodiscard]] bool is_orthogonal(const Mat3& vectors);
 
 }  // namespace ljmd

@@ -12,7 +12,7 @@
 
 namespace ljmd {
 
-/// What the first frame of a file says for all of them.
+/// What the first frame determines for all frames of a file.
 struct ExtendedXyzPremises {
     std::optional<bool> si;  ///< empty before the first frame
     OneKind kind;
@@ -22,28 +22,28 @@ struct ExtendedXyzPremises {
 ///
 ///     N
 ///     comment line, see extended_xyz_header.hpp
-///     one line an atom, columns as Properties says; unknown columns are skipped
+///     one line per atom, columns as in Properties; unknown columns are skipped
 ///
-/// Read are the columns pos, velo (or vel, or velocities), id and mass (or masses), and those that tell kinds of atoms
-/// apart, see one_kind.hpp: all atoms must be of one kind. Without velocities, momenta as ASE writes them are read,
-/// over the mass that the file gives or ASE takes for the species: in sqrt(eV/u) where the file is in SI units, else
-/// sigma/tau. Without ids, the order in the file counts. Every frame must be complete and well-formed, the last one
-/// most of all: a cut is an error. A file whose first frame says units=si (angstrom, angstrom/ps, ps, u) is converted
-/// to reduced units; a later frame that says otherwise is refused.
+/// Columns read: pos, velo (or vel, or velocities), id, mass (or masses), and those that distinguish kinds of atoms,
+/// see one_kind.hpp: all atoms must be of one kind. Without velocities, ASE's momenta are read and divided by the mass
+/// in the file, else by ASE's mass of the species; the quotient is in sqrt(eV/u) in a file in SI units, else in
+/// sigma/tau. Without ids, atoms are in file order. Every frame must be complete and well-formed; a file that is cut
+/// off is an error. If the first frame says units=si (angstrom, angstrom/ps, ps, u), values are converted to reduced
+/// units. A later frame with other units is refused.
 ///
 /// @param file     at its start
 /// @param units    of the substance; needed for SI files
-/// @param comment  what the comment lines lack, see parse_extended_xyz_header()
+/// @param comment  keys missing from the comment lines, see parse_extended_xyz_header()
 /// @throws DataError with file, line and frame
 [[nodiscard]] Configuration read_extended_xyz(TextFile& file, const std::optional<SubstanceUnits>& units,
                                               std::string_view comment = {});
 
-/// All frames of such a file, one after the other. Those that say positions=unwrapped, as ljmd's do, have unwrapped
-/// positions; of others that is not told. A last line without its end belongs to a frame that was cut off.
+/// The frames of such a file, one after the other. Positions are known to be unwrapped where a frame says
+/// positions=unwrapped, as in files of ljmd. A last line without an end belongs to a frame that was cut off.
 class ExtendedXyzTrajectory : public TrajectoryReader {
   public:
     /// @param units    of the substance; needed for SI files
-    /// @param comment  what the comment lines lack
+    /// @param comment  keys missing from the comment lines
     ExtendedXyzTrajectory(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
                           std::string comment = {})
         : file_(path), units_(units), comment_(std::move(comment)) {}

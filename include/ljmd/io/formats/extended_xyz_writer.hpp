@@ -10,14 +10,14 @@
 
 namespace ljmd {
 
-/// Append one frame in extended XYZ: the number of atoms, a line of keys, one line an atom in the order of ids.
+/// Append one frame in extended XYZ: the number of atoms, a comment line, one line per atom in the order of ids.
 ///
 ///     Lattice="L 0 0 0 L 0 0 0 L" Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3:id:I:1 pbc="T T T" Time=..
 ///     step=.. units=..                                                          (in one line)
 ///
-/// `momenta` make the velocities of ASE right, which it takes from nothing else: the velocity in ASE's unit sqrt(eV/u),
-/// in a reduced file in sigma/tau, times the mass that ASE gives to the species [u].
-/// Numbers have as many digits as it takes to read back the same double. Positions are unwrapped; ids count from 1.
+/// `momenta` are for ASE, which takes velocities from nothing else: the velocity times the mass that ASE gives to the
+/// species [u]. That velocity is in ASE's unit sqrt(eV/u), in a reduced file in sigma/tau.
+/// Numbers have as many digits as are needed to read back the same double. Positions are unwrapped; ids count from 1.
 /// Without a box there is no Lattice, and pbc="F F F".
 ///
 /// @param si  empty: units=reduced, species X. Set: units=si, species Ar; positions [angstrom], velocities
@@ -45,9 +45,9 @@ class ExtendedXyzWriter : public TrajectoryWriter {
 /// See trajectory_bytes().
 [[nodiscard]] double extended_xyz_bytes(Index atoms, Index frames, bool velocities);
 
-/// Write one configuration in reduced units, from which a later run can start, so that the file is either the old or
-/// the new one, never half of it. Positions are unwrapped, so that displacements continue.
-/// @throws FileError; then no new file is left behind
+/// Write one configuration in reduced units, from which a later run can start. The file is replaced atomically.
+/// Positions are unwrapped, so that displacements continue.
+/// @throws FileError; no new file is then left behind
 void write_configuration(const OutputPlace& place, const State& state, bool velocities);
 
 }  // namespace ljmd

@@ -6,12 +6,12 @@
 
 namespace ljmd {
 
-/// Follows atoms through the walls of a periodic box, frame by frame: of all periodic images of an atom that is taken
-/// which lies nearest to where it was. Right as long as no atom moves by half an edge from one frame to the next.
+/// Unwraps atoms frame by frame: of all periodic images of an atom, takes the one nearest to its position in the frame
+/// before. Correct if no atom moves by half an edge or more between frames.
 class FrameUnwrapper {
   public:
-    /// Move the positions to these images. The first frame stays as it is.
-    /// @pre as many atoms in every frame
+    /// Replace the positions by these images. The first frame is unchanged.
+    /// @pre every frame has the same number of atoms
     void unwrap(Configuration& frame);
 
   private:

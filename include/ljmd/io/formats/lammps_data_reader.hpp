@@ -5,19 +5,19 @@
 
 namespace ljmd {
 
-/// Read a LAMMPS data file in units lj (a first line that names other units is refused).
+/// Read a LAMMPS data file in units lj; a first line that names other units is refused.
 ///
-/// Read: the counts of atoms and atom types (one type: ljmd has one kind of atom), the bounds of an orthogonal box
-/// (tilt factors must be zero), sections Masses, Atoms (style atomic: id type x y z, with or without three image flags)
-/// and Velocities. Other header lines and the other sections that LAMMPS knows are skipped. Positions are moved by
-/// -(xlo, ylo, zlo) and unwrapped with the image flags.
+/// Read are the numbers of atoms and of atom types (one type: ljmd has one kind of atom), the bounds of an orthogonal
+/// box (tilt factors must be zero) and the sections Masses, Atoms (style atomic: id type x y z, with or without three
+/// image flags) and Velocities. Other header lines and the other sections of LAMMPS are skipped. Positions are shifted
+/// by -(xlo, ylo, zlo) and unwrapped with the image flags.
 ///
 /// @param file  at its start
 /// @throws DataError with file and line
 /// Source: LAMMPS documentation, read_data command
 [[nodiscard]] Configuration read_lammps_data(TextFile& file);
 
-/// True for the header line that only this format has: "864 atoms".
+/// True for a header line "864 atoms", which only this format has.
 [[nodiscard]] bool is_lammps_atom_count(std::string_view line);
 
 /// True for a header line "0 10.5 xlo xhi".

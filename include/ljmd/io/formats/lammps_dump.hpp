@@ -13,7 +13,7 @@
 
 namespace ljmd {
 
-/// The frames of a LAMMPS dump in text, one after the other:
+/// The frames of a LAMMPS text dump, one after the other:
 ///
 ///     ITEM: UNITS, ITEM: TIME             optional; units must be lj
 ///     ITEM: TIMESTEP
@@ -21,14 +21,14 @@ namespace ljmd {
 ///     ITEM: BOX BOUNDS pp pp pp           an orthogonal, periodic box; xy xz yz before pp: tilt factors, of zero
 ///     ITEM: ATOMS id ...                  columns in any order, atoms in any order; ids may have gaps
 ///
-/// Dumps of LAMMPS before 2010 do not tell the boundaries; they are taken as periodic.
+/// Dumps of LAMMPS before 2010 do not name the boundaries; these are taken as periodic.
 /// Source: LAMMPS documentation, dump and dump_modify commands
 class LammpsDump {
   public:
     explicit LammpsDump(const std::filesystem::path& path) : file_(path) {}
 
-    /// Go to the next frame and read what stands above its atoms.
-    /// @param atoms  how many it must have; 0: any number
+    /// Go to the next frame and read its header.
+    /// @param atoms  required number of atoms; 0: any
     /// @return false at the end of the file  @throws DataError
     bool next_frame(Index atoms = 0);
 
@@ -42,14 +42,14 @@ class LammpsDump {
 
     [[nodiscard]] bool has(std::string_view column) const;
 
-    /// Numbers of the atoms, one row an atom in the order of ids, one column for each name.
+    /// Per-atom numbers: one row per atom in the order of ids, one column per name.
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-    /// Read the atoms of the frame; once a frame. More than one kind of atom is refused.
-    /// @throws DataError also for a column that is not there
+    /// Read the atoms of the frame; may be called once per frame. More than one kind of atom is refused.
+    /// @throws DataError, also for a missing column
     [[nodiscard]] Rows read_atoms(const std::vector<std::string>& columns);
 
-    /// Where each atom stood.
+    /// In which line each atom was.
     [[nodiscard]] const AtomOrder& order() const { return order_; }
 
     [[nodiscard]] TextFile& file() { return file_; }
@@ -76,8 +76,8 @@ class LammpsDump {
     OneKind kind_;
 };
 
-/// A dump as a trajectory. Positions are xu yu zu or xsu ysu zsu, else x y z or xs ys zs, unwrapped where there are ix
-/// iy iz; velocities are vx vy vz, masses are in `mass`. Positions are moved by -(xlo, ylo, zlo).
+/// A dump as a trajectory. Positions are xu yu zu or xsu ysu zsu, else x y z or xs ys zs, unwrapped if there are ix iy
+/// iz. Velocities are vx vy vz, masses are in `mass`. Positions are shifted by -(xlo, ylo, zlo).
 class LammpsDumpTrajectory : public TrajectoryReader {
   public:
     explicit LammpsDumpTrajectory(const std::filesystem::path& path) : dump_(path) {}

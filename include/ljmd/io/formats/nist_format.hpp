@@ -11,7 +11,7 @@ namespace ljmd {
 ///     N
 ///     id x y z        N times
 ///
-/// The box is centred on the origin, so coordinates outside [0, L) are normal; they are returned as they stand.
+/// The box is centred on the origin, so coordinates outside [0, L) are normal; they are not wrapped.
 ///
 /// @param file  at its start
 /// @throws DataError with file and line

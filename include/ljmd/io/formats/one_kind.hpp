@@ -6,21 +6,22 @@
 
 namespace ljmd {
 
-/// Sees to it that all atoms of a file, in all its frames, are of one kind: ljmd has no mixtures. The readers of all
-/// formats give it every value of every column that tells kinds apart.
+/// Checks that all atoms of a file, in all frames, are of one kind, because ljmd has no mixtures. The readers of all
+/// formats pass it every value of every column that distinguishes kinds.
 class OneKind {
   public:
-    /// Whether a column of a dump, a property of extended XYZ or an element of H5MD is one by which kinds of atoms
-    /// differ: species, element, type, mass, atomic number, size.
+    /// Whether a column of a dump, a property of extended XYZ or an element of H5MD distinguishes kinds of atoms:
+    /// species, element, type, mass, atomic number, size.
     [[nodiscard]] static bool is_told_by(std::string_view column);
 
-    /// The value that an atom has in a column. Numbers are the same within a millionth, as masses in files are rounded.
-    /// @return what is wrong, "element 'Kr' beside 'Ar', but ljmd has one kind of atom"; empty when it is the value of
-    ///         all atoms before
+    /// Add the value of an atom in a column. Numbers within a millionth count as equal, because masses in files are
+    /// rounded.
+    /// @return the fault, "element 'Kr' beside 'Ar', but ljmd has one kind of atom"; empty when the value is that of
+    /// all earlier atoms
     [[nodiscard]] std::string add(std::string_view column, std::string_view value);
 
   private:
-    std::map<std::string, std::string, std::less<>> values_;  ///< column -> the first atom's
+    std::map<std::string, std::string, std::less<>> values_;  ///< column -> value of the first atom
 };
 
 }  // namespace ljmd

@@ -12,54 +12,54 @@
 
 namespace ljmd {
 
-/// By what the last frame of an H5MD file is known again.
+/// Identifies the last frame of an H5MD file.
 struct FrameMark {
     std::int64_t step = 0;
-    std::uint64_t place = 0;     ///< of its positions in the file
+    std::uint64_t place = 0;     ///< offset of its positions in the file
     std::uint64_t checksum = 0;  ///< XXH3 of the positions in its first chunk
 
     void archive(Archive& a) { a(step, place, checksum); }
 };
 
-/// The part of a trajectory file that is on the disk for good.
+/// The part of a trajectory file that is known to be on the disk.
 struct CommittedFrames {
-    std::int64_t bytes = 0;    ///< of the file
-    std::int64_t frames = 0;   ///< of an H5MD file, like all that follows
-    std::uint64_t layout = 0;  ///< what decides where its frames lie
-    FrameMark last = {};       ///< of the last frame; of no meaning without frames
+    std::int64_t bytes = 0;    ///< length of the file
+    std::int64_t frames = 0;   ///< number of frames; this and what follows only for H5MD
+    std::uint64_t layout = 0;  ///< hash of what determines where frames are
+    FrameMark last = {};       ///< the last frame; meaningless without frames
 
     void archive(Archive& a) { a(bytes, frames, layout, last); }
 };
 
-/// What a trajectory file is to hold, and who made it.
+/// Contents of a trajectory file, and its author.
 struct TrajectoryOptions {
-    OutputPlace path;                          ///< of the file; may be given as a path
-    bool velocities = false;                   ///< write them beside the positions
-    std::optional<SubstanceUnits> si = {};     ///< set: an SI file; else reduced units (unbounded: those of the deck)
-    std::string creator_version = {};          ///< version of the program
+    OutputPlace path;                          ///< the file; may be given as a path
+    bool velocities = false;                   ///< write velocities as well
+    std::optional<SubstanceUnits> si = {};     ///< set: SI units; else reduced units (without a box: those of the deck)
+    std::string creator_version = {};          ///< version of this program
     std::string author = {};                   ///< empty: "unknown"
     std::string title = {};                    ///< of the run; may be empty
-    std::optional<CommittedFrames> kept = {};  ///< of a file to go on with, as commit() told it; none: a new one
+    std::optional<CommittedFrames> kept = {};  ///< from commit(), to continue an existing file; none: a new file
 };
 
-/// Writes frames to a trajectory file. Atoms stand in the order of their ids, with unwrapped positions. Writing changes
-/// nothing in the state.
+/// Writes frames to a trajectory file. Atoms are in the order of ids, with unwrapped positions. The state is not
+/// changed.
 class TrajectoryWriter {
   public:
     virtual ~TrajectoryWriter() = default;
 
     /// Append one frame. On return the system has it: readers of the file see it, and a kill does not lose it. A power
     /// cut may, until the next commit(). When writing fails, earlier frames stay and every later call throws.
-    /// @pre   the number of atoms, and whether there is a box, as when the file was created, else ContractViolation
+    /// @pre   the number of atoms and the presence of a box are those of the first state, else ContractViolation
     /// @throws FileError
     virtual void write(const State& state) = 0;
 
-    /// All frames so far are on the disk.
-    /// @return which part of the file they are, from which it can be gone on with (TrajectoryOptions::kept)
+    /// Synchronise all frames so far.
+    /// @return the committed part of the file, for TrajectoryOptions::kept
     /// @throws FileError
     virtual CommittedFrames commit() = 0;
 
-    /// Flush, fsync and close. A second call does nothing; a writer destroyed without it reports no error.
+    /// Synchronise and close. Does nothing when closed. A writer destroyed without close() reports no error.
     /// @throws FileError
     virtual void close() = 0;
 
@@ -69,18 +69,17 @@ class TrajectoryWriter {
     TrajectoryWriter& operator=(const TrajectoryWriter&) = default;
 };
 
-/// Create the file, replacing one of that name, without any frame yet; or go on with the frames of one that exists,
-/// whether it was closed or not.
+/// Create a file without frames, replacing one of that name; or continue an existing one, whether it was closed or not.
 ///
 /// @param format  "h5md" (H5MD 1.1, the name should end in .h5md) or "xyz" (extended XYZ)
 /// @param first   decides the number of atoms and whether there is a box; it is not written
-/// @throws InputError  an unknown format
+/// @throws InputError  unknown format
 /// @throws FileError   the file cannot be created
-/// @throws CheckpointError  the file to go on with is not there, or has not the frames that it had
+/// @throws CheckpointError  the file to continue is missing, or its frames are not those that were committed
 [[nodiscard]] std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::string& format, const State& first,
                                                                        const TrajectoryOptions& options);
 
-/// Bytes of a file of so many frames of a fluid, about. An H5MD file grows by chunks, see H5mdWriter.
+/// Approximate size in bytes of a file with this many frames of a fluid. H5MD files grow by chunks, see H5mdWriter.
 /// @pre a format of make_trajectory_writer()
 [[nodiscard]] double trajectory_bytes(const std::string& format, Index atoms, Index frames, bool velocities);
 

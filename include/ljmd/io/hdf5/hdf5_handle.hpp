@@ -8,22 +8,22 @@
 
 namespace ljmd {
 
-/// To have at hand (require_memory) where a file is opened: HDF5 crashes when it is refused the memory for it (seen
-/// with 1.10.8).
+/// Memory that must be available (require_memory) when a file is opened: HDF5 crashes when an allocation fails there
+/// (seen with 1.10.8).
 inline constexpr std::size_t hdf5_file_memory = std::size_t{4} << 20;
 
 /// Owns one identifier of the HDF5 C API and closes it with the function that belongs to its kind.
 ///
-/// HDF5 cannot close a file that it failed to write: it crashes, there or when it tries again at the exit of the
-/// program (seen with 1.10.8 and a full disk). Such handles are to be abandoned, and HDF5's work at exit is switched
-/// off in any program that contains this: what is not closed by then stays as it was last flushed.
+/// HDF5 cannot close a file after a failed write: it crashes, at once or when it tries again at the exit of the program
+/// (seen with 1.10.8 and a full disk). Abandon such handles. In a program that links this class, HDF5's exit handler is
+/// switched off, so a file that is not closed stays as it was last flushed.
 class Hdf5Handle {
   public:
     using Closer = herr_t (*)(hid_t);
 
     Hdf5Handle() = default;
 
-    /// @param id      what an HDF5 call returned; a negative one (the call failed) is not owned
+    /// @param id      result of an HDF5 call; a negative one (failure) is not owned
     /// @param closer  H5Fclose, H5Dclose, H5Sclose, ...
     Hdf5Handle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
 
@@ -36,7 +36,7 @@ class Hdf5Handle {
     Hdf5Handle(const Hdf5Handle&) = delete;
     Hdf5Handle& operator=(const Hdf5Handle&) = delete;
 
-    /// Closes; an error there is lost, so close a written file with close().
+    /// Closes; errors are lost, so close a written file with close().
     ~Hdf5Handle() { close(); }
 
     [[nodiscard]] hid_t get() const { return id_; }
@@ -45,7 +45,7 @@ class Hdf5Handle {
     /// Forget the identifier without closing it.
     void abandon() { id_ = -1; }
 
-    /// Close now. @return negative when HDF5 reports an error; the handle is empty in any case
+    /// Close now. @return negative when HDF5 reports an error; the handle is empty in either case
     herr_t close() {
         const hid_t id = std::exchange(id_, -1);
         return id >= 0 ? closer_(id) : 0;
@@ -56,7 +56,7 @@ class Hdf5Handle {
     Closer closer_ = nullptr;
 };
 
-/// While it lives, HDF5 prints no errors of its own. The setting found is restored afterwards.
+/// Suppresses HDF5's own error output during its lifetime; the previous setting is restored.
 class Hdf5Silence {
   public:
     Hdf5Silence() {
@@ -72,8 +72,8 @@ class Hdf5Silence {
     void* data_ = nullptr;
 };
 
-/// Why the last HDF5 call failed, in a few words: the message of the operating system if there is one ("No space left
-/// on device"), else HDF5's innermost description. Ask right after the failed call.
+/// Why the last HDF5 call failed: the message of the operating system if there is one ("No space left on device"), else
+/// HDF5's innermost description. Call it right after the failed call.
 [[nodiscard]] std::string hdf5_error_text();
 
 }  // namespace ljmd

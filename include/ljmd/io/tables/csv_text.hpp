@@ -7,14 +7,14 @@
 
 namespace ljmd {
 
-// Fields of CSV that hold any text (RFC 4180): one with a comma, a quote or an end of a line stands in quotes, and a
-// quote in it is doubled.
+// CSV fields with arbitrary text (RFC 4180): a field with a comma, a quote or a line end is in quotes, and a quote
+// within it is doubled.
 
-/// The fields of a line, without their quotes; blanks around a field without quotes are left out. Nothing when a quote
-/// is left open, or something follows a closed one.
+/// The fields of a line, without their quotes. Blanks around an unquoted field are dropped. Nothing when a quote is not
+/// closed or something follows a closing quote.
 [[nodiscard]] std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 
-/// A text, without blanks around it, as a field.
+/// A text as a CSV field. @pre no blanks around it: csv_fields() would drop them
 [[nodiscard]] std::string csv_field(const std::string& text);
 
 }  // namespace ljmd

@@ -8,7 +8,7 @@
 
 namespace ljmd {
 
-/// Energies and momenta of a few-body system at one time, totals of all bodies, in the deck's units.
+/// Energies and momenta of a few-body system at one time: totals over all bodies, in the deck's units.
 struct FewBodyTotals {
     double potential_energy;
     double kinetic_energy;
@@ -17,11 +17,12 @@ struct FewBodyTotals {
     Vec3 angular_momentum;  ///< about the origin
 };
 
-/// The history of a few-body run, one row a sample, as CSV: step, time, potential_energy, kinetic_energy, total_energy,
-/// momentum_x (momentum_y, momentum_z in two and three dimensions), angular_momentum_z in two, all three in three.
+/// The history of a few-body run as CSV, one row per sample: step, time, potential_energy, kinetic_energy,
+/// total_energy, momentum_x (momentum_y, momentum_z in two and three dimensions), then angular_momentum_z in two
+/// dimensions, all three components in three.
 class FewBodyThermoCsv {
   public:
-    /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
+    /// @param kept  bytes of a file to continue; none: a new file  @throws FileError, CheckpointError
     FewBodyThermoCsv(const OutputPlace& place, int dimensions, std::optional<std::int64_t> kept = std::nullopt);
 
     /// @throws FileError
@@ -30,7 +31,7 @@ class FewBodyThermoCsv {
     void flush() { file_.flush(); }
     void close() { file_.close(); }
 
-    /// What was written so far survives a power cut. @return bytes of it
+    /// Synchronise what was written so far: it survives a power cut. @return length of the file in bytes
     std::int64_t commit() { return file_.commit(); }
 
   private:
@@ -38,23 +39,23 @@ class FewBodyThermoCsv {
     int dimensions_;
 };
 
-/// The paths of a few bodies as CSV, one row a time: step, time, then for each body in turn its position (x1, y1, z1),
-/// its velocity (vx1, ...) and, if asked for, its acceleration (ax1, ...), as many components as there are dimensions;
-/// last, where the force has one, the polar angle that belongs to the coordinate.
+/// The trajectories of a few bodies as CSV, one row per time: step, time, then for each body its position (x1, y1, z1),
+/// velocity (vx1, ...) and, if asked for, acceleration (ax1, ...), with as many components as there are dimensions;
+/// last, if the force has one, the polar angle that belongs to the coordinate.
 class TrajectoryCsv {
   public:
-    /// @param kept  bytes of a file to go on with; none: a new one  @throws FileError, CheckpointError
+    /// @param kept  bytes of a file to continue; none: a new file  @throws FileError, CheckpointError
     TrajectoryCsv(const OutputPlace& place, Index bodies, int dimensions, bool accelerations, bool angle,
                   std::optional<std::int64_t> kept = std::nullopt);
 
-    /// @pre forces current where accelerations are written; an angle where the file has that column
+    /// @pre forces are current if accelerations are written; an angle is given if the file has that column
     /// @throws FileError
     void write(const State& state, std::optional<double> angle);
 
     void flush() { file_.flush(); }
     void close() { file_.close(); }
 
-    /// What was written so far survives a power cut. @return bytes of it
+    /// Synchronise what was written so far: it survives a power cut. @return length of the file in bytes
     std::int64_t commit() { return file_.commit(); }
 
   private:
