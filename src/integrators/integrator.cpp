@@ -11,7 +11,7 @@ namespace ljmd {
 
 namespace {
 
-/// What a deck that names no option means.
+/// The options of a deck that names none.
 Section defaults(const IntegratorMethod& method) {
     Diagnostics diagnostics;
     return validate({}, {}, Schema(method.name, method.keys), std::nullopt, diagnostics);

@@ -8,21 +8,21 @@
 
 namespace ljmd {
 
-/// One [[stage]]: steps of one integrator, with one thermostat and one barostat at most.
+/// One [[stage]]: steps of one integrator, with at most one thermostat and one barostat.
 struct Stage {
     std::string name;
     std::string integrator;
     double time_step;  ///< [tau]
     Index steps;
-    double temperature;      ///< what a thermostat holds [epsilon/k_B]
-    bool sample;             ///< observables are measured
-    bool reverse;            ///< the motion is turned round before the first step
-    Section section;         ///< for the keys of thermostat and barostat
-    std::uint64_t seed = 0;  ///< of their random numbers
+    double temperature;      ///< target of the thermostat [epsilon/k_B]
+    bool sample;             ///< whether observables are measured
+    bool reverse;            ///< whether the motion is reversed before the first step
+    Section section;         ///< options of integrator, thermostat and barostat
+    std::uint64_t seed = 0;  ///< of the random numbers of thermostat and barostat
 };
 
-/// Whether the total energy of a fluid in this stage, less the heat of its thermostat, is conserved but for the errors
-/// of the integrator: without thermostat, or with a canonical one and no barostat.
+/// Whether a fluid conserves its total energy minus the heat from the thermostat in this stage, but for errors of the
+/// integrator. It does without a thermostat, and with a canonical one if there is no barostat.
 [[nodiscard]] bool conserves_energy(const Stage& stage);
 
 }  // namespace ljmd

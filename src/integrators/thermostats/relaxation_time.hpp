@@ -6,9 +6,9 @@
 
 namespace ljmd {
 
-/// The key `time` of a canonical thermostat, tau_T.
+/// The key `time`, tau_T, of a canonical thermostat.
 /// @param usual    its default [tau]
-/// @param meaning  what happens in that time
+/// @param meaning  what happens within that time
 inline Key relaxation_time(double usual, const std::string& meaning) {
     return Key::number("time")
         .dimension(Dimension::time)

@@ -26,8 +26,8 @@ AnalysisMethod chemical_potential() {
             return std::make_unique<WidomInsertion>(run, insertions, Every(section.integer("every")));
         },
         .size = [](const Section& section, const SampledRun& run) -> AnalysisSize {
-            constexpr double of_atom = 20.0;   // its place and those of its images in the order of a grid
-            constexpr double of_copy = 230.0;  // of the state, sorted, with images
+            constexpr double of_atom = 20.0;   // bytes: its index and those of its images in the order of a grid
+            constexpr double of_copy = 230.0;  // bytes: copy of the state, sorted, with images
             const auto atoms = static_cast<double>(run.atoms);
             return {.kept = BlockingAccumulator::bytes(4, Covariance::full, run.steps / section.integer("every") + 1),
                     .fixed = of_atom * atoms,

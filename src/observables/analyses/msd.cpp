@@ -7,11 +7,11 @@ namespace ljmd {
 namespace {
 
 constexpr UsualLags usual{.every = 50, .max_time = 10.0, .share = 0.2};
-constexpr double usual_fit_start = 0.2;  // of the largest time: past the motion of an atom in its cage
+constexpr double usual_fit_start = 0.2;  // fraction of the largest time: beyond the motion of an atom in its cage
 
 LagTimes times_of(const Section& section, const SampledRun& run) {
     LagTimes lags = lag_times(section, run, usual);
-    lags.count = std::max(lags.count, Index{2});  // a line needs two times behind the first
+    lags.count = std::max(lags.count, Index{2});  // a line needs two times after the first
     return lags;
 }
 

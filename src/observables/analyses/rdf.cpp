@@ -8,7 +8,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double usual_radius = 5.0;  // [sigma]: four shells of the liquid, and cheap in large systems
+constexpr double usual_radius = 5.0;  // [sigma]: four shells of the liquid, and affordable in large systems
 
 double largest_radius(const Box& box) {
     return 0.5 * box.shortest_edge();
@@ -19,8 +19,8 @@ double radius_of(const Section& section, const SampledRun& run) {
 }
 
 AnalysisSize size_of(const Section& section, const SampledRun& run) {
-    constexpr double of_atom = 36.0;   // of a pair histogram: place, cell, what one thread finds
-    constexpr double of_part = 512.0;  // a counter in each block of atoms
+    constexpr double of_atom = 36.0;   // pair histogram: position, cell, bins found by one thread
+    constexpr double of_part = 512.0;  // one counter in each block of atoms
     const Index bins = section.integer("bins");
     const Index samples = run.steps / section.integer("every") + 1;
     const CoordinationNumber::Division division = CoordinationNumber::division(bins, radius_of(section, run));

@@ -9,7 +9,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double most_points = 5e8;  // of 16 bytes
+constexpr double most_points = 5e8;  // of 16 bytes each
 
 double grid_points(const Box& box, double k_max) {
     constexpr double per_length = 1.5 / std::numbers::pi;  // see grid_density_modes
@@ -17,9 +17,9 @@ double grid_points(const Box& box, double k_max) {
 }
 
 AnalysisSize size_of(const Section& section, const SampledRun& run) {
-    constexpr double of_point = 16.0;  // of the grid: density, and half as many complex numbers
-    constexpr double of_atom = 424.0;  // its weights on the grid, its place in the order of planes
-    constexpr double of_power = 16.0;  // of exp(i k r), a complex number
+    constexpr double of_point = 16.0;  // grid: density, and half as many complex numbers
+    constexpr double of_atom = 424.0;  // its weights on the grid, and its index in the order of planes
+    constexpr double of_power = 16.0;  // power of exp(i k r), a complex number
     const double k_max = section.number("k_max");
     const auto shells = static_cast<Index>(k_max / section.number("width")) + 1;
     const auto atoms = static_cast<double>(run.atoms);

@@ -66,7 +66,7 @@ class Orbit : public FewBodyAnalysis {
         }
         points_.add(state.time, r, v);
         const auto mu = strength_(state.masses()[static_cast<std::size_t>(i)], other_mass);
-        // Bodies at one place, or out of the range of numbers, have no ellipse. Their next force ends the run.
+        // Bodies at the same place, or out of the range of numbers, have no ellipse. Their next force ends the run.
         if (mu && *mu > 0.0 && r.norm() > 0.0) {
             last_ = orbital_elements(r, v, *mu);
             first_ = first_ ? first_ : last_;
@@ -133,9 +133,8 @@ class Orbit : public FewBodyAnalysis {
 
 }  // namespace
 
-/// The orbit of one body about another or about the origin: every passage of the distance through an extreme, the
-/// period and the precession of the apsides from them, and, where the force is an inverse-square attraction, the
-/// osculating elements at the start and at the end.
+/// Orbit of one body about another or about the origin: all apsides, the period and the apsidal precession from them,
+/// and, if the force is an inverse-square attraction, the osculating elements at start and end.
 FewBodyAnalysisMethod orbit() {
     return {.name = "orbit",
             .meaning = "apsides of one body's path, with period and precession, and its orbital elements: orbit.csv",

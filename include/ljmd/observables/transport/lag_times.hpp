@@ -8,7 +8,7 @@
 
 namespace ljmd {
 
-/// The times apart at which a time correlation function is measured: 0, h, 2 h, ... count * h.
+/// Time differences at which a time correlation function is measured: 0, h, 2 h, ... count * h.
 struct LagTimes {
     Index every;     ///< steps between configurations
     Index count;     ///< at least 1
@@ -17,8 +17,8 @@ struct LagTimes {
     [[nodiscard]] double time(Index lag) const { return static_cast<double>(lag) * spacing; }
 };
 
-/// The keys `every` and `max_time` of an analysis.
-/// @param usual  defaults: steps, and time [tau], or that share of a sampled stage where it is shorter
+/// Defaults of the keys `every` and `max_time` of an analysis: steps; and a time [tau], or a fraction of a sampled
+/// stage if that is shorter.
 struct UsualLags {
     Index every;
     double max_time;
@@ -26,15 +26,15 @@ struct UsualLags {
 };
 [[nodiscard]] std::vector<Key> lag_keys(const UsualLags& usual);
 
-/// What the keys say for a run. The largest time is rounded down to a multiple of h, but never below h.
+/// The times that the options give for a run. The largest time is rounded down to a multiple of h, but is at least h.
 [[nodiscard]] LagTimes lag_times(const Section& section, const SampledRun& run, const UsualLags& usual);
 
-/// Configurations in a window over which correlations at these times are averaged: twice as many as the largest one
-/// spans, or what the longest sampled stage holds; always more than lags.count.
+/// Number of configurations in a window for correlations at these times: twice as many as the largest time spans, or as
+/// many as the longest sampled stage has; always greater than lags.count.
 [[nodiscard]] Index correlation_window(const LagTimes& lags, const SampledRun& run);
 
-/// What is wrong with them: a largest time below h, or one that is more than the longest sampled stage lasts.
-/// @param analysis  for the message
+/// Mistakes in the options: a largest time below h, or longer than the longest sampled stage.
+/// @param analysis  its name for messages
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> lag_mistakes(const Section& section,
                                                                             const SampledRun& run,
                                                                             const UsualLags& usual,
