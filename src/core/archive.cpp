@@ -21,7 +21,7 @@ void Archive::raw(void* data, std::size_t size) {
     if (size > rest_.size()) {
         refuse("it ends too early");
     }
-    if (size > 0) {  // memcpy takes no null pointer, not even for nothing
+    if (size > 0) {  // memcpy takes no null pointer, even for zero bytes
         std::memcpy(data, rest_.data(), size);
         rest_ = rest_.subspan(size);
     }

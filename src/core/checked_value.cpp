@@ -24,7 +24,7 @@ bool in_range(const Key& key, double value) {
            (key.high_open ? value < key.high : value <= key.high);
 }
 
-/// The first number that a key allows, of a few plain ones.
+/// The first of a few simple numbers that a key allows.
 double plain_number(const Key& key) {
     for (const double candidate : {1.0, key.low, key.high, 0.5 * (key.low + key.high), key.low + 1.0, key.high - 1.0}) {
         if (std::isfinite(candidate) && in_range(key, candidate)) return candidate;
@@ -93,7 +93,7 @@ PlainValue fallback_value(const Key& key) {
 
 namespace {
 
-/// Stand-in for a number outside its range: the bound that it has crossed if that is allowed, else the fallback.
+/// Stand-in for a number out of range: the bound that it crossed if that is allowed, else the fallback.
 PlainValue nearest_allowed(const Key& key, double value) {
     if (std::isnan(value)) return fallback_value(key);
     const double bound = value < key.low ? key.low : key.high;
@@ -102,7 +102,7 @@ PlainValue nearest_allowed(const Key& key, double value) {
     return bound;
 }
 
-/// Range check of a number that was written as `found`. @return the number (-0 as +0), or a stand-in
+/// Check the range of a number that was written as `found`. @return the number (-0 as +0), or a stand-in
 PlainValue checked_number(const KeyContext& context, const Value& value, double number, const std::string& found) {
     if (!std::isfinite(number)) {
         context.diagnostics.error(value.location, fmt::format("{} must be finite, found {}", context.subject(), found),
@@ -116,7 +116,7 @@ PlainValue checked_number(const KeyContext& context, const Value& value, double 
     return nearest_allowed(context.key, number);
 }
 
-/// A number with a unit for a key of Kind::number, in reduced units.
+/// A number with a unit, for Kind::number, in reduced units.
 PlainValue number_with_unit(const KeyContext& context, const Value& value, const std::string& text) {
     const Dimension dimension = context.key.physical_dimension;
     const auto unit = unit_of(text);
@@ -140,7 +140,7 @@ PlainValue number_with_unit(const KeyContext& context, const Value& value, const
     return fallback_value(context.key);
 }
 
-/// A number with a unit for a key of Kind::quantity, in SI.
+/// A number with a unit, for Kind::quantity, in SI.
 PlainValue quantity(const KeyContext& context, const Value& value, const std::string& text) {
     const Dimension dimension = context.key.physical_dimension;
     if (const auto si = parse_quantity(text, dimension)) return checked_number(context, value, *si, in_quotes(text));
@@ -163,7 +163,7 @@ PlainValue choice(const KeyContext& context, const Value& value, const std::stri
     return nearest.empty() ? fallback_value(context.key) : PlainValue(nearest);
 }
 
-/// A wall time for a key of Kind::interval, as it is written.
+/// A wall time for Kind::interval, as written.
 PlainValue wall_time(const KeyContext& context, const Value& value, const std::string& text) {
     if (parse_wall_time(text)) return text;
     context.diagnostics.error(value.location, fmt::format("{}: {} is no wall time", context.subject(), in_quotes(text)),
@@ -176,7 +176,7 @@ PlainValue integer(const KeyContext& context, const Value& value, std::int64_t n
     return checked_number(context, value, static_cast<double>(number), std::to_string(number));
 }
 
-/// The numbers of an array. One of a wrong length is cut, or filled up with numbers that the key allows.
+/// The numbers of an array. An array of a wrong length is cut, or filled up with numbers that the key allows.
 PlainValue vector(const KeyContext& context, const Value& value, const Array& array) {
     const Key& key = context.key;
     const auto count = static_cast<Index>(array.size());

@@ -16,7 +16,7 @@ constexpr std::size_t max_message = 400;
 constexpr std::size_t max_line = 160;
 constexpr std::size_t max_word = 64;
 
-/// Orders diagnostics as a reader meets their places: by source, line and column.
+/// Orders diagnostics by source, line and column.
 bool stands_before(const Diagnostic* a, const Diagnostic* b) {
     static const std::string no_source;
     const auto place = [](const Diagnostic& diagnostic) {
@@ -26,7 +26,7 @@ bool stands_before(const Diagnostic* a, const Diagnostic* b) {
     return place(*a) < place(*b);
 }
 
-/// The line and, below it, the underline with the hint behind it.
+/// The line, and below it the underline followed by the hint.
 std::string excerpt(const Location& where, const std::string& hint) {
     auto characters = printable_characters(line_of(where.source->text, where.line));
     std::size_t column = std::min(static_cast<std::size_t>(std::max(where.column, 1)) - 1, characters.size());
@@ -95,7 +95,8 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
     for (const std::string& word : candidates) {
         const std::size_t longer = std::max(name.size(), word.size());
         if (longer > max_word) continue;
-        // Rows i - 2, i - 1 and i of the table of distances between the first i and the first j letters.
+        // Rows i - 2, i - 1 and i of the table of distances between the first i and the first j letters of the two
+        // words.
         std::vector<std::size_t> before(word.size() + 1), last(word.size() + 1), row(word.size() + 1);
         for (std::size_t j = 0; j <= word.size(); ++j) row[j] = j;
         for (std::size_t i = 1; i <= name.size(); ++i) {

@@ -19,8 +19,7 @@ struct FourierPlan {
 
 namespace {
 
-/// FFTW makes and destroys plans by tables that all of them share; only the execution of a plan is safe in several
-/// threads (FFTW manual, "Thread safety").
+/// FFTW's planner uses shared tables; only the execution of plans is thread-safe (FFTW manual, "Thread safety").
 std::lock_guard<std::mutex> one_planner_at_a_time() {
     static std::mutex planner;
     return std::lock_guard(planner);
@@ -40,7 +39,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// What FFTW's planner needs besides the arrays: its tables of methods and of plans, measured as a few hundred
+/// Memory that FFTW's planner needs besides the arrays. Its tables of methods and plans were measured at a few hundred
 /// kilobytes.
 constexpr std::size_t planner_memory = std::size_t{4} << 20;
 
@@ -48,8 +47,8 @@ fftw_complex* fftw(AlignedVector<Complex>& values) {
     return reinterpret_cast<fftw_complex*>(values.data());
 }
 
-/// What an FFTW planner called with these arguments makes. Plans are made for arrays that are thrown away again: FFTW
-/// wants to see how arrays are aligned, not what is in them.
+/// Plan made by an FFTW planner with these arguments. Its arrays may be temporary: FFTW looks at their alignment, not
+/// at their content.
 template <typename Planner, typename... Arguments>
 detail::OwnedFourierPlan planned(Planner planner, Arguments... arguments) {
     const auto alone = detail::one_planner_at_a_time();

@@ -7,8 +7,8 @@
 
 namespace ljmd {
 
-/// A function of one variable as GSL takes it. From the first one on errors of GSL come back as codes: its own handler
-/// would abort the program.
+/// A function of one variable in GSL's form. Its constructor turns off GSL's error handler, which would abort the
+/// program, so that errors are returned as codes.
 class GslFunction {
   public:
     explicit GslFunction(const std::function<double(double)>& f) : f_(f), function_{&call, &f_} {

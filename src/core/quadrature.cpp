@@ -32,8 +32,8 @@ double integrate(const std::function<double(double)>& f, double a, double b) {
                                                    workspace.get(), &result, &error)
                            : gsl_integration_qag(function.get(), a, b, absolute_error, relative_error, most_intervals,
                                                  GSL_INTEG_GAUSS31, workspace.get(), &result, &error);
-    // GSL reports round-off when bisecting stops to help. With nearly the requested error that is machine precision,
-    // and good enough; with a large one the integral oscillates or diverges.
+    // GSL reports round-off when bisection no longer helps. If the error is nearly the requested one, that is machine
+    // precision and good enough; if it is large, the integral oscillates or diverges.
     const double tolerable = round_off_allowance * std::max(absolute_error, relative_error * std::abs(result));
     const bool converged = status == GSL_SUCCESS || (status == GSL_EROUND && error <= tolerable);
     if (!converged || !std::isfinite(result)) {

@@ -21,12 +21,12 @@ Philox::ctr_type draw(std::uint64_t seed, RandomStream stream, Index step, Index
     return Philox{}(counter, key);
 }
 
-/// The upper 53 bits as a fraction in [0, 1).
+/// The upper 53 bits as a number in [0, 1).
 double fraction(std::uint64_t bits) {
     return static_cast<double>(bits >> 11U) * 0x1p-53;
 }
 
-/// As many numbers as an algorithm of GSL asks for, in the third word of the counter.
+/// An unlimited sequence for algorithms of GSL, numbered by the third word of the counter.
 struct Sequence {
     Philox::ctr_type counter;
     Philox::key_type key;
@@ -63,7 +63,7 @@ Vec3 Random::uniform(Index step, Index atom) const {
 
 Vec3 Random::normal(Index step, Index atom) const {
     const auto bits = draw(seed_, stream_, step, atom);
-    // 1 - [0, 1) excludes zero, of which the logarithm would be infinite.
+    // 1 - [0, 1) excludes zero, whose logarithm is infinite.
     const double radius_a = std::sqrt(-2.0 * std::log(1.0 - fraction(bits[0])));
     const double radius_b = std::sqrt(-2.0 * std::log(1.0 - fraction(bits[2])));
     const double angle_a = 2.0 * std::numbers::pi * fraction(bits[1]);

@@ -15,7 +15,7 @@ namespace ljmd {
 namespace {
 
 constexpr int most_iterations = 200;
-constexpr double smallest_width = std::numeric_limits<double>::min();  // the root is met exactly, zero too
+constexpr double smallest_width = std::numeric_limits<double>::min();  // so that a root at zero is found exactly, too
 constexpr double relative_width = 4.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace

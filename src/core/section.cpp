@@ -17,7 +17,7 @@ bool is_table(const Value& value) {
     return array && !array->empty() ? is_table(array->front()) : std::holds_alternative<Table>(value.data);
 }
 
-/// The tables that a key of Kind::table (one) or Kind::tables (any number) holds; a mistake is reported and left out.
+/// The tables in a key of Kind::table (one) or Kind::tables (any number). Mistakes are reported and left out.
 std::vector<const Value*> tables_of(const KeyContext& context, const Value& value) {
     if (context.key.kind == Kind::table) {
         if (std::holds_alternative<Table>(value.data)) return {&value};
@@ -45,7 +45,7 @@ std::vector<const Value*> tables_of(const KeyContext& context, const Value& valu
 
 void report_missing(const KeyContext& context, const Location& where) {
     const Kind kind = context.key.kind;
-    // The range of a vector's components says less than that it is one.
+    // The type says more here than the range of the components.
     const std::string hint = kind == Kind::vector ? "" : allowed_hint(context.key);
     context.diagnostics.error(
         where,
@@ -54,11 +54,11 @@ void report_missing(const KeyContext& context, const Location& where) {
 }
 
 struct Owner {
-    std::string selector;  ///< key of the choice
-    std::string choices;   ///< `type = 'mie' or 'morse'`
+    std::string selector;  ///< key that makes the choice
+    std::string choices;   ///< for messages: `type = 'mie' or 'morse'`
 };
 
-/// The choices that a key belongs to; nothing when it belongs to none.
+/// The choices that have a key of this name; nothing if none has.
 std::optional<Owner> choices_with_key(const Schema& schema, const std::string& name) {
     for (const auto& selection : schema.selections()) {
         std::vector<std::string> owners;
@@ -73,7 +73,7 @@ std::optional<Owner> choices_with_key(const Schema& schema, const std::string& n
     return std::nullopt;
 }
 
-/// Whether a table makes one of the choices that a key offers. If not, which keys go with it is an open question.
+/// Whether a table makes a valid choice for a key. If not, the additional keys that belong to it are unknown.
 bool makes_choice(const Table& table, const Key& selector) {
     const Entry* entry = find(table, selector.name);
     const auto* chosen = entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
@@ -82,7 +82,7 @@ bool makes_choice(const Table& table, const Key& selector) {
                  : selector.default_value.has_value();
 }
 
-/// @return the known keys that the unknown ones were probably meant to be
+/// @return known keys that unknown ones were probably meant to be
 std::set<std::string> report_unknown(const Table& table, const Schema& schema, Diagnostics& diagnostics) {
     std::set<std::string> meant;
     std::vector<std::string> known;
@@ -202,7 +202,7 @@ Section validate(const Table& table, const Location& where, const Schema& genera
         }
         if (is_table_kind(key.kind) && item.present && item.sections.empty()) item.sound = false;
         if (key.kind == Kind::table && item.present && item.sections.empty()) {
-            Diagnostics unheard;  // the table itself is the mistake, not each of its keys
+            Diagnostics unheard;  // discarded: the mistake is the missing table, not each of its keys
             item.sections.push_back(validate({}, item.location, key.inner.front(), units, unheard));
         }
         section.items_.emplace(key.name, std::move(item));

@@ -54,7 +54,7 @@ std::vector<std::string> printable_characters(std::string_view text) {
 }
 
 std::string printable(std::string_view text, std::size_t limit) {
-    // A character has at most four bytes: a megabyte need not be split to show its beginning.
+    // A character has at most four bytes, so the rest of a long text need not be split.
     const auto characters = printable_characters(text.substr(0, 4 * (limit + 1)));
     std::string shown;
     for (std::size_t i = 0; i < characters.size() && i < limit; ++i) shown += characters[i];

@@ -22,10 +22,10 @@ struct Unit {
     Dimension dimension;
     std::string_view name;
     double si;
-    bool listed;  // false: another spelling of a unit that messages list already
+    bool listed;  // false: another spelling of a listed unit
 };
 
-// In the order in which messages list them.
+// In the order of messages.
 constexpr Unit units[] = {
     {Dimension::length, "angstrom", 1e-10, true},
     {Dimension::length, "nm", 1e-9, true},

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double longest_move = 0.5;       // [sigma] in one step; atoms at 50 epsilon/k_B and 0.004 tau stay below 0.2
 constexpr double energy_allowance = 0.1;   // [epsilon per atom]
-constexpr double kinetic_allowance = 0.1;  // of the kinetic energy: errors of the integrator grow with it
+constexpr double kinetic_allowance = 0.1;  // fraction of the kinetic energy, with which the integrator's errors grow
 constexpr double pairs_crossing = 3.0;     // per atom, as when a crystal melts under a plain cut
 
-/// The fastest atom so far. Of equals it is the first, and after a speed that is not finite nothing is faster.
+/// The fastest atom so far. Of equally fast atoms the first counts; nothing is faster than a speed that is not finite.
 struct Fastest {
     Index atom = 0;
     double speed2 = 0.0;

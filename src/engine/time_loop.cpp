@@ -17,7 +17,7 @@ namespace ljmd {
 
 namespace {
 
-/// What a stage is made of.
+/// The objects that a stage works with.
 struct StageParts {
     std::unique_ptr<Thermostat> thermostat;
     std::unique_ptr<Barostat> barostat;
@@ -55,7 +55,6 @@ bool conserves_momentum(const Stage& stage) {
     return !stage.thermostat || stage.thermostat->plugin.conserves_momentum;
 }
 
-/// One pass over the stages.
 class TimeLoop {
   public:
     TimeLoop(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
@@ -76,7 +75,7 @@ class TimeLoop {
         return position_.seconds;
     }
 
-    /// Let the observer have its checkpoint, if it wants one.
+    /// Call the observer's checkpoint() if it asks for it.
     void offer_checkpoint(bool last_of_stage) {
         if (observer_.wants_checkpoint(last_of_stage)) {
             note_seconds();
@@ -84,10 +83,10 @@ class TimeLoop {
         }
     }
 
-    /// Of the run; that of a step which fails is the one that failed.
+    /// Step of the run; while a step fails, the number of that step.
     [[nodiscard]] Index step() const { return step_; }
 
-    /// For messages.
+    /// Name of the present stage, for messages.
     [[nodiscard]] std::string where() const {
         return position_.begun ? fmt::format(" (stage '{}')", stages_[position_.stage].name) : "";
     }
@@ -154,7 +153,7 @@ class TimeLoop {
         }
     }
 
-    /// Hands on to the observer what lies strictly between now and the end of the step, where times are rounded, too.
+    /// Pass on to the observer the states strictly between now and the end of the step; their times are rounded, too.
     [[nodiscard]] StateWatch watch_within(const Stage& stage, double end) {
         if (!observer_.looks_within_steps(stage)) {
             return {};

@@ -5,8 +5,8 @@
 
 namespace ljmd {
 
-/// While it lives, no signal is handled in this thread, nor in threads and processes that it makes meanwhile, which
-/// begin with its mask. Faults are no matter of choice, and a profiler's ticks do no harm.
+/// While an object of this type lives, its thread handles no signals, nor do threads and processes started in the
+/// meantime, which inherit the mask. Signals of faults and of profilers are not blocked.
 class SignalsBlocked {
   public:
     SignalsBlocked() {

@@ -54,7 +54,7 @@ bool is_from_intel() {
 }
 #endif
 
-/// The highest usable one that is made for this processor.
+/// The highest usable level that is made for this processor.
 SimdLevel best_simd_level() {
     std::vector<SimdLevel> usable = usable_simd_levels();
     if (usable.back() == SimdLevel::x86_64_v4_intel && !is_from_intel()) {

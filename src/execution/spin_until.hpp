@@ -4,7 +4,7 @@
 
 namespace ljmd {
 
-/// Tell the processor that this thread waits: another one on the same core goes faster.
+/// Tell the processor that this thread is waiting, so that another thread on the same core runs faster.
 inline void pause_processor() {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
@@ -13,10 +13,10 @@ inline void pause_processor() {
 #endif
 }
 
-/// Spin until a condition holds, for a time. @return whether it holds
+/// Spin until a condition holds, for a limited time. @return whether it holds
 template <class Condition>
 bool spin_until(Condition&& condition, std::chrono::steady_clock::duration longest) {
-    constexpr int looks = 16;  // take as long as one look at the clock, and longer
+    constexpr int looks = 16;  // take at least as long as reading the clock
     const auto look = [&] {
         for (int k = 0; k < looks; ++k) {
             if (condition()) {

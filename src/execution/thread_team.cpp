@@ -25,21 +25,22 @@ namespace {
 using Clock = WorkerAccount::Clock;
 using Nanoseconds = WorkerAccount::Nanoseconds;
 
-/// How long the caller waits for a worker that is awake before it computes the blocks which that has not begun.
+/// How long the caller waits for a worker that is awake before it takes over the blocks that the worker has not begun.
 constexpr std::chrono::microseconds patience{20};
 /// How long a thread spins before it sleeps: about as long as it takes to wake it. A worker may spin as long as it has
-/// worked before, for the caller's share may take longer.
+/// just worked, because the caller's share may take longer.
 constexpr std::chrono::microseconds shortest_spin{50};
 constexpr std::chrono::microseconds longest_spin{1000};
-/// Work that takes longer is corrected for the time in which the caller had no processor: to ask for that takes long.
+/// Longer work is corrected for the time in which the caller had no processor. For shorter work the query costs too
+/// much.
 constexpr Nanoseconds long_work{200e3};
 
-/// Processors fetch lines of a cache in pairs.
+/// Twice a cache line, because processors fetch lines in pairs.
 constexpr std::size_t cache_lines = 128;
 
 thread_local int number_of_this_thread = 0;
 
-/// This thread called the loop in which it is.
+/// Marks this thread as the caller of its loop.
 class IsCaller {
   public:
     IsCaller() : before_(std::exchange(number_of_this_thread, 0)) {}
@@ -51,7 +52,7 @@ class IsCaller {
     int before_;
 };
 
-std::atomic<int> forks = 0;  // by which this process came about, since the first team was made
+std::atomic<int> forks = 0;  // number of forks behind this process since the first team was made
 
 struct Loop {
     Index count;
@@ -67,7 +68,7 @@ struct Loop {
     }
 };
 
-/// The first block that threw, and what: an exception may not leave the loop before all threads have.
+/// The first block that threw, and its exception. An exception may not leave the loop before all threads have.
 struct Failure {
     Index block = std::numeric_limits<Index>::max();
     std::exception_ptr what;
@@ -88,33 +89,33 @@ struct Failure {
 
 }  // namespace
 
-/// The thread that calls, and what it has done of its loop so far.
+/// The calling thread, and what it has done of its loop so far.
 struct ThreadTeam::Caller {
     Loop loop;
-    Clock::time_point now = Clock::now();  ///< when it last looked at the clock
-    Index blocks = 0;                      ///< that it has computed
-    Nanoseconds worked{0};                 ///< how long that took
-    Failure failure{};                     ///< of all blocks that are done
+    Clock::time_point now = Clock::now();  ///< last time that it read the clock
+    Index blocks = 0;                      ///< number of blocks that it has computed
+    Nanoseconds worked{0};                 ///< time that these took
+    Failure failure{};                     ///< of all blocks done so far
 
     void compute(Index block) {
         failure.call(loop, block);
         ++blocks;
     }
-    /// Time since it last looked.
+    /// Time since the last reading of the clock.
     Nanoseconds lap() {
         const auto before = std::exchange(now, Clock::now());
         return now - before;
     }
 };
 
-/// One thread, and what passes between it and the caller: how many blocks are left to begin, in `left_`, and how many
-/// it has computed, in `done_`. Both sides take a block by counting `left_` down, and only who has taken one reads
-/// `loop_`. The caller writes the next loop when all blocks of the last are done, so a worker that comes late finds
-/// nothing, or the next loop.
+/// A worker thread, and what it shares with the caller: the number of blocks left to begin (`left_`) and the number
+/// that it has computed (`done_`). Both sides take a block by decrementing `left_`, and only a side that has taken one
+/// reads `loop_`. The caller writes the next loop when all blocks of the last one are done, so a worker that comes late
+/// finds nothing left, or the next loop.
 ///
-/// Neither side sleeps through what it waits for. Who is about to sleep says so and then looks once more; who changes
-/// something then looks whether the other sleeps. These operations are sequentially consistent, so at least one of them
-/// sees the other's, and the notification waits for `mutex_` until the other is asleep.
+/// No wake-up is lost. A side that is about to sleep says so and then checks its condition once more. A side that
+/// changes the condition then checks whether the other one sleeps. These operations are sequentially consistent, so at
+/// least one side sees the other's change, and the notification waits for `mutex_` until the other side is asleep.
 class ThreadTeam::Worker {
   public:
     explicit Worker(int number)
@@ -131,7 +132,7 @@ class ThreadTeam::Worker {
 
     [[nodiscard]] bool on_leave(Clock::time_point now) const { return account_.on_leave(now); }
 
-    /// Give it blocks [first, last) of a loop. @pre all blocks of the loop before are done
+    /// Give it blocks [first, last) of a loop. @pre all blocks of the previous loop are done
     void begin(const Loop& loop, Index first, Index last) {
         loop_ = loop;
         last_ = last;
@@ -140,7 +141,7 @@ class ThreadTeam::Worker {
         comes_late_ = !give(blocks_);
     }
 
-    /// Compute the blocks that the worker has not begun in time, and wait for those that it has.
+    /// Compute the blocks that the worker has not begun in time, and wait for those that it has begun.
     void finish(Caller& caller) {
         waited_ = Nanoseconds{0};
         const auto done = [this] { return done_.load() == done_at_end_; };
@@ -168,17 +169,17 @@ class ThreadTeam::Worker {
         }
     }
 
-    /// Decide whether it stays, when all of a loop is done.
-    /// @param block  how long one block has taken the caller
+    /// Decide whether it takes part in the next loops. Called when all of a loop is done.
+    /// @param block  mean time that the caller took for a block
     void settle(Nanoseconds block, Clock::time_point now) {
         account_.settle(block * static_cast<double>(blocks_), waited_, now);
     }
 
   private:
-    static constexpr Index end = -1;  // in place of a number of blocks
+    static constexpr Index end = -1;  // takes the place of a number of blocks
     enum class State { awake, asleep, called };
 
-    /// @return whether it is awake
+    /// @return whether the worker is awake
     bool give(Index blocks) {
         left_ = blocks;
         const State state = state_;
@@ -192,7 +193,7 @@ class ThreadTeam::Worker {
         return state == State::awake;
     }
 
-    /// @return the number of a block that nobody else computes; negative: none is left
+    /// @return number of a block that now belongs to this side; negative if none is left
     Index take() {
         Index left = left_;
         while (left > 0) {
@@ -234,8 +235,8 @@ class ThreadTeam::Worker {
 
     static constexpr auto nothing = [](Index, Index) {};
 
-    // What the caller writes for the worker, what the worker writes for the caller, what both only read as a rule, and
-    // what is the caller's lie in lines of their own.
+    // Each group has cache lines of its own: what the caller writes for the worker, what the worker writes for the
+    // caller, what both mostly only read, and what the caller uses alone.
     alignas(cache_lines) std::atomic<Index> left_ = 0;
     Index last_ = 0;
     Loop loop_{0, 1, nothing};
@@ -245,12 +246,12 @@ class ThreadTeam::Worker {
     std::atomic<bool> caller_sleeps_ = false;
     std::mutex mutex_;
     std::condition_variable changed_;
-    alignas(cache_lines) Index blocks_ = 0;  // that the worker computes of this loop
-    Index done_at_end_ = 0;                  // `done_` when it has
+    alignas(cache_lines) Index blocks_ = 0;  // blocks of this loop that the worker computes
+    Index done_at_end_ = 0;                  // `done_` when it has computed them
     bool comes_late_ = false;
     Nanoseconds waited_{0};
     WorkerAccount account_;
-    std::thread thread_;  // begins to work when all else is there
+    std::thread thread_;  // last member, because it starts to work when constructed
 };
 
 int number_in_team() {
@@ -262,7 +263,7 @@ ThreadTeam::ThreadTeam(int threads) {
     forks_ = forks;
     time_without_processor();
     try {
-        const SignalsBlocked signals_blocked;  // those that ask the program to stop are for its first thread
+        const SignalsBlocked signals_blocked;  // signals that ask the program to stop are for its first thread
         const auto workers = static_cast<std::size_t>(threads - 1);
         workers_.reserve(workers);
         present_.reserve(workers);
@@ -281,7 +282,7 @@ ThreadTeam::ThreadTeam(int threads) {
 
 ThreadTeam::~ThreadTeam() {
     if (in_child_process()) {
-        for (auto& worker : workers_) {  // there is no thread to join
+        for (auto& worker : workers_) {  // a child process has no such thread to join
             static_cast<void>(worker.release());
         }
     }
@@ -291,7 +292,7 @@ bool ThreadTeam::in_child_process() const {
     return forks_ != forks;
 }
 
-/// Time since the last call in which the calling thread slept, or other programs had its processor [ns].
+/// Time since the last call in which the calling thread slept, or in which other programs had its processor [ns].
 double ThreadTeam::time_without_processor() {
     timespec processor{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &processor);

@@ -25,7 +25,7 @@ std::unique_ptr<ThreadTeam>& team() {
 
 int available_processors() {
 #ifdef CPU_COUNT
-    // A process may be kept to some of the processors, e.g. by taskset or a queue.
+    // A process may be restricted to some processors, e.g. by taskset or a batch system.
     cpu_set_t allowed;
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
         return CPU_COUNT(&allowed);
@@ -41,7 +41,7 @@ int default_thread_count() {
     if (text.empty()) {
         return 1;
     }
-    const std::string_view first = text.substr(0, text.find(','));  // the others are for loops within loops
+    const std::string_view first = text.substr(0, text.find(','));  // the other numbers are for nested loops
     int count = 0;
     const auto [rest, error] = std::from_chars(first.data(), first.data() + first.size(), count);
     if (error != std::errc() || rest != first.data() + first.size() || count < 1 || count > most_threads) {
@@ -62,7 +62,7 @@ void set_thread_count(int count) {
     if (count == thread_count()) {
         return;
     }
-    team() = std::make_unique<ThreadTeam>(1);  // the old threads end before there are new ones
+    team() = std::make_unique<ThreadTeam>(1);  // the old threads end before new ones start
     team() = std::make_unique<ThreadTeam>(count);
 }
 

@@ -5,18 +5,18 @@
 
 namespace ljmd {
 
-/// What a thread that helps with loops has saved and cost whoever called them, and whether it is better left out.
+/// Account of what a worker has saved and cost the caller; decides whether to leave it out.
 ///
-/// After each loop the time that its blocks saved the caller is added and the time that the caller waited for it is
-/// taken off. What was gained does not count against a later loss. A helper that has lost more than largest_loss,
-/// because another program has its processor or because the loops are too small, is on leave for leave_per_loss times
-/// the loss. So the caller loses at most about a tenth of its time, however bad the helper is.
+/// After each loop the time that the worker's blocks saved the caller is added, and the time that the caller waited for
+/// it is subtracted. Gains do not offset later losses. A worker whose loss exceeds largest_loss, because another
+/// program has its processor or because the loops are too small, is on leave for leave_per_loss times the loss. So the
+/// caller loses at most about a tenth of its time, however slow the worker is.
 class WorkerAccount {
   public:
     using Clock = std::chrono::steady_clock;
     using Nanoseconds = std::chrono::duration<double, std::nano>;
 
-    /// More than an interrupt costs now and then.
+    /// More than an occasional interrupt costs.
     static constexpr Nanoseconds largest_loss{50e3};
     static constexpr double leave_per_loss = 10.0;
 

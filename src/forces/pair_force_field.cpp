@@ -17,7 +17,8 @@ namespace ljmd {
 
 namespace {
 
-/// Out of reach of everything, shifted by edges or not, and not so far that powers of the distance overflow.
+/// Coordinate of slots without an atom: out of reach even of images, but near enough that powers of the distance do not
+/// overflow.
 constexpr double far_away = -1e9;
 
 }  // namespace
@@ -139,7 +140,7 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
     return total;
 }
 
-/// What the atoms of a tile got as guests of others, tile by tile in the order of these.
+/// Add the forces on a tile's clusters where these are ghosts of other tiles, in the order of those tiles.
 void PairForceField::add_guest_forces(const VerletList& list, State& state) const {
     double* forces = state.write_forces().data();
     for_each_block(static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
@@ -148,8 +149,7 @@ void PairForceField::add_guest_forces(const VerletList& list, State& state) cons
             const ClusterGrid::Guests& guests = all[away.guests];
             const double* from =
                 guest_forces_[away.tile].data() + Index{3} * ClusterGrid::slots * (guests.first - all.front().first);
-            // Of clusters that follow each other in a column only the last may have slots without an atom, so slots
-            // and atoms are in step.
+            // Only the last cluster of a column may have slots without an atom, so atoms and slots run in step.
             const AtomRange atoms = list.clusters().atoms_of(guests.of);
             for (Index i = atoms.first; i < atoms.last; ++i, from += 3) {
                 Eigen::Map<Vec3>(forces + 4 * i) += Eigen::Map<const Vec3>(from);

@@ -16,7 +16,7 @@ void require_current_forces(const State& state) {
     }
 }
 
-/// Four numbers an atom: the fourth of positions, velocities and forces is zero and stays so (see VectorView).
+/// Four numbers per atom; the fourth of positions, velocities and forces is zero and stays zero (see VectorView).
 using Atom = Eigen::Map<Eigen::Array4d>;
 using ConstAtom = Eigen::Map<const Eigen::Array4d>;
 
@@ -29,8 +29,8 @@ void drift(State& state, double dt) {
     });
 }
 
-/// A kick and the drift that follows it, and before them the kick that ended the last step if nobody has looked at its
-/// velocities since: in one pass over the atoms, with the same bits, and half the traffic of memory.
+/// A kick and the drift after it in one pass over the atoms, together with the pending kick of the last step unless
+/// velocities have been read since. Same bits as separate passes, half the memory traffic.
 void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     require_current_forces(state);
     const double dt_due = state.take_kick();

@@ -16,14 +16,14 @@ namespace ljmd {
 
 namespace {
 
-/// Parts of a step of the method at whose ends the solution is shown. A step of order 8 turns by as much as a third of
-/// a radian. One that the next may exceed by `much_longer` is short enough as it is: a start of the method is.
+/// Parts of a step of the method between which the solution is shown, because a step of order 8 may turn by as much as
+/// a third of a radian. Steps that the next one may exceed by `much_longer`, as those at the start, are short enough.
 constexpr int parts = 8;
 constexpr double much_longer = 4.0;
 
 }  // namespace
 
-/// y holds the positions by id, then the velocities by id: force fields may rearrange bodies in memory.
+/// y holds the positions by id, then the velocities by id, because force fields may reorder bodies in memory.
 class ReferenceTrajectory::Integration {
   public:
     Integration(const State& start, ForceField& force, double tolerance)
@@ -33,8 +33,8 @@ class ReferenceTrajectory::Integration {
           y_(2 * size_),
           origin_(start.time),
           system_{&Integration::call, nullptr, y_.size(), this} {
-        gsl_set_error_handler_off();  // errors come back as codes; GSL's own handler would abort the program
-        const double any_step = 1.0;  // set_step() comes before it is used
+        gsl_set_error_handler_off();  // errors are returned as codes; GSL's own handler would abort the program
+        const double any_step = 1.0;  // replaced by set_step() before it is used
         driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, any_step, tolerance, tolerance));
         inner_method_.reset(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, y_.size()));
         if (!driver_ || !inner_method_) {
@@ -74,7 +74,7 @@ class ReferenceTrajectory::Integration {
         void operator()(gsl_odeiv2_step* step) const { gsl_odeiv2_step_free(step); }
     };
 
-    /// @param end  since the origin
+    /// @param end  time since the origin
     void advance(double end, const StateWatch& within) {
         set_step(end - elapsed_);
         const int status = step_to(end, within);
@@ -84,7 +84,7 @@ class ReferenceTrajectory::Integration {
         }
     }
 
-    /// What gsl_odeiv2_driver_apply() does, with a look at every step. @return GSL's code
+    /// As gsl_odeiv2_driver_apply(), but shows every step. @return GSL's code
     int step_to(double end, const StateWatch& within) {
         gsl_odeiv2_driver& driver = *driver_;
         const double sign = std::copysign(1.0, driver.h);
@@ -110,8 +110,8 @@ class ReferenceTrajectory::Integration {
         return GSL_SUCCESS;
     }
 
-    /// Show what lies inside of the step from before_ to y_. Places inside are reached by shorter steps from its
-    /// beginning; one at which the forces have no value is left out.
+    /// Show points inside the step from before_ to y_. They are reached by shorter steps from its beginning; points at
+    /// which the forces have no value are left out.
     void look_inside(double begin, const StateWatch& within) {
         for (int part = 1; part < parts; ++part) {
             const double length = (elapsed_ - begin) * part / parts;
@@ -124,11 +124,11 @@ class ReferenceTrajectory::Integration {
         }
     }
 
-    /// Where the position of the body at index i begins in y; its velocity follows size_ later.
+    /// Index in y of the position of the body at index i; its velocity follows size_ later.
     [[nodiscard]] std::size_t place(std::size_t i) const { return 3 * static_cast<std::size_t>(state_.ids()[i]); }
 
-    /// The first step is far too short rather than too long: the steps grow fast, and a long one may leap over what
-    /// happens in between.
+    /// The first step is chosen far too short rather than too long: steps grow fast, and a long one may leap over
+    /// events.
     void set_step(double span) {
         if (steps_ == 0) {
             gsl_odeiv2_driver_reset_hstart(driver_.get(), 1e-6 * span);
@@ -137,8 +137,8 @@ class ReferenceTrajectory::Integration {
         }
     }
 
-    /// GSL's frames are C: no exception may pass through them. After a failure GSL halves the step as long as that
-    /// changes the time, so only the last exception counts.
+    /// GSL is C code, through which no exception may pass. After a failure GSL halves the step as long as that changes
+    /// the time, so only the last exception counts.
     static int call(double, const double* y, double* derivative, void* self) {
         auto& integration = *static_cast<Integration*>(self);
         integration.trouble_ = nullptr;
@@ -161,7 +161,7 @@ class ReferenceTrajectory::Integration {
             Map acceleration(derivative + size_ + place(i));
             velocity = ConstMap(y + size_ + place(i));
             acceleration = static_cast<const State&>(state_).forces().col(static_cast<Index>(i)) / state_.masses()[i];
-            // GSL's choice of the step takes NaN for a small error.
+            // For GSL's choice of the step, NaN would count as a small error.
             if (!velocity.allFinite() || !acceleration.allFinite()) {
                 throw PhysicsError(
                     fmt::format("velocity or acceleration of body {} is not finite", state_.ids()[i] + 1));
@@ -169,7 +169,7 @@ class ReferenceTrajectory::Integration {
         }
     }
 
-    /// Make state_ what y says. @param elapsed  since the origin
+    /// Copy y into state_. @param elapsed  time since the origin
     void show(const std::vector<double>& y, double elapsed) {
         for (std::size_t i = 0; i < state_.ids().size(); ++i) {
             state_.write_positions().col(static_cast<Index>(i)) = ConstMap(y.data() + place(i));
@@ -194,17 +194,17 @@ class ReferenceTrajectory::Integration {
 
     State state_;
     ForceField& force_;
-    std::size_t size_;  // of the positions in y
+    std::size_t size_;  // number of position coordinates in y
     std::vector<double> y_;
-    std::vector<double> before_ = y_;  // y at the beginning of a step that is looked into
+    std::vector<double> before_ = y_;  // y at the beginning of a step whose inside is shown
     std::vector<double> inner_ = y_;
     std::vector<double> error_ = y_;
-    double origin_;         // when it began
-    double elapsed_ = 0.0;  // since then
+    double origin_;         // time of the start
+    double elapsed_ = 0.0;  // time since the origin
     gsl_odeiv2_system system_;
     std::unique_ptr<gsl_odeiv2_driver, FreeDriver> driver_;
     std::unique_ptr<gsl_odeiv2_step, FreeStep> inner_method_;
-    std::exception_ptr trouble_;  // of the last evaluation
+    std::exception_ptr trouble_;  // exception of the last evaluation
     Index steps_ = 0;
 };
 

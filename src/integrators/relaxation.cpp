@@ -13,7 +13,7 @@ namespace {
 
 constexpr double longest_move = 0.1;  // [sigma]
 
-/// The constants of the paper, with steps that suit reduced units.
+/// Constants of the FIRE paper, with time steps for reduced units.
 struct FireConstants {
     double first_step = 0.002;
     double longest_step = 0.02;
@@ -21,10 +21,10 @@ struct FireConstants {
     double step_shrinkage = 0.5;
     double first_mixing = 0.1;
     double mixing_decay = 0.99;
-    Index patience = 5;  // downhill iterations before the step grows
+    Index patience = 5;  // downhill iterations before the step may grow
 };
 
-/// NaN when any force is.
+/// Largest force; NaN if any force is NaN.
 double largest_force(const State& state) {
     const auto f = state.forces();
     double largest = 0.0;
@@ -38,8 +38,8 @@ double largest_force(const State& state) {
     return largest;
 }
 
-/// v = (1 - mixing) v + mixing |v| f/|f|: turns the velocity towards the force. Returns whether f.v > 0, that is,
-/// downhill.
+/// v = (1 - mixing) v + mixing |v| f/|f|: turn the velocity towards the force. @return whether f.v > 0, that is,
+/// downhill
 bool steer(State& state, double mixing) {
     auto v = state.write_velocities();
     const auto f = static_cast<const State&>(state).forces();

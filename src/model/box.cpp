@@ -21,19 +21,19 @@ void require_usable(const Vec3& edges) {
 
 Box::Box(const Vec3& edges) {
     require_usable(edges);
-    // frexp gives 1.5 L = m 2^e with m in [0.5, 1), so 2^e is a power of two above 1.5 L.
+    // frexp gives 1.5 L = m 2^e with m in [0.5, 1), so 2^e is the smallest power of two above 1.5 L.
     int exponent = 0;
     std::frexp(1.5 * edges.maxCoeff(), &exponent);
     resolution_ = std::ldexp(1.0, exponent - 52);
-    // Doubles between 2^e and 2^(e+1) are spaced by g: adding 1.25 * 2^e brings r into that range, where it is rounded.
+    // Doubles between 2^e and 2^(e+1) are spaced by g. Adding 1.25 * 2^e brings r into that range, where it is rounded.
     rounding_ = 1.25 * std::ldexp(1.0, exponent);
     edges_ = (edges / resolution_).array().round() * resolution_;
-    require_usable(edges_);  // an edge may vanish beside a much longer one, or leave the range of doubles
+    require_usable(edges_);  // an edge may vanish beside a much longer one, or overflow
 }
 
 Vec3 Box::crossings(const Vec3& r) const {
     Vec3 n = (r.array() / edges_.array()).floor();
-    for (int a = 0; a < 3; ++a) {  // the division rounds: an atom a hair from a wall may be counted on the wrong side
+    for (int a = 0; a < 3; ++a) {  // the division rounds: an atom close to a wall may be counted on the wrong side
         if (r[a] - n[a] * edges_[a] < 0.0) {
             n[a] -= 1.0;
         } else if (r[a] - n[a] * edges_[a] >= edges_[a]) {

@@ -4,7 +4,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double rounding = 1e-12;  // of an edge
+constexpr double rounding = 1e-12;  // fraction of an edge
 
 }  // namespace
 
@@ -13,7 +13,7 @@ Box box_for_cutoff(const Box& box, double cutoff) {
     for (double& edge : edges) {
         const double wanted = 2.0 * cutoff;
         if (edge < wanted && edge >= (1.0 - rounding) * wanted) {
-            edge = wanted + box.resolution();  // which the grid cannot bring below what is wanted
+            edge = wanted + box.resolution();  // rounding to the grid cannot bring it below `wanted`
         }
     }
     return Box(edges);

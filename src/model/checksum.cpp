@@ -21,7 +21,7 @@ std::string checksum(const State& state) {
         const Vec3 n = state.has_box() ? state.box().crossings(r.col(i)) : Vec3::Zero();
         const Vec3 wrapped = state.has_box() ? Vec3(r.col(i) - n.cwiseProduct(state.box().edges())) : Vec3(r.col(i));
         const Vec3 image = state.image(i).cast<double>() + n;
-        // Adding zero makes -0 and +0 the same.
+        // Adding zero turns -0 into +0.
         const std::array<double, 6> atom{wrapped[0] + 0.0, wrapped[1] + 0.0, wrapped[2] + 0.0,
                                          image[0] + 0.0,   image[1] + 0.0,   image[2] + 0.0};
         XXH3_64bits_update(hash.get(), atom.data(), sizeof(atom));

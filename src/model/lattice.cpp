@@ -12,7 +12,7 @@ namespace ljmd {
 
 namespace {
 
-/// Sites in units of the cubic cell's edge.
+/// Sites in units of the edge of the cubic cell.
 std::vector<Vec3> basis(Lattice lattice) {
     if (lattice == Lattice::fcc) {
         return {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}, {0.5, 0.0, 0.5}, {0.0, 0.5, 0.5}};
@@ -27,7 +27,7 @@ Index sites_per_cell(Lattice lattice) {
 }
 
 Index lattice_atoms(Lattice lattice, Index cells) {
-    constexpr Index most_cells = Index{1} << 20;  // 4 * 2^60 sites still fit
+    constexpr Index most_cells = Index{1} << 20;  // 4 * 2^60 sites fit into an Index
     if (cells < 0 || cells > most_cells) {
         throw ContractViolation(fmt::format("a crystal of {} cells along each edge", cells));
     }
@@ -37,7 +37,7 @@ Index lattice_atoms(Lattice lattice, Index cells) {
 NearestCells nearest_cells(Lattice lattice, Index atoms) {
     const double exact = std::cbrt(static_cast<double>(atoms) / static_cast<double>(sites_per_cell(lattice)));
     Index below = std::max<Index>(1, static_cast<Index>(std::floor(exact)));
-    while (lattice_atoms(lattice, below + 1) <= atoms) {  // cbrt may round a whole number down
+    while (lattice_atoms(lattice, below + 1) <= atoms) {  // cbrt may round below a whole number
         ++below;
     }
     return {below, lattice_atoms(lattice, below) == atoms ? below : below + 1};

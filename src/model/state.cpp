@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t stride = 4;
 
-/// An atom this many edges away from its box has not diffused there.
+/// An atom does not diffuse this many edges away from its box.
 constexpr double most_crossings = 1e6;
 
 VectorView view(AlignedVector<double>& data, Index first, Index count) {
@@ -31,8 +31,8 @@ ConstVectorView view(const AlignedVector<double>& data, Index count) {
     return {data.data(), 3, count};
 }
 
-/// What `width` numbers from width k on are becomes what those from width order[k] on were.
-/// @pre room in `spare` for as many bytes as all of them have
+/// Reorder groups of `width` numbers: group k becomes the former group order[k].
+/// @pre `spare` has room for all bytes of `data`
 template <std::size_t width, class Vector>
 void permute(Vector& data, const std::vector<Index>& order, std::byte* spare) {
     constexpr std::size_t bytes = width * sizeof(typename Vector::value_type);
@@ -47,7 +47,7 @@ void permute(Vector& data, const std::vector<Index>& order, std::byte* spare) {
     });
 }
 
-/// Whether the number behind each vector is the zero that it must be.
+/// Whether the padding of each vector is zero, as it must be.
 bool padding_is_zero(const AlignedVector<double>& data) {
     for (std::size_t i = stride - 1; i < data.size(); i += stride) {
         if (data[i] != 0.0) {
@@ -164,10 +164,10 @@ void State::wrap() {
     auto r = view(positions_, 0, count_);
     for_each_index(count_, [&](Index i) {
         if ((r.col(i).array() >= 0.0).all() && (r.col(i).array() < box().edges().array()).all()) {
-            return;  // nearly all atoms, nearly always
+            return;  // nearly always
         }
         const Vec3 n = box().crossings(r.col(i));
-        if (!(n.array().abs() < most_crossings).all()) {  // true for NaN as well; maxCoeff may pass over it
+        if (!(n.array().abs() < most_crossings).all()) {  // true for NaN as well; maxCoeff may ignore NaN
             const Vec3 outside = (r.col(i).array() - 0.5 * box().edges().array()).abs() - 0.5 * box().edges().array();
             const std::string how = r.col(i).allFinite()
                                         ? fmt::format("has left its box by {:.3g} sigma", outside.maxCoeff())
@@ -209,7 +209,7 @@ void State::reorder(const std::vector<Index>& order) {
 
 void State::set_ghost_count(Index count) {
     const std::size_t size = stride * (checked(count_) + checked(count));
-    positions_.reserve(size > positions_.capacity() ? size + size / 32 : 0);  // resize alone would take twice as much
+    positions_.reserve(size > positions_.capacity() ? size + size / 32 : 0);  // resize alone may double it
     positions_.resize(size);
     ghost_count_ = count;
 }
@@ -267,7 +267,7 @@ void State::archive(Archive& a) {
     refuse_unless(!bounded || edges == box_->edges(), "its box is another");
     require_count(step);
     require_count(phase_.steps);
-    constexpr int most_edges = 1 << 30;  // no run takes an atom so far, and counting on does not overflow
+    constexpr int most_edges = 1 << 30;  // no run takes an atom so far, and further counting does not overflow
     refuse_unless(std::all_of(images.begin(), images.end(), [](int n) { return n > -most_edges && n < most_edges; }),
                   "an atom is too far from its box");
     for (std::size_t i = 0; i < count; ++i) {

@@ -15,27 +15,27 @@ namespace ljmd {
 
 namespace {
 
-/// Cells and ranges a little wider than they must be, so that the rounding in `position * inverse_width` cannot move a
+/// Cells and ranges are a little wider than necessary, so that rounding in `position * inverse_width` cannot move a
 /// neighbour out of reach.
 constexpr double safety = 1.0 + 0x1p-40;
 
-/// Cells of half the range are tested 1.7 times less often in vain than cells of the whole range.
+/// With cells of half the range, 1.7 times fewer distance tests fail than with cells of the whole range.
 constexpr double cells_per_range = 2.0;
 
-/// More cells than this for each atom cost more memory than they save tests.
+/// More cells per atom cost more memory than they save tests.
 constexpr double most_cells_per_atom = 3.0;
 
-/// Cells and places are counted in 32 bits.
+/// Cells and places are counted with 32 bits.
 constexpr Index most_points = Index{1} << 30;
 
-/// The largest whole number not above x. @pre -2^31 < x < 2^31
+/// The largest integer not above x. @pre -2^31 < x < 2^31
 int floor_of(double x) {
-    const int n = static_cast<int>(x);  // towards zero; std::floor is a call where the processor may be old
+    const int n = static_cast<int>(x);  // towards zero; std::floor is a function call on processors without SSE4.1
     return n - (n > x ? 1 : 0);
 }
 
-/// Counting sort: the places of keys 0 ... bins-1. `starts` gets bins + 1 entries, `order` the indices by key and, of
-/// equal keys, as they come.
+/// Counting sort for keys 0 ... bins-1. `starts` gets bins + 1 entries, `order` the indices by key; equal keys keep
+/// their order.
 void sort_by(const std::vector<std::uint32_t>& keys, std::size_t bins, std::vector<std::uint32_t>& starts,
              std::vector<std::int32_t>& order) {
     starts.assign(bins + 1, 0);
@@ -58,7 +58,7 @@ void require_countable(Index points) {
     }
 }
 
-/// first, first + 1, ... behind what is there.
+/// Append first, first + 1, ...
 void append_range(std::vector<std::int32_t>& numbers, Index first, Index count) {
     const std::size_t size = numbers.size();
     require_countable(static_cast<Index>(size) + count);
@@ -83,7 +83,7 @@ void CellGrid::configure(const Box& box, double range, Index atoms) {
 
 void CellGrid::find_rows(double range) {
     rows_.clear();
-    // Between cells that lie n apart along an axis there are n - 1 whole ones.
+    // Between cells n apart along an axis lie n - 1 whole cells.
     const auto between = [&](int offset, int axis) { return std::max(0, std::abs(offset) - 1) / inverse_width_[axis]; };
     for (int dz = -reach_[2]; dz <= reach_[2]; ++dz) {
         for (int dy = -reach_[1]; dy <= reach_[1]; ++dy) {
@@ -145,12 +145,12 @@ std::vector<Index> CellGrid::spatial_order(const State& state) {
 }
 
 std::vector<GhostExchange::Run> CellGrid::place_atoms_and_images(const State& state) {
-    const std::vector<std::uint32_t> atoms = std::exchange(starts_, {});  // of each cell in the box
+    const std::vector<std::uint32_t> atoms = std::exchange(starts_, {});  // for the cells in the box
     starts_.reserve(atoms.size());
     order_.clear();
     std::vector<GhostExchange::Run> images;
     Index ghosts = 0;
-    // How many edges away the image is that a cell belongs to; 0 in the box.
+    // Which image a cell belongs to, in box edges along an axis; 0 in the box.
     const auto crossings = [&](int cell, std::size_t axis) {
         return floor_of(static_cast<double>(cell - reach_[axis]) / inner_[axis]);
     };

@@ -15,22 +15,23 @@ namespace ljmd {
 
 namespace {
 
-/// Ranges a little wider than they must be, so that rounding cannot move a neighbour out of reach.
+/// Ranges are a little wider than necessary, so that rounding cannot move a neighbour out of reach.
 constexpr double safety = 1.0 + 0x1p-36;
 
-/// A tile's positions, forces and lists should fit into the caches next to a core; pairs across its walls are computed
-/// twice, so it should not be small. Few atoms are still shared among several threads.
+/// Positions, forces and lists of a tile should fit into the caches next to a core. A small tile has many ghost
+/// clusters (guests in names) for its own clusters, which cost copies and a second sum. A small system still gets two
+/// tiles, so that two threads can share it.
 constexpr double most_atoms_per_tile = 4000.0;
 constexpr double fewest_tiles = 2.0;
 constexpr double fewest_atoms_per_tile = 200.0;
 
-/// Edges across z of a cluster, of those of a cube of the same volume.
+/// Width of a column relative to the edge of a cubic cluster.
 constexpr double slimness = 0.93;
 
-/// Slices of a column for each cluster that it has on the mean.
+/// Slices of a column for each cluster that it has on average.
 constexpr double slices_per_cluster = 2.0;
 
-/// Numbers of atoms are counted in 32 bits.
+/// Atoms are counted with 32 bits.
 constexpr Index most_atoms = Index{1} << 30;
 
 int floor_of(double x) {
@@ -41,12 +42,12 @@ int rounded(double x) {
     return std::max(1, static_cast<int>(std::lround(x)));
 }
 
-/// How many columns to each side are within range, when so many share an edge.
+/// Number of columns to each side that may be within range, for a number of columns along an edge.
 int columns_to_look(int columns, double edge, double range) {
     return static_cast<int>(std::ceil(range * columns / edge));
 }
 
-/// Columns along an edge of a tile: slim ones, unless there are more to look at than if clusters were cubes.
+/// Number of columns along an edge of a tile: slim columns, unless these need a wider search than cubic clusters would.
 int columns_along(double edge, double cube, double range) {
     const int cubes = rounded(edge / cube);
     int columns = rounded(edge / (slimness * cube));
@@ -63,7 +64,7 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms) {
     const double count = std::max(1.0, static_cast<double>(atoms));
     const double atoms_per_tile = std::clamp(count / fewest_tiles, fewest_atoms_per_tile, most_atoms_per_tile);
     const double density = count / box.volume();
-    // Cut the longest edge of the tiles again and again.
+    // Cut the longest edge of the tiles until they are small enough.
     tiles_along_ = {1, 1, 1};
     while (count / (tiles_along_[0] * tiles_along_[1] * tiles_along_[2]) > 1.2 * atoms_per_tile) {
         std::size_t longest = 0;
@@ -75,7 +76,7 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms) {
         }
         ++tiles_along_[longest];
     }
-    const double cube = std::cbrt(slots / density);  // edge of a cluster that is one
+    const double cube = std::cbrt(slots / density);  // edge of a cubic cluster
     for (std::size_t a = 0; a < 3; ++a) {
         const double edge = box.edges()[static_cast<Index>(a)];
         const double edge_of_tile = edge / tiles_along_[a];
@@ -161,7 +162,8 @@ void ClusterGrid::put_in_order(State& state) {
     for_each_index(state.count(), [&](Index i) {
         column[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(column_at(cell_at(r.col(i))));
     });
-    // Counting sort: column_atoms_[c + 1] serves as the next free place of column c and ends as the start of c + 1.
+    // Counting sort: column_atoms_[c + 1] is the next free place of column c while it is filled, and then the start of
+    // c + 1.
     column_atoms_.assign(columns + 2, 0);
     for (const std::uint32_t c : column) {
         ++column_atoms_[c + 2];
@@ -244,13 +246,13 @@ void ClusterGrid::cut_into_slices() {
     });
 }
 
-/// Squared distance of columns that lie so many cells apart: between them there is one whole cell less.
+/// Squared distance between columns that are `cells` columns apart, between which lies one column less.
 double ClusterGrid::gap2(int cells, std::size_t axis) const {
     const double gap = std::max(0, std::abs(cells) - 1) / inverse_width_[static_cast<Index>(axis)];
     return gap * gap;
 }
 
-/// Those of a column's clusters that, shifted, lie at least in part between two heights.
+/// Clusters of a column that, shifted, lie at least in part between two heights.
 ClusterGrid::Run ClusterGrid::guests_of_column(std::int32_t column, double shift, double low, double high) const {
     Run run = clusters_of_column(column);
     while (run.length() > 0 && extent(run.first).high + shift < low) {
@@ -278,7 +280,7 @@ ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
             for (cell[0] = corner[0]; cell[0] < corner[0] + cells[0]; ++cell[0]) {
                 Cell wrapped{};
                 Vec3 shift;
-                int side = 0;  // of the tile to which the column belongs, as seen from this one
+                int side = 0;  // where the column's tile lies, seen from this one: -1, 0 (same tile) or 1
                 double left2 = range_ * range_;
                 for (std::size_t a = 0; a < 3; ++a) {
                     const int boxes = boxes_away(cell[a], a);

@@ -12,10 +12,10 @@ namespace ljmd {
 
 namespace {
 
-/// For positions that mixed precision rounds.
+/// Widens the cutoff, because mixed precision rounds positions.
 constexpr double wider = 1.0 + 0x1p-21;
 
-/// When there are more than one in so many, a new list costs less than to look around all of them.
+/// With fewer atoms per fast atom, a rebuild costs less than a search around all fast atoms.
 constexpr Index fewest_atoms_a_fast_one = 64;
 
 constexpr Index fast_atoms_per_block = 16;
@@ -32,14 +32,14 @@ struct Move {
     double length;  ///< [sigma]
 };
 
-/// How far atoms have moved since they were sorted.
+/// Displacements of atoms since they were sorted.
 struct Moves {
-    std::vector<Move> fast;          ///< of atoms that are not slow, in their order; NaN among them
-    std::vector<double> of_column;   ///< the longest of its slow and fast atoms [sigma]
-    std::vector<double> of_cluster;  ///< [sigma]
+    std::vector<Move> fast;          ///< atoms that are not slow, in their order, NaN included
+    std::vector<double> of_column;   ///< longest of each column [sigma]
+    std::vector<double> of_cluster;  ///< longest of each cluster [sigma]
 };
 
-/// @param slow  up to that length [sigma]
+/// @param slow  largest displacement of a slow atom [sigma]
 Moves find_moves(const ClusterGrid& grid, const double* before, const double* now, double slow) {
     Moves moves;
     moves.of_column.resize(static_cast<std::size_t>(grid.column_count()));
@@ -77,8 +77,8 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const double* no
 bool any_pair_missed(const ClusterGrid& grid, const double* before, const State& state, double cutoff, double skin) {
     const double* now = state.positions().data();
     const double reach = cutoff * wider;
-    const double range = (cutoff + skin) * (1.0 - 0x1p-40);  // all within it stand on lists
-    const double harmless = std::max(0.0, range - reach);    // for two atoms together
+    const double range = (cutoff + skin) * (1.0 - 0x1p-40);  // all pairs within it are on the list
+    const double harmless = std::max(0.0, range - reach);  // total displacement of a pair that cannot have been missed
     const Moves moves = find_moves(grid, before, now, 0.5 * harmless);
 
     if (static_cast<Index>(moves.fast.size()) * fewest_atoms_a_fast_one > state.count()) {
@@ -95,7 +95,7 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
     const auto missed_around = [&](ColumnsAround& around, const Move& move) {
         const double* here = now + 4 * move.atom;
         const double* there = before + 4 * move.atom;
-        const double enough = harmless - move.length;  // of another, to be missed
+        const double enough = harmless - move.length;  // displacement that a partner needs to have been missed
         return around.any(Vec3(here[0], here[1], here[2]), reach + longest,
                           [&](std::int32_t column, const Vec3& shift) {
                               if (moves.of_column[static_cast<std::size_t>(column)] < enough) {

@@ -18,7 +18,7 @@ namespace ljmd {
 
 namespace {
 
-/// Room that grows by a sixteenth more than is asked for: by as much again, as vectors do, a list would waste memory.
+/// Grow to a sixteenth more than `size`. A vector would double its memory, which wastes too much for long lists.
 void make_room(std::vector<std::int32_t>& entries, std::size_t size) {
     if (entries.size() < size) {
         const std::size_t room = size + size / 16;
@@ -33,7 +33,7 @@ class CandidatesOfCluster {
     CandidatesOfCluster(const ClusterGrid& grid, ListKernel kernel, const ConstCandidates& all)
         : grid_(grid), kernel_(kernel), all_(all) {}
 
-    /// Collect those near a cluster; of its own tile, those behind it. @param near  of its column
+    /// Collect the clusters near a cluster; of its own tile, those after it. @param near  see ClusterGrid::find_near()
     void go_to(Index cluster, const std::vector<ClusterGrid::Near>& near) {
         const ClusterGrid::Extent& extent = grid_.extent(cluster);
         constexpr std::int32_t slots = ClusterGrid::slots;
@@ -42,14 +42,14 @@ class CandidatesOfCluster {
         std::int32_t points = 0;
         for (const ClusterGrid::Near& other : near) {
             if (grid_.is_out_of_reach(other, extent)) {
-                break;  // for most clusters, at the first column of the next tiles along z
+                break;  // for most clusters at the first column of the next layer along z
             }
             const ClusterGrid::Run window = grid_.window(other, extent);
             const std::int32_t least = other.column.guest ? 0 : static_cast<std::int32_t>(cluster) + 1;
             const ClusterGrid::Run run{(std::max(window.first, least) + other.column.offset) * slots,
                                        (window.last + other.column.offset) * slots};
             const bool any = run.first < run.last;
-            runs_[static_cast<std::size_t>(runs)] = run;  // kept if there is one: a branch would be guessed wrong
+            runs_[static_cast<std::size_t>(runs)] = run;  // kept if not empty: a branch would be mispredicted
             runs += any ? 1 : 0;
             points += any ? run.length() : 0;
         }
@@ -71,7 +71,8 @@ class CandidatesOfCluster {
     int count_ = 0;
 };
 
-/// All slots of a tile and its guests, as the kernel wants them. @param part  how many slots stand together on lists
+/// All slots of a tile and its ghost clusters (guests in names), for the kernel. @param part  slots of a part, see
+/// RowShape
 CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighborhood& neighborhood,
                               const State& state, const FixedPoint& fixed_point, Index part) {
     constexpr Index slots = ClusterGrid::slots;
@@ -123,7 +124,7 @@ void VerletList::prepare(State& state, double cutoff) {
     if (still_valid(state, cutoff)) {
         ++age_;
     } else {
-        // Not any_pair_missed(): a pair that came within the cutoff meanwhile may have left by now.
+        // any_pair_missed() would not do: a pair that came within the cutoff in between may have left it again.
         if (is_of(state, cutoff) && every_ && !nothing_moved_too_far(state)) {
             ++statistics_.late_rebuilds;
         }
@@ -150,7 +151,7 @@ bool VerletList::still_valid(const State& state, double cutoff) const {
 bool VerletList::nothing_moved_too_far(const State& state) const {
     const double* before = reference_.data();
     const double* now = state.positions().data();
-    const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // a hair less, for the rounding in the distances
+    const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // slightly less, for rounding of the distances
     const double limit2 = limit * limit;
     std::atomic<bool> valid = true;
     for_each_block(state.count(), loop_block, [&](Index first, Index last) {
@@ -169,7 +170,7 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
 }
 
 void VerletList::archive(Archive& a, const State& state, double cutoff) {
-    // A list for another box, or another order of the atoms, is built anew at the next evaluation in any case.
+    // A list for another cutoff, box or order of the atoms is rebuilt at the next evaluation in any case.
     bool built = built_for_cutoff_ == cutoff && built_for_order_ == state.order_version() &&
                  built_for_edges_ == state.box().edges();
     if (!a.reading()) {
@@ -224,8 +225,8 @@ void VerletList::build(const State& state, double cutoff) {
 
 Index VerletList::fill(std::size_t number, const State& state, double range) {
     const ListKernel kernel = list_kernel(level_);
-    // Each coordinate may be off by 16.5 units, a distance by twice the root of three of that, and the kernel rounds:
-    // no pair within range is lost, and one that is hardly farther away may be on the list.
+    // A coordinate may be off by 16.5 units, so a distance by twice that times the root of three; and the kernel
+    // rounds. With this margin no pair within range is lost; a pair slightly beyond it may be on the list.
     const double units = range / fixed_point_.unit() + 58.0;
     const auto range2 = static_cast<float>(units * units * (1.0 + 1e-6));
 
@@ -277,9 +278,9 @@ void VerletList::find_guests_owners() {
         std::fill(tile_of.begin() + tiles[t].first, tile_of.begin() + tiles[t].last, static_cast<std::uint32_t>(t));
     }
     const auto owner = [&](const ClusterGrid::Guests& guests) {
-        return tile_of[static_cast<std::size_t>(guests.of.first)];  // guests that stand together are of one column
+        return tile_of[static_cast<std::size_t>(guests.of.first)];  // a Guests is of one column, so of one tile
     };
-    // Counting sort, as in ClusterGrid: away_starts_[t + 1] serves as the next free place of tile t.
+    // Counting sort, as in ClusterGrid: away_starts_[t + 1] is the next free place of tile t while away_ is filled.
     away_starts_.assign(tiles.size() + 2, 0);
     for (const Tile& tile : tiles_) {
         for (const ClusterGrid::Guests& guests : tile.guests) {

@@ -9,11 +9,11 @@ namespace ljmd {
 
 namespace {
 
-/// sum m u u of u = (v, 1): sum m v v in the first three rows, sum m v and sum m in the last one.
+/// sum m u u for u = (v, 1): sum m v v in the first three rows, sum m v and sum m in the last one.
 Eigen::Matrix4d kinetic_sums(const State& state) {
     const auto v = state.velocities();
     return sum_over(state.count(), Eigen::Matrix4d(Eigen::Matrix4d::Zero()), [&](Index i) {
-        // Behind the three components of a velocity lies a zero.
+        // The three components of a velocity are followed by a zero.
         const Eigen::Vector4d u = Eigen::Map<const Eigen::Vector4d>(v.col(i).data()) + Eigen::Vector4d::UnitW();
         const double mass = state.masses()[static_cast<std::size_t>(i)];
         return Eigen::Matrix4d((mass * u) * u.transpose());

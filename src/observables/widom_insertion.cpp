@@ -28,7 +28,7 @@ WidomInsertion::WidomInsertion(const SampledRun& run, Index insertions, Every ev
       means_(columns, Covariance::full) {}
 
 WidomInsertion::Weights WidomInsertion::mean_weights(const State& state, double temperature) {
-    // The grid sorts and wraps atoms, which must not happen to the running state.
+    // The grid sorts and wraps atoms, so it works on a copy of the state.
     State scratch(state.count(), state.box());
     scratch.write_positions() = state.positions();
     const double cutoff = interaction_.potential.cutoff().radius;

@@ -15,13 +15,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Call f.template operator()<Formula>() for every formula.
+/// Call f.template operator()<Formula>() for each formula.
 template <class F, class... Formulas>
 void for_each_formula(FormulaList<Formulas...>, const F& f) {
     (f.template operator()<Formulas>(), ...);
 }
 
-/// Call f.template operator()<Truncation<Formula>>() for every truncation of one formula.
+/// Call f.template operator()<Truncation<Formula>>() for each truncation of a formula.
 template <class Formula, class F>
 void for_each_truncation(const F& f) {
     [&]<class... Pairs>(std::tuple<Pairs...>*) {
@@ -44,7 +44,7 @@ AnyPair truncated(const Formula& formula, const std::string& truncation, const C
     return *result;
 }
 
-/// Any formula serves to list the truncations: they are the same for all.
+/// Any formula would do to list the truncations.
 using SomeFormula = LennardJones;
 
 }  // namespace

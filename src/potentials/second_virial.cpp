@@ -12,8 +12,8 @@ namespace ljmd {
 
 namespace {
 
-/// @param u       the pair energy as a function of r
-/// @param breaks  in rising order: 0, where u is not smooth or changes fast, and the end
+/// @param u       pair energy as a function of r
+/// @param breaks  in ascending order: 0, points where u is not smooth or changes fast, and the end
 template <class Energy>
 double virial_integral(Energy&& u, double temperature, const std::vector<double>& breaks) {
     const auto mayer = [&](double r) { return std::expm1(-u(r) / temperature) * r * r; };

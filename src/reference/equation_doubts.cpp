@@ -11,7 +11,8 @@ namespace ljmd {
 
 namespace {
 
-/// A fluid above its freezing density; nothing for other states, and for fluids whose freezing is not known.
+/// Message for a fluid above its freezing density; nothing for other states, and for fluids of unknown freezing
+/// density.
 std::optional<std::string> frozen(const EquationOfState& equation, double temperature, double density) {
     const auto densities = equation.full_potential ? freezing_densities(temperature) : std::nullopt;
     if (!densities || density <= densities->freezing) {

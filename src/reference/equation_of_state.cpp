@@ -11,9 +11,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr double ideal_heat_capacity = 1.5;  ///< of atoms at constant volume, c_v/k_B
+constexpr double ideal_heat_capacity = 1.5;  ///< c_v/k_B of a monatomic ideal gas
 
-/// a and its derivatives: derivative(i, j) is that by T i times and by rho j times.
+/// a with its derivatives; derivative(i, j) is the i-th in T and the j-th in rho.
 Taylor residual(const EquationOfState& equation, double temperature, double density) {
     return equation.residual_helmholtz(Taylor::x(temperature), Taylor::y(density));
 }

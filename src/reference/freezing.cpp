@@ -7,7 +7,7 @@ namespace ljmd {
 
 namespace {
 
-/// Of b^0 to b^5.
+/// Coefficients of b^0 to b^5.
 using Coefficients = std::array<double, 6>;
 
 constexpr Coefficients fluid{0.90735, -0.27120, 0.91784, -1.16270, 0.68012, -0.15284};

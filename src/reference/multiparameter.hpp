@@ -6,7 +6,7 @@
 
 namespace ljmd {
 
-/// The form of Thol's equations, tau = T_r/T, delta = rho/rho_r:
+/// Functional form of Thol's equations, with tau = T_r/T and delta = rho/rho_r:
 ///
 ///     A_res/(N k_B T) = sum of n tau^t delta^d
 ///                     + sum of n tau^t delta^d exp(-delta^l)
@@ -35,7 +35,7 @@ struct MultiparameterForm {
     std::vector<Gaussian> gaussian;
 };
 
-/// A_res/(N k_B T) of that form. @pre temperature > 0, density >= 0
+/// A_res/(N k_B T) in this form. @pre temperature > 0, density >= 0
 [[nodiscard]] Taylor residual_helmholtz(const MultiparameterForm& form, const Taylor& temperature,
                                         const Taylor& density);
 

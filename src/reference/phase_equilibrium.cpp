@@ -13,7 +13,8 @@ namespace ljmd {
 
 namespace {
 
-// Where the critical points of Lennard-Jones fluids lie, truncated ones among them: 1.086 to 1.34, 0.31 to 0.32.
+// Ranges that hold the critical points of Lennard-Jones fluids, which lie at 1.086 to 1.34 and 0.31 to 0.32, truncated
+// fluids included.
 constexpr double lowest_critical_temperature = 0.95;
 constexpr double highest_critical_temperature = 1.5;
 constexpr double thinnest_critical_density = 0.2;
@@ -22,8 +23,9 @@ constexpr double thickest_critical_density = 0.45;
 constexpr double densest_liquid = 1.1;
 constexpr int scan_steps = 200;
 
-/// Where, among the densities that can be critical, an isotherm is least steep. Formulas with many terms have more than
-/// one inflection between the spinodals, and a root of d2p/drho2 alone may be any of them: all densities are looked at.
+/// The point of an isotherm with the smallest slope, among densities that can be critical. Formulas with many terms
+/// have several inflections between the spinodals, and a root of d2p/drho2 may be any of them. So the whole range is
+/// scanned.
 FluidProperties least_steep(const EquationOfState& equation, double temperature) {
     constexpr double step = (thickest_critical_density - thinnest_critical_density) / scan_steps;
     FluidProperties least = properties(equation, temperature, thinnest_critical_density);
@@ -44,8 +46,8 @@ FluidProperties least_steep(const EquationOfState& equation, double temperature)
     return least;
 }
 
-/// The first density, on the way from a stable one to an unstable one, at which the slope dp/drho is zero. The first
-/// must be sought, because formulas with many terms wiggle between the spinodals.
+/// The first density, on the way from a stable to an unstable one, at which the slope dp/drho is zero. The range is
+/// scanned, because formulas with many terms oscillate between the spinodals.
 double spinodal(const EquationOfState& equation, double temperature, double stable, double unstable) {
     const auto slope = [&](double density) {
         return properties(equation, temperature, density).pressure_density_slope;
@@ -64,8 +66,8 @@ double spinodal(const EquationOfState& equation, double temperature, double stab
                                    equation.valid.highest_temperature));
 }
 
-/// The phase of that pressure between two densities; that at the nearer end when the pressure is not in between, as it
-/// is by round-off at the spinodals.
+/// The phase with this pressure between two densities. If the pressure is not between those of the ends, as happens by
+/// round-off at the spinodals, the nearer end.
 FluidProperties phase_at(const EquationOfState& equation, double temperature, double pressure, double thin,
                          double dense) {
     const auto excess = [&](double density) { return properties(equation, temperature, density).pressure - pressure; };
@@ -73,7 +75,7 @@ FluidProperties phase_at(const EquationOfState& equation, double temperature, do
     return properties(equation, temperature, density);
 }
 
-/// Chemical potential, but for a function of temperature alone.
+/// Chemical potential up to a function of the temperature.
 double chemical_potential(const FluidProperties& phase) {
     return phase.temperature * std::log(phase.density) + phase.excess_chemical_potential;
 }
@@ -103,7 +105,8 @@ std::optional<Coexistence> coexistence(const EquationOfState& equation, double t
         return Coexistence{pressure, phase_at(equation, temperature, pressure, end_of_liquid, densest_liquid),
                            phase_at(equation, temperature, pressure, thinnest, end_of_vapour)};
     };
-    // The logarithm, because at low temperatures the pressure is a small part of that at the spinodal.
+    // The search is in the logarithm, because at low temperatures the pressure is a small fraction of that at the
+    // spinodal.
     const double highest = properties(equation, temperature, end_of_vapour).pressure;
     const double stretched = properties(equation, temperature, end_of_liquid).pressure;
     constexpr double lowest_part = 1e-12;

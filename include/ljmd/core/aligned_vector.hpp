@@ -6,7 +6,7 @@
 
 namespace ljmd {
 
-/// Memory that begins at a whole cache line, which is also the widest vector register.
+/// Allocator of memory that begins at a cache line, which is also as wide as the widest vector register.
 template <class T>
 struct AlignedAllocator {
     using value_type = T;  // NOLINT(readability-identifier-naming): the standard asks for this name

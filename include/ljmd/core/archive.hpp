@@ -14,14 +14,14 @@
 
 namespace ljmd {
 
-/// The state of objects as bytes, for checkpoints. One function of an object serves both directions, so that what is
-/// read is what was written:
+/// Serialises objects to bytes and back, for checkpoints. A class has one function for both directions, so that what is
+/// read matches what was written:
 ///
 ///     void archive(Archive& a) { a(count_, mean_, pending_); }
 ///
-/// Takes arithmetic types, enumerations, strings, vectors, arrays, pairs, optionals, matrices of Eigen and whatever has
-/// such a function. Numbers are stored bit for bit, little-endian; lengths stand in front of what has one. What is read
-/// is not trusted: it cannot make an archive read beyond its end, nor take more memory than a few times its own length.
+/// Supports arithmetic types, enumerations, strings, vectors, arrays, pairs, optionals, Eigen matrices, and classes
+/// with such a function. Numbers are stored bit for bit, little-endian; lengths precede elements. Input is not trusted:
+/// it cannot make an archive read beyond its end, nor allocate more than a few times its own length.
 class Archive {
   public:
     /// For writing.
@@ -33,23 +33,23 @@ class Archive {
     [[nodiscard]] bool reading() const { return reading_; }
 
     /// Write all values, or read them, in this order.
-    /// @throws CheckpointError when reading: the bytes end, or cannot be a value of that type
+    /// @throws CheckpointError when reading, if the bytes end early or cannot be a value of that type
     template <class... Values>
     void operator()(Values&... values) {
         (one(values), ...);
     }
 
-    /// A name that must stand at this place when it is read again: what is out of step is found early, and by name.
+    /// Write a name, or require it at this place when reading, so that a mismatch is found early and by name.
     /// @throws CheckpointError
     void mark(std::string_view name);
 
-    /// Have room for so many bytes: growing little by little takes up to twice as many.
+    /// Reserve memory; growing step by step takes up to twice as much.
     void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
 
-    /// All that was written.
+    /// All bytes written so far.
     [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 
-    /// Nothing may be left. @pre reading  @throws CheckpointError
+    /// Require that everything has been read. @pre reading  @throws CheckpointError
     void expect_end() const;
 
   private:
@@ -58,7 +58,7 @@ class Archive {
     void raw(void* data, std::size_t size);
     [[noreturn]] static void refuse(const char* why);
 
-    /// Of elements that take at least so many bytes each.
+    /// Write or read a number of elements, each of at least `least_bytes` bytes.
     std::size_t length(std::size_t length, std::size_t least_bytes);
 
     template <class T>
@@ -74,8 +74,8 @@ class Archive {
     void one(bool& value);
     void one(std::string& text);
 
-    std::vector<std::byte> bytes_;     // written
-    std::span<const std::byte> rest_;  // to be read
+    std::vector<std::byte> bytes_;     // bytes written
+    std::span<const std::byte> rest_;  // bytes still to be read
     bool reading_ = false;
 };
 
@@ -85,7 +85,7 @@ void Archive::one(T& value) {
         raw(&value, sizeof(T));
     } else if constexpr (requires { value.archive(*this); }) {
         value.archive(*this);
-    } else {  // a matrix
+    } else {  // an Eigen matrix
         using Scalar = typename T::Scalar;
         static_assert(std::is_arithmetic_v<Scalar>);
         std::int64_t rows = value.rows();

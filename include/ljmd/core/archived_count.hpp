@@ -5,8 +5,8 @@
 
 namespace ljmd {
 
-/// Refuse what an archive gave for a number of things, and is none: one can be added to a number that passes, for
-/// longer than any run lasts, and it is exact as a double. @throws CheckpointError
+/// Check a count read from an archive. Counts that pass are exact as doubles, and incrementing them cannot overflow in
+/// any run. @throws CheckpointError
 inline void require_count(Index count) {
     constexpr Index most = Index{1} << 53;
     if (count < 0 || count > most) {

@@ -9,36 +9,36 @@
 
 namespace ljmd {
 
-/// What the check of one value needs to know. Holds references: lives as long as the call of validate().
+/// Context for checking one value. It holds references that are valid during the call of validate().
 struct KeyContext {
     const Key& key;
-    const std::string& title;  ///< of the table
+    const std::string& title;  ///< title of the table
     const std::optional<SubstanceUnits>& units;
     Diagnostics& diagnostics;
-    Index component = 0;  ///< which number of a vector is checked, from 1; 0 for a value as a whole
+    Index component = 0;  ///< component of a vector, from 1; 0 for a value as a whole
 
-    /// "'density' in [system]", "component 2 of 'position' in [[body]]": how every message begins.
+    /// "'density' in [system]", "component 2 of 'position' in [[body]]": the beginning of every message.
     [[nodiscard]] std::string subject() const;
 };
 
 [[nodiscard]] bool is_table_kind(Kind kind);
 
-/// "an integer", "a table", "an array of 1 to 3 numbers": what a value of the key has to be.
+/// "an integer", "a table", "an array of 1 to 3 numbers": what a value of the key must be.
 [[nodiscard]] std::string expected_kind(const Key& key);
 
-/// The range, the choices, the units or the header of a key as a hint; empty when anything goes.
+/// Hint with the range, choices, units or header of a key; empty if everything is allowed.
 [[nodiscard]] std::string allowed_hint(const Key& key);
 
 /// Report "'steps' in [[stage]] must be an integer, found a float".
 void report_wrong_kind(const KeyContext& context, const Value& value);
 
-/// A value of a key that is no table, to go on with after a mistake: its default, or one that it allows.
+/// Value that replaces a wrong one of a non-table key: its default, or one that it allows.
 [[nodiscard]] PlainValue fallback_value(const Key& key);
 
-/// Check the value of a key that is no table, and convert it: to double for Kind::number (reduced units, -0 as +0) and
-/// Kind::quantity (SI), to as many doubles as allowed for Kind::vector, to bool, int64 or string for the others. Each
-/// mistake is reported, that of a component at its own place; what returns is always of the key's type, and in its
-/// range wherever the range holds a number at all.
+/// Check and convert the value of a non-table key. Kind::number becomes a double in reduced units (-0 as +0),
+/// Kind::quantity a double in SI, Kind::vector as many doubles as allowed, other kinds bool, int64 or string. Each
+/// mistake is reported, that of a component at its own place. The result always has the type of the key, and lies in
+/// its range if the range holds any number.
 [[nodiscard]] PlainValue checked_value(const KeyContext& context, const Value& value);
 
 }  // namespace ljmd

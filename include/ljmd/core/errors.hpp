@@ -5,20 +5,20 @@
 
 namespace ljmd {
 
-/// Base of every error that the library reports to its caller. The library never exits; the application maps each
-/// type to an exit code.
+/// Base of all errors that the library reports to its caller. The library never exits; the application maps each type
+/// to an exit code.
 class Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The command line or the deck is wrong: nothing was run. The text holds every mistake found.
+/// The command line or the deck is wrong, and nothing was run. The text holds all mistakes found.
 class InputError : public Error {
   public:
     using Error::Error;
 };
 
-/// A data file (a configuration to start from) cannot be used. The text names file, line and frame.
+/// A data file, such as a start configuration, cannot be used. The text names file, line and frame.
 class DataError : public Error {
   public:
     using Error::Error;
@@ -30,7 +30,8 @@ class FileError : public Error {
     using Error::Error;
 };
 
-/// A checkpoint cannot be used: it is damaged, belongs to another run, or was written by a newer program.
+/// A checkpoint cannot be used: it is damaged, belongs to another run, or was written by another version of the
+/// program.
 class CheckpointError : public Error {
   public:
     using Error::Error;
@@ -42,13 +43,13 @@ class InUseError : public Error {
     using Error::Error;
 };
 
-/// The run left the domain of physics: atoms at non-finite positions, a time step too large.
+/// The run left the domain of physics: positions that are not finite, a time step too large.
 class PhysicsError : public Error {
   public:
     using Error::Error;
 };
 
-/// A precondition was broken: a mistake in the program, not in its input.
+/// A precondition is violated: a mistake in the program, not in its input.
 class ContractViolation : public std::logic_error {
   public:
     using std::logic_error::logic_error;

@@ -9,12 +9,13 @@
 
 namespace ljmd {
 
-/// Discrete transforms by FFTW, with its signs and without factors. Several threads may make and call them at a time: a
-/// call changes nothing but the output. Input and output must be AlignedVectors, or begin at a multiple of 64 bytes.
-/// The way a transform is computed is chosen without timing, so that a repeated run has the same bits.
+/// Discrete transforms by FFTW, with its signs and without normalisation. Several threads may create and call them at
+/// the same time; a call changes only its output (and the input of InverseRealTransform). Input and output must be
+/// AlignedVectors, or begin at a multiple of 64 bytes. Algorithms are chosen without timing, so that repeated runs have
+/// the same bits.
 /// Source: Frigo and Johnson (2005), doi:10.1109/JPROC.2004.840301
 
-/// The smallest even number with no prime factor above 7 that is at least n: lengths that transforms are fast for.
+/// The smallest even number >= n without prime factors above 7, a length at which transforms are fast.
 /// @throws ContractViolation if n < 1
 [[nodiscard]] Index fast_length(Index n);
 
@@ -26,8 +27,8 @@ struct DestroyFourierPlan {
 using OwnedFourierPlan = std::unique_ptr<FourierPlan, DestroyFourierPlan>;
 }  // namespace detail
 
-/// X_k = sum_j x_j exp(-2 pi i j k/n), k = 0 ... n/2, of `batch` real series that lie one behind the other, input n
-/// numbers apart and output n/2 + 1 numbers apart.
+/// X_k = sum_j x_j exp(-2 pi i j k/n), k = 0 ... n/2, of `batch` real series. Series are consecutive, n numbers apart
+/// in the input and n/2 + 1 apart in the output.
 class RealTransform {
   public:
     /// @throws ContractViolation unless n is even and positive and batch is positive
@@ -40,8 +41,8 @@ class RealTransform {
     detail::OwnedFourierPlan plan_;
 };
 
-/// x_j = sum over all k of X_k exp(2 pi i j k/n) of a Hermitian X, of which k = 0 ... n/2 are given: n times the
-/// inverse of RealTransform. X is lost.
+/// x_j = sum over all k of X_k exp(2 pi i j k/n) for Hermitian X, given for k = 0 ... n/2: n times the inverse of
+/// RealTransform. Overwrites X.
 class InverseRealTransform {
   public:
     /// @throws ContractViolation unless n is even and positive
@@ -52,8 +53,8 @@ class InverseRealTransform {
     detail::OwnedFourierPlan plan_;
 };
 
-/// X_k = sum_j x_j exp(-2 pi i (j_0 k_0/n_0 + ...)) on a grid of n_0 * n_1 * n_2 real numbers, the last index fastest;
-/// the last index of X goes from 0 to n_2/2.
+/// X_k = sum_j x_j exp(-2 pi i (j_0 k_0/n_0 + ...)) of n_0 * n_1 * n_2 real numbers on a grid, last index fastest. The
+/// last index of X runs from 0 to n_2/2.
 class GridTransform {
   public:
     /// @throws ContractViolation unless all lengths are even and positive
@@ -64,8 +65,8 @@ class GridTransform {
     detail::OwnedFourierPlan plan_;
 };
 
-/// Y_k = 2 sum_{j=0}^{n-1} x_j sin(pi (j + 1/2)(k + 1)/n), k = 0 ... n - 1: an odd function that is known in the
-/// middles of n intervals.
+/// Y_k = 2 sum_{j=0}^{n-1} x_j sin(pi (j + 1/2)(k + 1)/n), k = 0 ... n - 1: sine transform of an odd function given at
+/// the midpoints of n intervals.
 class SineTransform {
   public:
     /// @throws ContractViolation if n < 1
@@ -76,9 +77,8 @@ class SineTransform {
     detail::OwnedFourierPlan plan_;
 };
 
-/// Y_k = x_0 + (-1)^k x_{n-1} + 2 sum_{j=1}^{n-2} x_j cos(pi j k/(n - 1)), k = 0 ... n - 1: an even function that is
-/// known at the ends of n - 1 intervals; Y is what the trapezoidal rule makes of its cosine integrals, but for a
-/// factor.
+/// Y_k = x_0 + (-1)^k x_{n-1} + 2 sum_{j=1}^{n-2} x_j cos(pi j k/(n - 1)), k = 0 ... n - 1: cosine transform of an even
+/// function given at the ends of n - 1 intervals. Up to a factor, Y is the cosine integral by the trapezoidal rule.
 class CosineTransform {
   public:
     /// @throws ContractViolation if n < 2

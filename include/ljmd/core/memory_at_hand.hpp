@@ -4,10 +4,11 @@
 
 namespace ljmd {
 
-/// Asks the system for so many bytes and gives them back untouched, before a library is called that does not survive
-/// being refused some: FFTW ends the program (its assertion in alloc.c), HDF5 1.10 follows a null pointer when it
-/// cannot open a file (H5AC_create). The memory may be gone again when the library asks; for one thread it is not.
-/// @throws std::bad_alloc  they cannot be had
+/// Check that `bytes` bytes can be allocated, before a call of a library that does not survive a failed allocation:
+/// FFTW ends the program (assertion in alloc.c), and HDF5 1.10 dereferences a null pointer if it cannot open a file
+/// (H5AC_create). The memory is allocated and freed again, untouched; in a process with one thread it is then still
+/// available.
+/// @throws std::bad_alloc if it is not
 void require_memory(std::size_t bytes);
 
 }  // namespace ljmd

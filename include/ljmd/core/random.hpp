@@ -6,8 +6,8 @@
 
 namespace ljmd {
 
-/// What random numbers are drawn for. Streams never share a number; the values are written in checkpoints and must not
-/// change.
+/// Purpose of random numbers. Streams never share a number. The values must not change, because trajectories depend on
+/// them.
 enum class RandomStream : std::uint64_t {
     positions = 1,
     velocities = 2,
@@ -17,8 +17,8 @@ enum class RandomStream : std::uint64_t {
     barostat = 6
 };
 
-/// Counter-based random numbers (Philox-4x64-10): a pure function of seed, stream, step and atom id. Nothing is carried
-/// along, so the order of atoms, the number of threads and restarts cannot change a number.
+/// Counter-based random numbers (Philox-4x64-10): a pure function of seed, stream, step and atom id. There is no state,
+/// so the order of atoms, the number of threads and restarts cannot change a number.
 /// Source: Salmon et al., Parallel random numbers: as easy as 1, 2, 3 (2011), doi:10.1145/2063384.2063405.
 class Random {
   public:
@@ -27,13 +27,13 @@ class Random {
     /// Three independent numbers, uniform in [0, 1), with 53 random bits.
     [[nodiscard]] Vec3 uniform(Index step, Index atom) const;
 
-    /// Three independent numbers from the normal distribution of mean 0 and variance 1 (Box and Muller 1958,
+    /// Three independent normal numbers, mean 0 and variance 1 (Box and Muller 1958,
     /// doi:10.1214/aoms/1177706645).
     [[nodiscard]] Vec3 normal(Index step, Index atom) const;
 
-    /// One number of the gamma distribution of mean and variance `shape`: half the sum of 2 shape squared normal
-    /// numbers. Independent of all that the stream has for other atoms or steps, not of uniform() and normal() for this
-    /// one. By GSL (Marsaglia and Tsang 2000, doi:10.1145/358407.358414).
+    /// A number from the gamma distribution with mean and variance `shape`: half the sum of 2 shape squared normal
+    /// numbers. Independent of the stream's numbers for other atoms or steps, but not of uniform() and normal() for
+    /// this one. By GSL (Marsaglia and Tsang 2000, doi:10.1145/358407.358414).
     /// @pre shape > 0
     [[nodiscard]] double gamma(Index step, Index atom, double shape) const;
 

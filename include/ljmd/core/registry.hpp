@@ -7,7 +7,7 @@
 
 namespace ljmd {
 
-/// The names of a list of plug-ins (anything with a `name`).
+/// Names of plug-ins (any type with a `name`).
 template <class Plugin>
 std::vector<std::string> plugin_names(const std::vector<Plugin>& plugins) {
     std::vector<std::string> names;
@@ -18,9 +18,9 @@ std::vector<std::string> plugin_names(const std::vector<Plugin>& plugins) {
     return names;
 }
 
-/// The plug-in of that name.
-/// @param what  how the message calls it, e.g. "integrator"
-/// @throws InputError, naming those there are
+/// The plug-in with this name.
+/// @param what  kind of plug-in for the message, e.g. "integrator"
+/// @throws InputError listing all names, if there is none
 template <class Plugin>
 Plugin find_plugin(const std::vector<Plugin>& plugins, const std::string& name, const std::string& what) {
     for (const Plugin& plugin : plugins) {

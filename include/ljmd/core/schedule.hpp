@@ -5,7 +5,7 @@
 
 namespace ljmd {
 
-/// Every n-th step: due at steps 0, n, 2 n, ... Cannot be made with n < 1.
+/// Schedule of every n-th step: 0, n, 2 n, ... with n >= 1.
 class Every {
   public:
     /// @throws ContractViolation if steps < 1

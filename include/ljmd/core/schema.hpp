@@ -16,24 +16,24 @@ namespace ljmd {
 
 class Schema;
 
-/// What kind of value a key takes.
+/// Kind of value that a key takes.
 enum class Kind {
     flag,      ///< true or false
     integer,   ///< 64-bit integer
-    number,    ///< float or integer; with a dimension also a string with a unit, "119.8 K", when [argon] is there
+    number,    ///< float or integer; with a dimension and [argon] also a string with a unit, "119.8 K"
     text,      ///< any string
     choice,    ///< one of the strings in `choices`
     quantity,  ///< always a string with a unit: the keys of [argon]
-    interval,  ///< an integer, steps, or a string, wall time: "5 min"
-    vector,    ///< an array of numbers; the range holds for each of them
-    table,     ///< a table with a schema of its own
+    interval,  ///< an integer (steps) or a string (wall time), "5 min"
+    vector,    ///< an array of numbers; the range applies to each of them
+    table,     ///< a table with its own schema
     tables,    ///< an array of tables, [[stage]]
 };
 
-/// What a key that is no table holds, as a default or after validation.
+/// Value of a non-table key, as a default or after validation.
 using PlainValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
-/// One key of a deck: everything that validates it and everything that its line in the reference page says.
+/// A key of a deck: what its validation and its line on the reference page need.
 /// Built fluently: `Key::number("density").unit("sigma^-3").above(0.0).at_most(1.5).meaning("N/V")`.
 class Key {
   public:
@@ -49,14 +49,14 @@ class Key {
     static Key tables(std::string name, Schema schema);
 
     Key& meaning(std::string text);
-    Key& unit(std::string reduced_unit);          ///< shown in the reference page, e.g. "sigma"
+    Key& unit(std::string reduced_unit);          ///< shown on the reference page, e.g. "sigma"
     Key& dimension(Dimension dimension);          ///< accepts unit strings of this dimension
     Key& at_least(double low);                    ///< value >= low
     Key& above(double low);                       ///< value > low
     Key& at_most(double high);                    ///< value <= high
     Key& below(double high);                      ///< value < high
-    Key& components(Index least, Index most);     ///< how many numbers a Kind::vector has
-    Key& optional(std::string when_absent = {});  ///< may be missing; the text says what happens then
+    Key& components(Index least, Index most);     ///< allowed number of components of a Kind::vector
+    Key& optional(std::string when_absent = {});  ///< may be absent; the text says what happens then
     Key& defaults_to(PlainValue value);           ///< implies optional
 
     std::string name;
@@ -66,23 +66,23 @@ class Key {
     Dimension physical_dimension = Dimension::none;
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
-    bool low_open = false;   ///< low itself is not allowed
-    bool high_open = false;  ///< high itself is not allowed
+    bool low_open = false;   ///< `low` itself is not allowed
+    bool high_open = false;  ///< `high` itself is not allowed
     Index least_components = 1;
     Index most_components = 3;
     std::vector<std::string> choices;
     bool required = true;
     std::string absent_text;  ///< for optional keys without a default
     std::optional<PlainValue> default_value;
-    std::vector<Schema> inner;  ///< one element for Kind::table and Kind::tables, else empty
+    std::vector<Schema> inner;  ///< one element for Kind::table and Kind::tables, otherwise empty
 
     /// The type in words, without an article: "integer", "array of tables", "array of 1 to 3 numbers".
     [[nodiscard]] std::string type() const;
 
-    /// How many components a vector has, in words: "1 to 3"; "2" where only one number is allowed.
+    /// Allowed number of components of a vector in words: "1 to 3"; "2" if only one number is allowed.
     [[nodiscard]] std::string allowed_components() const;
 
-    /// The allowed range in words: "> 0, <= 1.5"; "each > 0"; "one of 'cut', 'shifted'"; empty when anything goes.
+    /// Allowed range in words: "> 0, <= 1.5"; "each > 0"; "one of 'cut', 'shifted'"; empty if everything is allowed.
     [[nodiscard]] std::string allowed() const;
 
   private:
@@ -92,25 +92,26 @@ class Key {
 /// The keys of one table of a deck.
 class Schema {
   public:
-    /// @param title  how messages name the table: "[system]", "[[stage]]", "lattice"
+    /// @param title  name of the table in messages: "[system]", "[[stage]]", "lattice"
     explicit Schema(std::string title, const std::vector<Key>& keys = {});
 
-    /// This schema and more keys. @throws ContractViolation when a name occurs twice
+    /// This schema extended by more keys. @throws ContractViolation if a name occurs twice
     [[nodiscard]] Schema with(const std::vector<Key>& more) const;
 
-    /// Keys that exist only for one choice of another key: the parameters of a plug-in selected by its name.
+    /// Add keys that exist only for one choice of another key, such as the options of a plug-in that is selected by
+    /// name.
     /// @param key    a Kind::choice of this schema
-    /// @param cases  for each choice the keys that come with it
+    /// @param cases  the additional keys for each choice
     Schema& select(const std::string& key, std::map<std::string, std::vector<Key>> cases);
 
-    /// The keys of one choice, and which choice they belong to.
+    /// The additional keys for each choice of a key.
     struct Selection {
         std::string key;
         std::map<std::string, std::vector<Key>> cases;
     };
     [[nodiscard]] const std::vector<Selection>& selections() const { return selections_; }
 
-    /// This schema with the keys that the choices in `table` bring; an unknown choice brings none.
+    /// This schema extended by the keys for the choices made in `table`. An unknown choice adds none.
     [[nodiscard]] Schema resolved_for(const Table& table) const;
 
     [[nodiscard]] const Key* find(const std::string& name) const;

@@ -12,34 +12,34 @@
 
 namespace ljmd {
 
-/// How often something happens: one of the two.
+/// How often something happens, in steps or in wall time; one of the two is set.
 struct Interval {
     std::optional<std::int64_t> steps;
-    std::optional<double> seconds;  ///< of wall time
+    std::optional<double> seconds;  ///< wall time
 };
 
-/// One table of a deck after validation: every key of the schema has a value of the right type in its allowed range,
-/// in reduced units, or is an absent optional key. Knows where each value stands, so that later checks can point at it.
+/// A table of a deck after validation. Every key of the schema has a value of the right type, in its allowed range and
+/// in reduced units, or is optional and absent. The places of values are known, so that later checks can point at them.
 class Section {
   public:
-    /// Values. @throws ContractViolation when the schema has no such key of that kind, or when the key is absent.
+    /// Values. @throws ContractViolation if the schema has no such key of that kind, or if the key is absent.
     [[nodiscard]] bool flag(const std::string& key) const;
     [[nodiscard]] std::int64_t integer(const std::string& key) const;
-    [[nodiscard]] double number(const std::string& key) const;            ///< reduced units; for Kind::quantity SI
-    [[nodiscard]] const std::string& text(const std::string& key) const;  ///< text and choice
+    [[nodiscard]] double number(const std::string& key) const;            ///< reduced units; SI for Kind::quantity
+    [[nodiscard]] const std::string& text(const std::string& key) const;  ///< for text and choice
     [[nodiscard]] Interval interval(const std::string& key) const;
     [[nodiscard]] const std::vector<double>& vector(const std::string& key) const;
     [[nodiscard]] const Section& section(const std::string& key) const;
     [[nodiscard]] const std::vector<Section>& sections(const std::string& key) const;
 
-    /// True when the key was given or has a default.
+    /// True if the key was given or has a default.
     [[nodiscard]] bool has(const std::string& key) const;
 
-    /// False when validation found the key missing, misspelled or its value wrong (reported by then): what the Section
-    /// holds is a stand-in, which says nothing about the deck. The table of a key is sound though keys in it are not.
+    /// False if validation found the key missing or misspelled, or its value wrong, and reported it. The value in the
+    /// Section is then a stand-in that says nothing about the deck. A table can be sound although keys in it are not.
     [[nodiscard]] bool sound(const std::string& key) const;
 
-    /// Where the value stands (the table itself when the key is absent, defaulted or not of the schema).
+    /// Place of the value; place of the table if the key is absent, defaulted or unknown to the schema.
     [[nodiscard]] Location location(const std::string& key) const;
     [[nodiscard]] const Location& location() const { return location_; }
     [[nodiscard]] const std::string& title() const { return title_; }
@@ -63,15 +63,16 @@ class Section {
     std::map<std::string, Item> items_;
 };
 
-/// Check a table against its schema and convert it. Every mistake becomes one diagnostic: unknown key (with the nearest
-/// known one), missing key, wrong type ("must be an integer, found a float"), value out of range, not finite, unknown
-/// choice (with all choices), an array of a wrong length, a unit that is unknown or of the wrong dimension, a unit
-/// without [argon]. A missing key that an unknown one was probably meant to be is not reported a second time.
+/// Check a table against its schema and convert it. Every mistake becomes one diagnostic: an unknown key (with the
+/// nearest known one), a missing key, a wrong type ("must be an integer, found a float"), a value that is out of range
+/// or not finite, an unknown choice (with all choices), an array of a wrong length, a unit that is unknown or of the
+/// wrong dimension, a unit without [argon]. A missing key is not reported if an unknown one was probably meant to be
+/// it.
 ///
-/// Nothing is thrown: after a mistake the Section holds a value that is safe to use (the nearest allowed one, or the
-/// default), so that checking can go on and all mistakes are found in one pass.
+/// Throws nothing. After a mistake the Section holds a value that is safe to use (the nearest allowed one, or the
+/// default), so that one pass finds all mistakes.
 ///
-/// @param units  conversion for strings with units; empty when the deck has no [argon]
+/// @param units  conversion for strings with units; empty if the deck has no [argon]
 [[nodiscard]] Section validate(const Table& table, const Location& where, const Schema& schema,
                                const std::optional<SubstanceUnits>& units, Diagnostics& diagnostics);
 

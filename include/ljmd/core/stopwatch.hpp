@@ -4,10 +4,10 @@
 
 namespace ljmd {
 
-/// Time that has passed since it was made or last read.
+/// Measures wall time since its construction or its last reading.
 class Stopwatch {
   public:
-    /// [s]; the next reading counts from here
+    /// Time since the last reading [s]; the next reading counts from here.
     double lap() {
         const auto now = Clock::now();
         const double seconds = std::chrono::duration<double>(now - last_).count();

@@ -6,12 +6,12 @@
 
 namespace ljmd {
 
-/// A function of two variables near a point (x0, y0), by its Taylor polynomial of third degree:
+/// Third-degree Taylor polynomial of a function of two variables about a point (x0, y0):
 ///
 ///     f(x0 + h, y0 + k) = sum over i + j <= 3 of f_ij h^i k^j,    d^(i+j) f / dx^i dy^j = i! j! f_ij.
 ///
-/// A formula that is written for any type of number and called with two of these gives all its derivatives up to the
-/// third, exact but for round-off. Source: A. Griewank and A. Walther, Evaluating Derivatives (2008), chapter 13.
+/// A formula that is a template over its number type, called with two of these, yields all derivatives up to the third,
+/// exact except for round-off. Source: A. Griewank and A. Walther, Evaluating Derivatives (2008), chapter 13.
 class Taylor {
   public:
     static constexpr std::size_t degree = 3;
@@ -19,7 +19,7 @@ class Taylor {
     Taylor() = default;
     Taylor(double constant) { at(0, 0) = constant; }  // NOLINT(google-explicit-constructor): a number is a constant
 
-    /// The first variable, and the second, at the point.
+    /// The first and the second variable at the point.
     static Taylor x(double x0) { return variable(x0, 1, 0); }
     static Taylor y(double y0) { return variable(y0, 0, 1); }
 
@@ -68,7 +68,7 @@ class Taylor {
         return a.composed({std::log(a.value()), inverse, -inverse * inverse / 2.0, inverse * inverse * inverse / 3.0});
     }
 
-    /// log(1 + a), to all digits for a near zero.
+    /// log(1 + a), accurate also for a near zero.
     friend Taylor log1p(const Taylor& a) {
         const double inverse = 1.0 / (1.0 + a.value());
         return a.composed(
@@ -84,7 +84,7 @@ class Taylor {
         return a.composed({p0, p1, p2, (n - 2.0) * p2 * inverse / 3.0});
     }
 
-    /// a^n by multiplication, at zero, too. @pre n >= 0
+    /// a^n by multiplication, valid at zero, too. @pre n >= 0
     friend Taylor pow(const Taylor& a, int n) {
         Taylor product = 1.0;
         for (int factor = 0; factor < n; ++factor) {
@@ -116,7 +116,7 @@ class Taylor {
         return *this;
     }
 
-    /// g(f) for a g with g(f0 + h) = g0 + g1 h + g2 h^2 + g3 h^3.
+    /// g(f) for a function g with g(f0 + h) = g0 + g1 h + g2 h^2 + g3 h^3.
     [[nodiscard]] Taylor composed(const std::array<double, degree + 1>& g) const {
         Taylor h = *this;
         h.at(0, 0) = 0.0;

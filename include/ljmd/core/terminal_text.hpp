@@ -5,8 +5,8 @@
 
 namespace ljmd {
 
-/// Bytes of the character that `text` begins with, or 0 when a terminal must not get it: a control character (which
-/// moves the cursor, changes the title of the window or types for the user) or no UTF-8.
+/// Length in bytes of the first character of `text`; 0 if it must not reach a terminal. Those are invalid UTF-8 and
+/// control characters, which can move the cursor, change the window title or type for the user.
 [[nodiscard]] std::size_t harmless_length(std::string_view text);
 
 }  // namespace ljmd

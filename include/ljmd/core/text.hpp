@@ -8,35 +8,35 @@
 
 namespace ljmd {
 
-/// Bytes of the UTF-8 character that `text` begins with: 1 to 4; 0 when it begins with none (invalid, cut off,
-/// overlong, a surrogate, empty).
+/// Length in bytes of the first UTF-8 character of `text`, 1 to 4; 0 if it is invalid (cut off, overlong, a surrogate)
+/// or if `text` is empty.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
-/// Where `text` stops being UTF-8: the index of the first byte that begins no character, or npos.
+/// Index of the first byte of `text` that begins no UTF-8 character, or npos.
 [[nodiscard]] std::size_t find_invalid_utf8(std::string_view text);
 
-/// The characters of `text` as a terminal may show them: a tab as a space, other control characters and bytes that are
-/// no UTF-8 as '?'.
+/// The characters of `text` as a terminal may show them: a tab becomes a space, other control characters and invalid
+/// UTF-8 become '?'.
 [[nodiscard]] std::vector<std::string> printable_characters(std::string_view text);
 
-/// The same, joined; after `limit` characters it is cut and ends in "...".
+/// The same as one string; cut after `limit` characters, with "..." at the end.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t limit);
 
-/// A name or value as messages show it: printable, in single quotes, at most 60 characters.
+/// A name or value for messages: printable, in single quotes, at most 60 characters.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// "-6.0871 +- 0.0012": the error to two digits, the mean to the same decimals; the mean alone to six digits where the
-/// error is 0 or not known.
+/// "-6.0871 +- 0.0012": the error with two digits, the mean with as many decimals. If the error is 0 or unknown, the
+/// mean alone with six digits.
 [[nodiscard]] std::string with_error(double mean, double error);
 
-/// A text without the spaces and tabs around it.
+/// A text without leading and trailing spaces and tabs.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// All of a text as a number, "0.85" or "1e-3", with no blank or plus sign before it; nothing when it is none, not
-/// finite or out of range.
+/// A whole text as a number, "0.85" or "1e-3", without leading blank or plus sign; empty if it is no number, not finite
+/// or out of range.
 [[nodiscard]] std::optional<double> to_number(std::string_view text);
 
-/// Line number `line` (from 1) of `text` without its line end ("\n" or "\r\n"); empty when there is no such line.
+/// Line number `line` (from 1) of `text` without its line end ("\n" or "\r\n"); empty if there is no such line.
 [[nodiscard]] std::string_view line_of(std::string_view text, int line);
 
 }  // namespace ljmd

@@ -6,9 +6,8 @@
 
 namespace ljmd {
 
-/// A table for the eye whose columns never touch, however long an entry is: a column is as wide as its longest entry,
-/// at least as wide as asked, and two spaces lie between columns. A column of nothing takes no room. Entries are shown
-/// as printable() shows them.
+/// A table for people. Each column is as wide as its longest entry and at least as wide as requested; two spaces
+/// separate columns. Empty columns take no room. Entries are shown as by printable().
 class TextTable {
   public:
     enum class Align { left, right };
@@ -16,17 +15,17 @@ class TextTable {
     struct Column {
         std::string heading;
         Align align = Align::right;
-        std::size_t width = 0;  ///< characters, at least
+        std::size_t width = 0;  ///< smallest width in characters
     };
 
-    /// @param indent  spaces before each line
+    /// @param indent  number of spaces before each line
     explicit TextTable(std::vector<Column> columns, std::size_t indent = 0);
 
-    /// Add a row; columns behind its last entry stay empty.
-    /// @throws ContractViolation  for more entries than there are columns
+    /// Add a row; columns after its last entry stay empty.
+    /// @throws ContractViolation if there are more entries than columns
     void add(const std::vector<std::string>& entries);
 
-    /// The headings, unless all are empty, and the rows, each with a line end and no blanks before it.
+    /// Heading line, unless all headings are empty, and rows, without trailing spaces, each with a line end.
     [[nodiscard]] std::string text() const;
 
   private:
@@ -39,7 +38,7 @@ class TextTable {
 
     std::vector<Align> aligned_;
     std::vector<std::size_t> widths_;
-    std::vector<std::vector<Entry>> rows_;  ///< the first one holds the headings
+    std::vector<std::vector<Entry>> rows_;  ///< the first row holds the headings
     std::size_t indent_;
 };
 

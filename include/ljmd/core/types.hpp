@@ -5,13 +5,13 @@
 
 namespace ljmd {
 
-/// Counts and indices of atoms, pairs and steps: 64 bits, because 3 N and the number of pairs overflow 32.
+/// Counts and indices of atoms, pairs and steps. 64 bits, because 3 N and the number of pairs overflow 32.
 using Index = std::int64_t;
 
-/// One vector of space: position [sigma], velocity [sigma/tau], force [epsilon/sigma].
+/// A vector in space: position [sigma], velocity [sigma/tau], force [epsilon/sigma].
 using Vec3 = Eigen::Vector3d;
 
-/// A second-rank tensor of space: virial [epsilon], pressure [epsilon/sigma^3].
+/// A second-rank tensor in space: virial [epsilon], pressure [epsilon/sigma^3].
 using Mat3 = Eigen::Matrix3d;
 
 }  // namespace ljmd

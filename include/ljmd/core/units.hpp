@@ -5,35 +5,35 @@
 
 namespace ljmd {
 
-/// Physical dimensions that a deck can state with a unit.
+/// Physical dimensions of values that decks can give with a unit.
 enum class Dimension { none, length, energy, temperature, mass, time, density, pressure, velocity };
 
-/// A number with a unit, "3.405 angstrom", in SI.
+/// Convert a number with a unit, "3.405 angstrom", to SI.
 /// Energies may be given as temperatures: "119.8 K" is 119.8 k_B.
 ///
 /// Units known: length m, nm, angstrom (also "A", "Å"), pm; energy J, kJ/mol, kcal/mol, eV, K; temperature K;
 /// mass kg, g/mol, u (also "amu", "Da"); time s, ns, ps, fs; density kg/m3, g/cm3; pressure Pa, kPa, MPa, bar, atm;
 /// velocity m/s, nm/ps, angstrom/ps.
 ///
-/// @return the value in m, J, K, kg, s, kg/m^3, Pa or m/s; empty when the text is no number with a unit of that
-///         dimension (not finite counts as no number)
+/// @return the value in m, J, K, kg, s, kg/m^3, Pa or m/s; empty if the text is no finite number with a unit of that
+/// dimension
 [[nodiscard]] std::optional<double> parse_quantity(const std::string& text, Dimension dimension);
 
-/// The unit of a text that is a finite number and a unit: "K" for "86.5 K", "" for "86.5"; known or not. Empty when the
+/// The unit, known or not, of a text that begins with a finite number: "K" for "86.5 K", "" for "86.5". Empty if the
 /// text does not begin with a finite number.
 [[nodiscard]] std::optional<std::string> unit_of(const std::string& text);
 
-/// A time of the clock on the wall: a number above 0 and s, min, h or d, as "90 s" or "2h".
-/// @return seconds; empty when the text is none
+/// Parse a wall time: a positive number with s, min, h or d, as "90 s" or "2h".
+/// @return seconds; empty if the text is no wall time, or one above 1e9 s
 [[nodiscard]] std::optional<double> parse_wall_time(const std::string& text);
 
-/// "length", "temperature", ...: how messages name a dimension.
+/// Name of a dimension for messages: "length", "temperature", ...
 [[nodiscard]] std::string dimension_name(Dimension dimension);
 
-/// The units accepted for a dimension, for messages: "angstrom, nm, pm or m".
+/// Accepted units of a dimension for messages: "angstrom, nm, pm or m".
 [[nodiscard]] std::string unit_names(Dimension dimension);
 
-/// The Lennard-Jones units of a real substance, and with them the bridge between reduced units and SI.
+/// Lennard-Jones units of a real substance: conversion between reduced units and SI.
 ///
 /// In reduced units sigma = epsilon = m = k_B = 1; the unit of time is tau = sqrt(m sigma^2 / epsilon).
 /// Constants: CODATA 2018 (k_B and N_A exact).
@@ -42,17 +42,17 @@ class SubstanceUnits {
     /// @param sigma   length [m]
     /// @param epsilon energy [J]
     /// @param mass    mass of one atom [kg]
-    /// @pre all finite and positive, else ContractViolation
+    /// @pre all finite and positive (checked: ContractViolation)
     SubstanceUnits(double sigma, double epsilon, double mass);
 
-    /// SI value of one reduced unit of that dimension: sigma, epsilon, epsilon/k_B, m, tau, m/sigma^3, epsilon/sigma^3,
-    /// sigma/tau. Dimension::none gives 1.
+    /// SI value of one reduced unit of a dimension: sigma, epsilon, epsilon/k_B, m, tau, m/sigma^3, epsilon/sigma^3,
+    /// sigma/tau. 1 for Dimension::none.
     [[nodiscard]] double si(Dimension dimension) const;
 
     /// Reduced value of an SI quantity.
     [[nodiscard]] double reduced(double quantity, Dimension dimension) const { return quantity / si(dimension); }
 
-    // One reduced unit in the units in which argon is usually reported.
+    // One reduced unit in the units usual for argon.
     [[nodiscard]] double kelvin() const;              ///< temperature
     [[nodiscard]] double bar() const;                 ///< pressure
     [[nodiscard]] double kilojoule_per_mole() const;  ///< energy

@@ -6,13 +6,13 @@
 
 namespace ljmd {
 
-/// Where the wall time of a time loop went [s].
+/// Wall time of a time loop by phase [s].
 struct PhaseSeconds {
-    double force = 0.0;      ///< sums over pairs
-    double list = 0.0;       ///< neighbour lists checked and built, ghosts moved
+    double force = 0.0;      ///< pair sums
+    double list = 0.0;       ///< neighbour lists: checks and building
     double sort = 0.0;       ///< atoms sorted in space, ghosts made
-    double integrate = 0.0;  ///< the rest of the steps
-    double observe = 0.0;    ///< everything measured, watched and told on the way
+    double integrate = 0.0;  ///< rest of the steps
+    double observe = 0.0;    ///< measuring, watching and reporting
     double write = 0.0;      ///< thermo.csv and trajectory
     [[nodiscard]] double sum() const { return force + list + sort + integrate + observe + write; }
 

@@ -25,8 +25,8 @@ struct Stage {
     std::uint64_t seed = 0;                       ///< of random numbers of thermostat and barostat
 };
 
-/// Whether the total energy of a fluid in this stage, less the heat of its thermostat, is conserved but for the errors
-/// of the integrator: without thermostat, or with a canonical one and no barostat.
+/// Whether a fluid conserves its total energy minus the heat from the thermostat in this stage, but for errors of the
+/// integrator. It does without a thermostat, and with a canonical one if there is no barostat.
 [[nodiscard]] bool conserves_energy(const Stage& stage);
 
 }  // namespace ljmd

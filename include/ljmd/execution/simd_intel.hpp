@@ -2,9 +2,9 @@
 
 #include "ljmd/execution/simd_raw.hpp"
 
-/// What the level for Intel's processors (LJMD_SIMD_FOR_INTEL) does otherwise than the one for AVX-512. There a
-/// division of eight numbers takes 16 cycles and their root 31, in which twice as many instructions of other kinds
-/// could be done, and additions are done by the units that multiply. Estimates are good to 14 bits.
+/// What differs between the level for Intel's processors (LJMD_SIMD_FOR_INTEL) and the one for AVX-512. On these
+/// processors a division of eight numbers takes 16 cycles and a square root 31, in which twice as many other
+/// instructions could run, and the units that multiply also add. Estimates are good to 14 bits.
 #if defined(LJMD_SIMD_FOR_INTEL)
 #include <immintrin.h>
 
@@ -15,7 +15,7 @@ inline constexpr bool divisions_are_slow = true;
 
 namespace native {
 
-// With the estimate y and e = 1 - x y^2, it is 1/sqrt(x) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16 + O(e^4)).
+// With an estimate y and e = 1 - x y^2: 1/sqrt(x) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16 + O(e^4)).
 LJMD_INLINE RawVector<double, 8> inverse_root(RawVector<double, 8> x) {
     const RawVector<double, 8> y = _mm512_rsqrt14_pd(x);
     const RawVector<double, 8> e = _mm512_fnmadd_pd(x * y, y, _mm512_set1_pd(1.0));
@@ -35,10 +35,10 @@ LJMD_INLINE RawVector<float, 16> inverse_root(RawVector<float, 16> x) {
 #else
 namespace ljmd::simd {
 
-/// Whether additions are done by the units that multiply, so that one fused with a multiplication is one saved.
+/// Whether the units that multiply also add, so that fusing an addition with a multiplication saves an instruction.
 inline constexpr bool multipliers_add = false;
 
-/// Whether a division in double takes as long as ten products and more.
+/// Whether a division in double takes as long as ten multiplications or more.
 inline constexpr bool divisions_are_slow = false;
 
 }  // namespace ljmd::simd

@@ -8,7 +8,7 @@
 
 namespace ljmd::simd::native {
 
-/// Stands for processors without an overload of their own, which the names below must find something of.
+/// Placeholder argument: the names below need one overload each, also on processors without native ones.
 struct None {};
 void keep_where(None);
 void larger(None);
@@ -27,8 +27,8 @@ void each_repeated(None);
 #include "ljmd/execution/simd_x86.hpp"
 #endif
 
-/// What the vector extension of the compilers has no operator for: one instruction where the processor has it, else a
-/// portable body.
+/// Operations that the compilers' vector extension lacks: one instruction where the processor has it, else portable
+/// code.
 namespace ljmd::simd {
 
 /// a b + c
@@ -41,13 +41,13 @@ LJMD_INLINE RawVector<T, lanes> multiply_add(RawVector<T, lanes> a, RawVector<T,
     }
 }
 
-/// Whether roots are slow, but 1/sqrt(x) is not: within 2 units in the last place, NaN for 0 and infinity.
+/// Whether the level has a fast 1/sqrt(x): within 2 units in the last place; NaN for 0 and infinity.
 template <class T, int lanes>
 inline constexpr bool has_inverse_root = requires(RawVector<T, lanes> x) {
     native::inverse_root(x);
 };
 
-/// Each lane in double. With gcc 12 the compilers' own conversion goes through memory.
+/// Each lane in double. gcc 12 compiles __builtin_convertvector to a detour through memory.
 template <int lanes>
 LJMD_INLINE RawVector<double, lanes> widened(RawVector<float, lanes> x) {
     if constexpr (requires { native::widened(x); }) {
@@ -57,13 +57,13 @@ LJMD_INLINE RawVector<double, lanes> widened(RawVector<float, lanes> x) {
     }
 }
 
-/// Lanes from `first` on. (Copies of bytes would keep the vector in memory.)
+/// Lanes from `first` on. Copying bytes instead would keep the vector in memory.
 template <class T, int lanes, int first, int... lane>
 LJMD_INLINE RawVector<T, sizeof...(lane)> lanes_from(RawVector<T, lanes> v, std::integer_sequence<int, lane...>) {
     return __builtin_shufflevector(v, v, (first + lane)...);
 }
 
-/// Two vectors of half the length.
+/// Lower and upper half of a vector.
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes / 2> low_half(RawVector<T, lanes> v) {
     return lanes_from<T, lanes, 0>(v, std::make_integer_sequence<int, lanes / 2>());
@@ -73,7 +73,7 @@ LJMD_INLINE RawVector<T, lanes / 2> high_half(RawVector<T, lanes> v) {
     return lanes_from<T, lanes, lanes / 2>(v, std::make_integer_sequence<int, lanes / 2>());
 }
 
-/// One vector of two: the opposite of low_half and high_half.
+/// One vector of two halves.
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, 2 * lanes> joined(RawVector<T, lanes> low, RawVector<T, lanes> high) {
     if constexpr (requires { native::joined(low, high); }) {
@@ -86,12 +86,12 @@ LJMD_INLINE RawVector<T, 2 * lanes> joined(RawVector<T, lanes> low, RawVector<T,
     }
 }
 
-/// What does not fit into a register is better worked on by halves: of comparisons and roots compilers make one for
-/// each lane.
+/// Vectors wider than a register are better processed in halves: compilers split their comparisons and roots into
+/// single lanes.
 template <class T, int lanes>
 inline constexpr bool needs_two_registers = lanes > 2 && sizeof(RawVector<T, lanes>) > register_bytes;
 
-/// x in the lanes where a < b, 0 elsewhere, also where x is infinite or NaN.
+/// x in the lanes where a < b, 0 elsewhere, even where x is infinite or NaN.
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes> keep_where_less(RawVector<T, lanes> a, RawVector<T, lanes> b, RawVector<T, lanes> x) {
     if constexpr (needs_two_registers<T, lanes>) {
@@ -106,7 +106,7 @@ LJMD_INLINE RawVector<T, lanes> keep_where_less(RawVector<T, lanes> a, RawVector
     }
 }
 
-/// Lane by lane the larger one; b where a is NaN. (Of the operators compilers make a comparison and a choice.)
+/// Larger one of each lane; b where a is NaN. From operators compilers make a comparison and a selection.
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes> larger(RawVector<T, lanes> a, RawVector<T, lanes> b) {
     if constexpr (requires { native::larger(a, b); }) {
@@ -129,13 +129,13 @@ LJMD_INLINE RawVector<T, lanes> square_root(RawVector<T, lanes> x) {
     } else {
         RawVector<T, lanes> result;
         for (int k = 0; k < lanes; ++k) {
-            result[k] = static_cast<T>(__builtin_sqrt(x[k]));  // of a float it is the float's, rounded once
+            result[k] = static_cast<T>(__builtin_sqrt(x[k]));  // for a float the same as the float root, rounded once
         }
         return result;
     }
 }
 
-/// One bit a lane. @param condition  all bits set or none in each lane
+/// One bit per lane. @param condition  all bits of a lane set, or none
 template <int lanes>
 LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, lanes> condition) {
     if constexpr (requires { native::bits_of(condition); }) {
@@ -149,7 +149,7 @@ LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, lanes> condition) {
     }
 }
 
-/// Two or four numbers over and over.
+/// Two or four numbers, repeated as a whole to fill the vector.
 template <class T, int lanes, int count, int... lane>
 LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, count> few, std::integer_sequence<int, lane...>) {
     return __builtin_shufflevector(few, few, (lane % count)...);
@@ -165,8 +165,7 @@ LJMD_INLINE RawVector<T, lanes> repeated(RawVector<T, count> few) {
     }
 }
 
-/// Two or four numbers, each in as many lanes that follow each other. With gcc 12 the portable body goes through
-/// memory.
+/// Two or four numbers, each repeated in consecutive lanes. With gcc 12 the portable code goes through memory.
 template <class T, int lanes, int count, int... lane>
 LJMD_INLINE RawVector<T, lanes> each_repeated(RawVector<T, count> few, std::integer_sequence<int, lane...>) {
     return __builtin_shufflevector(few, few, (lane / (lanes / count))...);

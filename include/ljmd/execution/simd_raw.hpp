@@ -2,15 +2,16 @@
 
 #include <cstdint>
 
-/// For functions of kernels: inlined in every build, so that no copy for one processor can be shared with another.
+/// For functions of kernels: always inlined, so that no copy compiled for one processor can be linked in place of
+/// another.
 #define LJMD_INLINE [[gnu::always_inline]] inline
 
 namespace ljmd::simd {
 
-/// Width of the vector registers that this translation unit is compiled for: the alignment that their types ask for.
+/// Width of the vector registers that this translation unit is compiled for, and alignment of their types.
 inline constexpr int register_bytes = __BIGGEST_ALIGNMENT__;
 
-/// A vector of the compilers' extension.
+/// A vector type of the compilers' extension.
 template <class T, int lanes>
 struct RawVectorOf {
     typedef T Type __attribute__((vector_size(lanes * sizeof(T))));  // NOLINT(modernize-use-using): gcc wants a typedef
@@ -18,7 +19,7 @@ struct RawVectorOf {
 template <class T, int lanes>
 using RawVector = typename RawVectorOf<T, lanes>::Type;
 
-/// The signed integer as wide as T.
+/// The signed integer type as wide as T.
 template <class T>
 struct Integer;
 template <>
@@ -30,7 +31,7 @@ struct Integer<float> {
     using Type = std::int32_t;
 };
 
-/// The same bits as another type.
+/// Reinterpret the bits as another type.
 template <class To, class From>
 LJMD_INLINE To reinterpret(From from) {
     return __builtin_bit_cast(To, from);

@@ -9,19 +9,19 @@
 
 /// Vectors of numbers for code that is compiled once for each SIMD level.
 ///
-/// A translation unit of a level is compiled with its flags and with LJMD_SIMD_LEVEL, the level's name; `Here` is then
-/// a type of that level alone. Every template that it instantiates depends on it, so the linker never takes a function
-/// compiled for one processor to be the same as one compiled for another. Nothing of the standard library but plain
-/// functions is called.
+/// The translation units of a level are compiled with its flags and with LJMD_SIMD_LEVEL, the name of the level. `Here`
+/// is then a type of that level alone. Every template that they instantiate depends on it, so the linker never takes a
+/// function compiled for one processor in place of the same one compiled for another. Of the standard library only
+/// plain functions are called.
 ///
-/// LJMD_SIMD_FOR_INTEL marks the level for processors that divide slowly and add by the units that multiply.
+/// LJMD_SIMD_FOR_INTEL marks the level for processors whose divisions are slow and whose multipliers also add.
 ///
-/// Arithmetic is that of the compilers' vector extension (gcc 12, clang); what it lacks is in simd_intrinsics.hpp.
+/// The arithmetic is that of the compilers' vector extension (gcc 12, clang); simd_intrinsics.hpp adds what it lacks.
 namespace ljmd::simd {
 
-/// `lanes` numbers of type T. Operators act lane by lane and round as those of T do; no operation is fused unless
-/// multiply_add() is called.
-/// @tparam Level  tag, see above
+/// A vector of `lanes` numbers of type T. Operators act on each lane and round as those of T; nothing is fused except
+/// by multiply_add().
+/// @tparam Level  tag of the SIMD level, see above
 template <class T, int lanes_, class Level>
 struct Vec {
     static constexpr int lanes = lanes_;
@@ -32,7 +32,7 @@ struct Vec {
 
     Vec() = default;
     LJMD_INLINE explicit Vec(Raw r) : raw(r) {}
-    /// All lanes x.
+    /// All lanes equal to x.
     template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
     LJMD_INLINE explicit Vec(Number x) : raw(static_cast<T>(x) - Raw{}) {}
 
@@ -59,8 +59,8 @@ struct Vec {
         return Vec(simd::multiply_add<T, lanes_>(a.raw, b.raw, c.raw));
     }
 
-    /// Add a b to either sum. Most processors add and multiply at the same time, by different units: there the product
-    /// is rounded and added twice. Where the multipliers add, too, it is fused with each sum.
+    /// Add a b to both sums. Where separate units add and multiply at the same time, the product is rounded once and
+    /// added twice. Where the multipliers also add, it is fused with each sum.
     LJMD_INLINE friend void add_product(Vec a, Vec b, Vec& one, Vec& other) {
         if constexpr (multipliers_add) {
             one = multiply_add(a, b, one);
@@ -77,17 +77,17 @@ struct Vec {
     /// 1/sqrt(a). @pre has_inverse_root
     LJMD_INLINE friend Vec inverse_root(Vec a) { return Vec(native::inverse_root(a.raw)); }
 
-    /// Lane by lane the larger one; b where a is NaN.
+    /// Larger one of each lane; b where a is NaN.
     LJMD_INLINE friend Vec max(Vec a, Vec b) { return Vec(larger<T, lanes_>(a.raw, b.raw)); }
 
-    /// x in the lanes where a < b, 0 elsewhere, also where x is infinite or NaN.
+    /// x in the lanes where a < b, 0 elsewhere, even where x is infinite or NaN.
     LJMD_INLINE friend Vec where_less(Vec a, Vec b, Vec x) {
         return Vec(keep_where_less<T, lanes_>(a.raw, b.raw, x.raw));
     }
 };
 
 /// 1/a and 1/b from 1/(a b), each within 2 units in the last place.
-/// @pre neither a b nor 1/(a b) overflows. Where one is 0 both may be NaN.
+/// @pre neither a b nor 1/(a b) overflows. If a or b is 0, both results may be NaN.
 template <class V>
 LJMD_INLINE void by_one_division(V a, V b, V& inverse_a, V& inverse_b) {
     const V inverse = V(1) / (a * b);
@@ -95,7 +95,7 @@ LJMD_INLINE void by_one_division(V a, V b, V& inverse_a, V& inverse_b) {
     inverse_b = inverse * a;
 }
 
-/// 1/a and 1/b, by one division where these are slow. @pre see by_one_division
+/// 1/a and 1/b, by a single division where divisions are slow. @pre see by_one_division
 template <class V>
 LJMD_INLINE void reciprocals(V a, V b, V& inverse_a, V& inverse_b) {
     if constexpr (divisions_are_slow) {
@@ -106,8 +106,8 @@ LJMD_INLINE void reciprocals(V a, V b, V& inverse_a, V& inverse_b) {
     }
 }
 
-/// c[0] + c[1] x + c[2] x^2 + ...; halves of it are worked out at the same time (Estrin), where Horner's rule would
-/// wait for one product after the other.
+/// c[0] + c[1] x + c[2] x^2 + ... by Estrin's scheme, whose products are independent, while each product of Horner's
+/// rule waits for the one before.
 template <class V, std::size_t count>
 LJMD_INLINE V polynomial(const V (&c)[count], V x) {
     if constexpr (count == 1) {
@@ -124,10 +124,10 @@ LJMD_INLINE V polynomial(const V (&c)[count], V x) {
     }
 }
 
-/// e^x within 2 units in the last place for x from -708 (-87 in single precision) to 709 (88); below 0, as x = -708
-/// gives.
+/// e^x within 2 units in the last place for x from -708 (-87 in single precision) to 709 (88); smaller x count as -708
+/// (-87).
 ///
-/// x = k ln 2 + s, |s| <= ln(2)/2: e^x = 2^k e^s, with Taylor's polynomial of degree 13 (7) for e^s.
+/// x = k ln 2 + s, |s| <= ln(2)/2: e^x = 2^k e^s, with the Taylor polynomial of degree 13 (7) for e^s.
 template <class T, int lanes, class Level>
 LJMD_INLINE Vec<T, lanes, Level> exp(Vec<T, lanes, Level> x) {
     using V = Vec<T, lanes, Level>;
@@ -142,7 +142,7 @@ LJMD_INLINE Vec<T, lanes, Level> exp(Vec<T, lanes, Level> x) {
     x = max(x, lowest);
     const V shifted = multiply_add(x, V(1.4426950408889634), shift);
     const V k = shifted - shift;
-    // ln 2 in two parts, the first with enough zeros at its end for k times it to be exact.
+    // ln 2 in two parts; the first ends in enough zeros for its product with k to be exact.
     const V s = multiply_add(k, V(is_double ? -0x1.a39ef35793c76p-33 : -0x1.7f7d1cp-20),
                              multiply_add(k, V(is_double ? -0x1.62e42feep-1 : -0x1.62e4p-1), x));
     V inverse_factorials[is_double ? 14 : 8];
@@ -156,7 +156,7 @@ LJMD_INLINE Vec<T, lanes, Level> exp(Vec<T, lanes, Level> x) {
     return sum * V(reinterpret<typename V::Raw>(exponent));
 }
 
-/// Sum of all lanes, halves first.
+/// Sum of all lanes; the two halves are added first.
 template <int lanes>
 LJMD_INLINE double sum_of(RawVector<double, lanes> v) {
     if constexpr (lanes == 2) {
@@ -166,7 +166,7 @@ LJMD_INLINE double sum_of(RawVector<double, lanes> v) {
     }
 }
 
-/// The lanes in double; of single precision, each one of the first half with its like of the second added to it.
+/// The lanes in double. In single precision the two halves of the vector are added, in double.
 template <class Level, int lanes>
 LJMD_INLINE Vec<double, lanes, Level> in_double(Vec<double, lanes, Level> v) {
     return v;
@@ -185,11 +185,11 @@ LJMD_INLINE double sum(V v) {
 }
 
 #ifdef LJMD_SIMD_LEVEL
-/// The level that this translation unit is compiled for.
+/// Tag of the level that this translation unit is compiled for.
 struct LJMD_SIMD_LEVEL;
 using Here = LJMD_SIMD_LEVEL;
 
-/// As wide as the registers of this level.
+/// Vectors as wide as the registers of this level.
 using Doubles = Vec<double, register_bytes / 8, Here>;
 using Floats = Vec<float, register_bytes / 4, Here>;
 #endif

@@ -6,8 +6,8 @@
 
 #include "ljmd/execution/simd_raw.hpp"
 
-/// Instructions of x86-64 for what simd_intrinsics.hpp offers, as overloads for the vectors that they are there for.
-/// For the others it has portable bodies.
+/// Instructions of x86-64 for the operations in simd_intrinsics.hpp, as overloads for the vectors that have one. Other
+/// vectors use the portable code there.
 namespace ljmd::simd::native {
 
 LJMD_INLINE RawVector<double, 2> square_root(RawVector<double, 2> x) {
@@ -45,7 +45,8 @@ LJMD_INLINE RawVector<double, 4> larger(RawVector<double, 4> a, RawVector<double
 LJMD_INLINE RawVector<float, 8> larger(RawVector<float, 8> a, RawVector<float, 8> b) {
     return _mm256_max_ps(a, b);
 }
-// The compilers' operator would be the integers' instruction, whose result reaches the next one a cycle later.
+// The compilers' operator becomes the integer instruction, whose result takes a cycle longer to reach a floating-point
+// one.
 LJMD_INLINE RawVector<double, 4> keep_where(RawVector<std::int64_t, 4> condition, RawVector<double, 4> x) {
     return _mm256_and_pd(reinterpret<__m256d>(condition), x);
 }
@@ -63,7 +64,7 @@ LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 8> condition) {
     return static_cast<unsigned>(_mm256_movemask_ps(reinterpret<__m256>(condition)));
 }
 
-// From memory these are loads and nothing else.
+// From memory these compile to loads alone.
 LJMD_INLINE RawVector<double, 4> repeated(RawVector<double, 2> two, RawVector<double, 4>) {
     return reinterpret<RawVector<double, 4>>(_mm256_broadcastsi128_si256(reinterpret<__m128i>(two)));
 }

@@ -11,7 +11,7 @@
 
 namespace ljmd {
 
-/// A reference to something that can be called with (first, last); it must outlive the call.
+/// Reference to a function of (first, last), which must outlive the call.
 class BlockFunction {
   public:
     template <class F, class = std::enable_if_t<!std::is_same_v<std::remove_cvref_t<F>, BlockFunction>>>
@@ -28,31 +28,32 @@ class BlockFunction {
     void (*call_)(void*, Index, Index);
 };
 
-/// The system refuses a thread. The text tells how many it allows.
+/// The system refuses a thread. The message says how many it allows.
 class ThreadsError : public Error {
   public:
     using Error::Error;
 };
 
-/// Number of this thread among those that share the loop in which it is: 0 for the one that called for_each_block, less
-/// than ThreadTeam::size() for the others. For memory that each thread of a loop has for itself.
+/// Number of this thread in the loop that it takes part in: 0 for the caller of for_each_block, 1 to ThreadTeam::size()
+/// - 1 for the others. It is the index of memory that each thread has for itself.
 [[nodiscard]] int number_in_team();
 
-/// Threads that share the blocks of a loop: the one that calls, and workers that live as long as the team.
+/// Threads that share the blocks of a loop: the calling thread, and workers that live as long as the team.
 ///
-/// Each thread has a share of consecutive blocks, the same in every loop of that many blocks, so it finds its atoms in
-/// its cache. Which thread computes a block changes no result, and the caller makes use of that:
+/// Each thread has a share of consecutive blocks, the same in every loop with that many blocks, so its atoms stay in
+/// its cache. Which thread computes a block changes no result. The caller makes use of that:
 ///
-/// - Whoever waits looks again and again for some ten microseconds, as long as it takes to wake a sleeping thread, then
-///   sleeps.
-/// - Blocks that a worker has not begun by then, or that belong to a worker still asleep, are computed by the caller.
-/// - A worker for which the caller waits longer than its blocks saved, because another program has its processor or
-///   because the loops are too small, is left out for ten times the loss (src/execution/worker_account.hpp). So a team
-///   is at most about a tenth slower than the caller alone.
+/// - A waiting thread spins for about as long as it takes to wake a sleeping thread (tens of microseconds; a worker up
+///   to 1 ms after long work), then sleeps.
+/// - Blocks that a worker has not begun after 20 microseconds, or that belong to a worker still asleep, are computed by
+///   the caller.
+/// - If the caller waits longer for a worker than its blocks have saved, because another program has its processor or
+///   because the loops are too small, the worker is left out for ten times the loss (src/execution/worker_account.hpp).
+///   So a team is at most about a tenth slower than the caller alone.
 class ThreadTeam {
   public:
-    /// @param threads  the caller's included  @pre threads >= 1
-    /// @throws ThreadsError if the system refuses so many; none is left then
+    /// @param threads  number of threads, the caller included  @pre threads >= 1
+    /// @throws ThreadsError if the system refuses that many; none is kept then
     explicit ThreadTeam(int threads);
     ~ThreadTeam();
     ThreadTeam(const ThreadTeam&) = delete;
@@ -60,12 +61,13 @@ class ThreadTeam {
 
     [[nodiscard]] int size() const { return static_cast<int>(workers_.size()) + 1; }
 
-    /// Call function(first, last) for [0, L), [L, 2 L), ... up to `count`, L = block_length. Returns when all are done.
+    /// Call function(first, last) for [0, L), [L, 2 L), ... up to `count`, with L = block_length. Returns when all are
+    /// done.
     ///
-    /// The caller computes all blocks when there is only one, when the team is at work already (a loop within a loop,
-    /// or in another thread), and in a child process made by fork(), which has no workers.
+    /// The caller computes all blocks if there is only one, if the team is busy (a nested loop, or one in another
+    /// thread), and in a child process made by fork(), which has no workers.
     /// @pre blocks do not write what other blocks read or write; block_length > 0
-    /// @throws what the first block that threw has thrown; later blocks may not have been called
+    /// @throws the exception of the first block that threw; later blocks may not have been called
     void for_each_block(Index count, Index block_length, BlockFunction function);
 
   private:
@@ -75,11 +77,11 @@ class ThreadTeam {
     [[nodiscard]] bool in_child_process() const;
     double time_without_processor();
 
-    int forks_;                   ///< of this process when the team was made
+    int forks_;                   ///< number of forks behind this process when the team was made
     double processor_lag_ = 0.0;  ///< see time_without_processor
     std::atomic<bool> at_work_ = false;
     std::vector<std::unique_ptr<Worker>> workers_;
-    std::vector<Worker*> present_;  ///< those that share the present loop
+    std::vector<Worker*> present_;  ///< workers that share the present loop
 };
 
 }  // namespace ljmd

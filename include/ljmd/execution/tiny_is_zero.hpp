@@ -6,11 +6,11 @@
 
 namespace ljmd {
 
-/// While one lives, the floating-point arithmetic of its thread takes numbers below the normal range (2^-126 = 1.2e-38
-/// in single precision, 2^-1022 in double) for zero, as operands and as results.
+/// While an object of this type lives, the floating-point arithmetic of its thread treats subnormal numbers (below
+/// 2^-126 = 1.2e-38 in single precision, 2^-1022 in double) as zero, as operands and as results.
 ///
-/// Intel's processors spend some 150 cycles on each instruction that meets such a number, and a sum over vectors of
-/// pairs meets many: r^-12 of what is far out of reach is one. On other processors than x86-64 nothing changes.
+/// On Intel's processors each instruction that meets a subnormal number takes some 150 cycles, and sums over vectors of
+/// pairs meet many: r^-12 of pairs far out of range. Without effect on processors other than x86-64.
 class TinyIsZero {
   public:
     TinyIsZero(const TinyIsZero&) = delete;
@@ -26,7 +26,7 @@ class TinyIsZero {
 
   private:
     static constexpr unsigned denormals_are_zero = 0x0040;
-    unsigned before_;  ///< control and status word; what was flagged meanwhile is dropped
+    unsigned before_;  ///< control and status register; exception flags set in between are dropped
 #else
     TinyIsZero() {}
     ~TinyIsZero() {}

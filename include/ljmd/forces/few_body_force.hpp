@@ -12,16 +12,16 @@
 
 namespace ljmd {
 
-/// Why the forces have no value at the start.
+/// A start at which the forces have no value.
 struct ProblemAtStart {
-    Index body;           ///< id of the body at fault; of two bodies the later one
+    Index body;           ///< id of the body at fault; for a pair the later one
     std::string message;  ///< one line; names bodies, counted from 1
 };
 
-/// How fast a polar angle turns.
+/// Angular velocity of a polar angle and its time derivative.
 struct AngularVelocity {
     double rate;   ///< [rad/time]
-    double slope;  ///< of the rate, [rad/time^2]
+    double slope;  ///< derivative of the rate [rad/time^2]
 };
 
 /// A force on a few bodies in unbounded space, as its options say (see Description), and what follows from them.

@@ -5,10 +5,10 @@
 
 namespace ljmd {
 
-/// What an evaluation is asked for. Forces are always computed.
+/// What an evaluation computes. Forces are always computed.
 struct Request {
-    bool energy = false;             ///< potential energy and virial too
-    bool order_independent = false;  ///< each force is the same to the last bit however the atoms lie in memory
+    bool energy = false;             ///< also potential energy and virial
+    bool order_independent = false;  ///< forces do not depend, to the last bit, on the order of the atoms in memory
 
     static const Request forces;
     static const Request forces_and_energy;
@@ -17,18 +17,18 @@ struct Request {
 inline constexpr Request Request::forces{};
 inline constexpr Request Request::forces_and_energy{.energy = true};
 
-/// What an evaluation returns; zeros when only forces were asked for.
+/// Results of an evaluation besides forces; zeros if only forces were requested.
 struct Evaluation {
-    double potential_energy = 0.0;  ///< U [epsilon], without tail
+    double potential_energy = 0.0;  ///< U [epsilon], without tail correction
     Mat3 virial = Mat3::Zero();     ///< W_ab = sum over pairs of r_a f_b [epsilon]; its trace is the scalar virial
 };
 
-/// Forces on particles. Integrators know nothing more of the physics than this.
+/// Forces on particles. This is all that integrators know of the physics.
 class ForceField {
   public:
     virtual ~ForceField() = default;
 
-    /// Compute the forces at the present positions. May wrap atoms into their box and rearrange them in memory.
+    /// Compute the forces at the present positions. May wrap atoms into the box and reorder them in memory.
     /// @post state.forces_are_current()
     /// @throws PhysicsError when a position is not finite
     Evaluation evaluate(State& state, Request request) {
@@ -37,8 +37,8 @@ class ForceField {
         return evaluation;
     }
 
-    /// What an evaluation leaves to the next one.
-    /// @param state  as the last evaluation left it, but for positions that have moved since; is not changed
+    /// Read or write what a later evaluation depends on.
+    /// @param state  as the last evaluation left it, except that positions may have moved; is not changed
     /// @throws CheckpointError
     virtual void archive(Archive& /*a*/, const State& /*state*/) {}
 

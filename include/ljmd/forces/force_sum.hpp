@@ -7,8 +7,7 @@
 
 namespace ljmd {
 
-/// A force component as a sum of pair terms, in floating point: the result depends on the order of the terms by
-/// rounding.
+/// Sum of pair terms, one force component, in floating point. Rounding makes it depend on the order of the terms.
 class FloatingSum {
   public:
     void add(double term) { sum_ += term; }
@@ -18,14 +17,13 @@ class FloatingSum {
     double sum_ = 0.0;
 };
 
-/// The same in fixed point: each term is rounded to a multiple of 2^-44 [epsilon/sigma] and added as an integer, so the
-/// result is the same to the last bit in whatever order the terms come. Half a unit is 3e-14, a hundredth of what
-/// rounding does to a sum of floating-point terms of a liquid.
+/// Sum of pair terms, one force component, in fixed point. Each term is rounded to a multiple of 2^-44 [epsilon/sigma]
+/// and added as an integer, so the sum does not depend on the order of the terms. The rounding error of a term, at most
+/// 3e-14, is a hundredth of the rounding error of a floating-point sum in a liquid.
 ///
-/// @throws PhysicsError (from value()) when the terms together, without their signs, reach 2^18 epsilon/sigma: the sum
-/// could
-///         leave the range of the integers
-/// Source: Levesque and Verlet (1993), J. Stat. Phys. 72, 519, on why this matters
+/// @throws PhysicsError (from value()) if the magnitudes of the terms add up to 2^18 epsilon/sigma or more, because the
+/// sum could overflow
+/// Source: Levesque and Verlet (1993), J. Stat. Phys. 72, 519: reversibility needs order-independent sums
 class FixedPointSum {
   public:
     void add(double term) {
@@ -45,8 +43,8 @@ class FixedPointSum {
   private:
     static constexpr double scale = 0x1p44;
     static constexpr double largest = 0x1p18;
-    std::uint64_t sum_ = 0;  // two's complement; unsigned, because what NaN becomes may overflow
-    double bound_ = 0.0;     // no partial sum is larger
+    std::uint64_t sum_ = 0;  // two's complement; unsigned, because a NaN converted to an integer may make it overflow
+    double bound_ = 0.0;     // sum of magnitudes; no partial sum is larger
 };
 
 }  // namespace ljmd

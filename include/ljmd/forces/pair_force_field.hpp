@@ -12,8 +12,8 @@
 
 namespace ljmd {
 
-/// What a pair sum is computed with. Through a Verlet list vectors of the SIMD level do it, in either precision; the
-/// other searches, and order-independent forces, are summed by scalar code in double (see sum_pairs).
+/// Arithmetic of a pair sum. With a Verlet list, kernels of the SIMD level compute it in either precision. With the
+/// other searches, and for order-independent forces, scalar code computes it in double (see sum_pairs).
 struct PairArithmetic {
     SimdLevel simd = default_simd_level();
     Precision precision = Precision::double_precision;
@@ -21,19 +21,19 @@ struct PairArithmetic {
 
 /// Pair forces in a periodic box: f_i = sum over j with r_ij < rc of w(r_ij) (r_i - r_j).
 ///
-/// Forces are summed part by part of the search, which are what threads share; energy and virial are added up part by
-/// part. Neither depends on more than the configuration and the order it decides.
+/// Forces are summed part by part of the search; threads share the parts. Energy and virial are added up part by part.
+/// Both depend on nothing but the configuration and the order of sums that it decides.
 class PairForceField : public ForceField {
   public:
     /// @pre potential.cutoff().radius <= L/2 for every box that will be evaluated (checked: ContractViolation)
-    /// @throws ContractViolation when mixed precision is wanted without a Verlet list
+    /// @throws ContractViolation for mixed precision without a Verlet list
     PairForceField(PairPotential potential, PairSearch search, PairArithmetic arithmetic = {});
 
     [[nodiscard]] const PairPotential& potential() const { return potential_; }
     [[nodiscard]] const PairSearch& search() const { return search_; }
     [[nodiscard]] const PairArithmetic& arithmetic() const { return arithmetic_; }
     [[nodiscard]] const SearchStatistics& search_statistics() const;
-    /// Wall time spent on sums over pairs, neighbour search left out.
+    /// Wall time spent on pair sums, without the neighbour search [s].
     [[nodiscard]] double seconds_summing() const { return seconds_summing_; }
 
     void archive(Archive& a, const State& state) override;
@@ -45,7 +45,7 @@ class PairForceField : public ForceField {
     [[nodiscard]] Evaluation sum_by_kernel(const VerletList& list, State& state, bool energy);
     void add_guest_forces(const VerletList& list, State& state) const;
 
-    /// Of a thread, for the tile that it works on. What kernels need of a tile stays in the cache next to a core.
+    /// Arrays of a thread for the tile that it works on, so that they stay in the cache next to a core.
     struct Workspace {
         TilePositions<double> positions;
         TilePositions<std::int32_t> fixed_positions;  ///< for mixed precision
@@ -56,7 +56,7 @@ class PairForceField : public ForceField {
     PairSearch search_;
     PairArithmetic arithmetic_;
     std::vector<Workspace> workspaces_;
-    std::vector<AlignedVector<double>> guest_forces_;  ///< of each tile, see PairKernelTask
+    std::vector<AlignedVector<double>> guest_forces_;  ///< forces on each tile's ghost clusters (guests in names)
     double seconds_summing_ = 0.0;
 };
 

@@ -12,12 +12,12 @@
 
 namespace ljmd {
 
-/// Sum one pair term over all neighbours of all atoms: the readable reference that faster paths are held against.
+/// Sum a pair term over all neighbours of all atoms: the readable reference that the kernels are tested against.
 ///
 /// @param pair    PairTerm<double> operator()(const PairDistance<double>&) const, valid for r < cutoff
 /// @param search  prepared pair search (see PairSearch)
-/// @post state.forces() hold the forces; a pair counts if r < cutoff
-/// @tparam what   order_independent: forces are summed in fixed point (see FixedPointSum)
+/// @post state.forces() holds the forces; a pair counts if r < cutoff
+/// @tparam what   with order_independent, forces are summed in fixed point (see FixedPointSum)
 template <Request what, class Pair, class Search>
 Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, State& state) {
     using Sum = std::conditional_t<what.order_independent, FixedPointSum, FloatingSum>;
@@ -35,7 +35,7 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
         Index atom;
         std::array<double, 3> force;
     };
-    // Of each part, what atoms of others get from its pairs. Another thread may be at work on these.
+    // Reaction forces of each part on atoms of other parts, kept apart because another thread may be writing to these.
     std::vector<std::vector<OnOther>> on_others(static_cast<std::size_t>(search.part_count(atoms)));
 
     const auto sum_part = [&](Index part, Index) {
@@ -72,7 +72,7 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
         });
         Evaluation block;
         if constexpr (what.energy) {
-            block.potential_energy = 0.5 * u;  // both sides of every pair were added up
+            block.potential_energy = 0.5 * u;  // each pair was counted from both sides
             block.virial << virial[0], virial[3], virial[4], virial[3], virial[1], virial[5], virial[4], virial[5],
                 virial[2];
             block.virial *= 0.5;

@@ -10,25 +10,26 @@
 
 namespace ljmd {
 
-/// What a barostat has to know of the stage in which it works.
+/// Properties of the stage that a barostat needs.
 struct PressureBath {
-    double temperature;    ///< that the thermostat beside it holds [epsilon/k_B]
+    double temperature;    ///< held by the thermostat of the stage [epsilon/k_B]
     double time_step;      ///< [tau]
-    std::uint64_t seed;    ///< of random numbers
-    double shortest_edge;  ///< that the box may have [sigma]
+    std::uint64_t seed;    ///< seed of random numbers
+    double shortest_edge;  ///< shortest edge allowed [sigma]
 };
 
-/// Changes the box, and the positions with it, to hold a pressure. Nothing is carried along from one time to the next.
+/// Holds a pressure by changing the box and scaling the positions with it. It has no memory from one change to the
+/// next.
 class Barostat {
   public:
     virtual ~Barostat() = default;
 
-    /// Whether it wants to act after this step of its stage, and so to know the pressure there.
+    /// Whether it acts after this step of its stage, and so needs the pressure there.
     [[nodiscard]] virtual bool due(Index step_of_stage) const = 0;
 
-    /// Act between two steps. Forces become stale when the box changes.
+    /// Act between two steps. If the box changes, forces become stale.
     /// @param virial_pressure  W/(3 V) of the state, tail included [epsilon/sigma^3]
-    /// @throws PhysicsError when the pressure is too far from what is to be held, or the box becomes too small
+    /// @throws PhysicsError if the pressure is too far from its target, or if the box becomes too small
     virtual void apply(State& state, double virial_pressure) const = 0;
 
   protected:

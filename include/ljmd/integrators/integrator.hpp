@@ -10,15 +10,15 @@
 
 namespace ljmd {
 
-/// What an integrator does, for one time step and one choice of its options. Positions and velocities of the state
-/// belong to the same time before and after every step, and the forces are current; what a method needs beside them
-/// (half-step velocities, the displacement of the last step) it keeps in vectors registered with the state.
+/// What an integrator does, for one time step and one choice of options. Before and after every step, positions and
+/// velocities of the state belong to the same time and the forces are current. Anything else that a method needs
+/// (half-step velocities, the displacement of the last step) lies in vectors registered with the state.
 struct Scheme {
-    /// Done once before the first step, from synchronised positions and velocities, forces current: the start-up.
+    /// Start-up, once before the first step. Positions and velocities are synchronised, forces are current.
     std::vector<Operator> begin;
-    /// Step n since the beginning applies cycle[n % cycle.size()].
+    /// Step n since the start-up applies cycle[n % cycle.size()].
     std::vector<std::vector<Operator>> cycle;
-    /// Turns the motion round, for methods that keep more than positions and velocities. Empty: v = -v, begin anew.
+    /// Reverses the motion, for methods that keep more than positions and velocities. Empty: v = -v and a new start-up.
     std::vector<Operator> reverse;
 };
 
@@ -59,32 +59,31 @@ using ChosenIntegrator = Chosen<IntegratorMethod, IntegratorOptions>;
 /// @throws InputError for an unknown name
 [[nodiscard]] IntegratorMethod find_integrator(const std::string& name);
 
-/// A method at work on states with one time step.
+/// A method with one time step, applied to states.
 ///
-/// What it needs from one step to the next lies in the state (registered vectors and State::phase), so two integrators
-/// of the same method, step and options continue each other's runs to the last bit. When anything else has written
-/// positions or velocities since the last step (a thermostat, another method), it begins anew from them.
+/// All that it needs from one step to the next lies in the state (registered vectors and State::phase). So two
+/// integrators with the same method, step and options continue each other's runs to the last bit. If anything else has
+/// written positions or velocities since the last step (a thermostat, another method), it starts up again from them.
 class Integrator {
   public:
     /// With all options at their defaults.
     Integrator(const IntegratorMethod& method, double time_step);
     Integrator(const ChosenIntegrator& chosen, double time_step);
 
-    /// With something that is done to the velocities in the middle of each drift.
+    /// The same integrator with a change of the velocities in the middle of each drift.
     [[nodiscard]] Integrator with_half_way(const std::function<void(State&)>& change) const;
 
-    /// The start-up of the method, unless the state goes on from its last step. step() and reverse() do it themselves;
-    /// called before, it shows where the motion really begins: bit-reversible puts bodies without a box on its grid.
+    /// Start-up of the method, unless the state continues from its last step. step() and reverse() do it themselves.
+    /// Call it before them to see where the motion really begins: bit-reversible puts bodies without a box on its grid.
     void prepare(State& state, ForceField& force_field) const;
 
-    /// Advance by one time step; state.time and state.step are the caller's.
-    /// @param within  sees the states that an adaptive method goes through, after state.time and before the end of the
-    /// step
-    /// @return what the last evaluation of the step returned, at the new positions
-    /// @post forces current
+    /// Advance by one time step. The caller updates state.time and state.step.
+    /// @param within  called with the states of an adaptive method after state.time and before the end of the step
+    /// @return result of the last evaluation of the step, at the new positions
+    /// @post forces are current
     Evaluation step(State& state, ForceField& force_field, Request request, const StateWatch& within = {}) const;
 
-    /// Turn the motion round: velocities are reversed, and the steps that follow lead back.
+    /// Reverse the motion: velocities change sign, and the following steps lead back.
     void reverse(State& state, ForceField& force_field) const;
 
   private:

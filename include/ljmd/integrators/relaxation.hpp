@@ -5,18 +5,18 @@
 
 namespace ljmd {
 
-/// How a relaxation ended.
+/// Result of a relaxation.
 struct Relaxation {
     Index iterations;
     double largest_force;     ///< largest |f_i| [epsilon/sigma]
-    double potential_energy;  ///< U [epsilon], without tail
+    double potential_energy;  ///< U [epsilon], without tail correction
 };
 
-/// Push overlapping atoms apart before the first step: FIRE descent in which no atom moves more than 0.1 sigma an
-/// iteration, until the largest force is below `force_tolerance`.
+/// Push overlapping atoms apart before the first step, until the largest force is below `force_tolerance`. FIRE
+/// minimisation in which no atom moves by more than 0.1 sigma per iteration.
 ///
 /// @post velocities zero, images zero, atoms in the box, forces current
-/// @throws PhysicsError when `most_iterations` do not suffice
+/// @throws PhysicsError if `most_iterations` do not suffice
 /// Source: Bitzek, Koskinen, Gaehler, Moseler and Gumbsch (2006), doi:10.1103/PhysRevLett.97.170201
 Relaxation relax(State& state, ForceField& force_field, double force_tolerance = 10.0, Index most_iterations = 20000);
 

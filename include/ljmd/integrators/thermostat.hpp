@@ -10,27 +10,27 @@
 
 namespace ljmd {
 
-/// What a thermostat has to know of the stage in which it works.
+/// Properties of the stage that a thermostat needs.
 struct HeatBath {
-    double temperature;        ///< to be held [epsilon/k_B]
+    double temperature;        ///< target [epsilon/k_B]
     double time_step;          ///< [tau]
-    std::uint64_t seed;        ///< of random numbers
-    Index degrees_of_freedom;  ///< of the motion of the atoms
+    std::uint64_t seed;        ///< seed of random numbers
+    Index degrees_of_freedom;  ///< degrees of freedom of the atoms' motion
 };
 
-/// Acts on velocities to hold a temperature: around the steps of an integrator, or half-way of its drift. What it keeps
-/// from one time to the next lies in State::bath, so that a checkpoint has it.
+/// Holds a temperature by changing velocities, around the steps of an integrator or in the middle of its drift. Its
+/// variables lie in State::bath, so that checkpoints contain them.
 class Thermostat {
   public:
     virtual ~Thermostat() = default;
 
-    /// State::bath as it is when a stage begins. The first number is the heat, see State::heat().
+    /// State::bath at the beginning of a stage. The first number is the heat, see State::heat().
     [[nodiscard]] virtual std::vector<double> beginning() const { return {0.0}; }
 
     /// Called before every step of its stage.
     virtual void before_step(State& /*state*/) const {}
 
-    /// Called in the middle of the drift of every step, when acts_half_way(). Forces may be stale.
+    /// Called in the middle of each drift if acts_half_way(). Forces may be stale.
     virtual void half_way(State& /*state*/) const {}
     [[nodiscard]] virtual bool acts_half_way() const { return false; }
 
@@ -61,9 +61,9 @@ class ThermostatOptions {
 struct ThermostatMethod {
     std::string name;
     std::string meaning;
-    bool canonical;           ///< what is sampled under it is the canonical ensemble (of a fluid; temperature above 0)
-    bool conserves_momentum;  ///< if not, the centre of mass moves as any particle of its mass does
-    bool every_step;          ///< acts within or around every step: a part of velocity Verlet's, and of no other scheme
+    bool canonical;           ///< samples the canonical ensemble (of a fluid at a temperature above 0)
+    bool conserves_momentum;  ///< if not, the centre of mass moves thermally, as a particle of its mass
+    bool every_step;          ///< acts within or around every step; only velocity Verlet can be combined with it
     bool deterministic;       ///< draws no random numbers
     std::function<std::unique_ptr<ThermostatOptions>()> options;  ///< at their defaults
 };

@@ -6,13 +6,13 @@ namespace ljmd {
 
 /// An orthorhombic periodic box with one corner at the origin.
 ///
-/// Coordinates inside it live on a grid of spacing g = `resolution()`, the smallest power of two with 2^52 g > 1.5 L, L
-/// the longest edge; the edges lie on it too. Doubles hold every grid point within +-3 L exactly, so a periodic image
-/// is the atom plus a whole number of edges to the last bit, r_ij = -r_ji holds exactly whichever images are taken, and
-/// wrapping an atom into the box changes no force. The price is one rounding a step, about what a double costs anyway.
+/// Coordinates lie on a grid of spacing g = `resolution()`, the smallest power of two with 2^52 g > 1.5 L, where L is
+/// the longest edge; the edges lie on it, too. Doubles hold every grid point within +-3 L exactly. So a periodic image
+/// is the atom plus whole edges to the last bit, r_ij = -r_ji exactly for any images, and wrapping an atom into the box
+/// changes no force. The price is one rounding per step, about that of a double.
 class Box {
   public:
-    /// @param edges  edge lengths [sigma]; each is rounded to the grid (change below 1e-15 of the longest)
+    /// @param edges  edge lengths [sigma]; each is rounded to the grid (by less than 1e-15 of the longest)
     /// @throws ContractViolation unless all are finite and positive, also after rounding
     explicit Box(const Vec3& edges);
 
@@ -23,19 +23,19 @@ class Box {
     /// Grid spacing [sigma], a power of two.
     [[nodiscard]] double resolution() const { return resolution_; }
 
-    /// The grid point nearest to r (ties to even). Meant for -0.3 L < r < 1.1 L: beyond, the grid is coarser (above) or
-    /// finer (below), and exactness is no longer promised.
+    /// The grid point nearest to r (ties to even). Meant for -0.3 L < r < 1.1 L: above, the result lies on a coarser
+    /// grid, below on a finer one, and exactness is not guaranteed.
     [[nodiscard]] Vec3 snap(const Vec3& r) const { return (r.array() + rounding_) - rounding_; }
 
-    /// What snap() adds and takes away again.
+    /// The constant that snap() adds and subtracts.
     [[nodiscard]] double rounding() const { return rounding_; }
 
-    /// How many edges r lies beyond [0, L) in each direction, as whole numbers: r - edges * crossings is inside. Exact
-    /// for r on the grid and within +-3 L; further out the product rounds, and the result may miss [0, L) by that
+    /// How many edges r lies outside [0, L) in each direction, as whole numbers: r - edges * crossings is inside. Exact
+    /// for r on the grid and within +-3 L. Farther out the product is rounded, and the result may miss [0, L) by that
     /// rounding.
     [[nodiscard]] Vec3 crossings(const Vec3& r) const;
 
-    /// The shortest periodic image of a separation of two atoms inside the box: each component in [-L/2, L/2].
+    /// Minimum image of a separation of two atoms inside the box: each component in [-L/2, L/2].
     /// @pre each component in (-L, L)
     [[nodiscard]] Vec3 minimum_image(const Vec3& separation) const {
         Vec3 d = separation;

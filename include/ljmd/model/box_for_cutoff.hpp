@@ -4,9 +4,9 @@
 
 namespace ljmd {
 
-/// The box itself; or, where rounding has left an edge shorter than twice the cutoff, by 1e-12 of it at most, the box
-/// with that edge twice the cutoff. So a cutoff that is typed as half an edge is legal, although the edge is a
-/// difference of bounds, is converted from other units or was rounded to the grid of the box.
+/// The box itself, or, if an edge is shorter than twice the cutoff by at most 1e-12 of it, the box with that edge
+/// lengthened to twice the cutoff. So half an edge is a valid cutoff, although the edge may have been rounded: computed
+/// from bounds, converted from other units, or put on the grid of the box.
 /// @param cutoff  [sigma], finite and positive
 [[nodiscard]] Box box_for_cutoff(const Box& box, double cutoff);
 

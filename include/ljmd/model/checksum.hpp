@@ -6,10 +6,10 @@
 
 namespace ljmd {
 
-/// A fingerprint of all positions, to the last bit: XXH3 (64 bits) of the coordinates, in a periodic box brought inside
-/// it, with the number of edges crossed, in the order of ids. Equal for states that differ only in the order of atoms
-/// in memory or in when they were last wrapped.
-/// @throws PhysicsError when a position is not finite
+/// Checksum of all positions, to the last bit: XXH3 (64 bits) of the coordinates in the order of ids; in a periodic
+/// box, of the wrapped coordinates and the number of edges crossed. It does not depend on the order of atoms in memory,
+/// nor on when they were last wrapped.
+/// @throws PhysicsError if a position is not finite
 [[nodiscard]] std::string checksum(const State& state);
 
 }  // namespace ljmd

@@ -8,17 +8,17 @@
 
 namespace ljmd {
 
-/// Crystals that a cubic box can be filled with.
+/// Crystal lattices that can fill a cubic box.
 enum class Lattice { fcc, simple_cubic };
 
-/// Sites of one cubic cell: 4 for fcc, 1 for simple cubic.
+/// Sites per cubic cell: 4 for fcc, 1 for simple cubic.
 [[nodiscard]] Index sites_per_cell(Lattice lattice);
 
-/// Number of atoms of cells^3 cubic cells. @throws ContractViolation unless 0 <= cells <= 2^20 (2^62 atoms of fcc)
+/// Number of atoms in cells^3 cubic cells. @throws ContractViolation unless 0 <= cells <= 2^20 (2^62 atoms of fcc)
 [[nodiscard]] Index lattice_atoms(Lattice lattice, Index cells);
 
-/// The number of cells along an edge whose crystal is nearest to `atoms` from below and from above (equal when atoms
-/// fits exactly, and only then). One cell is the least, also for fewer atoms than it holds.
+/// Numbers of cells along an edge whose crystals are nearest to `atoms` from below and from above. They are equal if
+/// and only if `atoms` fits exactly. The smallest number is one cell, also for fewer atoms than it holds.
 /// @pre 0 <= atoms <= 2^48, beyond which the cube root is not exact enough
 struct NearestCells {
     Index below;  ///< at least 1
@@ -30,12 +30,12 @@ struct NearestCells {
 /// @pre atoms > 0, density > 0
 [[nodiscard]] Box cubic_box(Index atoms, double density);
 
-/// Sites of cells^3 cubic cells that fill the box; the first lies at the origin.
-/// @param cells  cells along each edge, at least 1
+/// Sites of cells^3 cubic cells that fill the box; the first one lies at the origin.
+/// @param cells  number of cells along each edge, at least 1
 /// @return positions [sigma] inside the box, on its grid
 [[nodiscard]] std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box);
 
-/// Positions drawn uniformly in the box; atoms may overlap. Depends on seed and atom id only.
+/// Positions drawn uniformly in the box; atoms may overlap. They depend on box, seed and atom id only.
 [[nodiscard]] std::vector<Vec3> random_positions(Index atoms, const Box& box, std::uint64_t seed);
 
 }  // namespace ljmd

@@ -13,21 +13,22 @@ namespace ljmd {
 
 class Archive;
 
-/// Views of per-atom vectors: column i is atom i. The layout behind them is private to State and may change; use
+/// Views of per-atom vectors: column i is atom i. The memory layout is private to State and may change, so use
 /// `view.col(i)`. A view is valid until the next call that may reorder atoms or change their number
-/// (ForceField::evaluate, State::reorder, State::set_ghosts).
-/// Column i begins at a multiple of 32 bytes; the number behind its three is zero and may be computed with, for the
-/// sake of whole vectors, as long as it stays zero.
+/// (ForceField::evaluate, State::reorder, State::set_ghost_count).
+/// Each column begins at a multiple of 32 bytes. The number after its three is zero. Whole vectors of four may be used
+/// in computations that keep it zero.
 using VectorView = Eigen::Map<Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
 using ConstVectorView = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
 
-/// Particles: positions, velocities, forces, masses, ids, and what else is registered per atom.
+/// Particles: positions, velocities, forces, masses, ids, and registered per-atom vectors.
 ///
-/// Order is not identity: a neighbour list may rearrange atoms in memory at any evaluation of the forces. Each atom
-/// carries an id, 0 ... N-1; observers and writers go by id. Positions hold the N local atoms first, then ghosts
-/// (periodic images, which belong to the neighbour search and have no other properties).
+/// Order is not identity: a neighbour list may reorder atoms in memory at any evaluation of the forces. Each atom has
+/// an id, 0 ... N-1; observers and writers go by id. Positions hold the N local atoms first, then the ghosts (periodic
+/// images, which belong to the neighbour search and have no other properties).
 ///
-/// Fluids are in reduced units: sigma = epsilon = m = k_B = 1. Few-body systems have no box and their deck's units.
+/// Fluids are in reduced units: sigma = epsilon = m = k_B = 1. Few-body systems have no box and use the units of their
+/// deck.
 class State {
   public:
     /// N atoms of mass 1 at the origin, at rest, ids 0 ... N-1. @throws ContractViolation if count < 0
@@ -40,10 +41,10 @@ class State {
     /// @throws ContractViolation when the system is unbounded
     [[nodiscard]] const Box& box() const;
 
-    /// Replace the box and scale all positions with it (affine); images are kept. Forces become stale.
+    /// Replace the box and scale all positions with it (affinely). Image counts are kept, forces become stale.
     void rescale_to(const Box& box);
 
-    // Read access: (3, N), by index.
+    // Read access by index. Shape (3, N) unless said otherwise.
     [[nodiscard]] ConstVectorView positions() const;             ///< [sigma], near the box, see unwrapped()
     [[nodiscard]] ConstVectorView positions_and_ghosts() const;  ///< (3, N + ghosts)
     [[nodiscard]] ConstVectorView velocities() const;            ///< [sigma/tau], see kick()
@@ -51,89 +52,90 @@ class State {
     [[nodiscard]] const std::vector<double>& masses() const { return masses_; }
     [[nodiscard]] const std::vector<Index>& ids() const { return ids_; }
 
-    /// Write access to positions makes the forces stale, to positions or velocities ends the integrator's phase.
-    /// Positions written must be on the box's grid: pass them through `snapped`.
+    /// Write access. Writing positions makes the forces stale; writing positions or velocities ends the integrator's
+    /// phase. Positions must lie on the box's grid, see `snapped`.
     [[nodiscard]] VectorView write_positions();
     [[nodiscard]] VectorView write_velocities();
     [[nodiscard]] VectorView write_forces();
     [[nodiscard]] std::vector<double>& write_masses();
 
-    /// v += dt f/m with the forces there are. It is done when velocities are asked for, or what it depends on is about
-    /// to change, unless take_kick() comes first: a kick that ends a step and the one that begins the next are then one
-    /// pass over the atoms. So velocities() may write: after a kick its first call must not be one of several threads.
-    /// Ends the integrator's phase, as writing velocities does.
+    /// v += dt f/m with the present forces. The kick stays pending until velocities are asked for, or forces, masses or
+    /// order are about to change, so that a kick that ends a step and the one that begins the next become one pass over
+    /// the atoms (take_kick()). velocities() may therefore write: after a kick its first call must not come from
+    /// several threads at once. Ends the integrator's phase, as writing velocities does.
     /// @pre forces are current
     void kick(double dt);
-    /// @return dt of a kick that is not done yet, which the caller does; 0 if there is none
+    /// Take over a pending kick. @return its dt, which the caller has to apply; 0 if no kick is pending
     [[nodiscard]] double take_kick();
 
-    /// r on the grid of the box; r itself when there is no box.
+    /// r rounded to the grid of the box; r itself without a box.
     [[nodiscard]] Vec3 snapped(const Vec3& r) const { return box_ ? box_->snap(r) : r; }
 
-    /// Adding this to a coordinate and taking it away again is what `snapped` does; 0 without a box.
+    /// Adding this number to a coordinate and subtracting it rounds as `snapped` does; 0 without a box.
     [[nodiscard]] double rounding() const { return box_ ? box_->rounding() : 0.0; }
 
-    /// Bring every local atom into [0, L), counting the edges crossed. Exact (see Box::crossings), so forces stay
+    /// Bring every local atom into [0, L) and count the edges crossed. Exact (see Box::crossings), so forces stay
     /// current.
-    /// @throws PhysicsError naming the atom (counted from 1) when one is not finite or a million edges away
-    /// @throws ContractViolation when the system is unbounded
+    /// @throws PhysicsError naming the atom (counted from 1) if its position is not finite or a million edges away
+    /// @throws ContractViolation if the system is unbounded
     void wrap();
 
-    /// Position of atom i as if the box had no walls: continuous in time.
+    /// Position of atom i without periodic wrapping: continuous in time.
     [[nodiscard]] Vec3 unwrapped(Index i) const;
 
-    /// Number of edges that atom i has crossed: unwrapped = position + image * edges.
+    /// Number of box edges that atom i has crossed: unwrapped = position + image * edges.
     [[nodiscard]] const Eigen::Vector3i& image(Index i) const { return images_[static_cast<std::size_t>(i)]; }
     void set_image(Index i, const Eigen::Vector3i& image) { images_[static_cast<std::size_t>(i)] = image; }
 
-    /// Rearrange all per-atom data, stale forces excepted: atom k of the new order is atom order[k] of the old. Ghosts
+    /// Reorder all per-atom data except stale forces: atom k of the new order is atom order[k] of the old one. Ghosts
     /// are dropped.
     /// @pre order is a permutation of 0 ... N-1
     void reorder(const std::vector<Index>& order);
 
-    /// Counts the calls of reorder(): whoever keeps indices can tell that they are old.
+    /// Increases whenever atoms are reordered; tells holders of indices whether these are still valid.
     [[nodiscard]] Index order_version() const { return order_version_; }
 
-    /// Set the periodic images that follow the local atoms: `ghosts.col(k)`. Forces stay current.
+    /// Set the number of ghosts after the local atoms; write_ghosts() gives their positions. Forces stay current.
     void set_ghost_count(Index count);
     [[nodiscard]] VectorView write_ghosts();
 
-    /// index_of()[id] is where that atom lies now.
+    /// index_of()[id] is the index of the atom with that id.
     [[nodiscard]] std::vector<Index> index_of() const;
 
-    /// Register a per-atom vector that must be sorted with the atoms (previous positions of a multistep integrator).
-    /// Calling again with the same name returns the same handle. Starts as zeros.
+    /// Register a per-atom vector that is reordered with the atoms, such as the half-step velocities of an integrator.
+    /// A second call with the same name returns the same handle. Starts as zeros.
     [[nodiscard]] std::size_t register_vectors(const std::string& name);
     [[nodiscard]] VectorView registered(std::size_t handle);
     [[nodiscard]] ConstVectorView registered(std::size_t handle) const;
 
-    /// What the integrator of the last step has left in the registered vectors, and how far it is in its cycle of
-    /// steps. Whoever else writes positions or velocities ends it: the integrator then begins anew from them.
+    /// Whose data the registered vectors hold: the integrator of the last step, and its number of steps, which gives
+    /// its place in a cycle. Anybody else who writes positions or velocities ends the phase; the integrator then starts
+    /// up again.
     struct Phase {
-        std::string integrator;  ///< which one, with its settings; empty: none
-        Index steps = 0;         ///< since it began
+        std::string integrator;  ///< method with its settings; empty: none
+        Index steps = 0;         ///< steps since its start-up
 
         void archive(Archive& a);
     };
     [[nodiscard]] const Phase& phase() const { return phase_; }
     void set_phase(Phase phase) { phase_ = std::move(phase); }
 
-    /// Forces belong to the present positions.
+    /// True if the forces belong to the present positions.
     [[nodiscard]] bool forces_are_current() const { return forces_current_; }
     void mark_forces_current() { forces_current_ = true; }
 
-    /// All of it but the ghosts, in the order in which the atoms lie.
-    /// @throws CheckpointError  a state of another number of atoms or another box, or what cannot be a state
+    /// Everything except ghosts, in the order of the atoms in memory.
+    /// @throws CheckpointError for another number of atoms, another box, or values that no state can have
     void archive(Archive& a);
 
     double time = 0.0;  ///< [tau]
-    Index step = 0;     ///< steps since the start of the run
+    Index step = 0;     ///< number of steps since the start of the run
 
-    /// What the thermostat of the stage keeps from one step to the next; empty without one. The first number is heat().
+    /// Variables of the stage's thermostat; empty without one. The first one is heat().
     std::vector<double> bath;
 
-    /// Energy that the thermostat has given to the atoms since the stage began [epsilon]. What the total energy is
-    /// above it, is conserved as well as the integrator does it.
+    /// Energy that the thermostat has given to the atoms since the stage began [epsilon]. The total energy minus this
+    /// heat is conserved, but for errors of the integrator.
     [[nodiscard]] double heat() const { return bath.empty() ? 0.0 : bath.front(); }
 
   private:
@@ -150,8 +152,8 @@ class State {
     Index ghost_count_ = 0;
     Index order_version_ = 0;
     std::optional<Box> box_;
-    AlignedVector<double> positions_;           // 4 doubles an atom: x y z and padding
-    mutable AlignedVector<double> velocities_;  // what a kick that is due does to them is no change
+    AlignedVector<double> positions_;           // x y z and padding of each atom
+    mutable AlignedVector<double> velocities_;  // a pending kick is part of the logical value
     mutable double kick_due_ = 0.0;
     AlignedVector<double> forces_;
     std::vector<double> masses_;

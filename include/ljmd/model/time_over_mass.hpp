@@ -2,8 +2,8 @@
 
 namespace ljmd {
 
-/// dt/m of one atom after the other, divided only where the mass changes: with nearly all atoms of one mass, divisions
-/// were a fifth of the time of kicks and drifts.
+/// dt/m for one atom after the other. Divides only where the mass changes: nearly all atoms have the same mass, and
+/// divisions took a fifth of the time of kicks and drifts.
 class TimeOverMass {
   public:
     explicit TimeOverMass(double dt) : dt_(dt), quotient_(dt) {}

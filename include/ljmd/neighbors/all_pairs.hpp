@@ -8,8 +8,9 @@
 
 namespace ljmd {
 
-/// Every atom against every other by minimum image: O(N^2), no cells, no ghosts. The oracle that the other searches are
-/// held against, and the fastest one for a few dozen atoms. See PairSearch for the contract.
+/// All-pairs search: every atom against every other by minimum image, O(N^2), without cells or ghosts. It is the
+/// reference for tests of the other searches, and the fastest one for a few dozen atoms. See PairSearch for the
+/// contract.
 class AllPairs {
   public:
     static constexpr std::string_view name = "all-pairs";
@@ -39,7 +40,7 @@ class AllPairs {
 
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
-    /// Nothing else outlives an evaluation.
+    /// The statistics are all that outlives an evaluation.
     void archive(Archive& a, const State& /*state*/, double /*cutoff*/) { a(statistics_); }
 
   private:

@@ -9,22 +9,22 @@
 
 namespace ljmd {
 
-/// Points among which neighbours are sought, cluster after cluster, in units of FixedPoint. Rounding them to single
+/// Points among which neighbours are searched, cluster after cluster, in units of FixedPoint. Rounding them to single
 /// precision moves each coordinate by at most 16 units.
 template <class Real, class Integer>
 struct PointArrays {
     Real* x;
     Real* y;
     Real* z;
-    Integer* entry;  ///< what stands on a list for the part of a cluster that the point belongs to
+    Integer* entry;  ///< list entry of the cluster part that the point belongs to
 };
 using Candidates = PointArrays<float, std::int32_t>;
 using ConstCandidates = PointArrays<const float, const std::int32_t>;
 
-/// x of a point that is near nobody.
+/// x of a point without an atom, farther away than any cutoff.
 inline constexpr float nowhere = 0x1p60F;
 
-/// Atoms that share a list, in the same units.
+/// Atoms that share a list, in units of FixedPoint. Rows with fewer atoms are filled up with points out of range.
 struct RowOfAtoms {
     RowShape shape;
     float x[4] = {-nowhere, -nowhere, -nowhere, -nowhere};
@@ -32,10 +32,10 @@ struct RowOfAtoms {
     float z[4] = {};
 };
 
-/// Kernels read and write whole vectors: behind what they are asked for there must be so many numbers more.
+/// Kernels read and write whole vectors, so arrays have this many elements after the requested ones.
 inline constexpr int list_kernel_slack = 16;
 
-/// Room for candidates, and the slack behind them.
+/// Storage for candidates, with the slack behind them.
 class CandidateArrays {
   public:
     void resize(std::size_t size) {

@@ -13,46 +13,48 @@
 
 namespace ljmd {
 
-/// Atoms in clusters of four that are neighbours in space, so that kernels load a cluster as it lies in memory, x after
-/// x, instead of collecting its atoms one by one.
+/// Atoms in clusters of four that lie close together, so that kernels load the coordinates of a cluster as one block,
+/// four x, four y, four z, and need not gather them atom by atom.
 ///
-/// The box is cut into tiles of some thousand atoms, a tile into columns along z, and the atoms of a column, in
-/// ascending z, into clusters; a column's last one may have fewer atoms than slots. Atoms are kept in this order: tile
-/// by tile, column by column. Clusters are numbered in it.
+/// The box is cut into tiles of some thousand atoms, a tile into columns along z, and the atoms of a column, sorted by
+/// z, into clusters. The last cluster of a column may have fewer atoms than slots. Atoms lie in memory in this order,
+/// tile by tile and column by column, and clusters are numbered in it.
 ///
-/// Tiles are what threads share: sums within a tile are one thread's. They depend on box and number of atoms alone. Of
-/// two tiles, images included, one has those clusters of the other as guests that may be within `range` of its own: the
-/// one from which the other lies towards higher z, or at the same height towards higher y, or else towards higher x. So
-/// each pair of atoms is in one tile only.
-/// Source: Pall and Hess (2013), Comput. Phys. Commun. 184, 2641, doi:10.1016/j.cpc.2013.06.003, for clusters;
-/// here single atoms meet clusters, which wastes fewer lanes when the range is short.
+/// Tiles are the parts that threads share; one thread sums a tile. They depend on the box and the number of atoms
+/// alone. A tile also holds ghost clusters (guests in names): clusters of other tiles, or of periodic images, that may
+/// be within `range` of its own. Of two tiles only one holds the other's clusters as ghosts: the one from which the
+/// other lies towards higher z, or at the same z towards higher y, or else towards higher x. So each pair of atoms
+/// belongs to one tile.
+/// Source: Pall and Hess (2013), Comput. Phys. Commun. 184, 2641, doi:10.1016/j.cpc.2013.06.003, for clusters. Their
+/// clusters meet clusters; here rows of a cluster's atoms meet parts of clusters (RowShape), which leaves fewer lanes
+/// unused when the range is short.
 class ClusterGrid {
   public:
-    /// Places for atoms in a cluster.
+    /// Number of atoms that a cluster has room for.
     static constexpr int slots = 4;
 
-    /// Fix tiles and columns. @pre range > 0
+    /// Set up tiles and columns. @pre range > 0
     void configure(const Box& box, double range, Index atoms);
 
-    /// Wrap the atoms into the box, bring them into order, and find their clusters.
-    /// The order depends on positions and, of equal ones, ids alone. Ghosts of the state are dropped.
+    /// Wrap the atoms into the box, sort them and form their clusters. The order depends on positions alone, and on ids
+    /// where positions are equal. Ghosts of the state are dropped.
     /// @pre configured for the box and number of atoms of this state
     /// @throws InputError when there are more atoms than can be counted
     void sort(State& state);
 
     [[nodiscard]] Index cluster_count() const { return static_cast<Index>(first_atoms_.size()) - 1; }
 
-    /// Consecutive clusters or slots.
+    /// A range [first, last) of clusters, columns or slots.
     struct Run {
         std::int32_t first;
         std::int32_t last;
         [[nodiscard]] std::int32_t length() const { return last - first; }
     };
 
-    /// Clusters of each tile. Some may have none.
+    /// Clusters of each tile. A tile may be empty.
     [[nodiscard]] std::span<const Run> tiles() const { return tiles_; }
 
-    /// The first atom of each cluster, and the number of atoms behind the last.
+    /// First atom of each cluster, followed by the number of atoms.
     [[nodiscard]] std::span<const std::uint32_t> first_atoms() const { return first_atoms_; }
 
     [[nodiscard]] AtomRange atoms_of(const Run& clusters) const {
@@ -67,9 +69,9 @@ class ClusterGrid {
 
     /// Columns of a tile.
     [[nodiscard]] Run columns(std::size_t tile) const;
-    /// Columns a block of loops over them, see threads.hpp.
+    /// Columns per block of a parallel loop, see threads.hpp.
     static constexpr Index columns_per_block = 16;
-    /// Of all tiles.
+    /// Columns of all tiles.
     [[nodiscard]] Index column_count() const { return static_cast<Index>(column_clusters_.size()) - 1; }
     [[nodiscard]] Run clusters_of_column(std::int32_t column) const;
 
@@ -80,40 +82,40 @@ class ClusterGrid {
     };
     [[nodiscard]] const Extent& extent(Index cluster) const { return extents_[static_cast<std::size_t>(cluster)]; }
 
-    /// Consecutive clusters of one column, or images of them, that are guests of a tile.
+    /// Consecutive clusters of one column, or images of them, that are ghost clusters of a tile.
     struct Guests {
-        Run of;
-        std::int32_t first;  ///< what the first of them is in the tile
-        Vec3 shift;          ///< how far away the images lie: whole edges [sigma]
+        Run of;              ///< clusters of which these are images or copies
+        std::int32_t first;  ///< number of the first one within the tile
+        Vec3 shift;          ///< displacement of the images: whole box edges [sigma]
     };
-    /// A tile and its guests. In it the tile's own clusters are numbered from 0 on, and the guests behind them.
+    /// A tile with its ghost clusters. Within it, the tile's own clusters are numbered from 0, followed by the ghosts.
     class Neighborhood;
     [[nodiscard]] Neighborhood neighborhood(std::size_t tile) const;
 
-    /// A column of a tile or of its guests.
+    /// A column of a tile or of its ghosts.
     struct Column {
         Run run{0, 0};            ///< clusters
-        std::int32_t offset = 0;  ///< from their numbers to those that they have in the tile
+        std::int32_t offset = 0;  ///< added to global cluster numbers gives the numbers in the tile
         double floor = 0.0;       ///< lowest z [sigma]
-        std::size_t slices = 0;   ///< where its slices begin
+        std::size_t slices = 0;   ///< index of its first slice in slices_
         std::int32_t column = 0;
         bool guest = false;
     };
-    /// One that may have atoms within range of those of another.
+    /// A column that may have atoms within range of those of another one.
     struct Near {
         Column column;
-        double reach;  ///< along z, beyond which nothing is within range [sigma]
+        double reach;  ///< largest distance along z at which atoms can be within range [sigma]
     };
-    /// All columns that may have atoms within range of one of the tile, itself included; of the tile's own only those
-    /// that do not come before it. Layer by layer towards higher z, from that of the tile on: there are no guests
-    /// below.
+    /// Find all columns that may have atoms within range of a column of the tile, itself included. Of the tile's own
+    /// columns only those that do not come before it are listed. They are listed layer by layer towards higher z, from
+    /// the tile's own layer on; there are no ghosts below.
     void find_near(const Neighborhood& neighborhood, std::int32_t column, std::vector<Near>& near) const;
 
-    /// Whether a column, and with it those that follow it in find_near(), lies out of range above a cluster.
+    /// True if a column lies out of range above a cluster. Then so do all columns that follow it in find_near().
     [[nodiscard]] bool is_out_of_reach(const Near& near, const Extent& extent) const {
         return extent.high + range_ < near.column.floor;
     }
-    /// Clusters of a column that may have atoms within range of those of a cluster.
+    /// Clusters of a column that may have atoms within range of a cluster.
     [[nodiscard]] Run window(const Near& near, const Extent& extent) const {
         const Column& column = near.column;
         const std::int32_t* bounds = slices_.data() + column.slices;
@@ -127,9 +129,10 @@ class ClusterGrid {
     [[nodiscard]] std::int32_t column_at(const Cell& cell) const;
     [[nodiscard]] Cell cell_of(std::int32_t column) const;
     [[nodiscard]] Cell cell_at(const Vec3& position) const;
-    /// Of a column along an axis: how many whole boxes away from the box it lies.
+    /// How many whole boxes a column lies away from the box along an axis.
     [[nodiscard]] int boxes_away(int cell, std::size_t axis) const;
-    /// 0 below the column, slice_count_ + 1 above it. @param above  its lowest z
+    /// Number of the slice at a height: 0 below the column, slice_count_ + 1 above it. @param above  height over the
+    /// lowest z of the column [sigma]
     [[nodiscard]] Index slice(double above) const {
         return std::clamp(static_cast<int>(above * inverse_slice_ + 1.0), 0, slice_count_ + 1);
     }
@@ -142,21 +145,21 @@ class ClusterGrid {
     double range_ = 0.0;
     Cell tiles_along_{1, 1, 1};
     Cell columns_per_tile_{1, 1, 1};
-    Cell cells_{1, 1, 1};  ///< columns along each axis
-    Cell reach_{};         ///< columns to look to each side
-    double height_ = 0.0;  ///< of the columns [sigma]
+    Cell cells_{1, 1, 1};  ///< number of columns along each axis
+    Cell reach_{};         ///< columns to search on each side
+    double height_ = 0.0;  ///< height of a column [sigma]
     Vec3 inverse_width_ = Vec3::Zero();
     Vec3 edges_ = Vec3::Zero();
-    std::vector<std::uint32_t> column_atoms_;    ///< first atom of each column, and one more
-    std::vector<std::int32_t> column_clusters_;  ///< first cluster of each column, and one more
-    std::vector<std::uint32_t> first_atoms_{0};  ///< of each cluster, and one more
-    std::vector<Extent> extents_;                ///< of each cluster
-    int slice_count_ = 1;                        ///< of a column
+    std::vector<std::uint32_t> column_atoms_;    ///< first atom of each column, followed by the number of atoms
+    std::vector<std::int32_t> column_clusters_;  ///< first cluster of each column, followed by the number of clusters
+    std::vector<std::uint32_t> first_atoms_{0};  ///< first atom of each cluster, followed by the number of atoms
+    std::vector<Extent> extents_;                ///< extent of each cluster
+    int slice_count_ = 1;                        ///< slices of a column
     double inverse_slice_ = 1.0;
-    /// Of each column and slice: the first cluster that reaches up to the slice, and the first that begins above it.
+    /// For each column and slice: the first cluster that reaches up to the slice, and the first that begins above it.
     std::vector<std::int32_t> slices_;
     std::vector<Run> tiles_;
-    /// The number of a column is the sum of what its places along x, y and z have here.
+    /// The number of a column is the sum of the entries for its places along x, y and z.
     std::array<std::vector<std::int32_t>, 3> numbers_along_;
 };
 
@@ -164,15 +167,15 @@ class ClusterGrid::Neighborhood {
   public:
     [[nodiscard]] const Run& own() const { return own_; }
     [[nodiscard]] const std::vector<Guests>& guests() const { return guests_; }
-    /// With the guests.
+    /// Number of clusters, ghosts included.
     [[nodiscard]] std::int32_t cluster_count() const { return count_; }
 
   private:
     friend class ClusterGrid;
     Run own_{0, 0};
-    Cell corner_{};  ///< of the columns that follow: the tile's own and all within reach of them
+    Cell corner_{};  ///< lowest corner of the columns below: the tile's own and all in their reach
     Cell cells_{};
-    std::vector<Column> columns_;  ///< without clusters where nobody is met
+    std::vector<Column> columns_;  ///< empty if they lie on the side where the tile has no ghosts
     std::vector<Guests> guests_;
     std::int32_t count_ = 0;
 };

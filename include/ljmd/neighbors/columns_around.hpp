@@ -15,13 +15,13 @@ class ColumnsAround {
     explicit ColumnsAround(const ClusterGrid& grid) : grid_(grid) {}
 
     /// Call visit(column, shift) for each column, or image of one, that may hold a point within a radius of a centre,
-    /// until one says true: the whole edges by which an image lies away are its shift [sigma].
-    /// @param center  anywhere [sigma]  @return whether one did
+    /// until a call returns true. The shift is the displacement of the image: whole box edges [sigma].
+    /// @param center  anywhere [sigma]  @return whether a call returned true
     template <class Visit>
     bool any(const Vec3& center, double radius, Visit&& visit);
 
   private:
-    /// What the columns that share a place along an axis add to their number, shift and squared distance.
+    /// Contribution of one place along an axis to the number, shift and squared distance of the columns there.
     struct Layer {
         std::int32_t number;
         double shift;

@@ -11,8 +11,8 @@
 namespace ljmd {
 
 /// Coordinates as 32-bit whole numbers of a power of two, counted from the middle of the box. Their differences are
-/// exact, so a separation is known to the same absolute precision everywhere in the box (about 2^-29 of its edge),
-/// which single-precision coordinates cannot offer; and comparing them takes half the room of doubles.
+/// exact, so separations have the same absolute precision everywhere in the box (about 2^-29 of its edge), unlike
+/// differences of single-precision coordinates. They take half the memory of doubles.
 class FixedPoint {
   public:
     FixedPoint() = default;
@@ -23,24 +23,25 @@ class FixedPoint {
           unit_(std::exp2(std::ceil(std::log2((0.5 * box.edges().maxCoeff() + halo) / largest)))),
           per_unit_(1.0 / unit_) {}
 
-    /// What 1 stands for [sigma].
+    /// Length of one unit [sigma].
     [[nodiscard]] double unit() const { return unit_; }
-    /// What stands for 0 [sigma].
+    /// Position of the coordinate 0 [sigma].
     [[nodiscard]] const Vec3& origin() const { return origin_; }
 
-    /// The nearest whole number. @pre inside the box and its halo, or hardly outside
+    /// The nearest whole number to a coordinate [sigma]. @pre inside the box and its halo, or hardly outside
     [[nodiscard]] std::int32_t operator()(double x, int axis) const {
-        // Where doubles lie 1 apart, the last bits of one are the whole number: faster than calls of std::lrint.
+        // Adding `shift` makes doubles lie 1 apart, so that the low bits are the whole number. Faster than std::lrint.
         constexpr double shift = 0x1.8p52;
         return static_cast<std::int32_t>(std::bit_cast<std::int64_t>((x - origin_[axis]) * per_unit_ + shift));
     }
 
-    /// The nearest whole number to a difference of two coordinates.
+    /// The nearest whole number to a difference of two coordinates [sigma].
     [[nodiscard]] std::int32_t distance(double dx) const {
         return static_cast<std::int32_t>(std::lround(dx * per_unit_));
     }
 
-    /// Out of reach of every point: no difference from it overflows, none is shorter than the halo.
+    /// Coordinate for slots without an atom. Its difference from any point neither overflows nor is shorter than the
+    /// halo.
     static constexpr std::int32_t far_away = 1 << 30;
 
   private:

@@ -10,8 +10,8 @@
 
 namespace ljmd {
 
-/// Linked cells without a list: atoms are sorted into cells at every evaluation, and all atoms of the cells around are
-/// candidates. See PairSearch for the contract.
+/// Linked cells without a neighbour list: atoms are sorted into cells at every evaluation, and all atoms of the cells
+/// around an atom are candidates. See PairSearch for the contract.
 /// Source: Quentrec and Brot (1973), doi:10.1016/0021-9991(73)90046-6; Hockney and Eastwood (1981).
 class LinkedCells {
   public:
@@ -43,7 +43,7 @@ class LinkedCells {
 
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
-    /// Nothing else outlives an evaluation.
+    /// The statistics are all that outlives an evaluation.
     void archive(Archive& a, const State& /*state*/, double /*cutoff*/) { a(statistics_); }
 
   private:

@@ -11,28 +11,28 @@
 
 namespace ljmd {
 
-/// Ways to find the neighbours of every atom. All have
+/// Searches for the neighbours of every atom. Each has
 ///
 ///     void prepare(State&, double cutoff)
-///         make the search valid for the present positions: may wrap and reorder atoms and replace ghosts;
+///         makes the search valid for the present positions; may wrap and reorder atoms and replace ghosts;
 ///     Index part_count(const State&) const, AtomRange atoms_of(const State&, Index part) const
-///         parts that the atoms are split into, for threads to share; no atom is in two;
+///         parts into which the atoms are split, for threads to share; no atom belongs to two;
 ///     void for_each_candidate(const State&, Index part, visit) const
-///         call visit(PairVisit) for all pairs of an atom i of the part with every j != i that can be closer than the
-///         cutoff. A pair comes either once from each side, and j may then be a ghost, or once for both, and j is then
-///         of the same part. Candidates beyond the cutoff must be expected;
+///         calls visit(PairVisit) for all pairs of an atom i of the part with every j != i that can be closer than the
+///         cutoff. Either each pair is visited once from each side, and j may be a ghost; or it is visited only once,
+///         and j is an atom of any part (PairVisit::once). Candidates beyond the cutoff must be expected;
 ///     const SearchStatistics& statistics() const;
 ///     void archive(Archive&, const State&, double cutoff)
-///         what an evaluation leaves to the next one.
+///         reads or writes what a later evaluation depends on.
 ///
-/// @pre for all: cutoff <= L/2, so that no atom meets two images of another one within the cutoff.
+/// @pre for all: cutoff <= L/2, so that an atom has at most one image of another one within the cutoff.
 using PairSearch = std::variant<AllPairs, LinkedCells, VerletList>;
 
-/// The names that [neighbors] method takes, with their meaning.
+/// The names of the searches, as `[neighbors] method` takes them.
 [[nodiscard]] std::vector<std::string> pair_search_names();
 
-/// @param skin   extra radius of the list [sigma], >= 0; only `verlet-list` uses it
-/// @param every  keep each list for that many evaluations, see VerletList; only `verlet-list` uses it
+/// @param skin   added to the cutoff as the radius of the list [sigma], >= 0; only `verlet-list` uses it
+/// @param every  number of evaluations to keep each list for, see VerletList; only `verlet-list` uses it
 /// @throws InputError for an unknown name
 [[nodiscard]] PairSearch make_pair_search(const std::string& name, double skin,
                                           std::optional<Index> every = std::nullopt);

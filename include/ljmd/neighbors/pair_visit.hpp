@@ -6,13 +6,13 @@
 
 namespace ljmd {
 
-/// What a search shows of a pair, see PairSearch.
+/// A pair as a search passes it to its visitor, see PairSearch.
 struct PairVisit {
     Index i;
     Index j;
     double dx, dy, dz;  ///< r_i - r_j of the nearest image [sigma]
-    bool once;          ///< this is the pair's only visit and stands for j, too, which may be an atom of another part;
-                        ///< else j meets i in one of its own
+    bool once;  ///< true: this is the only visit of the pair and counts for j, too, which may be of another part;
+                ///< false: j visits i in turn
 };
 
 /// Atoms [first, last).
@@ -22,7 +22,7 @@ struct AtomRange {
     [[nodiscard]] Index count() const { return last - first; }
 };
 
-/// Parts of equal length, for searches that show each pair from both sides.
+/// Parts of equal length, for searches that visit each pair from both sides.
 struct EqualParts {
     static constexpr Index length = 64;
     static Index count(Index atoms) { return (atoms + length - 1) / length; }

@@ -10,16 +10,16 @@
 
 namespace ljmd {
 
-/// Positions of a tile's clusters and its guests as kernels load them: of cluster c the x of its four slots from place
-/// 12 c on, then y, then z.
+/// Positions of a tile's own and ghost clusters (guests in names), as kernels load them: cluster c begins at index 12 c
+/// with the x of its four slots, then y, then z.
 /// @tparam T  double, or std::int32_t for units of FixedPoint
 template <class T>
 class TilePositions {
   public:
-    /// @param count     of clusters, guests included
-    /// @param place     T(x, axis)
-    /// @param distance  T(dx) of whole edges; what images are shifted by
-    /// @param far       for slots without an atom
+    /// @param count     number of clusters, ghosts included
+    /// @param place     T(x, axis): converts a coordinate
+    /// @param distance  T(dx): converts the shift of an image, whole box edges
+    /// @param far       coordinate for slots without an atom
     template <class Place, class Distance>
     void update(const ClusterGrid& grid, const ClusterGrid::Run& own, std::span<const ClusterGrid::Guests> guests,
                 Index count, const State& state, Place&& place, Distance&& distance, T far);
@@ -27,7 +27,7 @@ class TilePositions {
     [[nodiscard]] const T* data() const { return positions_.data(); }
 
   private:
-    /// Sums may leave the range of integers.
+    /// Unsigned, because integer sums may overflow.
     static T sum(T a, T b) {
         if constexpr (std::is_integral_v<T>) {
             using Unsigned = std::make_unsigned_t<T>;
@@ -60,7 +60,7 @@ void TilePositions<T>::update(const ClusterGrid& grid, const ClusterGrid::Run& o
                 to[2 * slots + k] = sum(place(from[4 * k + 2], 2), dz);
             };
             const auto atoms = static_cast<Index>(first_atoms[c + 1] - first_atoms[c]);
-            if (atoms == slots) {  // nearly always; and the compiler knows how many there are
+            if (atoms == slots) {  // nearly always; lets the compiler unroll the loop
                 for (Index k = 0; k < slots; ++k) {
                     copy_atom(k);
                 }

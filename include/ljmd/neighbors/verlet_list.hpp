@@ -20,28 +20,30 @@
 
 namespace ljmd {
 
-/// Verlet's list: for every atom all others within cutoff + skin, kept until a pair that does not stand on it may be
-/// within the cutoff. As long as no atom has moved by more than skin/2 since, two that were farther apart than cutoff +
-/// skin are still farther apart than the cutoff; then those around the atoms that have are looked at, see
-/// any_pair_missed(). No pair is ever missed. Checked at every evaluation, before the list is used.
+/// Verlet list: for every atom all others within cutoff + skin, kept until a pair that is not on it may be within the
+/// cutoff. While no atom has moved by more than skin/2, no such pair can be. From then on the surroundings of each atom
+/// that has are searched for missing pairs, see any_pair_missed(). The list is checked at every evaluation before it is
+/// used, so no pair is ever missed.
 ///
 /// For comparison with programs that do so, a list can instead be kept for a fixed number of evaluations. Pairs may be
-/// missed then; at its end it is counted whether an atom has moved too far (SearchStatistics::late_rebuilds).
+/// missed then. Lists on which an atom moved too far are counted when they are replaced
+/// (SearchStatistics::late_rebuilds).
 ///
-/// What stands on the list are clusters (see ClusterGrid): of each atom, all that have a member within cutoff + skin,
-/// each pair of atoms once. A tile's pairs are summed up by one thread, in an order that the configuration decides;
-/// what its guests get is added to the forces on their owners afterwards, see Tile. See PairSearch for the contract.
+/// The list holds clusters (see ClusterGrid): for each atom, all that have a member within cutoff + skin, each pair of
+/// atoms once. One thread sums the pairs of a tile, in an order that the configuration decides. Forces on its ghost
+/// clusters (guests in names) are added to their owners afterwards, see Away. See PairSearch for the contract.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98; Chialvo and Debenedetti (1990), doi:10.1016/0010-4655(90)90007-N.
 class VerletList {
   public:
     static constexpr std::string_view name = "verlet-list";
 
     /// @param skin   [sigma], >= 0
-    /// @param every  keep each list for that many evaluations (>= 1), whatever the atoms do; none: by displacement
+    /// @param every  number of evaluations (>= 1) to keep each list for, however far atoms move; none: rebuild by
+    ///               displacement
     explicit VerletList(double skin, std::optional<Index> every = std::nullopt) : skin_(skin), every_(every) {}
 
-    /// Which kernel builds lists, and for which rows; takes effect at the next rebuild.
-    /// @pre level is usable here  @throws ContractViolation unless 1 atom meets 2 others, 2 meet 2 or 4, or 4 meet 4
+    /// Choose the kernel that builds lists and the shape of their rows. Takes effect at the next rebuild.
+    /// @pre level is usable here  @throws ContractViolation unless atoms x slots is 1 x 2, 2 x 2, 2 x 4 or 4 x 4
     void prepare_for(SimdLevel level, RowShape shape);
 
     void prepare(State& state, double cutoff);
@@ -51,25 +53,26 @@ class VerletList {
     template <class Visit>
     void for_each_candidate(const State& state, Index part, Visit&& visit) const;
 
-    /// The lists of a tile's atoms, for each row (see RowShape; fewer if slots are empty) the parts of clusters that
-    /// any of its atoms has on its list.
+    /// The neighbour lists of a tile: for each row (see RowShape; the last row of a cluster may be short) the cluster
+    /// parts that any of its atoms has on its list.
     struct Tile {
-        /// Parts of clusters, in the numbers that these have in the tile; of those behind the row's own and guests. Its
-        /// own, whose pairs the row has, too, is not among them. Slots from k on of cluster c stand there as 12 c + k,
-        /// the place of the first x in TilePositions. Behind the last row stand some of cluster 0, for those who look
+        /// Cluster parts, by the numbers of clusters within the tile. They belong to clusters that come after the row's
+        /// own, and to ghost clusters. The row's own cluster is not listed; its pairs are computed without an entry.
+        /// The part that begins at slot k of cluster c is the entry 12 c + k, the index of its first x in
+        /// TilePositions. After the last row follow list_kernel_slack entries of cluster 0, for kernels that read
         /// ahead.
         std::vector<std::int32_t> entries;
-        /// Of each row: where its entries begin; behind these, the end.
+        /// Index of each row's first entry, followed by the number of entries.
         std::vector<std::uint32_t> starts;
         std::vector<ClusterGrid::Guests> guests;
-        std::int32_t cluster_count = 0;  ///< with the guests
+        std::int32_t cluster_count = 0;  ///< ghosts included
     };
-    /// Guests of another tile whose owner is a tile's cluster.
+    /// Ghost clusters of another tile that are copies or images of a tile's own clusters.
     struct Away {
         std::uint32_t tile;
-        std::uint32_t guests;  ///< which of that tile's
+        std::uint32_t guests;  ///< index into that tile's guests
     };
-    /// All that a tile has, in the order of their tiles.
+    /// All ghosts that other tiles, or the tile itself, hold of a tile's clusters, in the order of the holding tiles.
     [[nodiscard]] std::span<const Away> away(Index tile) const {
         const auto t = static_cast<std::size_t>(tile);
         return std::span(away_).subspan(away_starts_[t], away_starts_[t + 1] - away_starts_[t]);
@@ -78,26 +81,26 @@ class VerletList {
     [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
     [[nodiscard]] const ClusterGrid& clusters() const { return grid_; }
 
-    /// Of the points when the list was built, and good until it is built again.
+    /// For positions as they were at the rebuild; valid until the next one.
     [[nodiscard]] const FixedPoint& fixed_point() const { return fixed_point_; }
 
     [[nodiscard]] double skin() const { return skin_; }
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
-    /// A list is stored as the positions that it was built from; from these it is built again, to the last entry.
+    /// Store the positions that the list was built from, or read them and build the same list again, to the last entry.
     /// @param state  with the atoms in the order that they had when the list was last used; is not changed
     /// @throws CheckpointError
     void archive(Archive& a, const State& state, double cutoff);
 
   private:
-    /// True when the list was built for this cutoff and box, and atoms in this order.
+    /// True if the list was built for this cutoff and box, this order of atoms, and the present shape of rows.
     [[nodiscard]] bool is_of(const State& state, double cutoff) const;
-    /// True when it is, and no pair within the cutoff is missing on it, or it is young enough.
+    /// True if, besides, no pair within the cutoff is missing; with a fixed schedule: if the list is young enough.
     [[nodiscard]] bool still_valid(const State& state, double cutoff) const;
-    /// By more than skin/2.
+    /// True if no atom has moved by more than skin/2.
     [[nodiscard]] bool nothing_moved_too_far(const State& state) const;
     void build(const State& state, double cutoff);
-    /// @return distance tests
+    /// Build the lists of a tile. @return number of distance tests
     [[nodiscard]] Index fill(std::size_t tile, const State& state, double range);
     void find_guests_owners();
 
@@ -112,10 +115,10 @@ class VerletList {
     RowShape built_for_shape_{0, 0};
     ClusterGrid grid_;
     FixedPoint fixed_point_;
-    AlignedVector<double> reference_;  ///< positions when the list was built, 4 numbers each
+    AlignedVector<double> reference_;  ///< positions at the rebuild, 4 numbers per atom
     std::vector<Tile> tiles_;
     std::vector<Away> away_;                ///< tile by tile
-    std::vector<std::size_t> away_starts_;  ///< of each tile, and one more
+    std::vector<std::size_t> away_starts_;  ///< index of each tile's first in away_, followed by the size
     SearchStatistics statistics_;
 };
 
@@ -126,7 +129,7 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
     const ClusterGrid::Run clusters = grid_.tiles()[static_cast<std::size_t>(part)];
     const std::uint32_t* row = tile.starts.data();
     const auto meet = [&](Index i, const AtomRange& others, const Vec3& shift) {
-        const Vec3 from = r.col(i) - shift;  // exact on the grid of the coordinates
+        const Vec3 from = r.col(i) - shift;  // exact on the coordinate grid
         for (Index j = others.first; j < others.last; ++j) {
             visit(PairVisit{i, j, from[0] - r(0, j), from[1] - r(1, j), from[2] - r(2, j), true});
         }

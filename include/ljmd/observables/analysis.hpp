@@ -16,61 +16,61 @@
 
 namespace ljmd {
 
-/// A result as columns of numbers, to be written as a file of its own.
+/// A result as a table of numbers, which becomes a file of its own.
 struct DataTable {
-    std::string name;                  ///< of the file, without suffix
+    std::string name;                  ///< name of the file, without suffix
     std::vector<std::string> columns;  ///< header
     std::vector<std::vector<double>> rows;
 };
 
-/// What an analysis has to know of the run that it is made for.
+/// Properties of the run that an analysis needs.
 struct SampledRun {
     Index atoms;
     Box box;
-    double time_step;  ///< of the sampled stages [tau]
-    Index steps;       ///< of the longest one
+    double time_step;  ///< time step of the sampled stages [tau]
+    Index steps;       ///< steps of the longest sampled stage
     std::uint64_t seed;
-    std::optional<double> held_temperature;  ///< by the thermostat of the sampled stages; none: constant energy
+    std::optional<double> held_temperature;  ///< held by the thermostat of the sampled stages; empty at constant energy
 
-    std::optional<Interaction> interaction;  ///< not known while a deck is checked
+    std::optional<Interaction> interaction;  ///< empty while a deck is checked
 };
 
-/// Something measured on configurations during the sampled stages of a run. Sampling never changes the state.
+/// A measurement on configurations during the sampled stages of a run. Sampling never changes the state.
 class Analysis {
   public:
     virtual ~Analysis() = default;
 
-    /// @return true when a configuration at this step of the run is wanted
+    /// @return true if the configuration at this step of the run is to be sampled
     [[nodiscard]] virtual bool due(Index step) const = 0;
 
-    /// @return true when the evaluation that sample() is given must hold energy and virial
+    /// @return true if the evaluation passed to sample() must contain energy and virial
     [[nodiscard]] virtual bool needs_energy() const { return false; }
 
-    /// @param evaluation  of the forces at the state's positions
+    /// @param evaluation  at the positions of the state
     virtual void sample(const State& state, const Evaluation& evaluation) = 0;
 
-    /// What follows does not go on from the last configuration: another stage begins.
+    /// The next configuration does not continue the last one, because another stage begins.
     virtual void interrupt() {}
 
-    /// Configurations that were sampled.
+    /// Number of sampled configurations.
     [[nodiscard]] virtual Index samples() const = 0;
 
-    /// What has been found so far; nothing where too little has been sampled.
+    /// Results so far; empty if too little has been sampled.
     [[nodiscard]] virtual std::vector<DataTable> tables() const = 0;
 
-    /// Single numbers among it, for results.json.
+    /// Results that are single numbers, for results.json.
     [[nodiscard]] virtual std::vector<ObservableAverage> observables() const { return {}; }
 
-    /// All that sampling has changed.
+    /// Everything that sampling has changed.
     virtual void archive(Archive& a) = 0;
 };
 
-/// What an analysis cannot do without, beside positions in a box: what a trajectory or a run of another kind may lack.
+/// Requirements of an analysis besides positions in a box, which a trajectory or a run of another kind may lack.
 struct AnalysisNeeds {
     bool velocities = false;
     bool unwrapped_positions = false;
-    bool interaction = false;  ///< SampledRun::interaction, and what follows from it
-    bool fixed_box = true;     ///< it is made for SampledRun::box; else that of each configuration counts
+    bool interaction = false;  ///< SampledRun::interaction, and quantities computed from it
+    bool fixed_box = true;     ///< uses SampledRun::box throughout; otherwise the box of each configuration
 };
 
 /// Reasons why options do not fit what they are for: (key, message).
@@ -78,9 +78,9 @@ using Misfits = std::vector<std::pair<std::string, std::string>>;
 
 /// Bytes that an analysis takes in a run, about.
 struct AnalysisSize {
-    double kept;           ///< from one sample to the next, at most; a checkpoint holds them, too
-    double fixed = 0.0;    ///< beside them, from its first sample on
-    double passing = 0.0;  ///< beside these, while it samples
+    double kept;           ///< largest size of what is kept between samples, which checkpoints contain, too
+    double fixed = 0.0;    ///< further memory from the first sample on
+    double passing = 0.0;  ///< further memory during sampling
 };
 
 /// The options of an analysis, see Description. `every`, the steps between configurations, is among them.
@@ -106,13 +106,13 @@ struct AnalysisMethod {
     std::string name;  ///< the key in [analysis]
     std::string meaning;
     std::vector<std::string> files;  ///< names of its tables
-    bool follows_time = false;       ///< it compares configurations at different times
+    bool follows_time = false;       ///< compares configurations at different times
     AnalysisNeeds needs = {};
     bool is_random = false;                                     ///< it draws random numbers
     std::function<std::unique_ptr<AnalysisOptions>()> options;  ///< at their defaults
 };
 
-/// Every analysis there is, in alphabetical order.
+/// All analyses, in alphabetical order.
 [[nodiscard]] std::vector<AnalysisMethod> all_analyses();
 
 }  // namespace ljmd

@@ -9,16 +9,16 @@
 
 namespace ljmd {
 
-/// The thermodynamic state of one configuration, energies per atom, tail corrections included.
+/// Thermodynamic state of one configuration. Energies are per atom and include tail corrections.
 ///
-/// The pressure has the kinetic part rho T of all N atoms, whatever part of it 3 N - 3 degrees of freedom carry: its
-/// mean is the thermodynamic one where momentum is conserved and where it is not. The kinetic part of the tensor is
-/// scaled likewise. One atom has no motion about the centre of mass, and so neither temperature nor pressure.
+/// The kinetic part of the pressure is rho T of all N atoms, although 3 N - 3 degrees of freedom may carry it. So the
+/// mean is the thermodynamic pressure whether or not momentum is conserved. The kinetic part of the tensor is scaled
+/// likewise. A single atom has no motion about the centre of mass, so it has neither temperature nor pressure.
 struct Thermodynamics {
     std::optional<double> temperature;    ///< of the motion about the centre of mass [epsilon/k_B]; empty for one atom
     double potential_energy = 0.0;        ///< U/N + u_tail [epsilon]
     double kinetic_energy = 0.0;          ///< K/N [epsilon]
-    double total_energy = 0.0;            ///< the sum of the two [epsilon]
+    double total_energy = 0.0;            ///< sum of the two [epsilon]
     std::optional<double> pressure;       ///< rho T + W/(3 V) + p_tail [epsilon/sigma^3]; empty for one atom
     std::optional<Mat3> pressure_tensor;  ///< N/(N - 1) (sum m v v - P P/M)/V + W_ab/V + p_tail delta_ab; trace/3 = p
     double density = 0.0;                 ///< N/V [sigma^-3]
@@ -29,16 +29,16 @@ struct Thermodynamics {
     }
 };
 
-/// Evaluate the thermodynamics of a state from what its force field returned for it.
-/// @pre the evaluation belongs to the state's positions and was asked for energy; the state has a box and atoms
+/// Compute the thermodynamics of a state from the evaluation of its force field.
+/// @pre the evaluation belongs to the positions of the state and contains the energy; the state has a box and atoms
 [[nodiscard]] Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation,
                                             const TailCorrection& tail);
 
-/// Whether a temperature can be divided by: it is more than what rounding leaves of the motion of atoms at rest, 2^-52
-/// of the unit of energy.
+/// Whether a temperature can be divided by: it exceeds what rounding leaves of the motion of atoms at rest, 2^-52 of
+/// the unit of energy.
 [[nodiscard]] bool is_above_zero(double temperature);
 
-/// The remark on what is divided by a temperature that is not above zero.
+/// Remark for results that would be divided by a temperature that is not above zero.
 inline constexpr const char* no_temperature =
     "it is divided by the temperature, which is zero for atoms at rest and not defined for a single one";
 
@@ -46,9 +46,9 @@ inline constexpr const char* no_temperature =
 /// @pre as for thermodynamics()
 [[nodiscard]] double virial_pressure(const State& state, const Evaluation& evaluation, const TailCorrection& tail);
 
-/// (sum m v v + W_ab)/V [epsilon/sigma^3]: the momentum that flows through a plane, whose fluctuations make the
-/// viscosity. Unlike the pressure tensor it is that of the motion as it is, of 3 N - 3 degrees of freedom where
-/// momentum is conserved.
+/// (sum m v v + W_ab)/V [epsilon/sigma^3]: the momentum flux through a plane, whose fluctuations determine the
+/// viscosity. Unlike the pressure tensor it is not scaled: where momentum is conserved, it has 3 N - 3 degrees of
+/// freedom.
 /// @pre as for thermodynamics()
 [[nodiscard]] Mat3 mechanical_stress(const State& state, const Evaluation& evaluation);
 

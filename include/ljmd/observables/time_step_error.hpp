@@ -7,19 +7,20 @@
 
 namespace ljmd {
 
-/// How far a time step h of a method of second order sets the temperatures of velocities and of configurations apart:
-/// by how much the kinetic energy half a step later, with v + h f/(2 m) for v, exceeds the one at the step, on average.
+/// Difference between the temperatures of velocities and of configurations that a time step h of a second-order method
+/// causes. It is the mean relative excess of the kinetic energy half a step later, with v + h f/(2 m) for v:
 ///
 ///     (h^2/4) <sum f^2/m>/<sum m v^2>                     (w h/2)^2 for oscillators of angular frequency w
 ///
-/// Where velocity Verlet is stable for oscillators (w h < 2), the ratio of their kinetic to their potential energy is
-/// low by just this factor. It needs no long run, and does not see the jumps of the energy at a plain cut.
+/// For oscillators within the stability limit of velocity Verlet (w h < 2), the ratio of kinetic to potential energy is
+/// too low by exactly this fraction. The measurement needs no long run and does not see the energy jumps of a plain
+/// cut.
 class TimeStepError {
   public:
-    /// One configuration. @pre its forces are current
+    /// Add a configuration. @pre its forces are current
     void add(const State& state, double time_step);
 
-    /// Empty without motion.
+    /// Empty if nothing moves.
     [[nodiscard]] std::optional<double> value() const;
 
     void archive(Archive& a) { a(excess_, motion_); }

@@ -8,28 +8,29 @@
 
 namespace ljmd {
 
-/// Excess chemical potential by insertion of a test particle at random places of each configuration. With psi its
-/// energy, tail included (2 u_tail for one atom more),
+/// Excess chemical potential by Widom's insertion of a test particle at random positions in each configuration. With
+/// psi its energy, tail included (2 u_tail for an additional atom),
 ///
-///     mu_ex = -T ln <exp(-psi/T)>                                       at a temperature that is held
-///     mu_ex = -<T> ln(<T^(3/2) exp(-psi/T)>/<T>^(3/2))                  at constant energy, T that of the moment
+///     mu_ex = -T ln <exp(-psi/T)>                                       at a temperature held by a thermostat
+///     mu_ex = -<T> ln(<T^(3/2) exp(-psi/T)>/<T>^(3/2))                  at constant energy, T instantaneous
 ///
-/// A few places carry the mean: in a dense liquid one of 10^5 or fewer. A short run misses the places that count most,
-/// and its standard error does not show that. No value is given in two cases:
+/// Few insertions dominate the mean: in a dense liquid one in 10^5 or fewer. A short run misses the most important
+/// ones, and its standard error does not show that. There is no value in two cases:
 ///
-///  - An error above T/4: fewer than 16 places or configurations carry the mean.
-///  - An energy of the inserted particles that is more than T above that of an atom. By the weights of the mean these
-///    are the same, <psi exp(-psi/T)>/<exp(-psi/T)> = 2 <U>/N, as an inserted particle is an atom like the others
-///    (Shing and Gubbins (1982), doi:10.1080/00268978200100841, compare the distributions). Too high a psi: deep places
-///    are missing.
+/// - The error exceeds T/4: fewer than 16 insertions or configurations dominate the mean.
+/// - The energy of the inserted particles exceeds that of an atom by more than T. With the weights of the mean they are
+///   equal, <psi exp(-psi/T)>/<exp(-psi/T)> = 2 <U>/N, because an inserted particle is an atom like the others (Shing
+///   and Gubbins (1982), doi:10.1080/00268978200100841, compare the distributions). If psi is too high, insertions at
+///   low energies are missing.
 ///
-/// For weights with a log-normal distribution (width of ln w from 1 to 3.5, 10 to 30000 places, 300 to 1500 trials
-/// each), what is left has a mean deviation of at most 0.6 errors and a scatter of 0.5 to 1.15 errors about the right
-/// value; without the second sign, up to 8 errors. Standard errors by blocking over configurations. Observable:
-/// excess_chemical_potential [epsilon]. Sources: Widom (1963), doi:10.1063/1.1734110; Frenkel and Smit, section 7.2.3
+/// Test with log-normal weights (width of ln w from 1 to 3.5, 10 to 30000 insertions, 300 to 1500 trials each): the
+/// remaining results have a mean deviation of at most 0.6 errors and a scatter of 0.5 to 1.15 errors about the true
+/// value; without the second criterion, up to 8 errors. Standard errors by block averaging over configurations.
+/// Observable: excess_chemical_potential [epsilon]. Sources: Widom (1963), doi:10.1063/1.1734110; Frenkel and Smit,
+/// section 7.2.3
 class WidomInsertion : public Analysis {
   public:
-    /// @param insertions  places in each configuration, at least 1
+    /// @param insertions  number per configuration, at least 1
     /// @pre run.interaction is known
     WidomInsertion(const SampledRun& run, Index insertions, Every every);
 
@@ -42,7 +43,7 @@ class WidomInsertion : public Analysis {
     void archive(Archive& a) override { a(means_); }
 
   private:
-    /// Means over the places of a configuration.
+    /// Means over the insertions into a configuration.
     struct Weights {
         double weight = 0.0;           ///< exp(-psi/T)
         double weighted_energy = 0.0;  ///< psi exp(-psi/T), without the tail
@@ -57,7 +58,7 @@ class WidomInsertion : public Analysis {
     Every every_;
     CellGrid grid_;
     GhostExchange ghosts_;
-    BlockingAccumulator means_;  ///< w = T^(3/2) exp(-psi/T), exp(-psi/T) where T is held; T; psi w; energy of an atom
+    BlockingAccumulator means_;  ///< w = T^(3/2) exp(-psi/T), or exp(-psi/T) if T is held; T; psi w; energy of an atom
 };
 
 }  // namespace ljmd

@@ -5,7 +5,7 @@
 
 namespace ljmd {
 
-/// What the atoms of a fluid feel of each other, and what its energy and pressure have beside that.
+/// Interaction of the atoms of a fluid: the pair potential, and the correction of energy and pressure for its tail.
 struct Interaction {
     PairPotential potential;
     TailCorrection tail;

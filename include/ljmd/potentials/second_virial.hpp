@@ -4,7 +4,7 @@
 
 namespace ljmd {
 
-/// The second virial coefficient [sigma^3] of a truncated potential, by GSL quadrature:
+/// Second virial coefficient [sigma^3] of a truncated potential, by GSL quadrature:
 ///
 ///     B2(T) = -2 pi * integral from 0 to rc of (exp(-u(r)/T) - 1) r^2 dr,   Z = 1 + B2 rho + O(rho^2).
 ///
@@ -12,11 +12,11 @@ namespace ljmd {
 /// Source: J. O. Hirschfelder, C. F. Curtiss, R. B. Bird, Molecular Theory of Gases and Liquids (1954), section 3.1.
 [[nodiscard]] double second_virial_coefficient(const PairPotential& potential, double temperature);
 
-/// The same of the formula without its truncation, integrated to infinity.
+/// Second virial coefficient of the formula without truncation, integrated to infinity.
 [[nodiscard]] double untruncated_second_virial_coefficient(const PairPotential& potential, double temperature);
 
-/// The temperature at which the formula, untruncated, has B2 = 0: a thin gas is ideal there to second order.
-/// @pre the formula attracts and repels, else PhysicsError
+/// Boyle temperature: B2 = 0 for the formula without truncation, so that the dilute gas is ideal to second order.
+/// @throws PhysicsError unless the formula has both attraction and repulsion
 [[nodiscard]] double boyle_temperature(const PairPotential& potential);
 
 }  // namespace ljmd

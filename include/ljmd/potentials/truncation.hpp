@@ -10,18 +10,18 @@
 
 namespace ljmd {
 
-/// Where a potential ends.
+/// Radii of a truncation.
 struct Cutoff {
     double radius = 0.0;        ///< rc [sigma]: pairs with r < rc interact
     double switch_start = 0.0;  ///< rs [sigma]: only for `switched`, 0 < rs < rc
 };
 
-// Each truncation wraps a formula u(r), w(r) = -u'(r)/r and is valid for r < rc; who sums over pairs tests r < rc.
-// `changes_from(cutoff)` is the radius from which the truncated potential differs from the formula in its force, so
-// that a tail correction can make up for it. Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd ed.,
-// section 5.2; the switching polynomial is OpenMM's and GROMACS' (fifth order, two continuous derivatives).
+// A truncation wraps a formula u(r), w(r) = -u'(r)/r and is valid for r < rc; pair sums test r < rc.
+// `changes_from(cutoff)` is the radius beyond which the truncated force differs from the formula's, where a tail
+// correction begins. Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd ed., section 5.2; the switching
+// polynomial is that of OpenMM and GROMACS (fifth order, two continuous derivatives).
 
-/// u(r): the plain truncation. Energy and force jump at rc.
+/// Plain cut: u(r). Energy and force jump at rc.
 template <class Formula>
 class Cut {
   public:
@@ -44,7 +44,7 @@ class Cut {
     Formula formula_;
 };
 
-/// u(r) - u(rc): the energy is continuous, the force is that of `cut`.
+/// Shifted: u(r) - u(rc). The energy is continuous, the force is that of `cut`.
 template <class Formula>
 class Shifted {
   public:
@@ -68,7 +68,8 @@ class Shifted {
     double u_cutoff_;
 };
 
-/// u(r) - u(rc) + (r - rc) F(rc) with F = -u': energy and force are continuous, the force is F(r) - F(rc).
+/// Force-shifted: u(r) - u(rc) + (r - rc) F(rc) with F = -u'. The force is F(r) - F(rc); energy and force are
+/// continuous.
 template <class Formula>
 class ForceShifted {
   public:
@@ -98,8 +99,8 @@ class ForceShifted {
     double f_cutoff_;
 };
 
-/// u(r) S(x), x = (r - rs)/(rc - rs), S = 1 - 10 x^3 + 15 x^4 - 6 x^5 for r > rs and 1 before: energy, force and the
-/// force's slope are continuous.
+/// Switched: u(r) S(x) with x = (r - rs)/(rc - rs), S = 1 - 10 x^3 + 15 x^4 - 6 x^5 for r > rs and 1 below. Energy,
+/// force and the derivative of the force are continuous.
 template <class Formula>
 class Switched {
   public:
@@ -121,17 +122,17 @@ class Switched {
           inverse_width_(1.0 / (cutoff.radius - cutoff.switch_start)),
           at_zero_(-0.5 * (cutoff.radius + cutoff.switch_start) * inverse_width_) {}
 
-    /// With t = x - 1/2 and g = 1/4 - t^2, S = 1/2 + t (-1 - 2 g - 6 g^2) and dS/dx = -30 g^2: fewer operations than
-    /// powers of x take.
+    /// With t = x - 1/2 and g = 1/4 - t^2, S = 1/2 + t (-1 - 2 g - 6 g^2) and dS/dx = -30 g^2, which takes fewer
+    /// operations than powers of x.
     template <class Real>
     PairTerm<Real> operator()(const PairDistance<Real>& d) const {
         using std::max;
         const PairTerm<Real> full = formula_(d);
-        // -1/2 below rs: there S = 1 and S' = 0, exactly.
+        // -1/2 below rs, where S = 1 and S' = 0 exactly.
         const Real t = max(Real(-0.5), multiply_add(d.r, Real(inverse_width_), Real(at_zero_)));
         const Real g = multiply_add(-t, t, Real(0.25));
         const Real s = multiply_add(t, multiply_add(g, multiply_add(Real(-6), g, Real(-2)), Real(-1)), Real(0.5));
-        // -S'(r) u/r. What does not depend on g is multiplied first: it need not wait for it.
+        // -S'(r) u/r. The factors without g are multiplied first, because they need not wait for g.
         const Real from_descent = g * g * (Real(30 * inverse_width_) * full.u * d.inverse_r);
         return {full.u * s, multiply_add(full.w, s, from_descent)};
     }

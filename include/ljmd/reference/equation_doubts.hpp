@@ -7,9 +7,9 @@
 
 namespace ljmd {
 
-/// Why the numbers are not to be relied upon; empty when they are: beyond what the equation was fitted to; between the
-/// densities of liquid and vapour, where the fluid separates; above the density at which the full Lennard-Jones fluid
-/// freezes, between the triple point and the highest temperature of freezing_densities().
+/// Why the results of an equation are unreliable at a state; empty if they are reliable. Reasons are: outside of the
+/// range of the fit; between the densities of liquid and vapour, where the fluid separates; above the freezing density
+/// of the full Lennard-Jones fluid, for the temperatures of freezing_densities().
 [[nodiscard]] std::vector<std::string> doubts(const EquationOfState& equation, double temperature, double density);
 
 }  // namespace ljmd

@@ -6,31 +6,31 @@
 
 namespace ljmd {
 
-/// Where liquid and vapour become one: dp/drho = d2p/drho2 = 0. In reduced units.
+/// Critical point: dp/drho = d2p/drho2 = 0. In reduced units.
 struct CriticalPoint {
     double temperature;
     double density;
     double pressure;
 };
 
-/// The critical point of an equation of state, from its exact derivatives: the highest temperature at which the least
-/// slope dp/drho of an isotherm, where d2p/drho2 = 0, is zero.
+/// The critical point of an equation of state, from its exact derivatives. It is the highest temperature at which the
+/// smallest slope dp/drho of an isotherm, where d2p/drho2 = 0, is zero.
 [[nodiscard]] CriticalPoint critical_point(const EquationOfState& equation);
 
-/// Liquid and vapour in equilibrium: the same temperature, pressure and chemical potential.
+/// Liquid and vapour in equilibrium: equal temperature, pressure and chemical potential.
 struct Coexistence {
     double pressure;
     FluidProperties liquid;
     FluidProperties vapour;
 
-    /// Enthalpy that evaporation takes, per atom: u_v - u_l + p (1/rho_v - 1/rho_l).
+    /// Enthalpy of vaporisation per atom: u_v - u_l + p (1/rho_v - 1/rho_l).
     [[nodiscard]] double heat_of_vaporisation() const;
 };
 
-/// Coexistence at a temperature, by the root of mu_liquid(p) - mu_vapour(p) between the pressures of the spinodals;
-/// nothing at and above the critical temperature.
+/// Coexistence at a temperature: the root of mu_liquid(p) - mu_vapour(p) between the pressures at the spinodals. Empty
+/// at and above the critical temperature.
 /// @pre temperature > 0
-/// @throws PhysicsError where the equation has no coexistence to find: far below the triple point
+/// @throws PhysicsError if the equation has no coexistence: far below the triple point
 [[nodiscard]] std::optional<Coexistence> coexistence(const EquationOfState& equation, double temperature);
 
 }  // namespace ljmd

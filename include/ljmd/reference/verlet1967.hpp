@@ -6,14 +6,14 @@
 
 namespace ljmd {
 
-/// How far a printed number can be relied upon.
+/// Reliability of a printed number.
 enum class Soundness {
     sound,
-    suspect,    ///< every other source contradicts it: a misprint, or a lost correction
-    metastable  ///< the fluid would freeze or separate, so that the number depends on how long one waits
+    suspect,    ///< contradicted by every other source: a misprint, or a forgotten correction
+    metastable  ///< the fluid would freeze or separate, so the number depends on the length of the run
 };
 
-/// How a printed number has come here; the journal itself was not at hand.
+/// Source of a printed number. The journal itself was not available.
 enum class Provenance { two_reprints, one_reprint, recalled };
 
 /// A number of the table.
@@ -27,13 +27,13 @@ struct Printed {
 /// at 2.5 sigma, with tail corrections; reduced units.
 struct VerletRow {
     double density;
-    double temperature;                             ///< what the run turned out to have
+    double temperature;                             ///< result of the run
     std::optional<Printed> compressibility_factor;  ///< Z = p/(rho T)
     std::optional<Printed> potential_energy;        ///< U/N
-    std::string remark;                             ///< what is known to be wrong with it; empty: nothing
+    std::string remark;                             ///< known mistakes in the row; may be empty
 };
 
-/// All rows, in the order of the journal: falling density.
+/// All rows in the order of the journal, by decreasing density.
 [[nodiscard]] const std::vector<VerletRow>& verlet1967_table();
 
 }  // namespace ljmd

@@ -10,15 +10,15 @@
 
 namespace ljmd {
 
-/// A body as the few-body forces see it.
+/// A body, for the few-body forces.
 struct Body {
     Index id;
-    Index index;  ///< where it lies in memory
+    Index index;  ///< its index in memory
     double mass;
     Vec3 position;
 };
 
-/// The bodies of a state by id.
+/// The bodies of a state, sorted by id.
 inline std::vector<Body> bodies_of(const State& state) {
     std::vector<Body> bodies(static_cast<std::size_t>(state.count()));
     const auto r = state.positions();
@@ -29,7 +29,7 @@ inline std::vector<Body> bodies_of(const State& state) {
     return bodies;
 }
 
-/// The same. @throws PhysicsError naming the body when a position is not finite
+/// bodies_of(), checked. @throws PhysicsError naming the body if a position is not finite
 inline std::vector<Body> finite_bodies_of(const State& state) {
     std::vector<Body> bodies = bodies_of(state);
     for (const Body& body : bodies) {
@@ -43,18 +43,18 @@ inline std::vector<Body> finite_bodies_of(const State& state) {
     return bodies;
 }
 
-/// What a field does to one body.
+/// Energy and force of a body in an external field.
 struct FieldTerm {
     double energy;
     Vec3 force;
 };
 
-/// What was asked for, of an evaluation that holds everything.
+/// The evaluation, or zeros if only forces were requested.
 inline Evaluation asked_for(Request request, const Evaluation& evaluation) {
     return request.energy ? evaluation : Evaluation{};
 }
 
-/// Write the forces on bodies that feel a field and not each other.
+/// Compute the forces on bodies that feel an external field and not each other.
 /// @param term  FieldTerm(const Body&)
 template <class Term>
 Evaluation sum_over_bodies(State& state, Request request, const Term& term) {

@@ -30,7 +30,7 @@ struct Options : FewBodyForceOptions {
 
 }  // namespace
 
-/// Every body on a spring of its own to the origin: f = -k r, U = sum k r^2 / 2. Period 2 pi sqrt(m/k).
+/// Harmonic force: each body on a spring to the origin, f = -k r, U = sum k r^2 / 2. Period 2 pi sqrt(m/k).
 FewBodyForceMethod harmonic() {
     return {.name = "harmonic",
             .meaning = "every body on a spring to the origin, f = -k r",

@@ -18,7 +18,7 @@ struct Attraction {
         inverse_cube = depth / distance2;
     }
 
-    /// False where bodies are too close for numbers to tell them apart.
+    /// False where bodies are too close for the attraction to be a finite number.
     [[nodiscard]] bool is_finite() const { return std::isfinite(inverse_cube); }
 };
 
@@ -57,7 +57,7 @@ class NewtonianGravity : public ForceField {
     }
 
   private:
-    /// Each body's force is a sum from its own side, over the others by id.
+    /// The force on each body is summed over the others in the order of their ids.
     Evaluation compute(State& state, Request request) override {
         auto f = state.write_forces();
         const std::vector<Body> bodies = finite_bodies_of(state);
@@ -77,14 +77,14 @@ class NewtonianGravity : public ForceField {
         return asked_for(request, evaluation);
     }
 
-    /// Force on `body`; each pair is counted once in the evaluation.
+    /// Force on `body`. Each pair is counted once in the evaluation.
     [[nodiscard]] Vec3 attract(const Body& body, const Body& other, Evaluation& evaluation) const {
         const Vec3 d = body.position - other.position;
         const Attraction attraction(d, softening2_);
         if (!attraction.is_finite()) {
             throw PhysicsError(collision(body, other));
         }
-        // The product of the masses first: then the forces on the two bodies are opposite to the last bit.
+        // The product of the masses comes first, so that the forces on the two bodies are opposite to the last bit.
         const double strength = gravitational_constant_ * (body.mass * other.mass);
         const Vec3 force = -strength * attraction.inverse_cube * d;
         if (body.id < other.id) {
@@ -147,13 +147,13 @@ struct Options : FewBodyForceOptions {
 
 }  // namespace
 
-/// Newton's gravity between bodies, softened if wanted, and towards a mass M that is held at the origin if wanted:
+/// Newtonian gravity between bodies, with optional softening s and an optional mass M held at the origin:
 ///
 ///     a_i = -G sum over j of m_j d_ij / (d_ij^2 + s^2)^(3/2) - G M r_i / (r_i^2 + s^2)^(3/2),    d_ij = r_i - r_j
 ///     U   = -sum over pairs of G m_i m_j / (d_ij^2 + s^2)^(1/2) - sum over i of G M m_i / (r_i^2 + s^2)^(1/2)
 ///
-/// The relative motion of two bodies is that of one body with M = m1 + m2. Source of the softening: Plummer (1911),
-/// doi:10.1093/mnras/71.5.460; of its use here: Aarseth (1963), doi:10.1093/mnras/126.3.223
+/// The relative motion of two bodies is that of one body with M = m1 + m2. Sources: Plummer (1911),
+/// doi:10.1093/mnras/71.5.460, for the softening; Aarseth (1963), doi:10.1093/mnras/126.3.223, for its use here
 FewBodyForceMethod newtonian_gravity() {
     return {.name = "newtonian-gravity",
             .meaning = "gravity between all bodies, and towards a mass held at the origin",

@@ -15,7 +15,7 @@ class Pendulum : public ForceField {
     Evaluation compute(State& state, Request request) override {
         return sum_over_bodies(state, request, [this](const Body& body) -> FieldTerm {
             const double angle = body.position.x();
-            const double half_chord = std::sin(0.5 * angle);  // 1 - cos a = 2 sin^2(a/2), which does not cancel
+            const double half_chord = std::sin(0.5 * angle);  // 1 - cos a = 2 sin^2(a/2) without cancellation
             const double moment = body.mass * strength_;      // m l^2 g/l = m g l
             return {2.0 * moment * half_chord * half_chord, Vec3(-moment * std::sin(angle), 0.0, 0.0)};
         });
@@ -51,13 +51,13 @@ struct Options : FewBodyForceOptions {
 
 }  // namespace
 
-/// The plane pendulum without friction; the coordinate is the angle theta from the lowest point, in radians:
+/// Plane pendulum without friction. The coordinate is the angle theta from the lowest point, in radians:
 ///
 ///     theta'' = -(g/l) sin theta,    U = sum over bodies of m g l (1 - cos theta),    K = sum of m l^2 theta'^2 / 2
 ///
-/// The momentum that goes with the angle is p = m l^2 theta', the force is the torque -m g l sin theta. Period of a
-/// swing of amplitude a: 4 sqrt(l/g) K(sin(a/2)), K the complete elliptic integral of the first kind. Source: Landau
-/// and Lifshitz, Mechanics, section 11, problem 1
+/// The momentum is p = m l^2 theta', the force is the torque -m g l sin theta. Period of a swing of amplitude a: 4
+/// sqrt(l/g) K(sin(a/2)), with K the complete elliptic integral of the first kind. Source: Landau and Lifshitz,
+/// Mechanics, section 11, problem 1
 FewBodyForceMethod pendulum() {
     return {.name = "pendulum",
             .meaning = "plane pendulum, the coordinate is its angle in radians, theta'' = -(g/l) sin theta",

@@ -5,7 +5,7 @@ namespace ljmd {
 
 namespace {
 
-/// What is wrong with a distance from the centre; nothing when it is positive.
+/// Error message for a distance from the centre that is not positive; nothing if it is.
 std::optional<std::string> problem_of(const Body& body) {
     const double rho = body.position.x();
     if (rho > 0.0) {
@@ -68,13 +68,13 @@ struct Options : FewBodyForceOptions {
 
 }  // namespace
 
-/// The distance rho > 0 of two bodies that attract each other by gravity, as a problem of one dimension:
+/// Distance rho > 0 of two bodies that attract each other by gravity, as a problem in one dimension:
 ///
 ///     rho'' = h^2 / rho^3 - mu / rho^2,    U = sum over bodies of m (h^2 / (2 rho^2) - mu / rho)
 ///
-/// mu = G (m1 + m2); h is the angular momentum for a unit of reduced mass, which is conserved. With the reduced mass as
-/// m energies are those of the motion of the two bodies about each other. Source: Landau and Lifshitz, Mechanics,
-/// sections 14 and 15
+/// mu = G (m1 + m2); h is the angular momentum per unit of reduced mass, which is conserved. With the reduced mass as
+/// m, the energy is that of the relative motion of the two bodies. Source: Landau and Lifshitz, Mechanics, sections 14
+/// and 15
 FewBodyForceMethod radial_kepler() {
     return {.name = "radial-kepler",
             .meaning = "distance of two bodies under gravity, rho'' = h^2/rho^3 - mu/rho^2",

@@ -4,14 +4,13 @@
 
 #include "pair_arithmetic.hpp"
 
-/// From sums by lanes to the forces on the atoms of a cluster.
-/// Nothing here has a name that other units see: the linker could take what is compiled for one processor in place of
-/// what is compiled for another.
+/// From sums over lanes to the forces on the atoms of a cluster.
+/// All names have internal linkage: the linker could otherwise take a function compiled for one processor in place of
+/// the same one compiled for another.
 namespace ljmd {
 
 namespace {
 
-/// Four numbers in double.
 LJMD_INLINE Four in_double(Four x) {
     return x;
 }
@@ -19,7 +18,7 @@ LJMD_INLINE Four in_double(simd::RawVector<float, slots> x) {
     return simd::widened<slots>(x);
 }
 
-/// What the rows of a cluster sum up to, atom by atom. @param rows  of each row its sums, by lanes
+/// Sums over the lanes of each atom of a cluster. @param rows  sums of each row, by lanes
 template <class T>
 LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 2> (&rows)[4]) {
     return Four{rows[0][0] + rows[0][1], rows[1][0] + rows[1][1], rows[2][0] + rows[2][1], rows[3][0] + rows[3][1]};
@@ -44,7 +43,7 @@ LJMD_INLINE Four sums_of_atoms(const simd::RawVector<T, 16> (&rows)[1]) {
                      __builtin_shufflevector(twos, twos, 2, 6, 10, 14));
 }
 
-/// Of pieces of so many lanes their sum.
+/// Sum of the pieces of a vector, each of `piece` lanes.
 template <int piece, class T, int lanes>
 LJMD_INLINE simd::RawVector<T, piece> sum_of_pieces(simd::RawVector<T, lanes> v) {
     if constexpr (lanes == piece) {
@@ -54,11 +53,11 @@ LJMD_INLINE simd::RawVector<T, piece> sum_of_pieces(simd::RawVector<T, lanes> v)
     }
 }
 
-/// Partial forces of a cluster along one axis: part after part, of each row's atom in lanes of its own.
+/// Partial forces of a cluster along one axis: for each of its parts one vector, with lanes for each atom of a row.
 template <class V>
 constexpr std::size_t partial_forces = std::size_t{slots} * atoms_per_row<V>;
 
-/// Along one axis, minus the forces of rows before on the atoms of a cluster, which are forgotten then.
+/// Minus the forces of earlier rows on the atoms of a cluster, along one axis; they are set to zero.
 template <class V>
 LJMD_INLINE Four take_from_others(typename V::Value* others) {
     using T = typename V::Value;
@@ -75,8 +74,8 @@ LJMD_INLINE Four take_from_others(typename V::Value* others) {
 }
 
 /// Write the forces on the atoms of a cluster, x y z 0 each.
-/// @tparam stride  from one x to the next; of 3, all zeros but the last are overwritten
-/// @param f  by axes
+/// @tparam stride  from one x to the next; with 3, the 0 of each atom but the last is overwritten
+/// @param f  forces on the atoms along each axis
 template <std::size_t stride>
 LJMD_INLINE void write_forces(const Four (&f)[3], std::size_t atoms, double* to) {
     const Four none{};

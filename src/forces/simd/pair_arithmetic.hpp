@@ -9,8 +9,8 @@
 #include "pair_kernel.hpp"
 
 /// How the atoms of rows and parts lie in the lanes of vectors, and their separations in either precision.
-/// Nothing here has a name that other units see: the linker could take what is compiled for one processor in place of
-/// what is compiled for another.
+/// All names have internal linkage: the linker could otherwise take a function compiled for one processor in place of
+/// the same one compiled for another.
 namespace ljmd {
 
 namespace {
@@ -18,12 +18,12 @@ namespace {
 inline constexpr int slots = ClusterGrid::slots;
 using Four = simd::RawVector<double, slots>;
 
-/// From the x of a cluster's slots to their y and z.
+/// Offsets from the x of a cluster's slots to their y and z.
 inline constexpr std::ptrdiff_t to_y = slots;
 inline constexpr std::ptrdiff_t to_z = std::ptrdiff_t{2} * slots;
 
-/// A row of atoms meets a part of a cluster (see RowShape): lane others n + k is for the row's atom n and the part's
-/// slot k.
+/// A row of atoms meets a part of a cluster (see RowShape): lane others * n + k is for atom n of the row and slot k of
+/// the part.
 template <class V>
 constexpr int others_per_row = V::lanes <= 4 ? 2 : 4;
 template <class V>
@@ -33,7 +33,7 @@ constexpr int rows_per_cluster = slots / atoms_per_row<V>;
 template <class V>
 constexpr int parts_per_cluster = slots / others_per_row<V>;
 
-/// The coordinates of a row's atoms, each in as many lanes as a part has slots.
+/// The coordinates of a row's atoms, each repeated for all slots of a part.
 template <class V, class T>
 LJMD_INLINE simd::RawVector<T, V::lanes> of_row(const T* coordinates) {
     constexpr int count = atoms_per_row<V>;
@@ -46,21 +46,21 @@ LJMD_INLINE simd::RawVector<T, V::lanes> of_row(const T* coordinates) {
     }
 }
 
-/// The coordinates of a part's slots over and over.
+/// The coordinates of a part's slots, repeated for each atom of a row.
 template <class V, class T>
 LJMD_INLINE simd::RawVector<T, V::lanes> of_part(const T* coordinates) {
     constexpr int count = others_per_row<V>;
     return simd::repeated<T, V::lanes, count>(simd::load_aligned<T, count>(coordinates));
 }
 
-/// Separations of the atoms of a row from those of a part of a cluster.
+/// Separations of the atoms of a row from those of a part.
 template <class V>
 struct Separation {
-    V dx, dy, dz;  ///< in the arithmetic's unit
+    V dx, dy, dz;  ///< r_row - r_part, in the unit of the arithmetic
     V square;      ///< dx^2 + dy^2 + dz^2
 };
 
-/// What takes long of the distances of pairs, to be begun ahead.
+/// Quantities of pair distances with a long latency (division, root), so that they can be begun ahead.
 template <class Arithmetic, bool takes_root>
 class Begun {
   public:
@@ -78,7 +78,7 @@ class Begun {
         }
     }
 
-    /// Of two at a time.
+    /// For two parts at a time.
     LJMD_INLINE static void begin(const Arithmetic& arithmetic, V square, V other_square, Begun (&two)[2]) {
         if constexpr (takes_root) {
             two[0] = Begun(arithmetic, square);
@@ -88,7 +88,7 @@ class Begun {
         }
     }
 
-    /// @param square  as before  @return without r and 1/r unless they are asked for
+    /// @param square  as in the constructor  @return r and 1/r only if takes_root
     [[nodiscard]] LJMD_INLINE PairDistance<V> distance(const Arithmetic& arithmetic, V square) const {
         const V r2 = arithmetic.in_sigma2(square);
         if constexpr (by_inverse_root) {
@@ -105,19 +105,19 @@ class Begun {
     V inverse_r2_, r_, inverse_r_;
 };
 
-/// Everything in double.
+/// Arithmetic in double throughout.
 class DoubleArithmetic {
   public:
     using V = simd::Doubles;
     using Coordinate = double;
-    /// Out of reach of everything, the slots without an atom included.
+    /// Coordinate of rows without an atom: out of reach of everything, slots without an atom included.
     static constexpr double nowhere = 1e9;
 
     explicit DoubleArithmetic(const PairKernelTask& task) : positions_(static_cast<const double*>(task.positions)) {}
 
     [[nodiscard]] const double* cluster(std::size_t entry) const { return positions_ + entry; }
 
-    /// To the atoms whose x begin at r.
+    /// Move to the row of atoms whose x begin at r.
     LJMD_INLINE void go_to(const double* r) {
         x_ = V(of_row<V>(r));
         y_ = V(of_row<V>(r + to_y));
@@ -129,18 +129,18 @@ class DoubleArithmetic {
         const V dx = x_ - V(of_part<V>(r));
         const V dy = y_ - V(of_part<V>(r + to_y));
         const V dz = z_ - V(of_part<V>(r + to_z));
-        return {dx, dy, dz, dx * dx + dy * dy + dz * dz};  // rounded as the scalar sum does, see docs/performance.md
+        return {dx, dy, dz, dx * dx + dy * dy + dz * dz};  // rounded as in the scalar sum: pairs at the cutoff agree
     }
 
-    /// Along an axis, the places of a cluster's slots, from a point in the tile [sigma].
+    /// Coordinates of a cluster's slots along an axis, relative to a point in the tile [sigma].
     LJMD_INLINE Four places(std::size_t entry, std::ptrdiff_t axis) const {
         const double* along = positions_ + axis * slots;
         return simd::load_aligned<double, slots>(along + entry) - *along;
     }
 
-    /// What dx = 1 means [sigma].
+    /// Length of the unit of dx, dy, dz [sigma].
     [[nodiscard]] double unit() const { return 1.0; }
-    /// r^2 of a separation, and 1/r^2.
+    /// r^2 and 1/r^2 of a separation.
     LJMD_INLINE V in_sigma2(V square) const { return square; }
     LJMD_INLINE V inverse_of(V square) const { return V(1) / square; }
     LJMD_INLINE void inverses_of(V a, V b, V& inverse_a, V& inverse_b) const {
@@ -152,7 +152,7 @@ class DoubleArithmetic {
     V x_, y_, z_;
 };
 
-/// Exact differences of fixed-point positions, pair terms in single precision.
+/// Mixed arithmetic: exact differences of fixed-point positions, pair terms in single precision.
 class MixedArithmetic {
   public:
     using V = simd::Floats;
@@ -187,7 +187,8 @@ class MixedArithmetic {
         return (__builtin_convertvector(integers, Four) - static_cast<double>(*along)) * unit_;
     }
 
-    // The unit is a power of two, so no bit depends on where it comes in: at the division it costs nothing.
+    // The unit is a power of two, so the bits do not depend on where it is multiplied in. At the division it costs
+    // nothing.
     [[nodiscard]] double unit() const { return unit_; }
     LJMD_INLINE V in_sigma2(V square) const { return square * unit2_; }
     LJMD_INLINE V inverse_of(V square) const { return per_unit2_ / square; }

@@ -9,14 +9,14 @@ namespace ljmd {
 
 namespace {
 
-/// Whether two clusters are begun while forces from the two before them are worked out. A processor looks at the next
-/// hundred or two of instructions for what can be done while others wait, which is less than the latencies from a
-/// separation to a force ask for. So far ahead only the 32 registers of AVX-512 reach; 16 hold the separations from one
-/// cluster beside those from the next.
+/// Whether distances to two clusters are begun while forces from the previous two are computed. Out-of-order execution
+/// covers one or two hundred instructions, fewer than the latencies between a separation and a force ask for. Only the
+/// 32 registers of AVX-512 suffice for working so far ahead. 16 registers hold the separations of one cluster beside
+/// those of the next.
 template <class V>
 constexpr bool by_twos = sizeof(typename V::Raw) == 64;
 
-/// Sums over the pairs of a row, by lanes.
+/// Sums over the pairs of a row, lane by lane.
 template <class Arithmetic, bool with_energy>
 class Sums {
   public:
@@ -25,13 +25,13 @@ class Sums {
     V fx{0}, fy{0}, fz{0};
     V u{0};
 
-    /// @param others  x, y and z of minus the forces on the part that is met, which grow, too
+    /// @param others  partial forces: x, y and z of minus the forces on the part; the row's contribution is added
     template <class Pair>
     LJMD_INLINE void add(const Arithmetic& arithmetic, const Pair& pair, V cutoff2, const Separation<V>& d,
                          const Begun<Arithmetic, Pair::takes_root>& begun, typename V::Value* others) {
         const auto term = pair(begun.distance(arithmetic, d.square));
         const V w = where_less(d.square, cutoff2, term.w);
-        // All are read before any is written. One by one would take a tenth longer.
+        // All are loaded before any is stored. One by one takes a tenth longer.
         constexpr std::size_t axis = partial_forces<V>;
         V x = V::load(others);
         V y = V::load(others + axis);
@@ -48,9 +48,9 @@ class Sums {
     }
 };
 
-/// What to add to the squared distances of each row of a cluster from the parts of the cluster itself, so that of two
-/// of its atoms only the one before meets the other, and none itself: more than any cutoff is, in units of FixedPoint,
-/// too.
+/// Self-interaction mask: added to the squared distances between a row and the parts of its own cluster, so that of two
+/// atoms of a cluster only the earlier one meets the later one, and none meets itself. The number is larger than any
+/// squared cutoff, in units of FixedPoint, too.
 template <class V>
 struct Aside {
     typename V::Value of_row[rows_per_cluster<V>][parts_per_cluster<V>][V::lanes] = {};
@@ -65,16 +65,16 @@ struct Aside {
     }
 };
 
-/// Energy and virial of a tile. The pairs of a tile are those among its clusters and guests, all of which have one
-/// place in it, so what pairs add to the virial, (r_i - r_j)_a f_b, is r_a f_b summed over atoms instead.
+/// Energy and virial of a tile. Each atom of its own and ghost clusters (guests in names) has one position in the tile,
+/// so the virial, the sum over pairs of (r_i - r_j)_a f_b, equals the sum over atoms of r_a f_b.
 template <class V>
 class EnergyAndVirial {
   public:
-    /// @param u  of a row, by lanes
+    /// @param u  energies of a row, by lanes
     LJMD_INLINE void add_row(V u) { u_ += in_double(u); }
 
-    /// @param x, y, z  places of a cluster's slots
-    /// @param f        on its atoms from all of the tile; none where there is no atom
+    /// @param x, y, z  coordinates of a cluster's slots
+    /// @param f        forces on its atoms from all pairs of the tile; 0 for slots without an atom
     LJMD_INLINE void add_cluster(Four x, Four y, Four z, const Four (&f)[3]) {
         xx_ += x * f[0];
         yy_ += y * f[1];
@@ -95,7 +95,7 @@ class EnergyAndVirial {
     Four xx_{}, yy_{}, zz_{}, xy_{}, xz_{}, yz_{};
 };
 
-/// A row of atoms on its way along its list.
+/// A row of atoms that works through its list.
 template <class Arithmetic, bool with_energy, class Pair>
 class Row {
   public:
@@ -106,11 +106,11 @@ class Row {
                     const std::int32_t* entries)
         : arithmetic_(arithmetic), pair_(pair), cutoff2_(cutoff2), partial_(partial), entry_(entries) {}
 
-    /// Meet the row's own cluster, then what is on its list.
-    /// @param own    the place of the first
-    /// @param first  its first part that has a slot behind the row's first atom
-    /// @param aside  see Aside; of that part and those behind it
-    /// @param end    of the list
+    /// Meet the row's own cluster, then the entries of its list.
+    /// @param own    entry of the cluster, as a whole
+    /// @param first  first part of it that has a slot after the row's first atom
+    /// @param aside  see Aside; for that part and the following ones
+    /// @param end    end of the list
     LJMD_INLINE void meet_all(std::size_t own, std::size_t first, const Real (*aside)[V::lanes],
                               const std::int32_t* end) {
         if constexpr (by_twos<V>) {
@@ -129,7 +129,7 @@ class Row {
     static constexpr std::size_t parts = parts_per_cluster<V>;
     using Started = Begun<Arithmetic, Pair::takes_root>;
 
-    /// Two parts under way. No PairDistance: with a second copy of the squared distance gcc 12 needs more registers.
+    /// Two parts in progress. No PairDistance here: gcc 12 would need more registers for a second copy of r^2.
     struct Two {
         Separation<V> d[2];
         Started begun[2];
@@ -169,7 +169,7 @@ class Row {
         Two now, next;
         const bool odd = (end - entry_) % 2 != 0;
         now.d[0] = separation_from_own(own, aside);
-        if (odd) {  // the first on the list goes with the row's own
+        if (odd) {  // the first entry of the list goes with the row's own cluster
             now.d[1] = arithmetic_.separation(place(0));
             Started::begin(arithmetic_, now.d[0].square, now.d[1].square, now.begun);
         } else {
@@ -189,8 +189,8 @@ class Row {
         }
     }
 
-    /// Meet two while the next two are begun, which have registers of their own: none is moved. @return false at the
-    /// end
+    /// Meet two parts while the next two are begun. `now` and `next` have registers of their own, so nothing is moved.
+    /// @return false at the end of the list
     LJMD_INLINE bool take_turn(const Two& now, Two& next, const std::int32_t* end) {
         const bool more = end - entry_ > 2;
         if (more) {
@@ -215,8 +215,8 @@ class Row {
     const std::int32_t* entry_;
 };
 
-/// Row by row. When a cluster's turn comes, all atoms of the tile that have pairs with it on their lists have had
-/// theirs.
+/// Sum a tile row by row. Atoms of the tile that have a cluster on their lists come before it, so all their reaction
+/// forces are there when the cluster's turn comes.
 template <class Arithmetic, bool with_energy, class Pair>
 [[gnu::flatten]] void sum_tile(const void* potential, const PairKernelTask& task, PairKernelSums* sums) {
     using V = typename Arithmetic::V;
@@ -230,8 +230,8 @@ template <class Arithmetic, bool with_energy, class Pair>
     EnergyAndVirial<V> total;
     const auto own_clusters = static_cast<std::size_t>(task.own_clusters);
     const auto clusters = static_cast<std::size_t>(task.clusters);
-    // Minus the forces on the atoms of a cluster, of each row's atom in lanes of its own. Where they are read for the
-    // last time they lie in the nearest cache: zeros are written there, not by a pass of their own.
+    // Minus the forces on the atoms of a cluster, in separate lanes for each atom of a row. They are set to zero where
+    // they are read for the last time, because they lie in the L1 cache then; a pass of its own would cost more.
     auto* const partial = static_cast<Real*>(task.partial_forces);
     constexpr std::size_t axis = partial_forces<V>;
     const std::uint32_t* start = task.starts;
@@ -241,7 +241,7 @@ template <class Arithmetic, bool with_energy, class Pair>
         const std::size_t atoms = task.first_atoms[cluster + 1] - first_atom;
         typename V::Raw sums_of_rows[3][rows_per_cluster<V>];
         if (atoms + width <= slots) {
-            __builtin_memset(sums_of_rows, 0, sizeof sums_of_rows);  // rows without an atom
+            __builtin_memset(sums_of_rows, 0, sizeof sums_of_rows);  // some rows have no atom
         }
         for (std::size_t k = 0; k < atoms; k += width, ++start) {
             if (k + width <= atoms) {
@@ -257,7 +257,7 @@ template <class Arithmetic, bool with_energy, class Pair>
                 arithmetic.go_to(there);
             }
             Row<Arithmetic, with_energy, Pair> row(arithmetic, pair, cutoff2, partial, task.entries + start[0]);
-            // Of one part it is always 0, which the compiler should know: AVX2's mixed kernel is 4 % faster for it.
+            // With one part it is always 0. Saying so to the compiler makes AVX2's mixed kernel 4 % faster.
             const std::size_t first = parts_per_cluster<V> == 1 ? 0 : (k + 1) / others_per_row<V>;
             row.meet_all(own, first, aside.of_row[k / width] + first, task.entries + start[1]);
             sums_of_rows[0][k / width] = row.sums.fx.raw;

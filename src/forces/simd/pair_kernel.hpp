@@ -13,30 +13,30 @@
 
 namespace ljmd {
 
-/// The pairs of a tile: those among its atoms, and of these with its guests.
+/// The pairs of a tile: those among its own atoms, and those of its own atoms with its ghost clusters (guests in
+/// names).
 struct PairKernelTask {
-    const void* positions;  ///< see TilePositions; double [sigma], for the mixed kernels std::int32_t in units of
-                            ///< FixedPoint
-    double unit;            ///< of the latter [sigma]
+    const void* positions;  ///< see TilePositions: double [sigma], or std::int32_t in units of FixedPoint (mixed)
+    double unit;            ///< unit of FixedPoint [sigma]
     std::int32_t own_clusters;
-    std::int32_t clusters;             ///< with the guests
-    const std::uint32_t* first_atoms;  ///< of each of its own clusters, and one more
+    std::int32_t clusters;             ///< ghosts included
+    const std::uint32_t* first_atoms;  ///< first atom of each own cluster, followed by the end of the last
     const std::int32_t* entries;       ///< see VerletList::Tile
     const std::uint32_t* starts;       ///< see VerletList::Tile
     double cutoff2;                    ///< squared cutoff [sigma^2]
-    void* partial_forces;              ///< 12 zeros a cluster and atom of a row, which are zeros again in the end;
+    void* partial_forces;              ///< 12 numbers per cluster and atom of a row, zero before and after the call;
                                        ///< double, float if mixed
-    double* forces;                    ///< x y z 0 of every atom: forces on the tile's own [epsilon/sigma]
-    double* guest_forces;              ///< x y z of every slot of its guests, and one more number [epsilon/sigma]
+    double* forces;                    ///< x y z 0 of every atom; those of the tile's own are written [epsilon/sigma]
+    double* guest_forces;              ///< x y z of every slot of its ghosts, and one more number [epsilon/sigma]
 };
 
-/// Over the pairs of a task, each once.
+/// Sums over the pairs of a task, each counted once.
 struct PairKernelSums {
     double energy;                 ///< [epsilon]
     std::array<double, 6> virial;  ///< xx yy zz xy xz yz [epsilon]
 };
 
-/// Write what the pairs of a task do to its atoms and its guests, and what they sum up to if `sums` is wanted.
+/// Compute the forces of a task's pairs on its own atoms and on its ghosts, and the sums if `sums` is not null.
 /// @param pair  a potential of the type that the kernel is compiled for
 using PairKernel = void (*)(const void* pair, const PairKernelTask& task, PairKernelSums* sums);
 
@@ -48,7 +48,7 @@ struct PairKernels {
     PairKernelsOfPotentials by_precision[2];
 };
 
-/// Those compiled for a level; the level must be usable here.
+/// The kernels compiled for a level. @pre the level is usable here
 [[nodiscard]] inline const PairKernels& pair_kernels(SimdLevel level) {
     return *simd::compiled_for<const PairKernels*>(level);
 }

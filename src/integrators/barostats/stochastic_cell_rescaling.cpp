@@ -11,7 +11,7 @@ namespace ljmd {
 
 namespace {
 
-/// Of the square root of the volume, at once. Sound runs change it by thousandths.
+/// Largest relative change of the square root of the volume at once. Sound runs change it by thousandths.
 constexpr double largest_change = 0.05;
 
 class StochasticCellRescaling : public Barostat {
@@ -90,24 +90,24 @@ struct Options : BarostatOptions {
 
 }  // namespace
 
-/// Stochastic cell rescaling, isotropic: the volume V follows
+/// Stochastic cell rescaling, isotropic. The volume V obeys
 ///
 ///     dV = -(beta V/tau_p) (p_0 - p - T/V) dt + sqrt(2 T beta V/tau_p) dW
 ///
-/// p = N T/V + W/(3 V) with the temperature T that the thermostat holds. Every n steps lambda = sqrt(V), for which the
-/// noise is the same at all volumes, makes a step of n dt,
+/// p = N T/V + W/(3 V) with the temperature T of the thermostat. Every n steps, lambda = sqrt(V), whose noise does not
+/// depend on the volume, makes a step of n dt,
 ///
 ///     d lambda = -(beta lambda/2 tau_p) (p_0 - p - T/(2 V)) dt + sqrt(T beta/(2 tau_p)) dW,
 ///
-/// and positions are scaled by (V'/V)^(1/3). Velocities stay as they are: at constant temperature their distribution
-/// does not depend on the volume. This has the stationary density V^N exp(-(U + p_0 V)/T) of positions in units of the
-/// edges and of V, under every canonical thermostat: the isothermal-isobaric ensemble, in which the mean of p is p_0.
-/// The kinetic energy is kept out of p because its own mean is (3 N - 3) T/2 where momentum is conserved, and because
-/// the errors of a step in the velocities are not in the positions (Langevin's).
+/// and positions are scaled by (V'/V)^(1/3). Velocities are not scaled: at constant temperature their distribution does
+/// not depend on the volume. The stationary density of V and of the positions in units of the edges is V^N exp(-(U +
+/// p_0 V)/T) under every canonical thermostat: the isothermal-isobaric ensemble, in which the mean of p is p_0. The
+/// kinetic energy does not enter p, for two reasons: its mean is (3 N - 3) T/2 where momentum is conserved, and
+/// velocities can have time-step errors that positions do not have (Langevin).
 ///
-/// The compressibility beta need only be roughly known: where it is the true one, the volume is forgotten after tau_p.
-/// Source: Bernetti and Bussi (2020), doi:10.1063/5.0020514, who scale velocities by the inverse and take the kinetic
-/// energy of the moment for 3 N T/2.
+/// The compressibility beta need only be known roughly. With the true one, the volume relaxes within tau_p.
+/// Source: Bernetti and Bussi (2020), doi:10.1063/5.0020514, who scale velocities by the inverse factor and use the
+/// instantaneous kinetic energy in place of 3 N T/2.
 BarostatMethod stochastic_cell_rescaling() {
     return {.name = "stochastic-cell-rescaling",
             .meaning =

@@ -8,11 +8,11 @@ namespace {
 
 constexpr const char* last_displacement = "bit-reversible: displacement of the last step";
 
-/// Without a box: positions are whole multiples of this, which doubles hold exactly up to `far_out`.
+/// Spacing of the position grid without a box. Doubles hold its multiples exactly up to `far_out`.
 constexpr double unbounded_resolution = 0x1p-44;
 constexpr double far_out = 0x1p7;
 
-/// x as a whole number of grid spacings. Adding and subtracting 1.5 * 2^52 spacings rounds to the nearest one.
+/// x rounded to the grid. Adding and subtracting 1.5 * 2^52 spacings rounds to the nearest multiple.
 Vec3 on_grid(const Vec3& x, double resolution) {
     const double rounding = 0x1.8p52 * resolution;
     return (x.array() + rounding) - rounding;
@@ -27,7 +27,7 @@ Vec3 increment(const State& state, Index i, double dt) {
     return on_grid(dt2_over_m * state.forces().col(i), resolution_of(state));
 }
 
-/// Verlet's Taylor start, with positions and displacement put on the grid.
+/// Verlet's Taylor start, with the displacement rounded to the grid.
 void begin(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const auto v = static_cast<const State&>(state).velocities();
@@ -45,7 +45,7 @@ void put_on_grid(State& state) {
     }
 }
 
-/// Sums and differences of whole numbers of grid spacings are exact here, as they are for integers.
+/// Sums and differences of multiples of the grid spacing are exact here, as with integers.
 void advance(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     for_each_index(state.count(), [&](Index i) { d.col(i) += increment(state, i, dt); });
@@ -78,12 +78,12 @@ void reverse(State& state, double dt) {
 ///
 ///     r(t + dt) = 2 r(t) - r(t - dt) + [(dt^2/m) f(t)]
 ///
-/// where positions are whole numbers of a grid spacing (that of the box, about one unit in the last place of its edge;
-/// 2^-44 without a box) and [ ] rounds to whole numbers. Integer sums are exact, so r(t - dt) follows from r(t) and r(t
-/// + dt) to the last bit: n steps forward and n back end where they began, however chaotic the motion. It needs forces
-/// that are the same function of the positions on the way back, whatever the order of the atoms in memory: they are
-/// summed in fixed point. Velocities are central differences. Second order, symplectic. Source: Levesque and Verlet
-/// (1993), J. Stat. Phys. 72, 519
+/// where positions are multiples of a grid spacing (that of the box, about one unit in the last place of its edge;
+/// 2^-44 without a box) and [ ] rounds to multiples. Sums are exact, so r(t - dt) follows from r(t) and r(t + dt) to
+/// the last bit: n steps forwards and n steps back end at the start, however chaotic the motion. On the way back the
+/// forces must be the same function of the positions, whatever the order of the atoms in memory, so they are summed in
+/// fixed point. Velocities are central differences. Second order, symplectic. Source: Levesque and Verlet (1993), J.
+/// Stat. Phys. 72, 519
 IntegratorMethod bit_reversible() {
     return {
         .name = "bit-reversible",

@@ -2,15 +2,15 @@
 
 namespace ljmd {
 
-/// Drift-kick-drift, the mirror image of velocity Verlet, also called position Verlet by some (Tuckerman et al.):
+/// Drift-kick-drift, the adjoint of velocity Verlet, also called position Verlet (Tuckerman et al.):
 ///
 ///     r(t + dt/2) = r(t) + (dt/2) v(t)
 ///     v(t + dt)   = v(t) + (dt/m) f(t + dt/2)
 ///     r(t + dt)   = r(t + dt/2) + (dt/2) v(t + dt)
 ///
-/// Second order, time-reversible, symplectic. The motion needs the forces at half steps only. The second evaluation is
-/// there for what is reported, energy and pressure at t + dt; it is made at every step, so that what is reported when
-/// cannot change the motion.
+/// Second order, time-reversible, symplectic. The motion needs forces at half steps only. The second evaluation gives
+/// energy and pressure at t + dt for reports. It is made at every step, so that the choice of reports cannot change the
+/// motion.
 /// Source: Tuckerman, Berne and Martyna (1992), doi:10.1063/1.463137
 IntegratorMethod drift_kick_drift() {
     return {.name = "drift-kick-drift",

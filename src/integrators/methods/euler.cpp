@@ -5,7 +5,7 @@ namespace ljmd {
 
 namespace {
 
-/// Both from the values at the start of the step: the position first, with the old velocity.
+/// Both changes use the values at the start of the step, so the position comes first.
 void euler_step(State& state, double dt) {
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
@@ -23,8 +23,8 @@ void euler_step(State& state, double dt) {
 ///     r(t + dt) = r(t) + dt v(t)
 ///     v(t + dt) = v(t) + (dt/m) f(t)
 ///
-/// First order, neither symplectic nor reversible: an oscillator gains energy by the factor 1 + (omega dt)^2 each step.
-/// Here to be compared with, not to be used.
+/// First order, neither symplectic nor reversible: the energy of an oscillator grows by a factor of 1 + (omega dt)^2
+/// per step. For comparison only.
 /// Source: Euler, Institutionum calculi integralis I (1768), section 650
 IntegratorMethod euler() {
     return {.name = "euler",

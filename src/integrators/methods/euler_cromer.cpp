@@ -2,13 +2,13 @@
 
 namespace ljmd {
 
-/// Euler-Cromer, or symplectic Euler: the new velocity moves the position.
+/// Euler-Cromer, or symplectic Euler: the position moves with the new velocity.
 ///
 ///     v(t + dt) = v(t) + (dt/m) f(t)
 ///     r(t + dt) = r(t) + dt v(t + dt)
 ///
-/// First order, symplectic, not time-reversible: the energy oscillates and does not drift. Its positions are those of
-/// leapfrog, of second order, if v(0) is replaced by v(-dt/2).
+/// First order, symplectic, not time-reversible: the energy oscillates but does not drift. If v(0) is replaced by
+/// v(-dt/2), the positions are those of leapfrog, which is of second order.
 /// Source: Cromer (1981), doi:10.1119/1.12478
 IntegratorMethod euler_cromer() {
     return {.name = "euler-cromer",

@@ -4,14 +4,13 @@
 
 namespace ljmd {
 
-/// The symplectic integrator of fourth order of Forest and Ruth, also found by Yoshida: three steps of velocity Verlet
-/// of lengths w1 dt, w0 dt, w1 dt, the middle one backwards in time,
+/// Forest-Ruth: symplectic integrator of fourth order, also found by Yoshida. Three steps of velocity Verlet with
+/// lengths w1 dt, w0 dt, w1 dt, the middle one backwards in time,
 ///
 ///     w1 = 1 / (2 - 2^(1/3)) = 1.351...,   w0 = -2^(1/3) w1 = -1.702...,   2 w1 + w0 = 1,
 ///
-/// in which the third-order errors of the three cancel. Time-reversible; three evaluations a step. Neighbouring half
-/// kicks are drawn together. Source: Forest and Ruth (1990), doi:10.1016/0167-2789(90)90019-L; Yoshida (1990),
-/// doi:10.1016/0375-9601(90)90092-3
+/// whose third-order errors cancel. Time-reversible; three evaluations per step. Neighbouring half kicks are merged.
+/// Source: Forest and Ruth (1990), doi:10.1016/0167-2789(90)90019-L; Yoshida (1990), doi:10.1016/0375-9601(90)90092-3
 IntegratorMethod forest_ruth() {
     return {.name = "forest-ruth",
             .meaning = "symplectic composition of fourth order, three evaluations a step (Forest and Ruth 1990)",

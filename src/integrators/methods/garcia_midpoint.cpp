@@ -18,13 +18,13 @@ void garcia_step(State& state, double dt) {
 
 }  // namespace
 
-/// The midpoint method of Garcia's textbook: the mean of old and new velocity moves the position.
+/// Midpoint method of Garcia's textbook: the position moves with the mean of old and new velocity.
 ///
 ///     v(t + dt) = v(t) + (dt/m) f(t)
 ///     r(t + dt) = r(t) + dt (v(t) + v(t + dt)) / 2
 ///
-/// The position is right to second order within a step, but the velocity is not, so the global error is of first order:
-/// it is not the Runge-Kutta midpoint method (see rk2-midpoint). For comparison.
+/// Within a step the position is correct to second order, but the velocity is not, so the global error is of first
+/// order. It is not the Runge-Kutta midpoint method (see rk2-midpoint). For comparison.
 /// Source: A. L. Garcia, Numerical Methods for Physics, 2nd ed. (2000), section 2.1
 IntegratorMethod garcia_midpoint() {
     return {

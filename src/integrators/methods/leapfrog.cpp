@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* half_step_velocities = "leapfrog: velocities half a step ago";
 
-/// out = in + (dt/m) f for every atom.
+/// out = in + (dt/m) f for each atom.
 template <class In, class Out>
 void kicked(const State& state, double dt, const In& in, Out&& out) {
     for_each_index(state.count(), [&](Index i) {
@@ -33,7 +33,7 @@ void synchronise(State& state, double dt) {
     kicked(state, 0.5 * dt, u, state.write_velocities());
 }
 
-/// Backwards in time v(t + dt/2), reversed, plays the part of v(t - dt/2).
+/// Backwards in time, the reversed v(t + dt/2) takes the place of v(t - dt/2).
 void reverse(State& state, double dt) {
     auto u = state.registered(state.register_vectors(half_step_velocities));
     kicked(state, dt, u, u);
@@ -43,13 +43,14 @@ void reverse(State& state, double dt) {
 
 }  // namespace
 
-/// Leapfrog in its half-index form: velocities live between the positions.
+/// Leapfrog with half-step velocities:
 ///
 ///     v(t + dt/2) = v(t - dt/2) + (dt/m) f(t)
 ///     r(t + dt)   = r(t) + dt v(t + dt/2)
 ///
-/// started with v(-dt/2) = v(0) - (dt/2m) f(0). What is reported is synchronised: v(t) = v(t - dt/2) + (dt/2m) f(t),
-/// the velocity of velocity Verlet, whose positions these are to rounding. Second order, time-reversible, symplectic.
+/// started with v(-dt/2) = v(0) - (dt/2m) f(0). Reported velocities are synchronised: v(t) = v(t - dt/2) + (dt/2m)
+/// f(t). Within rounding these are the velocities and positions of velocity Verlet. Second order, time-reversible,
+/// symplectic.
 /// Source: Hockney and Eastwood, Computer Simulation Using Particles (1988), section 4-4-1;
 ///         Feynman, Leighton and Sands, The Feynman Lectures on Physics I (1963), section 9-6
 IntegratorMethod leapfrog() {

@@ -5,10 +5,10 @@ namespace ljmd {
 
 namespace {
 
-/// r(t) - r(t - dt). A displacement, not the old position, because wrapping an atom into its box does not change it.
+/// r(t) - r(t - dt). A displacement rather than the old position, because wrapping an atom does not change it.
 constexpr const char* last_displacement = "position-verlet: displacement of the last step";
 
-/// The displacement that would have led here, so that the first step is the one that the start prescribes.
+/// The displacement before the first step, chosen so that the first step is the one prescribed by `start`.
 void begin(State& state, double dt, const std::string& start) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const State& now = state;
@@ -27,7 +27,7 @@ void begin(State& state, double dt, const std::string& start) {
     });
 }
 
-/// d becomes r(t + dt) - r(t), exactly as it is on the grid of the box.
+/// d becomes r(t + dt) - r(t), exactly, as both lie on the grid of the box.
 void advance(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
@@ -40,7 +40,7 @@ void advance(State& state, double dt) {
     });
 }
 
-/// (r(t + dt) - r(t - dt)) / 2 dt with r(t + dt) - r(t) = d + dt^2 a: needs no step ahead.
+/// (r(t + dt) - r(t - dt)) / 2 dt with r(t + dt) - r(t) = d + dt^2 a, so that no step ahead is needed.
 void central_difference(State& state, double dt) {
     const auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
@@ -50,7 +50,7 @@ void central_difference(State& state, double dt) {
     });
 }
 
-/// Backwards in time r(t + dt) is the position before r(t).
+/// Backwards in time, r(t + dt) is the position before r(t).
 void reverse(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
@@ -79,19 +79,20 @@ struct Options : IntegratorOptions {
 
 }  // namespace
 
-/// Verlet's formula of 1967, found by Störmer before him: positions alone.
+/// Verlet's formula of 1967, found earlier by Störmer, for positions alone:
 ///
 ///     r(t + dt) = 2 r(t) - r(t - dt) + (dt^2/m) f(t)
 ///     v(t)      = (r(t + dt) - r(t - dt)) / 2 dt
 ///
-/// computed in the summed form r(t + dt) = r(t) + d, d = r(t) - r(t - dt) + (dt^2/m) f(t), which loses no digits. The
-/// start needs a second position:
+/// computed in the summed form r(t + dt) = r(t) + d, d = r(t) - r(t - dt) + (dt^2/m) f(t), which avoids cancellation.
+/// The start needs a second position:
 ///
 ///     taylor    r(dt)  = r(0) + dt v(0) + (dt^2/2m) f(0)
-///     backward  r(-dt) = r(0) - dt v(0) + (dt^2/2m) f(0), the same to rounding
-///     euler     r(dt)  = r(0) + dt v(0), which makes the whole run first order: it integrates another initial velocity
+///     backward  r(-dt) = r(0) - dt v(0) + (dt^2/2m) f(0), the same within rounding
+///     euler     r(dt)  = r(0) + dt v(0), which makes the whole run first order, with another initial velocity
 ///
-/// Second order, time-reversible, symplectic; the positions of velocity Verlet, to rounding, unless started by Euler.
+/// Second order, time-reversible, symplectic. Unless started by Euler, positions are those of velocity Verlet within
+/// rounding.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98, equations 4 and 5; Störmer (1907), Arch. Sci. Phys. Nat. 24, 5
 IntegratorMethod position_verlet() {
     return {.name = "position-verlet",

@@ -5,9 +5,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr double tolerance = 1e-13;  // of a sub-step, relative and absolute
+constexpr double tolerance = 1e-13;  // of a step of the method, relative and absolute
 
-/// Over one time step, in as many steps of its own as the tolerance asks for.
+/// Advance by one time step, in as many steps of the method as the tolerance asks for.
 void solve(State& state, ForceField& force_field, double dt, const StateWatch& within) {
     ReferenceTrajectory trajectory(state, force_field, tolerance);
     const State& end = trajectory.advance_by(dt, within);
@@ -23,13 +23,13 @@ void solve(State& state, ForceField& force_field, double dt, const StateWatch& w
 
 }  // namespace
 
-/// The adaptive Runge-Kutta method of Prince and Dormand, order 8 with an embedded one of order 9 that chooses the
-/// steps (GSL's rk8pd): what fixed steps are measured against, and the method for close encounters of a few bodies.
+/// Adaptive Runge-Kutta method of Prince and Dormand: order 8, with an embedded method that chooses the steps (GSL's
+/// rk8pd). Fixed steps are measured against it; it also serves for close encounters of a few bodies.
 ///
-/// The time step of the deck is that of the output; within it the method takes as many steps as keep the error of each
-/// below 1e-13 (1 + |value|), and what is measured sees these steps, too. Neither symplectic nor reversible, but nearly
-/// exact. For systems without a box: the forces of a fluid, cut off, are not smooth enough for it, and its motion too
-/// chaotic for it to be of use. Source: Prince and Dormand (1981), doi:10.1016/0771-050X(81)90010-3
+/// The time step of the deck is that of the output. Within it, the method takes as many steps as keep the error of each
+/// below 1e-13 (1 + |value|); measurements see these steps, too. Neither symplectic nor reversible, but nearly exact.
+/// Only for systems without a box: the truncated forces of a fluid are not smooth enough, and its motion is too chaotic
+/// to benefit. Source: Prince and Dormand (1981), doi:10.1016/0771-050X(81)90010-3
 IntegratorMethod prince_dormand() {
     return {.name = "prince-dormand",
             .meaning = "adaptive Runge-Kutta of order 8, nearly exact (Prince and Dormand 1981); few bodies only",

@@ -19,7 +19,7 @@ void half_euler_step(State& state, double dt) {
     });
 }
 
-/// The evaluation may have wrapped the positions, so the half step is taken back as a displacement.
+/// The evaluation may have wrapped positions, so the half step is undone as a displacement.
 void full_step_from_midpoint(State& state, double dt) {
     const auto v_start = state.registered(state.register_vectors(start_of_step));
     const auto f = static_cast<const State&>(state).forces();
@@ -33,12 +33,12 @@ void full_step_from_midpoint(State& state, double dt) {
 
 }  // namespace
 
-/// The midpoint method of Runge: half an Euler step, and the slopes found there for the whole step.
+/// Runge's midpoint method: half an Euler step, whose slopes are then used for the whole step.
 ///
 ///     r' = r(t) + (dt/2) v(t)          v' = v(t) + (dt/2m) f(r(t))
 ///     r(t + dt) = r(t) + dt v'         v(t + dt) = v(t) + (dt/m) f(r')
 ///
-/// Second order, neither symplectic nor reversible: the energy drifts, at third order. For comparison.
+/// Second order, neither symplectic nor reversible: the energy drifts, at third order in dt. For comparison.
 /// Source: Runge (1895), doi:10.1007/BF01446807
 IntegratorMethod rk2_midpoint() {
     return {.name = "rk2-midpoint",

@@ -27,7 +27,7 @@ class Andersen : public Thermostat {
     }
 
   private:
-    double probability_;  ///< of a collision in one step
+    double probability_;  ///< of a collision per step
     double temperature_;
     Random chances_;
     Random velocities_;
@@ -46,8 +46,8 @@ struct Options : ThermostatOptions {
 
 }  // namespace
 
-/// Andersen's thermostat: after a step, each atom collides with the bath with the probability 1 - exp(-dt/tau_T),
-/// which gives it a velocity from Maxwell's distribution. Canonical; the motion of single atoms is no longer Newton's.
+/// Andersen's thermostat: after each step, each atom collides with the bath with probability 1 - exp(-dt/tau_T) and
+/// gets a velocity from the Maxwell distribution. Canonical; trajectories of single atoms are no longer Newtonian.
 /// Source: Andersen (1980), doi:10.1063/1.439486
 ThermostatMethod andersen() {
     return {.name = "andersen",

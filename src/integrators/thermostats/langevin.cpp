@@ -43,12 +43,13 @@ struct Options : ThermostatOptions {
 
 }  // namespace
 
-/// Langevin dynamics, m dv/dt = f - m v/tau_T + noise, in the splitting BAOAB: half-way of velocity Verlet's drift,
+/// Langevin dynamics, m dv/dt = f - m v/tau_T + noise, in the BAOAB splitting: in the middle of velocity Verlet's
+/// drift,
 ///
 ///     v = c v + sqrt((1 - c^2) T/m) xi,   c = exp(-dt/tau_T),   xi normal
 ///
-/// Canonical. Configurations are right to a higher order than velocities: at whole steps the kinetic energy is low by
-/// about (omega dt)^2/4 of itself for vibrations of frequency omega, half-way of the drift it is right.
+/// Canonical. Configurations are accurate to a higher order than velocities. At whole steps the kinetic energy of
+/// vibrations of frequency omega is too low by a relative (omega dt)^2/4; in the middle of the drift it is correct.
 /// Source: Leimkuhler and Matthews (2013), doi:10.1093/amrx/abs010; doi:10.1063/1.4802990
 ThermostatMethod langevin() {
     return {.name = "langevin",

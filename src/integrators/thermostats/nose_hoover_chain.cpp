@@ -9,11 +9,11 @@ namespace ljmd {
 
 namespace {
 
-/// Weights of Suzuki's and Yoshida's fourth-order composition of three steps.
+/// Weights of the fourth-order composition of Suzuki and Yoshida with three steps.
 const double outer_weight = 1.0 / (2.0 - std::cbrt(2.0));
 const double inner_weight = 1.0 - 2.0 * outer_weight;
 
-/// State::bath holds the heat, then velocity and position of each thermostat of the chain in turn.
+/// State::bath holds the heat, then velocity and position of each thermostat of the chain.
 class NoseHooverChain : public Thermostat {
   public:
     NoseHooverChain(Index length, double time, const HeatBath& bath)
@@ -33,7 +33,7 @@ class NoseHooverChain : public Thermostat {
     [[nodiscard]] static double& velocity(State& state, std::size_t k) { return state.bath[1 + 2 * k]; }
     [[nodiscard]] static double& position(State& state, std::size_t k) { return state.bath[2 + 2 * k]; }
 
-    /// Acceleration of thermostat k by what it is coupled to.
+    /// Acceleration of thermostat k by what it thermalises: the atoms, or the thermostat before it.
     [[nodiscard]] double acceleration(State& state, std::size_t k, double kinetic_energy) const {
         if (k == 0) {
             return (2.0 * kinetic_energy - freedom_ * temperature_) / mass(0);
@@ -42,14 +42,14 @@ class NoseHooverChain : public Thermostat {
         return (mass(k - 1) * v * v - temperature_) / mass(k);
     }
 
-    /// Half a kick of thermostat k, damped by the next one of the chain.
+    /// Half a kick of thermostat k, damped by the next thermostat of the chain.
     void kick(State& state, std::size_t k, double kinetic_energy, double dt) const {
         const double damping = k + 1 < length_ ? std::exp(-0.25 * dt * velocity(state, k + 1)) : 1.0;
         double& v = velocity(state, k);
         v = damping * (damping * v + 0.5 * dt * acceleration(state, k, kinetic_energy));
     }
 
-    /// Half a step of the chain and of the velocities that it damps.
+    /// Half a step of the chain, including the velocities that it damps.
     void advance(State& state) const {
         const double at_first = kinetic_energy(state);
         if (!(at_first > 0.0) || freedom_ < 1.0) {
@@ -73,7 +73,7 @@ class NoseHooverChain : public Thermostat {
         state.bath.front() = -energy(state);
     }
 
-    /// What the conserved energy of the extended system has beside H.
+    /// Energy of the chain: the conserved energy of the extended system minus H.
     [[nodiscard]] double energy(State& state) const {
         double sum = 0.0;
         for (std::size_t k = 0; k < length_; ++k) {
@@ -86,7 +86,7 @@ class NoseHooverChain : public Thermostat {
     std::size_t length_;
     double freedom_;
     double temperature_;
-    double mass_;  ///< of all thermostats of the chain but the first
+    double mass_;  ///< mass of every thermostat of the chain except the first
     double half_step_;
 };
 
@@ -105,17 +105,17 @@ struct Options : ThermostatOptions {
 
 }  // namespace
 
-/// Nose's and Hoover's thermostat as a chain of M: eta_1 damps the velocities, eta_(k+1) damps eta_k.
+/// Nose-Hoover chain of M thermostats: eta_1 damps the velocities, eta_(k+1) damps eta_k.
 ///
 ///     dv/dt = f/m - v_eta_1 v,   Q_1 dv_eta_1/dt = 2 K - f T - Q_1 v_eta_1 v_eta_2,
 ///     Q_k dv_eta_k/dt = Q_(k-1) v_eta_(k-1)^2 - T - Q_k v_eta_k v_eta_(k+1),   Q_1 = f T tau_T^2, Q_k = T tau_T^2
 ///
-/// f degrees of freedom. Half a step of it before and half after each step of velocity Verlet, in the fourth-order
-/// composition of Suzuki and Yoshida. Deterministic and time-reversible; conserves
+/// with f degrees of freedom. Half a step of the chain comes before each step of velocity Verlet and half a step after
+/// it, in the fourth-order composition of Suzuki and Yoshida. Deterministic and time-reversible; conserves
 ///
 ///     H + sum Q_k v_eta_k^2/2 + f T eta_1 + T sum over k > 1 of eta_k
 ///
-/// Canonical where the motion is ergodic: a chain of 1 with one oscillator is not.
+/// Canonical if the motion is ergodic; for a chain of 1 with one oscillator it is not.
 /// Source: Martyna, Klein and Tuckerman (1992), doi:10.1063/1.463940; Martyna, Tuckerman, Tobias and Klein (1996),
 /// doi:10.1080/00268979600100761
 ThermostatMethod nose_hoover_chain() {

@@ -36,7 +36,7 @@ struct Options : ThermostatOptions {
 
 }  // namespace
 
-/// Verlet's velocity rescaling: v *= sqrt(T / T_now) every n steps. Sets the kinetic temperature exactly; samples no
+/// Verlet's velocity rescaling: v *= sqrt(T / T_now) every n steps. Sets the kinetic temperature exactly but samples no
 /// ensemble, so it is for equilibration only.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98
 ThermostatMethod rescale() {

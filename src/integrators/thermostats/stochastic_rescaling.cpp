@@ -24,7 +24,7 @@ class StochasticRescaling : public Thermostat {
         if (!(now > 0.0) || freedom_ < 1.0) {
             return;
         }
-        const double gained = 0.5 * (1.0 - kept_) * temperature_;  // of each degree of freedom
+        const double gained = 0.5 * (1.0 - kept_) * temperature_;  // per degree of freedom
         const double one = random_.normal(state.step, 0)[0];
         const double others = freedom_ > 1.0 ? 2.0 * random_.gamma(state.step, 1, 0.5 * (freedom_ - 1.0)) : 0.0;
         const double along = std::sqrt(kept_ * now) + std::sqrt(gained) * one;
@@ -56,9 +56,9 @@ struct Options : ThermostatOptions {
 ///
 ///     K' = (sqrt(c K) + sqrt((1 - c) T/2) R)^2 + (1 - c) T/2 S,   c = exp(-dt/tau_T)
 ///
-/// R normal, S the sum of f - 1 squared normal numbers, f the degrees of freedom; the factor has the sign of the
-/// bracket. That is what f velocities become under friction, so that K is forgotten after tau_T and has the canonical
-/// distribution. The motion of single atoms is hardly disturbed.
+/// with R normal, S the sum of f - 1 squared normal numbers, and f the degrees of freedom. The scaling factor has the
+/// sign of the bracket. This is the kinetic energy of f velocities under friction and noise, so K relaxes within tau_T
+/// and has the canonical distribution. Trajectories of single atoms are hardly disturbed.
 /// Source: Bussi, Donadio and Parrinello (2007), doi:10.1063/1.2408420; Bussi and Parrinello (2008),
 /// doi:10.1016/j.cpc.2008.01.006
 ThermostatMethod stochastic_rescaling() {

@@ -7,7 +7,7 @@
 
 namespace ljmd {
 
-/// Let `change(v, mass, id)` give each atom another velocity v; the energy that it takes is counted as heat.
+/// Replace the velocity v of each atom by `change(v, mass, id)`. The energy difference is counted as heat.
 template <class Change>
 void change_velocities(State& state, const Change& change) {
     auto velocities = state.write_velocities();
@@ -22,8 +22,8 @@ void change_velocities(State& state, const Change& change) {
     });
 }
 
-/// Multiply all velocities by a factor; the energy that it takes is counted as heat.
-/// @param kinetic_energy  of the state
+/// Multiply all velocities by a factor. The energy difference is counted as heat.
+/// @param kinetic_energy  of the state before
 inline void scale_velocities(State& state, double factor, double kinetic_energy) {
     auto velocities = state.write_velocities();
     for_each_index(state.count(), [&](Index i) { velocities.col(i) *= factor; });

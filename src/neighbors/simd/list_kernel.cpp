@@ -36,8 +36,8 @@ int gather(const ConstCandidates& from, const ClusterGrid::Run* runs, int run_co
     for (int run = 0; run < run_count; ++run) {
         const std::int32_t first = runs[run].first;
         const std::int32_t length = runs[run].length();
-        // Most runs are no longer than this. A loop over their true length would end when the processor does not expect
-        // it, which costs more than what is copied in vain; the next run overwrites that.
+        // Most runs are no longer than this. A loop over the true length would be mispredicted at its end, which costs
+        // more than the surplus copies. The next run overwrites them.
         constexpr int usual = list_kernel_slack;
         for (int k = 0; k < usual; k += lanes) {
             copy_vectors(from, first + k, to, count + k);
@@ -71,7 +71,7 @@ int find_parts(const ConstCandidates& candidates, int count, const RowOfAtoms& r
             near |= r2 < range2;
         }
         const unsigned bits = simd::bits_of<lanes>(near);
-        for (int n = 0; n < lanes; n += others) {  // written always and kept if near: branches would be guessed wrong
+        for (int n = 0; n < lanes; n += others) {  // always written, kept if near: a branch would be mispredicted
             *end = candidates.entry[k + n];
             end += (bits >> n & bits_of_part) != 0 ? 1 : 0;
         }

@@ -7,7 +7,7 @@ namespace ljmd {
 namespace {
 
 constexpr UsualLags usual{.every = 50, .max_time = 10.0, .share = 0.2};
-constexpr double usual_fit_start = 0.2;  // of the largest time: past the motion of an atom in its cage
+constexpr double usual_fit_start = 0.2;  // fraction of the largest time: beyond the motion of an atom in its cage
 
 struct Options : AnalysisOptions {
     LagOptions lags{usual};

@@ -8,7 +8,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double usual_radius = 5.0;  // [sigma]: four shells of the liquid, and cheap in large systems
+constexpr double usual_radius = 5.0;  // [sigma]: four shells of the liquid, and affordable in large systems
 
 double largest_radius(const Box& box) {
     return 0.5 * box.shortest_edge();

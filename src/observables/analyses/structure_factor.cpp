@@ -9,7 +9,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double most_points = 5e8;  // of 16 bytes
+constexpr double most_points = 5e8;  // of 16 bytes each
 
 double grid_points(const Box& box, double k_max) {
     constexpr double per_length = 1.5 / std::numbers::pi;  // see grid_density_modes

@@ -66,11 +66,11 @@ void TurningPoints::set_plane(const Vec3& r, const Vec3& v) {
     if (normal.norm() > rounding * r.norm() * v.norm()) {
         forward_ = normal.cross(r).normalized();
     } else {
-        forward_.setConstant(std::numeric_limits<double>::quiet_NaN());  // a line: no direction to turn to
+        forward_.setConstant(std::numeric_limits<double>::quiet_NaN());  // on a line there is no direction to turn to
     }
 }
 
-/// The angle of r that differs by less than half a turn from one nearby.
+/// Angle of r, as a continuation of a nearby one: they differ by less than half a turn.
 double TurningPoints::angle_of(const Vec3& r, double nearby) const {
     const double principal = std::atan2(r.dot(forward_), r.dot(axis_));
     return principal + turn * std::round((nearby - principal) / turn);
@@ -109,7 +109,7 @@ std::optional<IntervalMean> TurningPoints::precession() const {
     if (!swept || !(std::abs(swept->mean) > 0.0)) {
         return std::nullopt;
     }
-    swept->mean = std::abs(swept->mean) - turn;  // a caller's angle may fall
+    swept->mean = std::abs(swept->mean) - turn;  // a caller's angle may decrease
     return swept;
 }
 

@@ -46,7 +46,7 @@ class Closest : public FewBodyAnalysis {
     void archive(Archive& a, const State& now) override { approach_.archive(a, now); }
 
   private:
-    bool attracted_;  ///< by a force that grows without limit as bodies come near: their encounters must be resolved
+    bool attracted_;  ///< the force grows without limit as bodies approach, so encounters must be resolved
     ClosestApproach approach_;
 };
 
@@ -61,7 +61,7 @@ struct Options : FewBodyAnalysisOptions {
 
 }  // namespace
 
-/// How near any two bodies came to each other, when, and which.
+/// Closest approach of any two bodies: distance, time and bodies.
 FewBodyAnalysisMethod closest_approach() {
     return {.name = "closest_approach",
             .meaning =

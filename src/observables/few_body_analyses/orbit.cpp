@@ -144,9 +144,8 @@ struct Options : FewBodyAnalysisOptions {
 
 }  // namespace
 
-/// The orbit of one body about another or about the origin: every passage of the distance through an extreme, the
-/// period and the precession of the apsides from them, and, where the force is an inverse-square attraction, the
-/// osculating elements at the start and at the end.
+/// Orbit of one body about another or about the origin: all apsides, the period and the apsidal precession from them,
+/// and, if the force is an inverse-square attraction, the osculating elements at start and end.
 FewBodyAnalysisMethod orbit() {
     return {.name = "orbit",
             .meaning = "apsides of one body's path, with period and precession, and its orbital elements: orbit.csv",

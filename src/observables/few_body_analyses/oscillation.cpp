@@ -69,7 +69,7 @@ struct Options : FewBodyAnalysisOptions {
 
 }  // namespace
 
-/// The swings of one coordinate about zero: its passages through zero, the period from them, and the largest excursion.
+/// Oscillation of a coordinate about zero: its zero crossings, the period from them, and the amplitude.
 FewBodyAnalysisMethod oscillation() {
     return {.name = "oscillation",
             .meaning = "passages of a coordinate through zero, with period and amplitude: oscillation.csv",

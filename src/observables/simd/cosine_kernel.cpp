@@ -8,13 +8,13 @@ namespace {
 
 using Four = simd::RawVector<double, 4>;
 
-/// cos(2 pi x) as 1 - 2 sin^2(pi f), f the distance to the nearest whole number. The library's cosine would take longer
+/// cos(2 pi x) = 1 - 2 sin^2(pi f), f the distance to the nearest whole number. The library's cosine would take longer
 /// than all other observables of a row together.
 LJMD_INLINE Four cos_of_turns(Four x) {
     constexpr double rounding = 0x1.8p52;
     const Four f = x - ((x + rounding) - rounding);
     const Four z = f * f;
-    // Taylor series of sin(pi f)/f at |f| <= 1/2; what is left out is below 4e-14.
+    // Taylor series of sin(pi f)/f for |f| <= 1/2; the remainder is below 4e-14.
     Four s = 7.952054001475508e-7 - Four{};  // pi^17/17!
     for (const double coefficient :
          {-2.1915353447830204e-5, 4.6630280576761234e-4, -7.370430945714348e-3, 8.214588661112819e-2,

@@ -5,7 +5,7 @@
 
 namespace ljmd {
 
-/// Adds up cosines of coordinates. All levels give the same bits.
+/// Sums of cosines of coordinates. All levels give the same bits.
 struct CosineKernel {
     /// sums[a] = sum over i of cos(2 pi turns[a] r[4 i + a]) for a = 0 to 3, i < count; the error of each cosine is
     /// below 1e-13.
@@ -14,7 +14,7 @@ struct CosineKernel {
     void (*sums_of_cosines)(const double* r, Index count, const double* turns, double* sums);
 };
 
-/// The one compiled for a level; the level must be usable here.
+/// The kernel compiled for a level. @pre the level is usable here
 [[nodiscard]] inline CosineKernel cosine_kernel(SimdLevel level) {
     return simd::compiled_for<CosineKernel>(level);
 }

@@ -6,15 +6,14 @@ namespace ljmd {
 
 namespace {
 
-/// Of two coordinates in a periodic box.
+/// Distance of two coordinates in a periodic box.
 inline double shortest(double a, double b, double edge) {
     const double d = std::fabs(a - b);
     const double other = edge - d;
     return d < other ? d : other;
 }
 
-// One loop without branches, which compilers turn into vectors: half of the pairs lie beyond the histogram, and no
-// processor foresees which.
+// A loop without branches, which compilers vectorise: half of the pairs lie beyond the histogram, unpredictably.
 void bins_of(const HistogramKernel::Points& points, const double* r, const double* edges, double per_length,
              std::int32_t overflow, std::int32_t* out) {
     const HistogramKernel::Points p = points;

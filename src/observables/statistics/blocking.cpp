@@ -14,20 +14,20 @@
 namespace ljmd {
 namespace {
 
-constexpr Index many_blocks = 16;  // below, the scatter of the error (18 %) hides whether the curve is flat
+constexpr Index many_blocks = 16;  // with fewer, the scatter of the error (18 %) hides whether the curve is flat
 constexpr Index fallback_blocks = 4;
-constexpr double few_samples = 16.0;    // independent ones; fewer do not carry an error bar
-constexpr double growth_of_flat = 1.3;  // of the error, where blocks become twice as long; sqrt(2) where they are short
+constexpr double few_samples = 16.0;    // independent samples; fewer do not support an error bar
+constexpr double growth_of_flat = 1.3;  // of the error at twice the block length; sqrt(2) for short blocks
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool blocks_are_long_enough(const BlockLevel& level, double samples, double shortest_error) {
     const double length = static_cast<double>(level.length);
-    // Errors below that of independent samples are scatter of few blocks, mostly.
+    // Errors below that of independent samples are mostly scatter of few blocks.
     const double growth = std::max(1.0, level.standard_error / shortest_error);
     return length * length * length > 2.0 * samples * std::pow(growth, 4);
 }
 
-/// Whether the error still grows where blocks are as long as many of them can be.
+/// Whether the error still grows at the longest blocks of which there are many.
 bool still_grows(const std::vector<BlockLevel>& curve) {
     const auto few =
         std::find_if(curve.begin(), curve.end(), [](const BlockLevel& level) { return level.blocks < many_blocks; });
@@ -55,7 +55,7 @@ Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>&
             error = level.blocks >= fallback_blocks ? std::max(error, level.standard_error) : error;
         }
     }
-    const double ratio = shortest_error / error;  // infinite when blocks of an alternating series are all equal
+    const double ratio = shortest_error / error;  // infinite if the blocks of an alternating series are all equal
     const double independent = n * std::min(1.0, ratio * ratio);
     return {mean, error, independent, samples, long_enough || (independent >= few_samples && !still_grows(curve))};
 }
@@ -144,7 +144,7 @@ Eigen::VectorXd BlockingAccumulator::mean() const {
     if (levels_.empty()) {
         return Eigen::VectorXd::Constant(width_, nan);
     }
-    // Every sample is in exactly one pending block: their lengths are the binary digits of the number of samples.
+    // Every sample is in exactly one pending block; their lengths are the binary digits of the number of samples.
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(width_);
     double length = 1.0;
     for (const Level& level : levels_) {
@@ -197,7 +197,7 @@ Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& grad
         throw ContractViolation(
             fmt::format("a gradient of {} components was given to block averages of {}", gradient.size(), width_));
     }
-    // Round-off may leave a combination that does not vary at all slightly below zero; NaN passes through.
+    // For a combination that does not vary, round-off may give a slightly negative sum; NaN passes through.
     const auto along_gradient = [&](const Eigen::VectorXd& deviation) {
         double sum = 0.0;
         for (Index column = 0; column < width_; ++column) {

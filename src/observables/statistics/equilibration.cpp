@@ -12,7 +12,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr Index shortest_sum = 3;  // below, a C(t) that is negative by chance ends nothing
+constexpr Index shortest_sum = 3;  // a C(t) that is negative by chance does not end a shorter sum
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Series = Eigen::Map<const Eigen::VectorXd>;
@@ -21,7 +21,7 @@ Series view(std::span<const double> series) {
     return {series.data(), static_cast<Index>(series.size())};
 }
 
-/// Sums of dx_s dx_(s+t) over s, for all t.
+/// Sums of dx_s dx_(s+t) over s, for each t.
 AlignedVector<double> lagged_sums(const Eigen::VectorXd& deviations) {
     const Index length = fast_length(2 * deviations.size());
     AlignedVector<double> padded(static_cast<std::size_t>(length));

@@ -15,7 +15,7 @@ std::optional<IntervalMean> mean_interval(const std::vector<double>& marks) {
         const double difference = marks[i] - marks[i - 1] - mean;
         deviation += difference * difference;
     }
-    // One interval has no scatter: 0/0 is the NaN that is promised.
+    // A single interval has no scatter: 0/0 gives the NaN.
     return IntervalMean{mean, std::sqrt(deviation / (n - 1.0) / n), static_cast<Index>(marks.size() - 1)};
 }
 

@@ -37,7 +37,7 @@ constexpr std::array<Column, 13> columns{{{"temperature", "T", "epsilon/k_B"},
                                           {"pressure_yz", "p_yz", "epsilon/sigma^3"},
                                           {"virial", "W", "epsilon"}}};
 
-/// Behind the columns that are reported: 1/T and u^2.
+/// After the reported columns: 1/T and u^2.
 constexpr auto inverse_temperature_column = static_cast<Index>(columns.size());
 constexpr Index squared_energy_column = inverse_temperature_column + 1;
 

@@ -10,22 +10,22 @@ namespace ljmd {
 
 namespace {
 
-constexpr double widest_shell = 0.04;         // [sigma]
-constexpr double farthest_shell = 3.2;        // [sigma]: behind the second peak; covariances fill checkpoints
-constexpr double half_window = 0.25;          // [sigma] of the fit
-constexpr double smoothing = 0.1;             // [sigma] to each side, where the lowest shell is looked for
-constexpr double significance = 5.0;          // standard errors: one of many wiggles of noise reaches 3
-constexpr double largest_place_error = 0.05;  // [sigma]: farther away the fit is another
+constexpr double widest_shell = 0.04;   // [sigma]
+constexpr double farthest_shell = 3.2;  // [sigma]: beyond the second peak; larger covariances would fill checkpoints
+constexpr double half_window = 0.25;    // [sigma], of the fit
+constexpr double smoothing = 0.1;       // [sigma] to each side, in the search for the lowest shell
+constexpr double significance = 5.0;    // standard errors: one of many noise peaks reaches 3
+constexpr double largest_place_error = 0.05;  // [sigma]: farther away the fit is a different one
 constexpr double sphere = 4.0 * std::numbers::pi;
 
-/// Coefficients of a cubic in x = r - centre, as a linear function of the numbers in shells.
+/// Coefficients of a cubic in x = r - centre, as a linear function of the numbers in the shells.
 using Cubic = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 Eigen::Vector4d powers(double x) {
     return {1.0, x, x * x, x * x * x};
 }
 
-/// 4 pi integral of r^2 (1, x, x^2, x^3) dr: Gauss's rule with three points is exact to the fifth degree.
+/// 4 pi integral of r^2 (1, x, x^2, x^3) dr by Gauss's rule with three points, which is exact to the fifth degree.
 Eigen::Vector4d integral_of_powers(double from, double to, double centre) {
     constexpr std::array<double, 3> weights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     const double offset = 0.5 * std::sqrt(0.6) * (to - from);
@@ -38,7 +38,7 @@ Eigen::Vector4d integral_of_powers(double from, double to, double centre) {
     return sum;
 }
 
-/// The density around an atom, fitted.
+/// Fitted density around an atom.
 class Profile {
   public:
     Profile(const Eigen::VectorXd& numbers, double width) : numbers_(numbers), width_(width) {}
@@ -53,7 +53,8 @@ class Profile {
     [[nodiscard]] Eigen::Vector4d fitted(double centre) const { return cubic(centre) * numbers_; }
     [[nodiscard]] double slope(double r) const { return fitted(r)[1]; }
 
-    /// The middle of the places next to r where the slope is zero; none when it does not rise there within half_window.
+    /// Midpoint of the interval next to r in which the slope is zero; none if it does not change from falling to rising
+    /// within half_window.
     [[nodiscard]] std::optional<double> minimum_near(double r) const;
 
   private:
@@ -74,7 +75,7 @@ Cubic Profile::cubic(double centre) const {
         const double weight = 1.0 - distance * distance;
         if (weight > 0.0) {
             const Eigen::Vector4d moments = volumes(k, centre);
-            // By the volume: the mean density in a shell is fitted by the mean of the cubic.
+            // Divided by the volume, because the mean density of a shell is fitted by the mean of the cubic.
             right.col(k) = weight / (moments[0] * moments[0]) * moments;
             normal += right.col(k) * moments.transpose();
         }
@@ -95,7 +96,7 @@ std::optional<double> Profile::minimum_near(double r) const {
     if (!(slope(low) < 0.0 && slope(high) > 0.0)) {
         return std::nullopt;
     }
-    // Between the shells of a cold crystal there is nothing: the slope vanishes all along.
+    // The density between shells of a cold crystal is zero, and so is the slope in a whole interval.
     const auto border = [&](auto is_before) {
         double before = low;
         double behind = high;
@@ -108,7 +109,7 @@ std::optional<double> Profile::minimum_near(double r) const {
     return 0.5 * (border([](double s) { return s < 0.0; }) + border([](double s) { return s <= 0.0; }));
 }
 
-/// The lowest shell behind the highest one and before twice its distance, smoothed; none where shells end too early.
+/// The lowest shell, smoothed, between the highest one and twice its distance; none if the shells end too early.
 std::optional<Index> lowest_shell(const Profile& profile) {
     Eigen::VectorXd density(profile.shells());
     for (Index k = 0; k < density.size(); ++k) {
@@ -192,7 +193,7 @@ std::optional<Estimate> CoordinationNumber::estimate() const {
         return std::nullopt;
     }
 
-    // Within a shell atoms are taken as spread evenly: where the density is lowest it hardly changes.
+    // Atoms are taken as evenly spread within a shell, because the density hardly varies around its minimum.
     const Index shell = profile.shell_of(r);
     const double begin = division_.width * static_cast<double>(shell);
     const double share =

@@ -39,7 +39,7 @@ class DirectDensityModes : public DensityModes {
     }
 
   private:
-    /// exp(-2 pi i n r_a/L_a) of all atoms.
+    /// exp(-2 pi i n r_a/L_a) for all atoms.
     [[nodiscard]] Eigen::VectorXcd power(std::size_t a, Index n) const {
         const auto column = powers_[a].col(std::abs(n));
         return n < 0 ? Eigen::VectorXcd(column.conjugate()) : Eigen::VectorXcd(column);

@@ -12,8 +12,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr Index width = 16;    // points that an atom is spread over, in each direction
-constexpr double finer = 1.5;  // than the largest wave numbers ask for
+constexpr Index width = 16;    // grid points that an atom is spread over in each direction
+constexpr double finer = 1.5;  // than the largest wave numbers require
 constexpr double shape = 0.976 * std::numbers::pi * static_cast<double>(width) * (1.0 - 0.5 / finer);  // beta
 
 double kernel(double z) {
@@ -21,9 +21,9 @@ double kernel(double z) {
     return inside > 0.0 ? std::exp(shape * (std::sqrt(inside) - 1.0)) : 0.0;
 }
 
-/// Where an atom lies on the grid in one direction, and how it is spread.
+/// Place of an atom on the grid in one direction, with its weights.
 struct Spread {
-    Index first;  ///< point, in [0, points)
+    Index first;  ///< first point, in [0, points)
     std::array<double, width> weights;
 };
 
@@ -38,7 +38,7 @@ Spread spread(double r, double edge, Index points) {
     return result;
 }
 
-/// What spreading multiplies the component n by.
+/// Factor by which spreading multiplies the component n.
 double attenuation(Index n, Index points) {
     const double half = 0.5 * static_cast<double>(width);
     const double frequency = 2.0 * std::numbers::pi * static_cast<double>(n) * half / static_cast<double>(points);
@@ -66,8 +66,8 @@ class GridDensityModes : public DensityModes {
 
     void prepare(const State& state) override {
         spread_atoms(state);
-        // Planes are filled one by one, each with its atoms in one order: no two threads write the same point, and
-        // sums do not depend on their number.
+        // Planes are filled one by one, each with its atoms in a fixed order. So no two threads write the same point,
+        // and sums do not depend on the number of threads.
         for_each_block(points_[0], 1, [&](Index first, Index last) {
             for (Index x = first; x < last; ++x) {
                 fill_plane(x);
@@ -89,7 +89,7 @@ class GridDensityModes : public DensityModes {
   private:
     using SpreadAtom = std::array<Spread, 3>;
 
-    /// Sort the atoms by the plane on which their spread begins.
+    /// Sort the atoms by the first plane that they are spread over.
     void spread_atoms(const State& state) {
         const Index atoms = state.count();
         const auto r = state.positions();
@@ -150,7 +150,7 @@ class GridDensityModes : public DensityModes {
     AlignedVector<double> density_;
     AlignedVector<Complex> transformed_;
     std::vector<SpreadAtom> spreads_;  ///< by index
-    std::vector<Index> begins_;        ///< where in `sorted_` the atoms begin whose first plane it is
+    std::vector<Index> begins_;        ///< index in `sorted_` of the first atom whose spread begins on each plane
     std::vector<Index> sorted_;
 };
 

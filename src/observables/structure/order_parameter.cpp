@@ -12,7 +12,7 @@ double TranslationalOrder::operator()(const State& state) const {
     const Vec3 planes_per_length = planes_ * state.box().edges().cwiseInverse();
     const Eigen::Vector4d turns(planes_per_length[0], planes_per_length[1], planes_per_length[2], 0.0);
     const CosineKernel kernel = cosine_kernel(default_simd_level());
-    const double* r = state.positions().data();  // behind the three coordinates of an atom lies a zero
+    const double* r = state.positions().data();  // the three coordinates of an atom are followed by a zero
     const Eigen::Vector4d sums = join_blocks(
         state.count(), sum_block, Eigen::Vector4d(Eigen::Vector4d::Zero()),
         [&](Index first, Index last) {

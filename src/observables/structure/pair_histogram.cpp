@@ -11,13 +11,13 @@ namespace ljmd {
 
 namespace {
 
-/// Each block counts into a histogram of its own: enough blocks for many threads, few enough for long histograms.
+/// Each block has its own histogram: enough blocks for many threads, few enough for long histograms.
 constexpr Index most_blocks = 64;
 
-/// Cells to look to each side: they are half the radius wide, or a little more.
+/// Cells to search on each side; they are at least half the radius wide.
 constexpr Index reach = 2;
 
-/// Atoms sorted into cells, row by row along x; the box has no walls.
+/// Atoms sorted into cells, row by row along x, in a periodic box.
 class Cells {
   public:
     Cells(const State& state, double radius);
@@ -27,20 +27,20 @@ class Cells {
         const auto k = static_cast<std::size_t>(place);
         return {x_[k], y_[k], z_[k]};
     }
-    /// The atoms at the places [first, last) of the order.
+    /// The atoms with places [first, last) in the order.
     [[nodiscard]] HistogramKernel::Points points(Index first, Index last) const {
         return {x_.data() + first, y_.data() + first, z_.data() + first, static_cast<int>(last - first)};
     }
 
-    /// visit(first, last) for places that together hold all atoms behind `place` within the radius, each once; runs
-    /// that follow each other are joined, as long ones are quicker.
+    /// visit(first, last) for runs of places that together hold all atoms after `place` within the radius, each once.
+    /// Adjacent runs are joined, because long runs are faster.
     template <class Visit>
     void for_each_run_behind(Index place, Visit visit) const;
 
   private:
     using Cell = std::array<Index, 3>;
 
-    /// Cells to look at along an edge: [begin, begin + count) modulo the number of cells.
+    /// Cells to search along an edge: [begin, begin + count) modulo the number of cells.
     struct Window {
         Index begin;
         Index count;
@@ -54,14 +54,14 @@ class Cells {
 
     Vec3 edges_;
     Cell cells_{};
-    std::vector<Index> starts_;  ///< place of the first atom of each cell
+    std::vector<Index> starts_;  ///< place of the first atom in each cell
     std::vector<double> x_, y_, z_;
 };
 
 Cells::Cells(const State& state, double radius) : edges_(state.box().edges()) {
     for (std::size_t a = 0; a < 3; ++a) {
         const double fitting = std::floor(2.0 * edges_[static_cast<Index>(a)] / radius);
-        // More cells than atoms along an edge would be empty.
+        // More cells along an edge than the cube root of the number of atoms would be mostly empty.
         cells_[a] = static_cast<Index>(std::clamp(fitting, 1.0, std::cbrt(static_cast<double>(state.count())) + 1.0));
     }
     const auto count = static_cast<std::size_t>(state.count());
@@ -124,7 +124,7 @@ void Cells::for_each_run_behind(Index place, Visit visit) const {
     const Window x = window(cell[0], 0);
     const Window y = window(cell[1], 1);
     const Window z = window(cell[2], 2);
-    const Index straight = std::min(x.count, cells_[0] - x.begin);  // the rest begins the row again
+    const Index straight = std::min(x.count, cells_[0] - x.begin);  // the rest is at the beginning of the row
     for (Index k = 0; k < z.count; ++k) {
         for (Index j = 0; j < y.count; ++j) {
             const Index row = flat({0, (y.begin + j) % cells_[1], (z.begin + k) % cells_[2]});

@@ -10,7 +10,7 @@ namespace ljmd {
 
 namespace {
 
-/// g - 1 is transformed as zero up to so many times R: wave numbers lie that much closer.
+/// g - 1 is padded with zeros up to this many times R, which makes the spacing of wave numbers smaller by that factor.
 constexpr Index padding = 4;
 
 double sphere(double r) {

@@ -11,9 +11,9 @@ namespace ljmd {
 
 namespace {
 
-/// Series that are transformed together: enough to read whole cache lines of each frame.
+/// Series transformed together: enough to read whole cache lines of each frame.
 constexpr Index batch = 16;
-/// Batches that a thread takes at a time.
+/// Batches per block of a parallel loop.
 constexpr Index batches_a_block = 16;
 
 }  // namespace

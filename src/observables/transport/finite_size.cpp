@@ -8,7 +8,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double lattice_sum = 2.837297;  // of a cubic box
+constexpr double lattice_sum = 2.837297;  // for a cubic box
 
 const ObservableAverage* find(const std::vector<ObservableAverage>& averages, const std::string& name) {
     const auto found = std::ranges::find(averages, name, &ObservableAverage::name);

@@ -8,8 +8,8 @@ namespace ljmd {
 namespace {
 
 constexpr Index windows_for_an_error = 8;
-constexpr double change_without_error = 0.05;  // of the integral
-constexpr double rounding = 1e-12;             // of the integral: all there is where nothing fluctuates
+constexpr double change_without_error = 0.05;  // fraction of the integral
+constexpr double rounding = 1e-12;             // fraction of the integral, for series without fluctuations
 
 double trapezoids(const Eigen::VectorXd& values, Index last, Index stride) {
     double sum = 0.0;

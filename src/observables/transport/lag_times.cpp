@@ -9,7 +9,7 @@ namespace ljmd {
 
 namespace {
 
-/// 2.0 is meant to be 40 times 0.05, though it is a little less in doubles.
+/// Tolerance for ratios such as 2.0/0.05, which may be slightly below 40 in doubles.
 constexpr double rounding = 1e-9;
 
 Index whole_spacings(double time, double spacing) {

@@ -13,7 +13,7 @@ namespace ljmd {
 
 namespace {
 
-/// Weights that make the slope of the least-squares line through values at the times from `start` on.
+/// Weights of the values in the slope of the least-squares line through the times from `start` on.
 Eigen::VectorXd slope_weights(const LagTimes& lags, double start) {
     const Index times = lags.count + 1;
     const auto first = static_cast<Index>(std::ceil(start / lags.spacing * (1.0 - 1e-9)));
@@ -30,7 +30,7 @@ Eigen::VectorXd slope_weights(const LagTimes& lags, double start) {
     return weights / weights.squaredNorm();
 }
 
-/// Sum of the squared differences, block by block.
+/// Sum of squared differences, block by block.
 double square_distance(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
     return join_blocks(
         a.cols(), sum_block, 0.0,
@@ -102,7 +102,7 @@ void MeanSquareDisplacement::archive(Archive& a) {
     a(samples_, frames_, origins_, means_);
     require_count(samples_);
     require_count(frames_);
-    // The origins are those whose largest time has not come: frames n b with 0 < age = frames - n b <= lags.
+    // Incomplete origins are at frames n b with 0 < age = frames - n b <= lags, b = frames_between_origins_.
     Index age = frames_ == 0 ? 0 : (frames_ - 1) % frames_between_origins_ + 1;
     for (auto origin = origins_.rbegin(); origin != origins_.rend(); ++origin, age += frames_between_origins_) {
         if (age < 1 || origin->positions.cols() != atoms_ || origin->found.size() != age ||

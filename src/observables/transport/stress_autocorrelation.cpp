@@ -12,7 +12,7 @@ namespace ljmd {
 
 namespace {
 
-/// The traceless, symmetric part of a tensor as six numbers whose squares add up to those of its nine.
+/// The traceless symmetric part of a tensor as six numbers with the same sum of squares as its nine.
 Eigen::VectorXd shear_part(const Mat3& p) {
     const double mean = p.trace() / 3.0;
     const double root = 0.5 * std::numbers::sqrt2;

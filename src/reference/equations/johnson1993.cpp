@@ -46,12 +46,12 @@ std::array<Taylor, gaussians> coefficients_b(const Taylor& t) {
             x[25] * t2 + x[26] * t4, x[27] * t2 + x[28] * t3, x[29] * t2 + x[30] * t3 + x[31] * t4};
 }
 
-/// Up to this z, the series of G_6 below converges within 40 terms; from it on, the recursion upwards is as exact.
+/// For smaller z, the series of G_6 below converges within 40 terms. From it on, the upward recursion is as accurate.
 constexpr double largest_series_argument = 6.0;
 constexpr int series_terms = 40;
 
-/// G_6 = integral from 0 to rho of x^11 exp(-gamma x^2) dx = rho^12/2 F (1/6 + z/(6 7) + z^2/(6 7 8) + ...),
-/// z = gamma rho^2: every term is positive. Source: NIST Digital Library of Mathematical Functions, 8.7.1
+/// G_6 = integral from 0 to rho of x^11 exp(-gamma x^2) dx = rho^12/2 F (1/6 + z/(6 7) + z^2/(6 7 8) + ...), with z =
+/// gamma rho^2 and all terms positive. Source: NIST Digital Library of Mathematical Functions, 8.7.1
 Taylor last_integral(const Taylor& density2, const Taylor& f) {
     const Taylor z = gamma * density2;
     constexpr int n = gaussians;
@@ -66,8 +66,8 @@ Taylor last_integral(const Taylor& density2, const Taylor& f) {
 
 /// G_1 to G_6 of Table 7, G_i = integral from 0 to rho of x^(2i - 1) exp(-gamma x^2) dx.
 ///
-/// The paper goes upwards: G_1 = (1 - F)/(2 gamma), G_(i + 1) = (2 i G_i - F rho^(2 i))/(2 gamma). At low densities
-/// that is a small difference of large numbers, G_6 of the order rho^12 from terms of the order rho^2; solved for G_i,
+/// The paper uses the upward recursion G_1 = (1 - F)/(2 gamma), G_(i + 1) = (2 i G_i - F rho^(2 i))/(2 gamma). At low
+/// densities it suffers from cancellation: G_6 is of the order rho^12, from terms of the order rho^2. Solved for G_i,
 /// the same relation adds positive terms.
 std::array<Taylor, gaussians> integrals_g(const Taylor& density) {
     const Taylor density2 = density * density;
@@ -92,7 +92,7 @@ std::array<Taylor, gaussians> integrals_g(const Taylor& density) {
     return g;
 }
 
-/// Equation 5: A_res/N = sum of a_i rho^i / i + sum of b_i G_i, here over k_B T.
+/// Equation 5, divided by k_B T: A_res/N = sum of a_i rho^i / i + sum of b_i G_i.
 Taylor residual(const Taylor& temperature, const Taylor& density) {
     const auto a = coefficients_a(temperature);
     const auto b = coefficients_b(temperature);

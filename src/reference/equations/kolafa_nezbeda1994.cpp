@@ -62,7 +62,7 @@ Taylor sum_of(const auto& terms, const Taylor& temperature) {
     return sum;
 }
 
-/// Hard spheres of packing fraction y, A_res/(N k_B T). Source: J. Kolafa, as equation 5 of the paper.
+/// A_res/(N k_B T) of hard spheres with packing fraction y. Source: J. Kolafa, quoted as equation 5 of the paper.
 Taylor hard_spheres(const Taylor& y) {
     const Taylor hole = 1.0 - y;
     return 5.0 / 3.0 * log1p(-y) + y * (34.0 - 33.0 * y + 4.0 * y * y) / (6.0 * hole * hole);

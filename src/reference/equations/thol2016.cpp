@@ -4,7 +4,7 @@
 namespace ljmd {
 
 EquationOfState thol2016() {
-    // Table 2. The third of the terms with d = 3 is -9.9218575; copies with -0.099218575 are in circulation.
+    // Table 2. The coefficient of the third term with d = 3 is -9.9218575; copies with -0.099218575 are in circulation.
     static const MultiparameterForm form{
         .reducing_temperature = 1.32,
         .reducing_density = 0.31,

@@ -7,46 +7,47 @@
 
 namespace ljmd {
 
-/// How near two bodies came to each other, when, and which.
+/// Closest approach of two bodies.
 struct Approach {
     double distance;
     double time;
     Index first;  ///< ids counted from 1, first < second
     Index second;
-    double path_in_step;  ///< relative speed times the length of the step; 0 where there is no step
+    double path_in_step;  ///< relative speed times length of the step; 0 without a step
 
-    /// Whether steps follow the encounter: in one of them the two move by less than half of their distance. Otherwise a
-    /// force that grows as they come near is not felt where it is largest, and neither this distance nor the motion
-    /// afterwards is that of the bodies. At this limit velocity Verlet has the distance to about 1 %.
+    /// Whether steps resolve the encounter: within one of them the bodies move relative to each other by at most half
+    /// their distance. Otherwise a force that grows as they approach is not sampled where it is largest, and neither
+    /// this distance nor the motion afterwards is correct. At this limit velocity Verlet has the distance to about 1 %.
     [[nodiscard]] bool resolved() const { return path_in_step <= 0.5 * distance; }
 
     void archive(Archive& a) { a(distance, time, first, second, path_in_step); }
 };
 
-/// Smallest distance between any two bodies of a system without a box, sampled once a step of the integrator.
+/// Smallest distance between any two bodies of a system without a box, sampled at every step of the integrator.
 ///
-/// The smallest over all samples and over the minima within steps: where r . v of a pair turns from negative to
-/// positive, r is the cubic Hermite polynomial through both samples. Exact to O(h^4) for exact samples.
+/// It is the minimum over all samples and over the minima within steps. Where r . v of a pair turns from negative to
+/// positive, r is interpolated by the cubic Hermite polynomial through both samples. Exact to O(h^4) for exact samples.
 class ClosestApproach {
   public:
-    /// The next sample, at state.time.
+    /// Add the next sample, at state.time.
     /// @pre the state has no box
-    /// @throws ContractViolation unless time increases and the number of bodies stays
+    /// @throws ContractViolation unless time increases and the number of bodies stays the same
     void add(const State& state);
 
-    /// Empty without samples and for fewer than two bodies. Of equal distances the earliest.
+    /// Empty without samples and for fewer than two bodies. The earliest of equal distances.
     [[nodiscard]] const std::optional<Approach>& closest() const { return closest_; }
 
-    /// The earliest minimum of a distance, closest or not, that steps do not resolve. Empty when there is none.
+    /// The earliest minimum of a distance, closest or not, that steps do not resolve. Empty if there is none.
     [[nodiscard]] const std::optional<Approach>& first_unresolved() const { return first_unresolved_; }
 
-    /// @param now  from which samples go on  @throws CheckpointError for samples of other bodies or later times
+    /// @param now  state from which sampling continues  @throws CheckpointError for samples of other bodies or later
+    ///             times
     void archive(Archive& a, const State& now);
 
   private:
     struct Sample {
         double time;
-        Eigen::Matrix3Xd r;  // column of a body: its id
+        Eigen::Matrix3Xd r;  // columns by id
         Eigen::Matrix3Xd v;
 
         void archive(Archive& a) { a(time, r, v); }

@@ -15,37 +15,37 @@
 
 namespace ljmd {
 
-/// The end of one step, the deck's or one that an adaptive integrator takes within it, as an analysis sees it;
-/// state.time is the time.
+/// Sample for an analysis at the end of a step, of the deck or of an adaptive integrator within it. Its time is
+/// state.time.
 struct FewBodySample {
     const State& state;
-    std::optional<PolarAngle> angle;  ///< of a force that has one beside its coordinate (radial-kepler)
+    std::optional<PolarAngle> angle;  ///< for forces with a polar angle besides the coordinate (radial-kepler)
 };
 
-/// A number that was found. Units are those of the deck; angles in rad.
+/// A result that is a single number. Units are those of the deck; angles are in rad.
 struct Finding {
     std::string name;
-    double value;                          ///< NaN where it has none
-    std::optional<double> standard_error;  ///< of a mean over orbits or swings
-    std::string remark = {};               ///< why it has no value
+    double value;                          ///< NaN if it has none
+    std::optional<double> standard_error;  ///< for means over orbits or swings
+    std::string remark = {};               ///< why there is no value
 };
 
-/// Something measured on a few bodies at every step of the sampled stages, and at those that an adaptive integrator
-/// takes within them. Sampling never changes the state.
+/// A measurement on a few bodies, at every step of the sampled stages and at those that an adaptive integrator takes
+/// within them. Sampling never changes the state.
 class FewBodyAnalysis {
   public:
     virtual ~FewBodyAnalysis() = default;
 
     virtual void sample(const FewBodySample& now) = 0;
 
-    /// What has been found so far; what cannot be told yet is left out.
+    /// Results so far; those that cannot be known yet are left out.
     [[nodiscard]] virtual std::vector<Finding> findings() const = 0;
 
-    /// Single events, for a file of their own.
+    /// Single events, which become a file of their own.
     [[nodiscard]] virtual std::optional<DataTable> table() const = 0;
 
-    /// All that sampling has changed.
-    /// @param now  from which it goes on  @throws CheckpointError when that cannot be
+    /// Everything that sampling has changed.
+    /// @param now  state from which sampling continues  @throws CheckpointError if it cannot continue from there
     virtual void archive(Archive& a, const State& now) = 0;
 
   protected:
@@ -54,7 +54,7 @@ class FewBodyAnalysis {
     FewBodyAnalysis& operator=(const FewBodyAnalysis&) = default;
 };
 
-/// What an analysis is asked to look at.
+/// The system that an analysis is applied to.
 struct FewBodyTarget {
     Index bodies;
     int dimensions;
@@ -75,15 +75,15 @@ class FewBodyAnalysisOptions {
     FewBodyAnalysisOptions& operator=(const FewBodyAnalysisOptions&) = default;
 };
 
-/// A kind of analysis that [analysis] of a few-body deck can ask for. One file in src/observables/few_body_analyses
-/// each.
+/// A few-body analysis, as [analysis] of a few-body deck selects it. Each is one file in
+/// src/observables/few_body_analyses.
 struct FewBodyAnalysisMethod {
     std::string name;  ///< the key in [analysis]
     std::string meaning;
     std::function<std::unique_ptr<FewBodyAnalysisOptions>()> options;  ///< at their defaults
 };
 
-/// Every few-body analysis there is, in alphabetical order.
+/// All few-body analyses, in alphabetical order.
 [[nodiscard]] std::vector<FewBodyAnalysisMethod> all_few_body_analyses();
 
 }  // namespace ljmd

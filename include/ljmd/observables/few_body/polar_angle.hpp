@@ -6,25 +6,25 @@
 
 namespace ljmd {
 
-/// The polar angle of a motion whose coordinate is the distance alone, and its rate.
+/// Polar angle of a motion whose only coordinate is the distance, and its rate.
 struct PolarAngle {
-    double value;  ///< [rad], unwrapped, 0 at the first sample
+    double value;  ///< [rad], continuous, 0 at the first sample
     double rate;   ///< [rad/time]
 
     void archive(Archive& a) { a(value, rate); }
 };
 
-/// Finds the angle by quadrature of its rate, theta' = h / rho^2 for a body of specific angular momentum h, with the
-/// trapezoidal rule and its first correction over the steps:
+/// Integrates the rate of the polar angle, theta' = h / rho^2 for a body of specific angular momentum h, by the
+/// trapezoidal rule with its first correction:
 ///
 ///     theta(t + dt) = theta(t) + (dt/2) (theta'(t) + theta'(t + dt)) + (dt^2/12) (theta''(t) - theta''(t + dt))
 ///
-/// Its error is of fourth order in the steps, below that of the integrators of the Verlet family; steps of an adaptive
-/// method may be of any lengths. Source: Abramowitz and Stegun (1964), 25.4.4
+/// The error is of fourth order in the steps, below that of integrators of the Verlet family. Steps may have any
+/// lengths, as those of an adaptive method. Source: Abramowitz and Stegun (1964), 25.4.4
 class PolarAngleQuadrature {
   public:
-    /// The next sample.
-    /// @param slope  of the rate, theta''  @return the angle there
+    /// Add the next sample.
+    /// @param slope  derivative of the rate, theta''  @return the angle there
     PolarAngle add(double time, double rate, double slope) {
         if (last_time_) {
             const double dt = time - *last_time_;
@@ -36,7 +36,8 @@ class PolarAngleQuadrature {
         return angle_;
     }
 
-    /// The motion is turned round: the rate changes its sign, its slope does not. @return the angle, where it was
+    /// The motion is reversed: the rate changes its sign, its derivative does not. @return the angle, which stays the
+    /// same
     PolarAngle turn_round() {
         angle_.rate = -angle_.rate;
         return angle_;

@@ -6,19 +6,19 @@
 
 namespace ljmd {
 
-/// Where a quantity sampled once a step changes sign, a sample that is exactly zero included.
+/// Finds sign changes of a quantity that is sampled once per step, including samples that are exactly zero.
 ///
-/// A zero counts as a change when the signs before and after it differ, or when the series begins with it; it is told
-/// one sample later, when the sign after it is known. A series of zeros changes nothing.
+/// A zero counts as a sign change if the signs before and after it differ, or if the series begins with it. It is
+/// reported one sample later, when the sign after it is known. A series of zeros has no sign changes.
 class SignChanges {
   public:
     enum class Place {
         nowhere,
-        at_last_sample,  ///< the sample before this one is the zero
-        within_step      ///< between the sample before and this one
+        at_last_sample,  ///< the previous sample is the zero
+        within_step      ///< between the previous sample and this one
     };
 
-    /// @param sign  of the next sample: -1, 0 or 1
+    /// Add the next sample. @param sign  -1, 0 or 1
     Place next(int sign) {
         Place place = Place::nowhere;
         if (last_ && sign != 0 && sign != side_) {
@@ -29,13 +29,13 @@ class SignChanges {
         return place;
     }
 
-    /// A sample was told.
+    /// Whether there have been samples.
     [[nodiscard]] bool begun() const { return last_.has_value(); }
 
     void archive(Archive& a) { a(side_, last_); }
 
   private:
-    int side_ = 0;  // the latest sign that was not zero
+    int side_ = 0;  // last sign other than zero
     std::optional<int> last_;
 };
 

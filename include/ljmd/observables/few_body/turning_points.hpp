@@ -12,50 +12,50 @@ namespace ljmd {
 
 enum class Apsis { pericentre, apocentre };
 
-/// One passage of a distance through an extreme.
+/// Passage of a distance through an extreme.
 struct Passage {
     Apsis kind;
     double time;
     double distance;
-    double angle;  ///< unwrapped, see TurningPoints; NaN when the motion began on a line
+    double angle;  ///< continuous, see TurningPoints; NaN if the motion began on a line
 
     void archive(Archive& a) { a(kind, time, distance, angle); }
 };
 
-/// Apsides of an orbit (turning points of a radial motion) from samples of a relative position r and velocity v.
+/// Apsides of an orbit (turning points of a radial motion) from samples of relative position r and velocity v.
 ///
-/// An apsis is where r . v changes sign. Within the step r is the cubic Hermite polynomial through both samples, and
-/// the apsis is where r . dr/dt of that polynomial is zero: distances are exact to O(h^4), times and angles to O(h^3),
-/// for exact samples. A sample with |r . v| <= 1e-12 |r||v| is at an apsis itself; so decks that begin at an apsis have
-/// it as their first passage. A circle has no apsides. Steps must resolve the orbit: two apsides within a step are
-/// not seen.
+/// An apsis is where r . v changes sign. Within a step r is the cubic Hermite polynomial through both samples, and the
+/// apsis is the zero of r . dr/dt of that polynomial. For exact samples, distances are exact to O(h^4), times and
+/// angles to O(h^3). A sample with |r . v| <= 1e-12 |r||v| is itself an apsis, so decks that begin at an apsis have it
+/// as their first passage. A circle has no apsides. Steps must resolve the orbit: two apsides within a step are not
+/// seen.
 ///
-/// Angles lie in the plane of the first sample's angular momentum r x v. They are counted from the first position in
-/// the direction of motion, whichever way it goes, on through the turns; a step may not turn by pi. An orbit that
-/// leaves that plane is projected on it.
+/// Angles lie in the plane perpendicular to the first sample's angular momentum r x v. They are counted from the first
+/// position in the direction of motion, and continuously over several turns; a step may not turn by pi. An orbit that
+/// leaves the plane is projected on it.
 class TurningPoints {
   public:
-    /// The next sample of an orbit. @throws ContractViolation unless time increases
+    /// Add the next sample of an orbit. @throws ContractViolation unless time increases
     void add(double time, const Vec3& r, const Vec3& v);
 
-    /// The next sample of a radial motion: distance rho > 0 and its rate; angle, unwrapped, and its rate are the
-    /// caller's and are interpolated in the same way. A series is made of samples of one sort.
+    /// Add the next sample of a radial motion: distance rho > 0 and its rate. The caller provides a continuous angle
+    /// and its rate, which are interpolated in the same way. The two kinds of samples cannot be mixed.
     /// @throws ContractViolation unless time increases
     void add_radial(double time, double rho, double rho_rate, double angle, double angle_rate);
 
-    /// All passages so far, in time. One exactly at a sample is told with the next sample.
+    /// All passages so far, in order of time. A passage exactly at a sample is reported with the next sample.
     [[nodiscard]] const std::vector<Passage>& passages() const { return passages_; }
 
-    /// Mean time between successive like passages, of pericentres or of apocentres: of the kind whose mean is the
-    /// better known (better_known(); apocentres where both are equal, as the motion is slowest there). Empty when there
-    /// are fewer than two passages of either kind.
+    /// Mean time between successive passages of one kind, pericentres or apocentres: the kind whose mean is better
+    /// known (better_known(); apocentres if both are equal, as the motion is slowest there). Empty if neither kind has
+    /// two passages.
     [[nodiscard]] std::optional<IntervalMean> period() const;
 
-    /// Mean of (angle from one passage to the next like one) - 2 pi [rad/orbit], of the kind that is the better known.
-    /// Positive when the apsides turn in the direction of motion. Empty as for period(), and when no angle is swept.
+    /// Mean angle between successive passages of one kind, minus 2 pi [rad/orbit], for the kind that is better known.
+    /// Positive if the apsides turn in the direction of motion. Empty as for period(), and if no angle is swept.
     [[nodiscard]] std::optional<IntervalMean> precession() const;
 
-    /// @param now  from which samples go on  @throws CheckpointError for samples of later times
+    /// @param now  time from which sampling continues  @throws CheckpointError for samples of later times
     void archive(Archive& a, double now);
 
   private:
@@ -64,7 +64,7 @@ class TurningPoints {
         Vec3 r;
         Vec3 v;
         double angle;
-        std::optional<double> angle_rate;  // of a radial motion
+        std::optional<double> angle_rate;  // for radial motion
 
         void archive(Archive& a) { a(time, r, v, angle, angle_rate); }
     };
@@ -78,7 +78,7 @@ class TurningPoints {
     std::optional<Sample> last_;
     SignChanges changes_;
     Vec3 axis_ = Vec3::Zero();     // unit vector along the first position
-    Vec3 forward_ = Vec3::Zero();  // unit vector across it, in the direction of motion
+    Vec3 forward_ = Vec3::Zero();  // unit vector perpendicular to it, in the direction of motion
     std::vector<Passage> passages_;
 };
 

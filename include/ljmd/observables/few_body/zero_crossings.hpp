@@ -11,7 +11,7 @@ namespace ljmd {
 
 enum class Direction { upward, downward };
 
-/// One passage of a coordinate through zero.
+/// Passage of a coordinate through zero.
 struct ZeroCrossing {
     Direction direction;
     double time;
@@ -19,26 +19,26 @@ struct ZeroCrossing {
     void archive(Archive& a) { a(direction, time); }
 };
 
-/// Passages of a coordinate (the angle of a pendulum) through zero and its largest excursion, from samples of its value
-/// and rate. Within a step the coordinate is the cubic Hermite polynomial through both samples: for exact samples times
-/// and amplitude are exact to O(h^4). A sample that is exactly zero is a crossing when the signs before and after it
-/// differ, or when the series begins with it. Steps must resolve the motion: two crossings within a step are not seen.
+/// Zero crossings of a coordinate (the angle of a pendulum) and its largest excursion, from samples of its value and
+/// rate. Within a step the coordinate is the cubic Hermite polynomial through both samples; for exact samples, times
+/// and amplitude are exact to O(h^4). A sample that is exactly zero is a crossing if the signs before and after it
+/// differ, or if the series begins with it. Steps must resolve the motion: two crossings within a step are not seen.
 class ZeroCrossings {
   public:
-    /// The next sample. @throws ContractViolation unless time increases
+    /// Add the next sample. @throws ContractViolation unless time increases
     void add(double time, double x, double rate);
 
-    /// All crossings so far, in time. One exactly at a sample is told with the next sample.
+    /// All crossings so far, in order of time. A crossing exactly at a sample is reported with the next sample.
     [[nodiscard]] const std::vector<ZeroCrossing>& crossings() const { return crossings_; }
 
-    /// Mean time between successive like crossings, of the direction whose mean is the better known (better_known()).
-    /// Empty when there are fewer than two crossings of either direction.
+    /// Mean time between successive crossings in one direction: the direction whose mean is better known
+    /// (better_known()). Empty if neither direction has two crossings.
     [[nodiscard]] std::optional<IntervalMean> period() const;
 
-    /// Largest |x| so far, extremes within the steps included; 0 without samples.
+    /// Largest |x| so far, including extremes within steps; 0 without samples.
     [[nodiscard]] double amplitude() const { return amplitude_; }
 
-    /// @param now  from which samples go on  @throws CheckpointError for samples of later times
+    /// @param now  time from which sampling continues  @throws CheckpointError for samples of later times
     void archive(Archive& a, double now);
 
   private:

@@ -8,80 +8,80 @@
 
 namespace ljmd {
 
-/// What a correlated series tells about a mean.
+/// Mean of a correlated series with its standard error.
 struct Estimate {
     double mean;                 ///< NaN without samples
     double standard_error;       ///< one standard deviation of the mean; NaN with fewer than 4 samples
-    double independent_samples;  ///< variance of the series / standard_error^2, at most `samples`; NaN like the error
+    double independent_samples;  ///< variance of the series / standard_error^2, at most `samples`; NaN if the error is
     Index samples;
-    bool converged;  ///< false: the series is too short for its correlations, the error is a guess (see below)
+    bool converged;  ///< false: the series is too short for its correlations, and the error is a guess (see below)
 };
 
-/// One point of the blocking curve: the error of the mean if blocks of this length are taken as independent.
+/// A point of the blocking curve: the error of the mean if blocks of this length are taken as independent.
 struct BlockLevel {
-    Index length;                 ///< samples a block, a power of two
-    Index blocks;                 ///< complete blocks of that length, at least 2
-    double standard_error;        ///< of the mean of all samples
+    Index length;                 ///< samples per block, a power of two
+    Index blocks;                 ///< number of complete blocks, at least 2
+    double standard_error;        ///< of the mean over all samples
     double relative_uncertainty;  ///< of standard_error itself: 1 / sqrt(2 (blocks - 1))
 };
 
-/// What is kept of each level: the variances of the components, or also how they vary together.
+/// What each level keeps: variances of the components, or all their covariances.
 enum class Covariance { diagonal, full };
 
-/// Streaming block averages of a vector-valued, time-correlated series: mean and standard error of each component, and
-/// of functions of the means, without storing the series.
+/// Streaming block averages of a vector-valued, time-correlated series. Gives mean and standard error of each component
+/// and of functions of the means, without storing the series.
 ///
 /// Level k averages the series over consecutive blocks of B = 2^k samples. From the variance s_k^2 of its complete
 /// blocks, the standard error of the mean of all n samples is
 ///
 ///     e_k = s_k sqrt(B / n)
 ///
-/// It grows with k until blocks are longer than the correlation time. The error reported is e_k of the shortest blocks
-/// with B^3 > 2 n max(1, e_k/e_0)^4, which balances what short blocks miss against the scatter of few blocks, among
-/// the levels with at least 16 blocks (the error is then known to 18 %); that takes about a hundred independent
-/// samples. When none satisfies it, the error is the largest e_k of the levels with at least 4 blocks, and `converged`
-/// says whether it can be relied upon: at least 16 independent samples have been found, and where blocks become as long
-/// as 16 of them can be, e_k no longer grows by more than a factor 1.3 (by sqrt(2) where blocks are shorter than
-/// correlations). A constant series has the error 0.
+/// It grows with k until blocks are longer than the correlation time. The reported error is e_k of the shortest blocks
+/// with B^3 > 2 n max(1, e_k/e_0)^4 among the levels with at least 16 blocks, whose error is known to 18 %. This
+/// condition balances the bias of short blocks against the scatter of few blocks; it takes about a hundred independent
+/// samples. If no level satisfies it, the error is the largest e_k of the levels with at least 4 blocks. Then
+/// `converged` says whether it is reliable. It is if there are at least 16 independent samples, and if e_k grows by at
+/// most a factor of 1.3 at the longest blocks of which there are 16 (where blocks are shorter than correlations it
+/// grows by sqrt(2)). A constant series has the error 0.
 ///
-/// Over many autoregressive series, white to a correlation time of 100 samples, the scatter of the means is 0.85 to 1.2
-/// times the converged errors wherever there are more than 16 independent samples; with 50 of them 99 % of the series
-/// are called converged, with 10 of them one of five, with 5 one of twenty.
+/// Test with many autoregressive series, white or with correlation times up to 100 samples: the scatter of the means is
+/// 0.85 to 1.2 times the converged errors wherever there are more than 16 independent samples. With 50 independent
+/// samples 99 % of the series count as converged, with 10 one in five, with 5 one in twenty.
 ///
 /// Memory: 24 width bytes for each doubling of n, or 4 width (width + 5) with Covariance::full. Means are pairwise
-/// sums: their round-off grows like log n. A sample that is not finite makes mean and error of its component NaN.
+/// sums, whose round-off grows like log n. A sample that is not finite makes mean and error of its component NaN.
 /// Sources: Flyvbjerg and Petersen (1989), doi:10.1063/1.457480; choice of the level: Lee et al. (2011),
 /// doi:10.1103/PhysRevE.83.066706.
 class BlockingAccumulator {
   public:
-    /// @param width  components of a sample
+    /// @param width  number of components of a sample
     /// @throws ContractViolation if width < 1
     BlockingAccumulator(Index width, Covariance covariance);
 
     /// Add the next sample of the series. @throws ContractViolation unless it has `width` components
     void add(const Eigen::VectorXd& sample);
 
-    /// Bytes that the averages of so many samples take, in memory and in a checkpoint.
+    /// Memory of the averages of `samples` samples, also in a checkpoint [bytes].
     [[nodiscard]] static double bytes(Index width, Covariance covariance, Index samples);
 
     [[nodiscard]] Index width() const { return width_; }
     [[nodiscard]] Index samples() const;
 
-    /// Means of all components: NaN without samples.
+    /// Means of all components; NaN without samples.
     [[nodiscard]] Eigen::VectorXd mean() const;
 
     /// Mean and error of one component. @throws ContractViolation unless 0 <= component < width
     [[nodiscard]] Estimate estimate(Index component) const;
 
-    /// Estimate of a function f of the means by the delta method: error of the series g . x, g = df/dmean at the means.
-    /// For ratios such as Z = p / (rho T). f must be smooth over a few standard errors.
+    /// Estimate of a function f of the means by the delta method: the error is that of the series g . x with g =
+    /// df/dmean at the means. For ratios such as Z = p / (rho T). f must be smooth over a few standard errors.
     ///
     /// @param value     f(mean)
     /// @param gradient  df/dmean, `width` components
-    /// @throws ContractViolation with Covariance::diagonal, or for another number of components
+    /// @throws ContractViolation with Covariance::diagonal, or for a wrong number of components
     [[nodiscard]] Estimate estimate(double value, const Eigen::VectorXd& gradient) const;
 
-    /// The blocking curve of one component: its levels with at least 2 blocks, shortest blocks first.
+    /// Blocking curve of one component: its levels with at least 2 blocks, shortest blocks first.
     /// @throws ContractViolation unless 0 <= component < width
     [[nodiscard]] std::vector<BlockLevel> levels(Index component) const;
 
@@ -91,18 +91,18 @@ class BlockingAccumulator {
   private:
     struct Level {
         Index blocks = 0;
-        Eigen::VectorXd mean;       // running mean of the blocks
-        Eigen::VectorXd deviation;  // running sum of their squared deviations, as the covariance is kept
-        Eigen::VectorXd pending;    // the block that waits for its partner, when `blocks` is odd
+        Eigen::VectorXd mean;       // running mean over the blocks
+        Eigen::VectorXd deviation;  // running sum of squared deviations (products with Covariance::full)
+        Eigen::VectorXd pending;    // the block that waits for its partner, if `blocks` is odd
 
         void archive(Archive& a) { a(blocks, mean, deviation, pending); }
     };
 
-    /// What is kept of products of deviations: a number a component; or, with Covariance::full, the lower triangle of
-    /// their matrix, column by column from the diagonal down.
+    /// Number of products of deviations that are kept: one per component, or with Covariance::full the lower triangle
+    /// of their matrix, column by column from the diagonal down.
     [[nodiscard]] static Index products(Index width, Covariance covariance);
     [[nodiscard]] Index kept_products() const { return products(width_, covariance_); }
-    [[nodiscard]] Index diagonal(Index component) const;  ///< its place among them
+    [[nodiscard]] Index diagonal(Index component) const;  ///< index of its variance among the products
 
     void accumulate(Level& level, const Eigen::VectorXd& block) const;
     void check(Index component) const;

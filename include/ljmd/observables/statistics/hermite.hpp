@@ -4,11 +4,11 @@
 
 namespace ljmd {
 
-/// A quantity within one time step, from its values and rates at both ends: the cubic Hermite polynomial.
+/// Cubic Hermite polynomial: a quantity within one time step, from its values and rates at both ends.
 ///
 ///     x(t0 + s h) = x0 + w (x1 - x0) + h s (1-s) [(1-s) v0 - s v1],  w = s^2 (3 - 2 s),  0 <= s <= 1
 ///
-/// The error of the value is at most h^4/384 max|x''''|, that of the rate is O(h^3).
+/// The error of the value is at most h^4/384 max|x''''|; that of the rate is O(h^3).
 /// Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I (1993), section II.6.
 /// @tparam T  double or Vec3
 template <class T>
@@ -34,8 +34,8 @@ struct HermiteStep {
     }
 };
 
-/// Where in a step, 0 <= s <= 1, a continuous f changes sign: by bisection, to 1e-18.
-/// @pre f(0) and f(1) are of opposite sign; with several changes of sign it is one of them
+/// A sign change of a continuous f in a step, 0 <= s <= 1, by bisection to 1e-18.
+/// @pre f(0) and f(1) have opposite signs; with several sign changes the result is one of them
 template <class Function>
 [[nodiscard]] double root_in_step(const Function& f) {
     constexpr int bisections = 60;

@@ -8,11 +8,11 @@
 
 namespace ljmd {
 
-/// Streaming least-squares slope of y against t: the drift of the energy [epsilon/tau] over a stage.
+/// Streaming least-squares slope of y against t, such as the energy drift over a stage [epsilon/tau].
 ///
 ///     slope = sum (t - <t>)(y - <y>) / sum (t - <t>)^2
 ///
-/// The sums are kept about the running means (Welford), so that large offsets of t and y cost no digits of the slope.
+/// Sums are kept about the running means (Welford), so that large offsets of t and y cost no digits of the slope.
 /// Source: B. P. Welford (1962), doi:10.1080/00401706.1962.10490022
 class LinearTrend {
   public:
@@ -21,7 +21,7 @@ class LinearTrend {
 
     [[nodiscard]] Index samples() const { return samples_; }
 
-    /// Empty when no line is defined: fewer than 2 points, or all at the same t.
+    /// Empty if no line is defined: fewer than 2 points, or all at the same t.
     [[nodiscard]] std::optional<double> slope() const;
 
     void archive(Archive& a) {

@@ -5,19 +5,19 @@
 
 namespace ljmd {
 
-/// Verlet's translational order parameter: how much is left of the crystal that a run started from.
+/// Verlet's translational order parameter: how much of the initial crystal is left.
 ///
 ///     lambda = (1/3N) sum_i [cos(k_x x_i) + cos(k_y y_i) + cos(k_z z_i)],  k_a = 2 pi n_a / L_a
 ///
-/// with n_a the lattice planes along edge a: 2 for each fcc cell (k = 4 pi / a), 1 for each simple-cubic cell. 1 on the
-/// lattice sites; in a fluid it fluctuates about 0 by (6N)^(-1/2).
+/// with n_a the number of lattice planes along edge a: 2 per fcc cell (k = 4 pi / a), 1 per simple-cubic cell. It is 1
+/// on the lattice sites and fluctuates about 0 by (6N)^(-1/2) in a fluid.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98
 class TranslationalOrder {
   public:
-    /// @param cells  cubic cells along each edge of the box
+    /// @param cells  number of cubic cells along each edge of the box
     TranslationalOrder(Lattice lattice, Index cells);
 
-    /// @pre the state's box is the one that was filled with the lattice, or that box scaled
+    /// @pre the state's box is the one that was filled with the lattice, possibly scaled
     [[nodiscard]] double operator()(const State& state) const;
 
   private:

@@ -8,18 +8,18 @@
 
 namespace ljmd {
 
-/// Radial distribution function by a histogram of pair distances, and what follows from it.
+/// Radial distribution function from a histogram of pair distances, and quantities that follow from it.
 ///
 ///     g(r_k) = <n_k> / (N (N - 1)/V * shell_k),  shell_k = (4 pi/3) (r_{k+1}^3 - r_k^3)
 ///     S(k)   = 1 + 4 pi ((N - 1)/V) integral from 0 to R of r^2 (g(r) - 1) sin(k r)/(k r) dr
 ///
-/// n_k: ordered pairs with distance in [r_k, r_{k+1}). N (N - 1), not N^2, makes g of an ideal gas 1 for every N. The
-/// integral is a sine transform by the midpoint rule; what g does beyond R is missing, which makes ripples of wave
-/// length 2 pi/R. StructureFactor has none.
-/// Standard errors by blocking over the sampled configurations.
-/// Table `rdf`: r (middle of the bin) [sigma], g, g_standard_error, coordination_number (atoms closer than the bin's
-/// end), its error. Table `sk_from_rdf`: k [1/sigma], S, its error, for k = pi m/(4 R), m = 1 ... bins.
-/// Observable: coordination_number, of the atoms within the first minimum of g, see coordination_number.hpp.
+/// n_k: ordered pairs with distance in [r_k, r_{k+1}). With N (N - 1) instead of N^2, g of an ideal gas is 1 for every
+/// N. The integral is a sine transform by the midpoint rule. It lacks g beyond R, which causes ripples of wave length 2
+/// pi/R. StructureFactor has none.
+/// Standard errors by block averaging over the sampled configurations.
+/// Table `rdf`: r (middle of the bin) [sigma], g, g_standard_error, coordination_number (atoms within the end of the
+/// bin), its error. Table `sk_from_rdf`: k [1/sigma], S, its error, for k = pi m/(4 R), m = 1 ... bins.
+/// Observable: coordination_number, of atoms within the first minimum of g, see coordination_number.hpp.
 /// Source: Allen and Tildesley, 2nd ed., section 8.2; Verlet (1968), doi:10.1103/PhysRev.165.201
 class RadialDistribution : public Analysis {
   public:
@@ -44,7 +44,7 @@ class RadialDistribution : public Analysis {
     Every every_;
     SineTransform sines_;
     CoordinationNumber::Division division_;
-    BlockingAccumulator means_;  ///< g, coordination number and S of each bin, one behind the other
+    BlockingAccumulator means_;  ///< g, coordination number and S, each for all bins
     CoordinationNumber neighbors_;
 };
 

@@ -9,23 +9,23 @@
 
 namespace ljmd {
 
-/// Structure factor at the wave vectors that the box allows:
+/// Structure factor at the wave vectors of a periodic box:
 ///
 ///     S(k) = <|rho(k)|^2>/N,   rho(k) = sum_j exp(-i k . r_j),   0 < |k| <= k_max
 ///
-/// averaged over all wave vectors in shells of thickness `width`; shells that hold none are left out. Standard errors
-/// by blocking over the sampled configurations. Table `sk`: k (mean of |k| in the shell) [1/sigma], S,
-/// S_standard_error, vectors (k and -k count once). Source: Hansen and McDonald, Theory of Simple Liquids, section 4.1;
+/// averaged over all wave vectors in shells of thickness `width`; empty shells are left out. Standard errors by block
+/// averaging over the sampled configurations. Table `sk`: k (mean of |k| in the shell) [1/sigma], S, S_standard_error,
+/// vectors (k and -k count once). Source: Hansen and McDonald, Theory of Simple Liquids, section 4.1;
 /// Verlet (1968), doi:10.1103/PhysRev.165.201
 class StructureFactor : public Analysis {
   public:
-    /// Which way rho(k) is computed.
+    /// How rho(k) is computed, see density_modes.hpp.
     enum class Method { direct, grid };
 
-    /// The numbers (n_x, n_y, n_z) that |k| <= k_max allows, in each direction.
+    /// Largest numbers (n_x, n_y, n_z), each along its direction, with |k| <= k_max.
     [[nodiscard]] static DensityModes::Numbers largest_numbers(const Box& box, double k_max);
 
-    /// @throws ContractViolation when the box allows no wave vector up to k_max, or the width is not positive
+    /// @throws ContractViolation if the box has no wave vector up to k_max, or unless the width is positive
     StructureFactor(const Box& box, double k_max, double width, Method method, Every every);
 
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
@@ -35,10 +35,10 @@ class StructureFactor : public Analysis {
     void archive(Archive& a) override { a(means_); }
 
   private:
-    /// Calls visit(n_z, shell, |k|) for the wave vectors of a rod, one of each pair k and -k.
+    /// Calls visit(n_z, shell, |k|) for the wave vectors of a rod, with one of each pair k and -k.
     template <class Visit>
     void for_each_in_rod(Index n_x, Index n_y, Visit visit) const;
-    /// Calls visit(n_x, n_y) for the rods of a plane.
+    /// Calls visit(n_y) for the rods with n_x.
     template <class Visit>
     void for_each_rod(Index n_x, Visit visit) const;
     [[nodiscard]] Index rod_length(Index n_x, Index n_y) const;
@@ -49,7 +49,7 @@ class StructureFactor : public Analysis {
     Every every_;
     DensityModes::Numbers largest_;
     std::unique_ptr<DensityModes> modes_;
-    Eigen::VectorXd vectors_;     ///< in each shell
+    Eigen::VectorXd vectors_;     ///< number of wave vectors in each shell
     Eigen::VectorXd magnitudes_;  ///< mean |k| in each shell
     BlockingAccumulator means_;   ///< S of each shell
 };

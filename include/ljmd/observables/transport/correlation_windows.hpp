@@ -9,28 +9,29 @@
 
 namespace ljmd {
 
-/// Autocorrelation of many series, summed over them, window by window:
+/// Autocorrelation of many series, summed over the series, window by window:
 ///
 ///     C_k = 1/(W - k) * sum over series s, sum_{t=0}^{W-k-1} x_s(t) x_s(t + k),  k = 0 ... lags
 ///
-/// W frames make a window; windows follow one another without a gap and do not overlap. Every pair of frames within
-/// a window counts. By Wiener and Khinchin's theorem: series are padded with zeros to at least W + lags, so that their
-/// ends do not meet, and transformed; the squares of what comes out are summed over the series and transformed back.
-/// Time O(series W log W); memory 8 series W bytes. Round-off: 1e-15 of C_0. Every thread count gives the same bits.
+/// A window has W frames. Windows follow one another without gap or overlap. Every pair of frames within a window
+/// counts. Computed by the Wiener-Khinchin theorem: series are padded with zeros to at least W + lags, so that
+/// correlations do not wrap around, and transformed; their squares are summed over the series and transformed back.
+/// Time O(series W log W); memory 8 series W bytes. Round-off: 1e-15 of C_0. The bits do not depend on the number of
+/// threads.
 /// Source: Allen and Tildesley, 2nd ed., section 8.3 and appendix D
 class CorrelationWindows {
   public:
-    /// @param series  numbers in a frame
+    /// @param series  numbers per frame
     /// @param lags    at least 1
-    /// @param window  W, more than `lags`
+    /// @param window  W, greater than `lags`
     /// @throws ContractViolation
     CorrelationWindows(Index series, Index lags, Index window);
 
-    /// Add the next frame. @return C_0 ... C_lags when it completes a window
+    /// Add the next frame. @return C_0 ... C_lags if it completes a window
     /// @throws ContractViolation unless it has `series` numbers
     std::optional<Eigen::VectorXd> add(const Eigen::VectorXd& frame);
 
-    /// Forget the window that has begun.
+    /// Discard the incomplete window.
     void interrupt() { frames_.clear(); }
 
     /// @throws CheckpointError for a window of another size
@@ -44,10 +45,10 @@ class CorrelationWindows {
     Index window_;
     RealTransform forward_;
     InverseRealTransform backward_;
-    std::vector<double> frames_;  ///< one behind the other
+    std::vector<double> frames_;  ///< frame by frame
 };
 
-/// Integral of a function from 0 to each of the equally spaced times where it is known, by the trapezoidal rule.
+/// Integral of a function from 0 to each of the equally spaced times at which it is known, by the trapezoidal rule.
 /// @pre at least one value
 [[nodiscard]] Eigen::VectorXd running_integral(const Eigen::VectorXd& values, double spacing);
 

@@ -7,7 +7,7 @@
 
 namespace ljmd {
 
-/// The times apart at which a time correlation function is measured: 0, h, 2 h, ... count * h.
+/// Time differences at which a time correlation function is measured: 0, h, 2 h, ... count * h.
 struct LagTimes {
     Index every;     ///< steps between configurations
     Index count;     ///< at least 1
@@ -43,8 +43,8 @@ struct LagOptions {
     UsualLags usual_;
 };
 
-/// Configurations in a window over which correlations at these times are averaged: twice as many as the largest one
-/// spans, or what the longest sampled stage holds; always more than lags.count.
+/// Number of configurations in a window for correlations at these times: twice as many as the largest time spans, or as
+/// many as the longest sampled stage has; always greater than lags.count.
 [[nodiscard]] Index correlation_window(const LagTimes& lags, const SampledRun& run);
 
 }  // namespace ljmd

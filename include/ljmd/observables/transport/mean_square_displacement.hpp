@@ -6,21 +6,22 @@
 
 namespace ljmd {
 
-/// Mean-square displacement and diffusion by Einstein's relation:
+/// Mean-square displacement, and diffusion by Einstein's relation:
 ///
 ///     msd(t) = 1/N sum_i |r_i(t0 + t) - r_i(t0)|^2,   D = 1/6 d msd/dt
 ///
-/// Positions are those without walls (State::unwrapped). Time origins t0 are equally spaced, `origins` of them within
-/// the largest time; the slope is that of the least-squares line from fit_start to the largest time, origin by origin.
-/// Standard errors by blocking over origins, which overlap in time. The momentum of the system is zero in a run
-/// at constant energy; where a thermostat moves the centre of mass, that is part of the displacement.
+/// Positions are unwrapped (State::unwrapped). Time origins t0 are equally spaced, `origins` of them within the largest
+/// time. The slope is that of the least-squares line from fit_start to the largest time, for each origin. Standard
+/// errors by block averaging over origins, which overlap in time. At constant energy the total momentum is zero; if a
+/// thermostat moves the centre of mass, that is part of the displacement.
 ///
 /// Table `msd`: time [tau], msd [sigma^2], its error. Observable: diffusion.
-/// Memory: 24 bytes an atom and origin. Source: Allen and Tildesley, 2nd ed., section 8.4
+/// Memory: 24 bytes per atom and origin. Source: Allen and Tildesley, 2nd ed., section 8.4
 class MeanSquareDisplacement : public Analysis {
   public:
-    /// @param origins  at least 1; no more than lags.count are of use
-    /// @throws ContractViolation unless at least two times lie between fit_start [tau] and the largest one
+    /// @param origins  at least 1; more than lags.count have no effect
+    /// @throws ContractViolation unless at least two times lie between fit_start [tau] and the largest one, both
+    /// included
     MeanSquareDisplacement(Index atoms, const LagTimes& lags, Index origins, double fit_start);
 
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
@@ -34,7 +35,7 @@ class MeanSquareDisplacement : public Analysis {
   private:
     struct Origin {
         Eigen::Matrix3Xd positions;  ///< unwrapped, by id
-        Eigen::VectorXd found;       ///< msd at each time that has passed
+        Eigen::VectorXd found;       ///< msd at each time passed so far
 
         void archive(Archive& a) { a(positions, found); }
     };
@@ -43,11 +44,11 @@ class MeanSquareDisplacement : public Analysis {
     LagTimes lags_;
     Every every_;
     Index frames_between_origins_;
-    Eigen::VectorXd slope_;  ///< weights: slope = slope_ . msd
+    Eigen::VectorXd slope_;  ///< weights of the least-squares line: slope = slope_ . msd
     Index samples_ = 0;
-    Index frames_ = 0;             ///< since the last interruption
-    std::vector<Origin> origins_;  ///< those whose largest time has not come, oldest first
-    BlockingAccumulator means_;    ///< msd at each time, D
+    Index frames_ = 0;             ///< frames since the last interruption
+    std::vector<Origin> origins_;  ///< incomplete origins, oldest first
+    BlockingAccumulator means_;    ///< msd at each time, then D
 };
 
 }  // namespace ljmd

@@ -7,23 +7,23 @@
 
 namespace ljmd {
 
-/// Stress autocorrelation and shear viscosity by Green and Kubo's relation, from all components of the traceless,
-/// symmetric part of the stress P, here the mechanical_stress():
+/// Stress autocorrelation and shear viscosity by the Green-Kubo relation, from all components of the traceless
+/// symmetric part of the stress P = mechanical_stress():
 ///
 ///     P'_ab  = (P_ab + P_ba)/2 - delta_ab tr P/3
 ///     C(t)   = <sum_ab P'_ab(0) P'_ab(t)>/10
 ///     eta(t) = V/T integral from 0 to t of C,   eta = eta(max_time)
 ///
-/// An isotropic fluid has <P_xy(0) P_xy(t)> = C(t); the sum is ten times that. Averages over all time origins within
-/// windows of twice the largest time; standard errors by blocking over windows; T is the mean of the sampled
-/// configurations. Tail corrections have no part in it.
+/// In an isotropic fluid <P_xy(0) P_xy(t)> = C(t), and the sum is ten times that. Averages are over all time origins
+/// within windows of twice the largest time; standard errors by block averaging over windows; T is the mean over the
+/// sampled configurations. Tail corrections do not contribute.
 /// Table `stress_autocorrelation`: time [tau], stress_autocorrelation [epsilon^2/sigma^6], its error, viscosity eta(t)
-/// [epsilon tau/sigma^3], its error. Observable: viscosity. Where configurations are too far
-/// apart (see green_kubo.hpp) it has no value, nor has eta(t).
+/// [epsilon tau/sigma^3], its error. Observable: viscosity. If configurations are too far apart (see green_kubo.hpp),
+/// neither viscosity nor eta(t) has a value.
 /// Source: Daivis and Evans (1994), doi:10.1063/1.466970; Allen and Tildesley, 2nd ed., section 8.4
 class StressAutocorrelation : public Analysis {
   public:
-    /// @param window  configurations in a window, more than lags.count
+    /// @param window  configurations per window, greater than lags.count
     StressAutocorrelation(const Box& box, const LagTimes& lags, Index window);
 
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
@@ -36,19 +36,19 @@ class StressAutocorrelation : public Analysis {
     void archive(Archive& a) override { a(samples_, window_, in_window_, temperature_sum_, means_); }
 
   private:
-    /// V/T; NaN where there is no temperature.
+    /// V/T; NaN if there is no temperature.
     [[nodiscard]] double viscosity_per_integral() const;
     [[nodiscard]] Estimate viscosity() const;
-    [[nodiscard]] double change_of_viscosity() const;  ///< with every second configuration
+    [[nodiscard]] double change_of_viscosity() const;  ///< if only every second configuration is used
 
     double volume_;
     LagTimes lags_;
     Every every_;
     Index samples_ = 0;
     CorrelationWindows window_;
-    Index in_window_ = 0;           ///< configurations in the window that has begun
-    double temperature_sum_ = 0.0;  ///< over them
-    BlockingAccumulator means_;     ///< C, its integral, T, the change of the integral at twice the spacing
+    Index in_window_ = 0;           ///< configurations in the incomplete window
+    double temperature_sum_ = 0.0;  ///< sum of their temperatures
+    BlockingAccumulator means_;     ///< C, its integral, T, and the change of the integral at double spacing
 };
 
 }  // namespace ljmd

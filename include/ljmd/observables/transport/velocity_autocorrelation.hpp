@@ -7,22 +7,22 @@
 
 namespace ljmd {
 
-/// Velocity autocorrelation, diffusion by Green and Kubo's relation, and vibrational spectrum:
+/// Velocity autocorrelation, diffusion by the Green-Kubo relation, and vibrational spectrum:
 ///
 ///     C(t)  = 1/N sum_i <v_i(0) . v_i(t)>                              C(0) = 3 T (1 - 1/N)
 ///     D(t)  = 1/3 integral from 0 to t of C                            by the trapezoidal rule; D = D(max_time)
 ///     I(w)  = 2/pi integral from 0 to max_time of C(t)/C(0) cos(w t) dt
 ///
-/// The integral of I over w from 0 on is 1, I(0) = 6 D/(pi C(0)). Averages over atoms and, within windows of twice the
-/// largest time, over all time origins; standard errors by blocking over windows.
+/// The integral of I over w >= 0 is 1, and I(0) = 6 D/(pi C(0)). Averages are over atoms and, within windows of twice
+/// the largest time, over all time origins; standard errors by block averaging over windows.
 /// Tables: `vacf`: time [tau], vacf [epsilon/m], its error, vacf_normalized C(t)/C(0), diffusion D(t) [sigma^2/tau],
 /// its error. `vibrational_spectrum`: angular_frequency [1/tau], spectrum [tau], its error. Observable:
-/// diffusion_green_kubo. Where configurations are too far apart (see green_kubo.hpp) it has no value, nor has D(t), and
-/// there is no spectrum. What C has left beyond max_time is missing in D, and makes ripples in I. Sources: Rahman
-/// (1964), doi:10.1103/PhysRev.136.A405; Kubo (1966), doi:10.1088/0034-4885/29/1/306
+/// diffusion_green_kubo. If configurations are too far apart (see green_kubo.hpp), neither it nor D(t) has a value, and
+/// there is no spectrum. Correlations beyond max_time are missing in D and cause ripples in I. Sources: Rahman (1964),
+/// doi:10.1103/PhysRev.136.A405; Kubo (1966), doi:10.1088/0034-4885/29/1/306
 class VelocityAutocorrelation : public Analysis {
   public:
-    /// @param window  configurations in a window, more than lags.count
+    /// @param window  configurations per window, greater than lags.count
     VelocityAutocorrelation(Index atoms, const LagTimes& lags, Index window);
 
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
@@ -35,7 +35,7 @@ class VelocityAutocorrelation : public Analysis {
 
   private:
     [[nodiscard]] Estimate diffusion() const;
-    [[nodiscard]] double change_of_diffusion() const;  ///< with every second configuration
+    [[nodiscard]] double change_of_diffusion() const;  ///< if only every second configuration is used
 
     Index atoms_;
     LagTimes lags_;
@@ -43,7 +43,7 @@ class VelocityAutocorrelation : public Analysis {
     CosineTransform cosines_;
     Index samples_ = 0;
     CorrelationWindows window_;
-    BlockingAccumulator means_;  ///< C, D, the integrals of C cos(w t); last, the change of D at twice the spacing
+    BlockingAccumulator means_;  ///< C, D, the integrals of C cos(w t), and last the change of D at double spacing
 };
 
 }  // namespace ljmd

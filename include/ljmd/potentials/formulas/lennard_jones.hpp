@@ -10,7 +10,7 @@
 namespace ljmd {
 
 /// Lennard-Jones 12-6: u(r) = 4 (r^-12 - r^-6), w(r) = -u'(r)/r = 24 r^-2 (2 r^-12 - r^-6), in units of sigma and
-/// epsilon. Untruncated: truncation is a wrapper, see truncation.hpp. Source: J. E. Jones (1924),
+/// epsilon. Untruncated; truncations are wrappers, see truncation.hpp. Source: J. E. Jones (1924),
 /// doi:10.1098/rspa.1924.0082
 class LennardJones {
   public:
@@ -29,7 +29,7 @@ class LennardJones {
         return {Real(4) * s6 * (s6 - Real(1)), d.inverse_r2 * s6 * multiply_add(Real(48), s6, Real(-24))};
     }
 
-    /// Closed form: integral of u r^2 = 4 (R^-9/9 - R^-3/3), of w r^4 = 24 (2 R^-9/9 - R^-3/3).
+    /// Tail integrals in closed form: of u r^2, 4 (R^-9/9 - R^-3/3); of w r^4, 24 (2 R^-9/9 - R^-3/3).
     [[nodiscard]] TailIntegrals tail(double radius) const {
         const double r3 = 1.0 / (radius * radius * radius);
         const double r9 = r3 * r3 * r3;

@@ -10,7 +10,7 @@
 namespace ljmd {
 
 /// Morse: u(r) = D ((1 - e)^2 - 1) = D (e^2 - 2 e) with e = exp(-a (r - r0)); w(r) = 2 D a (e^2 - e) / r.
-/// Untruncated: truncation is a wrapper, see truncation.hpp.
+/// Untruncated; truncations are wrappers, see truncation.hpp.
 /// Source: P. M. Morse (1929), doi:10.1103/PhysRev.34.57
 class Morse {
   public:
