@@ -177,7 +177,7 @@ std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& n
     const Section sections = validate(table, {}, schema, deck != nullptr ? deck->units : std::nullopt, diagnostics);
     for (const AnalysisMethod& method : methods) {
         const Section& section = sections.section(method.name);
-        for (const auto& [key, message] : choose(method, &section).options->check(run)) {
+        for (const auto& [key, message] : choose(method, section).options->check(run)) {
             if (section.sound(key)) {
                 diagnostics.error(section.location(key), message);
             }
@@ -187,7 +187,7 @@ std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& n
     std::vector<FrameAnalysis> analyses;
     analyses.reserve(methods.size());
     for (const AnalysisMethod& method : methods) {
-        analyses.push_back({method, choose(method, &sections.section(method.name)).options->make(run)});
+        analyses.push_back({method, choose(method, sections.section(method.name)).options->make(run)});
     }
     return analyses;
 }

@@ -2,36 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/errors.hpp"
 
 namespace ljmd {
 
 namespace {
 
 template <class T>
-T value_of(const Section& section, const std::string& key) {
-    if constexpr (std::is_same_v<T, bool>) {
-        return section.flag(key);
-    } else if constexpr (std::is_same_v<T, Index>) {
-        return static_cast<Index>(section.integer(key));
-    } else if constexpr (std::is_same_v<T, double>) {
-        return section.number(key);
+T value_of(const PlainValue& value) {
+    if constexpr (std::is_same_v<T, Index>) {
+        return static_cast<Index>(std::get<std::int64_t>(value));
     } else {
-        return section.text(key);
+        return std::get<T>(value);
     }
 }
 
 template <class T>
-void assign(T& member, const Section& section, const std::string& key) {
-    member = value_of<T>(section, key);
+void assign(T& member, const PlainValue& value) {
+    member = value_of<T>(value);
 }
 
 template <class T>
-void assign(std::optional<T>& member, const Section& section, const std::string& key) {
-    member = section.has(key) ? std::optional(value_of<T>(section, key)) : std::nullopt;
+void assign(std::optional<T>& member, const PlainValue& value) {
+    member = value_of<T>(value);
 }
 
 template <class T>
@@ -91,11 +88,15 @@ std::vector<Key> Description::keys() const {
     return keys;
 }
 
-void Description::take(const Section& section) {
-    for (const Item& item : items_) {
-        if (section.sound(item.key.name)) {
-            std::visit([&](auto* member) { assign(*member, section, item.key.name); }, item.member);
-        }
+void Description::take(const std::string& key, const PlainValue& value) {
+    const auto item = std::ranges::find(items_, key, [](const Item& i) { return i.key.name; });
+    if (item == items_.end()) {
+        throw ContractViolation(fmt::format("there is no option '{}'", key));
+    }
+    try {
+        std::visit([&](auto* member) { assign(*member, value); }, item->member);
+    } catch (const std::bad_variant_access&) {
+        throw ContractViolation(fmt::format("option '{}' is of another type", key));
     }
 }
 

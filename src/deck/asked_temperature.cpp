@@ -7,6 +7,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/at_temperature.hpp"
+#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/simulation.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
@@ -80,7 +81,7 @@ std::string temperature_remark(const Deck& deck, const std::optional<Estimate>& 
 }
 
 std::optional<EquationOfState> equation_of_fluid(const Deck& deck) {
-    const PairPotential potential = PairPotential::from(deck.potential());
+    const PairPotential potential = pair_potential_of(deck.potential());
     const double radius = potential.cutoff().radius;
     if (potential.formula() != "lennard-jones") {
         return std::nullopt;

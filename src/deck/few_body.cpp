@@ -28,7 +28,7 @@ State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptio
 }
 
 FewBodySystem make_few_body_system(const Deck& deck) {
-    const ChosenFewBodyForce force = choose(find_few_body_force(deck.force().text("type")), &deck.force());
+    const ChosenFewBodyForce force = choose(find_few_body_force(deck.force().text("type")), deck.force());
     FewBodySystem system{few_body_start(deck.bodies(), *force.options),
                          static_cast<int>(deck.bodies().front().vector("position").size()),
                          force,
@@ -38,7 +38,7 @@ FewBodySystem make_few_body_system(const Deck& deck) {
     const FewBodyTarget target{system.state.count(), system.dimensions, system.force};
     for (const auto& method : all_few_body_analyses()) {
         if (analysis.has(method.name)) {
-            const auto chosen = choose(method, &analysis.section(method.name));
+            const auto chosen = choose(method, analysis.section(method.name));
             system.analyses.emplace_back(method.name, chosen.options->make(target));
         }
     }

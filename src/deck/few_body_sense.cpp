@@ -106,7 +106,7 @@ void check_analyses(const Section& root, const FewBodyTarget& target, Diagnostic
             continue;
         }
         const Section& section = analysis.section(method.name);
-        for (const auto& [key, message] : choose(method, &section).options->check(target)) {
+        for (const auto& [key, message] : choose(method, section).options->check(target)) {
             if (section.sound(key)) {
                 diagnostics.error(section.location(key), message);
             }
@@ -144,7 +144,7 @@ void check_few_body_sense(const Section& root, Diagnostics& diagnostics) {
     if (!check_force_dimensions(root, method, *dimensions, diagnostics) || !is_sound(root, method)) {
         return;
     }
-    const ChosenFewBodyForce force = choose(method, &root.section("force"));
+    const ChosenFewBodyForce force = choose(method, root.section("force"));
     const std::vector<Section>& bodies = root.sections("body");
     const State start = few_body_start(bodies, *force.options);
     if (const auto problem = force.options->check(start)) {

@@ -73,7 +73,7 @@ Ensemble sampled_ensemble(const Deck& deck) {
     if (std::ranges::count_if(deck.stages, sampled) != 1 || !conserves_energy(*first)) {
         return Ensemble::none;
     }
-    return first->section.has("thermostat") ? Ensemble::canonical : Ensemble::constant_energy;
+    return first->thermostat ? Ensemble::canonical : Ensemble::constant_energy;
 }
 
 void check_analysis(const Section& root, const SampledRun& run, Diagnostics& diagnostics) {
@@ -87,7 +87,7 @@ void check_analysis(const Section& root, const SampledRun& run, Diagnostics& dia
         any = true;
         follows_time = follows_time || method.follows_time;
         const Section& section = analysis.section(method.name);
-        for (const auto& [key, message] : choose(method, &section).options->check(run)) {
+        for (const auto& [key, message] : choose(method, section).options->check(run)) {
             if (section.sound(key)) {
                 diagnostics.error(section.location(key), message);
             }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <memory>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/core/section.hpp"
 
 using namespace ljmd;
@@ -40,7 +41,7 @@ Options taken(const Table& table) {
     Diagnostics diagnostics;
     const Section section = validate(table, {}, Schema("options", keys_of(Plugin())), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
-    return *choose(Plugin(), &section).options;
+    return *choose(Plugin(), section).options;
 }
 
 Entry entry(const std::string& key, const decltype(Value::data)& data) {
@@ -98,4 +99,14 @@ TEST_CASE("what tells options apart is told in words") {
     CHECK(choose(Plugin()).values == description.values_in_words());
     options.most = 4;
     CHECK(description.values_in_words() == "on=true count=3 most=4 time=0.5 start=taylor body=0 pressure=0");
+}
+
+TEST_CASE("a value that no option has is a mistake of the caller") {
+    Options options;
+    Description description;
+    options.describe(description);
+    description.take("most", PlainValue(std::int64_t{5}));
+    CHECK(options.most == 5);
+    CHECK_THROWS_AS(description.take("least", PlainValue(std::int64_t{5})), ContractViolation);
+    CHECK_THROWS_AS(description.take("time", PlainValue(std::string("soon"))), ContractViolation);
 }

@@ -72,7 +72,7 @@ TEST_CASE("what an analysis was said to keep is about what it keeps") {
     SampledRun run = sampled_run(deck.root, 108, find_start(deck).box);
     run.interaction = interaction_of(deck);
     for (const AnalysisMethod& method : all_analyses()) {
-        const auto options = choose(method, &deck.root.section("analysis").section(method.name)).options;
+        const auto options = choose(method, deck.root.section("analysis").section(method.name)).options;
         const double said = options->size(run).kept;
         const double kept = kept_by(*options->make(run), deck, run.steps - 1);
         INFO(method.name << ": said " << said << ", kept " << kept);

@@ -27,7 +27,7 @@ inline Section few_body_section(const std::string& name, const Numbers& numbers)
 
 inline ChosenFewBodyForce chosen_few_body_force(const std::string& name, const Numbers& numbers) {
     const Section section = few_body_section(name, numbers);
-    return choose(find_few_body_force(name), &section);
+    return choose(find_few_body_force(name), section);
 }
 
 inline std::unique_ptr<ForceField> made_few_body_force(const std::string& name, const Numbers& numbers) {

@@ -69,7 +69,7 @@ inline void advance(const std::string& name, const std::vector<std::pair<std::st
     Diagnostics diagnostics;
     const Section section = validate(table, {}, Schema(name, keys_of(method)), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
-    const Integrator integrator(choose(method, &section), dt);
+    const Integrator integrator(choose(method, section), dt);
     for (Index n = 0; n < steps; ++n) {
         integrator.step(state, force_field, Request::forces);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,8 +13,6 @@
 
 namespace ljmd {
 
-class Section;
-
 /// The keys of an options object, each with the member that holds its value. An object describes itself once:
 ///
 ///     struct Options {
@@ -25,7 +24,7 @@ class Section;
 ///
 /// The value that a member holds then is the default of its key. A member of type std::optional is a key that may be
 /// missing; a member described by required_...() is a key that must be given. Schemas, the reference page and the JSON
-/// Schema come from keys(), values from take().
+/// Schema come from keys(); take() sets values.
 ///
 /// Each function returns the key, so that range, unit and meaning can be added (see Key); it is valid until the next
 /// call. The members must live as long as the description.
@@ -42,10 +41,8 @@ class Description {
 
     [[nodiscard]] std::vector<Key> keys() const;
 
-    /// Give the members the values of a table; an optional one without a value becomes empty. A member whose value was
-    /// found missing or wrong stays as it is.
-    /// @pre the table was validated by a schema with these keys
-    void take(const Section& section);
+    /// Give the member of a key a value. @throws ContractViolation when there is no such key, or it holds another type
+    void take(const std::string& key, const PlainValue& value);
 
     /// "start=taylor length=3": what tells options of one kind apart. Absent values are left out.
     [[nodiscard]] std::string values_in_words() const;
@@ -78,18 +75,22 @@ struct Chosen {
     std::string values;  ///< of the options, see Description::values_in_words()
 };
 
-/// @param section  the values; nothing: all at their defaults  @pre as Description::take()
-template <class Plugin>
-[[nodiscard]] auto choose(const Plugin& plugin, const Section* section = nullptr) {
+/// @param fill  called with the description, to give options their values
+template <class Plugin, std::invocable<Description&> Fill>
+[[nodiscard]] auto choose(const Plugin& plugin, const Fill& fill) {
     auto options = plugin.options();
     using Options = typename decltype(options)::element_type;
     Description description;
     options->describe(description);
-    if (section != nullptr) {
-        description.take(*section);
-    }
+    fill(description);
     const std::string values = description.values_in_words();
     return Chosen<Plugin, Options>{plugin, std::shared_ptr<const Options>(std::move(options)), values};
+}
+
+/// With all options at their defaults. See section.hpp for options from a deck.
+template <class Plugin>
+[[nodiscard]] auto choose(const Plugin& plugin) {
+    return choose(plugin, [](Description&) {});
 }
 
 }  // namespace ljmd

@@ -11,18 +11,18 @@
 
 namespace ljmd {
 
-/// Steps of one integrator, with one thermostat and one barostat at most: one [[stage]] of a deck.
+/// Steps of one integrator, with at most one thermostat and one barostat: one [[stage]] of a deck.
 struct Stage {
     std::string name;
     ChosenIntegrator integrator;
     double time_step;  ///< [tau]
     Index steps;
-    double temperature;  ///< that the thermostat holds [epsilon/k_B]
-    bool sample;         ///< observables are measured
-    bool reverse;        ///< the motion is turned round before the first step
+    double temperature;  ///< target of the thermostat [epsilon/k_B]
+    bool sample;         ///< whether observables are measured
+    bool reverse;        ///< whether the motion is reversed before the first step
     std::optional<ChosenThermostat> thermostat = {};
-    std::optional<ChosenBarostat> barostat = {};  ///< of a fluid
-    std::uint64_t seed = 0;                       ///< of random numbers of thermostat and barostat
+    std::optional<ChosenBarostat> barostat = {};  ///< for a fluid only
+    std::uint64_t seed = 0;                       ///< of the random numbers of thermostat and barostat
 };
 
 /// Whether a fluid conserves its total energy minus the heat from the thermostat in this stage, but for errors of the

@@ -24,35 +24,35 @@ struct AngularVelocity {
     double slope;  ///< derivative of the rate [rad/time^2]
 };
 
-/// A force on a few bodies in unbounded space, as its options say (see Description), and what follows from them.
+/// Options of a force on a few bodies in unbounded space (see Description), and what follows from them.
 ///
-/// Bodies live in the first 1, 2 or 3 components of space; the others are 0. All numbers are in the deck's own
-/// units. The virial of such a system is W_ab = sum over bodies of r_a f_b, r from the origin.
+/// Bodies live in the first 1, 2 or 3 components of space; the others are 0. All numbers are in the deck's own units.
+/// The virial is W_ab = sum over bodies of r_a f_b, with r from the origin.
 class FewBodyForceOptions {
   public:
     virtual ~FewBodyForceOptions() = default;
     virtual void describe(Description& description) = 0;
 
-    /// What makes this start impossible; nothing when it is possible. @pre positions are finite
+    /// Why this start is impossible; nothing if it is possible. @pre positions are finite
     [[nodiscard]] virtual std::optional<ProblemAtStart> check(const State& /*start*/) const { return std::nullopt; }
 
-    /// A force field that is evaluated in the order of the bodies' ids, whatever their order in memory. It throws
-    /// PhysicsError naming the bodies, counted from 1, when a position is not finite or when bodies have collided.
+    /// The force field. It evaluates bodies in the order of their ids, whatever their order in memory, and throws
+    /// PhysicsError, which names bodies counted from 1, when a position is not finite or when bodies have collided.
     [[nodiscard]] virtual std::unique_ptr<ForceField> make() const = 0;
 
-    /// mu of the inverse-square attraction mu/r^2 that a body of this mass feels towards another or, without another,
-    /// towards the origin: orbital elements are made from it. Nothing where there is none.
+    /// mu of the inverse-square attraction mu/r^2 between a body of this mass and another one or, without another, the
+    /// origin. Orbital elements are computed from it. Nothing for forces of another kind.
     [[nodiscard]] virtual std::optional<double> gravitational_parameter(double /*mass*/,
                                                                         std::optional<double> /*other_mass*/) const {
         return std::nullopt;
     }
 
-    /// Rate of the polar angle that goes with a coordinate that is a distance.
+    /// Angular velocity that belongs to a coordinate which is a distance.
     /// @pre FewBodyForceMethod::has_polar_angle
     [[nodiscard]] virtual AngularVelocity angular_velocity(double distance, double distance_rate) const;
 
-    /// Takes the place of the mass of a body whose coordinate q is not a length: the state holds it in place of the
-    /// mass, and K = inertia (dq/dt)^2 / 2, p = inertia dq/dt, d2q/dt2 = f/inertia.
+    /// Generalised mass of a body whose coordinate q is not a length: K = inertia (dq/dt)^2 / 2, p = inertia dq/dt,
+    /// d2q/dt2 = f/inertia. The state holds it as the mass.
     [[nodiscard]] virtual double inertia(double mass) const { return mass; }
 
   protected:
@@ -61,12 +61,12 @@ class FewBodyForceOptions {
     FewBodyForceOptions& operator=(const FewBodyForceOptions&) = default;
 };
 
-/// A kind of force on a few bodies that decks can select. One file in src/forces/few_body each.
+/// A force on a few bodies, as decks select it. Each is one file in src/forces/few_body.
 struct FewBodyForceMethod {
     std::string name;
     std::string meaning;
-    int least_dimensions;  ///< of space
-    int most_dimensions;
+    int least_dimensions;          ///< smallest dimension of space
+    int most_dimensions;           ///< largest dimension of space
     bool attracts = false;         ///< bodies have a gravitational_parameter(), unless the options soften it
     bool has_polar_angle = false;  ///< the coordinate is a distance, with an angular_velocity()
     std::function<std::unique_ptr<FewBodyForceOptions>()> options;  ///< at their defaults
@@ -74,7 +74,7 @@ struct FewBodyForceMethod {
 
 using ChosenFewBodyForce = Chosen<FewBodyForceMethod, FewBodyForceOptions>;
 
-/// Every few-body force there is, in alphabetical order.
+/// All few-body forces, in alphabetical order.
 [[nodiscard]] std::vector<FewBodyForceMethod> all_few_body_forces();
 
 /// @throws InputError for an unknown name

@@ -51,7 +51,7 @@ class BarostatOptions {
     BarostatOptions& operator=(const BarostatOptions&) = default;
 };
 
-/// A kind of barostat that decks can select. One file in src/integrators/barostats each.
+/// A barostat, as decks select it. Each is one file in src/integrators/barostats.
 struct BarostatMethod {
     std::string name;
     std::string meaning;
@@ -60,7 +60,7 @@ struct BarostatMethod {
 
 using ChosenBarostat = Chosen<BarostatMethod, BarostatOptions>;
 
-/// Every barostat there is, in alphabetical order.
+/// All barostats, in alphabetical order.
 [[nodiscard]] std::vector<BarostatMethod> all_barostats();
 
 /// @throws InputError for an unknown name

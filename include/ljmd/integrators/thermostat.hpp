@@ -57,7 +57,7 @@ class ThermostatOptions {
     ThermostatOptions& operator=(const ThermostatOptions&) = default;
 };
 
-/// A kind of thermostat that decks can select. One file in src/integrators/thermostats each.
+/// A thermostat, as decks select it. Each is one file in src/integrators/thermostats.
 struct ThermostatMethod {
     std::string name;
     std::string meaning;
@@ -70,7 +70,7 @@ struct ThermostatMethod {
 
 using ChosenThermostat = Chosen<ThermostatMethod, ThermostatOptions>;
 
-/// Every thermostat there is, in alphabetical order.
+/// All thermostats, in alphabetical order.
 [[nodiscard]] std::vector<ThermostatMethod> all_thermostats();
 
 /// @throws InputError for an unknown name

@@ -73,10 +73,10 @@ struct AnalysisNeeds {
     bool fixed_box = true;     ///< uses SampledRun::box throughout; otherwise the box of each configuration
 };
 
-/// Reasons why options do not fit what they are for: (key, message).
+/// Why options do not fit, as pairs of key and message.
 using Misfits = std::vector<std::pair<std::string, std::string>>;
 
-/// Bytes that an analysis takes in a run, about.
+/// Approximate memory of an analysis in a run [bytes].
 struct AnalysisSize {
     double kept;           ///< largest size of what is kept between samples, which checkpoints contain, too
     double fixed = 0.0;    ///< further memory from the first sample on
@@ -89,7 +89,7 @@ class AnalysisOptions {
     virtual ~AnalysisOptions() = default;
     virtual void describe(Description& description) = 0;
 
-    /// Why they do not fit the run; empty when all is well.
+    /// Why the options do not fit the run. Empty if they do.
     [[nodiscard]] virtual Misfits check(const SampledRun& /*run*/) const { return {}; }
 
     [[nodiscard]] virtual std::unique_ptr<Analysis> make(const SampledRun& run) const = 0;
@@ -101,7 +101,7 @@ class AnalysisOptions {
     AnalysisOptions& operator=(const AnalysisOptions&) = default;
 };
 
-/// A kind of analysis that [analysis] can ask for. One file in src/observables/analyses each.
+/// An analysis, as [analysis] selects it. Each is one file in src/observables/analyses.
 struct AnalysisMethod {
     std::string name;  ///< the key in [analysis]
     std::string meaning;

@@ -20,7 +20,7 @@ std::unique_ptr<Barostat> made(const PressureBath& bath, double pressure, double
     Diagnostics diagnostics;
     const Section section = validate(table, {}, Schema("barostat", keys_of(method)), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
-    return choose(method, &section).options->make(bath);
+    return choose(method, section).options->make(bath);
 }
 
 State gas(Index atoms) {

@@ -25,7 +25,7 @@ inline std::unique_ptr<Thermostat> made_thermostat(
     Diagnostics diagnostics;
     const Section section = validate(table, {}, Schema("thermostat", keys_of(method)), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
-    return choose(method, &section).options->make(bath);
+    return choose(method, section).options->make(bath);
 }
 
 /// A bath for all atoms of a fluid.

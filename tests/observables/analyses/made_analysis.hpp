@@ -48,7 +48,7 @@ inline Section analysis_section(const AnalysisMethod& method, const AnalysisSett
 inline std::shared_ptr<const AnalysisOptions> analysis_options(const AnalysisMethod& method,
                                                                const AnalysisSettings& settings = {}) {
     const Section section = analysis_section(method, settings);
-    return choose(method, &section).options;
+    return choose(method, section).options;
 }
 
 }  // namespace ljmd::test

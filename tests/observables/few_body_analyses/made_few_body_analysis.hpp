@@ -50,7 +50,7 @@ inline std::unique_ptr<FewBodyAnalysis> made_few_body_analysis(const std::string
                                                                const FewBodyTarget& target) {
     const auto method = few_body_analysis_method(name);
     const Section section = few_body_analysis_section(method, settings);
-    return choose(method, &section).options->make(target);
+    return choose(method, section).options->make(target);
 }
 
 /// The keys that an analysis finds fault with.
@@ -58,7 +58,7 @@ inline std::vector<std::string> faults(const std::string& name, const Integers& 
     const auto method = few_body_analysis_method(name);
     const Section section = few_body_analysis_section(method, settings);
     std::vector<std::string> keys;
-    for (const auto& [key, message] : choose(method, &section).options->check(target)) {
+    for (const auto& [key, message] : choose(method, section).options->check(target)) {
         CHECK_FALSE(message.empty());
         keys.push_back(key);
     }

@@ -32,11 +32,11 @@ struct LagOptions {
 
     void describe(Description& description);
 
-    /// What they say for a run. The largest time is rounded down to a multiple of h, but never below h.
+    /// The times that the options give for a run. The largest is rounded down to a multiple of h, but is at least h.
     [[nodiscard]] LagTimes times(const SampledRun& run) const;
 
-    /// What is wrong with them: a largest time below h, or one that is more than the longest sampled stage lasts.
-    /// @param analysis  for the message
+    /// Mistakes in the options: a largest time below h, or longer than the longest sampled stage.
+    /// @param analysis  its name for messages
     [[nodiscard]] Misfits check(const SampledRun& run, const std::string& analysis) const;
 
   private:
