@@ -249,7 +249,7 @@ class FewBodyRun : private StepObserver {
 
     FewBodyResult finish(const LoopSeconds& seconds) {
         FewBodyResult result{
-            system_.state.count(), system_.dimensions, system_.force.name, histories_, stages_, {}, seconds.all};
+            system_.state.count(), system_.dimensions, system_.force.plugin.name, histories_, stages_, {}, seconds.all};
         std::vector<DataTable> tables;
         for (const auto& [name, analysis] : system_.analyses) {
             result.findings.emplace_back(name, analysis->findings());
