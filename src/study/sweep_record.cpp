@@ -88,13 +88,20 @@ std::vector<ChildRun> unwanted_runs(const SweepPlan& old, const SweepPlan& plan,
     return runs;
 }
 
+/// A sweep that failed before its record was in place leaves `points` empty: that is not in the way of another one.
+bool is_in_the_way(const fs::path& path) {
+    const bool left_over = path.filename() == "points" && files::type_of(path) == fs::file_type::directory &&
+                           files::list(path).empty();
+    return files::is_taken(path) && !left_over;
+}
+
 /// Runs of another sweep that must be replaced; nothing if there is no other sweep. Changes nothing.
 /// @throws InputError, DataError  as prepare_sweep()
 std::optional<std::vector<ChildRun>> runs_to_replace(const SweepPlan& plan, const fs::path& directory, bool force) {
     const auto recorded = recorded_sweep(directory);
     if (!recorded) {
         for (const char* name : {"sweep.csv", "points"}) {
-            if (files::is_taken(directory / name)) {
+            if (is_in_the_way(directory / name)) {
                 throw InputError(
                     fmt::format("{} holds '{}', but no sweep. Nothing was run.\n  choose another directory "
                                 "with --out",

@@ -99,14 +99,22 @@ TEST_CASE("force removes what another sweep wrote, but for common runs and the f
     CHECK_FALSE(fs::exists(out / "points" / "temperature=1"));
 }
 
+TEST_CASE("a sweep that failed before its record was written can be given again") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "points");
+    prepare_sweep(plan(), folder / "", false);
+    CHECK(fs::exists(folder / "sweep.json"));
+}
+
 TEST_CASE("what no sweep has written is not touched, with force or without") {
     for (const char* name : {"points", "sweep.csv"}) {
         const TemporaryFolder folder;
-        fs::create_directory(folder / name);
+        fs::create_directories(folder / name / "kept");
         for (const bool force : {false, true}) {
             CHECK_THROWS_WITH(prepare_sweep(plan(), folder / "", force), Contains("but no sweep. Nothing was run."));
         }
         CHECK(folder.count_files() == 1);
+        CHECK(fs::is_directory(folder / name / "kept"));
     }
     const TemporaryFolder folder;
     prepare_sweep(plan(), folder / "", false);
