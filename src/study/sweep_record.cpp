@@ -90,8 +90,8 @@ std::vector<ChildRun> unwanted_runs(const SweepPlan& old, const SweepPlan& plan,
 
 /// A sweep that failed before its record was in place leaves `points` empty: that is not in the way of another one.
 bool is_in_the_way(const fs::path& path) {
-    const bool left_over = path.filename() == "points" && files::type_of(path) == fs::file_type::directory &&
-                           files::list(path).empty();
+    const bool left_over =
+        path.filename() == "points" && files::type_of(path) == fs::file_type::directory && files::list(path).empty();
     return files::is_taken(path) && !left_over;
 }
 
