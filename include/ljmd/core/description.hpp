@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
@@ -76,7 +75,7 @@ struct Chosen {
 };
 
 /// @param fill  called with the description, to give options their values
-template <class Plugin, std::invocable<Description&> Fill>
+template <class Plugin, class Fill>
 [[nodiscard]] auto choose(const Plugin& plugin, const Fill& fill) {
     auto options = plugin.options();
     using Options = typename decltype(options)::element_type;
