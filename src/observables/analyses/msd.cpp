@@ -36,7 +36,8 @@ AnalysisSize size_of(const Section& section, const SampledRun& run) {
     const Index frames = run.steps / lags.every + 1;
     const Index between =
         std::max((lags.count + section.integer("origins") - 1) / section.integer("origins"), Index{1});
-    const auto origins = static_cast<double>((std::min(frames, lags.count) + between - 1) / between);
+    const Index whole_origins = (std::min(frames, lags.count) + between - 1) / between;
+    const auto origins = static_cast<double>(whole_origins);
     const double positions = 24.0 * static_cast<double>(run.atoms);
     return {.kept = origins * (positions + 4.0 * static_cast<double>(lags.count)) +
                     BlockingAccumulator::bytes(lags.count + 2, Covariance::diagonal, (frames - lags.count) / between),
