@@ -88,7 +88,8 @@ SizeForecast forecast_size(const Deck& deck, const Start& start) {
     const double one_checkpoint = checkpoint(deck, start, analyzed);
     const double memory = program_itself + (atom_itself + search(deck, start)) * atoms + analyzed.kept +
                           analyzed.fixed + std::max(analyzed.passing, one_checkpoint);
-    const double rows = 1.0 + static_cast<double>(deck.total_steps() / deck.thermo_every);
+    const Index rows_after_start = deck.total_steps() / deck.thermo_every;
+    const double rows = 1.0 + static_cast<double>(rows_after_start);
     const double disk = records + rows * (deck.units ? thermo_row_si : thermo_row) + trajectory(deck, start) +
                         trajectory_bytes("xyz", start.atoms, 1, true) +  // final.xyz
                         static_cast<double>(deck.checkpoint.keep) * one_checkpoint;

@@ -242,10 +242,10 @@ def another_sweep(t):
 
 def not_a_sweep(t):
     t.deck()
-    (t.dir / "out/points").mkdir(parents=True)
+    (t.dir / "out/points/kept").mkdir(parents=True)
     result = t.expect(2, t.run(*GRID, "--force"))
     t.golden(result.err)
-    t.equal(t.files(), ["deck.toml", "out", "out/points"], "files")
+    t.equal(t.files(), ["deck.toml", "out", "out/points", "out/points/kept"], "files")
 
 
 def in_use(t):

@@ -259,7 +259,8 @@ double h5md_bytes(Index atoms, Index frames, bool velocities) {
     constexpr double small_entries = 88.0;  // of a frame: step, time, edges
     const auto allotted = [frames](hsize_t chunk) {
         const auto length = static_cast<Index>(chunk);
-        return static_cast<double>((frames + length - 1) / length * length);
+        const Index chunks = (frames + length - 1) / length;
+        return static_cast<double>(chunks * length);
     };
     const double frame = (velocities ? 2.0 : 1.0) * 3.0 * sizeof(double) * static_cast<double>(atoms);
     return metadata + of_atom * static_cast<double>(atoms) + small_entries * allotted(most_frames_per_chunk) +

@@ -47,7 +47,8 @@ struct Options : AnalysisOptions {
         const LagTimes times = times_of(run);
         const Index frames = run.steps / times.every + 1;
         const Index between = std::max((times.count + origins - 1) / origins, Index{1});
-        const auto kept = static_cast<double>((std::min(frames, times.count) + between - 1) / between);
+        const Index whole_origins = (std::min(frames, times.count) + between - 1) / between;
+        const auto kept = static_cast<double>(whole_origins);
         const double positions = 24.0 * static_cast<double>(run.atoms);
         return {
             .kept = kept * (positions + 4.0 * static_cast<double>(times.count)) +
@@ -58,7 +59,7 @@ struct Options : AnalysisOptions {
   private:
     [[nodiscard]] LagTimes times_of(const SampledRun& run) const {
         LagTimes times = lags.times(run);
-        times.count = std::max(times.count, Index{2});  // a line needs two times behind the first
+        times.count = std::max(times.count, Index{2});  // a line needs two times after the first
         return times;
     }
 };
