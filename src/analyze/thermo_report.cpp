@@ -12,7 +12,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/sampled_steps.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/run/footnotes.hpp"
 #include "ljmd/run/json_number.hpp"
@@ -51,7 +51,7 @@ std::optional<ObservableAverage> heat_capacity(const DataTable& table, const Dec
     if (!atoms) {
         return std::nullopt;
     }
-    RunAverages averages(*atoms, sampled_ensemble(deck));
+    RunAverages averages(*atoms, sampled_ensemble(deck.stages));
     const std::vector<double> temperatures = column(table, "temperature");
     const std::vector<double> energies = column(table, "potential_energy");
     for (std::size_t k = 0; k < energies.size(); ++k) {

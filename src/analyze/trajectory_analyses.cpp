@@ -9,7 +9,7 @@
 #include "ljmd/core/registry.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/sampled_run.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -91,7 +91,7 @@ SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const F
     run.time_step = selection.spacing.value_or(1.0);
     run.steps = selection.longest_part;
     if (deck != nullptr) {
-        run.interaction = interaction_of(*deck);
+        run.interaction = fluid_spec(*deck).interaction();
     }
     return run;
 }

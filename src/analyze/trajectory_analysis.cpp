@@ -10,7 +10,7 @@
 #include "ljmd/analyze/deck_against_frames.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/sampled_run.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/formats/frame_unwrapper.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
@@ -27,7 +27,7 @@ DeckClaims claims_of(const AnalyzedTrajectory& trajectory) {
         return {};
     }
     const Box box(trajectory.summary.edges);
-    return {sampled_ensemble(*trajectory.deck),
+    return {sampled_ensemble(trajectory.deck->stages),
             sampled_run(trajectory.deck->root, trajectory.summary.atoms, box).held_temperature};
 }
 
@@ -38,7 +38,7 @@ class Pass {
         : trajectory_(trajectory),
           analyses_(analyses),
           averages_(trajectory.summary.atoms, claims_of(trajectory).ensemble),
-          tail_(trajectory.thermo ? interaction_of(*trajectory.deck).tail : TailCorrection()) {}
+          tail_(trajectory.thermo ? fluid_spec(*trajectory.deck).interaction().tail : TailCorrection()) {}
 
     void run() {
         const auto reader =
@@ -117,7 +117,7 @@ class Pass {
 
     /// With a new force field for each frame, because a neighbour list does not last from frame to frame.
     [[nodiscard]] Evaluation evaluate(State& state, std::size_t k) const {
-        const Evaluation evaluation = make_force_field(*trajectory_.deck).evaluate(state, Request::forces_and_energy);
+        const Evaluation evaluation = make_force_field(fluid_spec(*trajectory_.deck)).evaluate(state, Request::forces_and_energy);
         if (!std::isfinite(evaluation.potential_energy)) {
             throw DataError(fmt::format("{}: frame {}: atoms overlap, the forces between them are not finite",
                                         trajectory_.path.string(), k + 1));

@@ -60,7 +60,7 @@ BenchResult bench(Deck deck, Start start) {
     deck.directory = scratch.path();
     const double before = memory("VmRSS");
     const Index atoms = start.atoms;
-    Simulation simulation = make_simulation(deck, std::move(start), [](const std::string&) {});
+    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(start)), [](const std::string&) {});
     MemoryAtEnd memory(deck.total_steps());
     const RunResult result = run_deck(deck, simulation, memory);
     return {atoms,

@@ -23,7 +23,6 @@
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
-#include "ljmd/run/few_body_run.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/results.hpp"
@@ -107,7 +106,7 @@ Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
     const Deck deck = load(options, diagnostics);
     refuse_bodies(deck);
     Start start = checked_start(deck, options, diagnostics);
-    Simulation simulation = make_simulation(deck, std::move(start), [&](const std::string& text) {
+    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(start)), [&](const std::string& text) {
         if (!options.quiet) {
             warn(text);
         }
@@ -162,17 +161,22 @@ std::optional<double> wall_time(const std::string& text) {
     return seconds;
 }
 
+/// @param result  of a fluid or of few bodies
+template <class Result>
+void print_results(const Deck& deck, const Result& result, bool json) {
+    print_result(json ? results_json(deck, result) + "\n" : results_table(deck, result));
+}
+
 void run_fluid(Deck& deck, Start start, const DeckOptions& options, RunControl& control) {
     // Create the start before any file is touched: if it fails, an earlier run must not be lost.
     check_directory(deck, options.force);
     Progress progress(start.atoms, deck.total_steps(), options.quiet);
-    Simulation simulation =
-        make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
+    FluidSystem fluid =
+        make_fluid(fluid_spec(deck, std::move(start)), [&](const std::string& text) { progress.warning(text); });
     heed_signals();  // before this, nothing would be lost
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
-    const RunResult result = run_deck(deck, simulation, progress, control);
-    print_result(options.json ? results_json(deck, result) + "\n" : results_table(deck, result));
+    print_results(deck, run_deck(deck, fluid, progress, control), options.json);
     lock.warn_if_moved();
 }
 
@@ -190,8 +194,7 @@ void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
     heed_signals();
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
-    const FewBodyResult result = run_few_body(deck, system, progress, control);
-    print_result(options.json ? few_body_results_json(deck, result) + "\n" : few_body_results_table(deck, result));
+    print_results(deck, run_deck(deck, system, progress, control), options.json);
     lock.warn_if_moved();
 }
 
@@ -215,8 +218,8 @@ void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, co
             talk(text + "\n");
         }
     };
-    Simulation simulation =
-        make_simulation(deck, std::move(start), [&](const std::string& text) { progress.warning(text); });
+    FluidSystem simulation =
+        make_fluid(fluid_spec(deck, std::move(start)), [&](const std::string& text) { progress.warning(text); });
     const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
@@ -303,15 +306,11 @@ void resume_command(const ResumeOptions& options) {
     control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
     if (bodies) {
         FewBodySystem system = make_few_body_system(run.deck);
-        const FewBodyResult result = run_few_body(run.deck, system, progress, control);
-        print_result(options.json ? few_body_results_json(run.deck, result) + "\n"
-                                  : few_body_results_table(run.deck, result));
-        lock->warn_if_moved();
-        return;
+        print_results(run.deck, run_deck(run.deck, system, progress, control), options.json);
+    } else {
+        FluidSystem fluid = empty_fluid(fluid_spec(run.deck), atoms, Box(edges));
+        print_results(run.deck, run_deck(run.deck, fluid, progress, control), options.json);
     }
-    Simulation simulation = empty_simulation(run.deck, atoms, Box(edges));
-    const RunResult result = run_deck(run.deck, simulation, progress, control);
-    print_result(options.json ? results_json(run.deck, result) + "\n" : results_table(run.deck, result));
     lock->warn_if_moved();
 }
 

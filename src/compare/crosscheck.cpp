@@ -189,8 +189,9 @@ Index steps_before_crosscheck(const Deck& deck) {
     return steps;
 }
 
-Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const CrosscheckOptions& options, RunListener& listener,
+Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const CrosscheckOptions& options, RunListener& listener,
                       const std::function<void(const std::string&)>& say) {
+    const FluidSpec spec = fluid_spec(deck);
     const std::size_t compared = compared_stage(deck);
     const Stage& stage = deck.stages[compared];
     if (stage.thermostat) {
@@ -198,7 +199,7 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
                         stage.barostat ? "thermostat and its barostat are left" : "thermostat is left"));
     }
     const auto fluid_now = [&] {
-        return fluid_of(simulation.state, simulation.force_field.potential(), wants_tail(deck));
+        return fluid_of(simulation.state, simulation.force_field.potential(), spec.tail);
     };
     const bool mixed = simulation.force_field.arithmetic().precision == Precision::mixed;
     // Report a missing program now, not after minutes of equilibration.
@@ -206,11 +207,11 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
 
     const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
     Quiet quiet(simulation.state, listener);
-    run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, interaction_of(deck));
+    run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, spec.interaction());
 
     const Fluid fluid = fluid_now();
     const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, options);
-    const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(deck)); };
+    const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(spec)); };
     const EnsembleOptions ensemble = ensemble_options(deck, stage, simulation.state.box());
     const bool kernel = deck.neighbors().text("method") == "verlet-list";
     Crosscheck result{.peer = peers.exact->name(),

@@ -65,7 +65,7 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
     }
     const double temperature = deck.system().has("temperature") ? deck.system().number("temperature") : 1.0;
     draw_velocities(state, std::min(temperature, hottest_trial), 1);
-    PairForceField force_field = make_force_field(deck);
+    PairForceField force_field = make_force_field(fluid_spec(deck));
     std::map<std::string, double> seconds;  // per step, by integrator
     double sum = 0.0;
     Index evaluations_of_start = 1;  // takes about as long as a step

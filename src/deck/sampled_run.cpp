@@ -41,39 +41,28 @@ void check_motion(const Section& stage, const SampledRun& run, Diagnostics& diag
     }
 }
 
+/// What sampled_run() needs of a stage, which may have mistakes elsewhere.
+Stage sampling_of(const Section& section, const Section& root) {
+    Stage stage{.name = section.text("name"),
+                .time_step = section.number("time_step"),
+                .steps = section.integer("steps"),
+                .temperature = stage_temperature(section, root).value_or(0.0),
+                .sample = section.flag("sample")};
+    if (const auto method = thermostat_method(section)) {
+        stage.thermostat = choose(*method);
+    }
+    return stage;
+}
+
 }  // namespace
 
 SampledRun sampled_run(const Section& root, Index atoms, const Box& box) {
-    const std::vector<Section>& stages = root.sections("stage");
-    const auto is_sampled = [](const Section& stage) { return stage.flag("sample"); };
-    const auto first = std::ranges::find_if(stages, is_sampled);
-    const Section& stage = first == stages.end() ? stages.back() : *first;
-    const Section& system = root.section("system");
-    SampledRun run{atoms,
-                   box,
-                   stage.number("time_step"),
-                   stage.integer("steps"),
-                   static_cast<std::uint64_t>(system.integer("seed")),
-                   stage.has("thermostat") ? stage_temperature(stage, root) : std::nullopt,
-                   std::nullopt};
-    for (const Section& other : stages) {
-        if (is_sampled(other)) {
-            run.steps = std::max<Index>(run.steps, other.integer("steps"));
-        }
+    std::vector<Stage> stages;
+    for (const Section& section : root.sections("stage")) {
+        stages.push_back(sampling_of(section, root));
     }
-    return run;
-}
-
-Ensemble sampled_ensemble(const Deck& deck) {
-    const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
-    const auto first = std::ranges::find_if(deck.stages, sampled);
-    if (std::any_of(first, deck.stages.end(), [](const Stage& stage) { return stage.barostat.has_value(); })) {
-        return Ensemble::constant_pressure;
-    }
-    if (std::ranges::count_if(deck.stages, sampled) != 1 || !conserves_energy(*first)) {
-        return Ensemble::none;
-    }
-    return first->thermostat ? Ensemble::canonical : Ensemble::constant_energy;
+    const auto seed = static_cast<std::uint64_t>(root.section("system").integer("seed"));
+    return sampled_run(stages, seed, atoms, box);
 }
 
 void check_analysis(const Section& root, const SampledRun& run, Diagnostics& diagnostics) {

@@ -58,21 +58,25 @@ bool conserves_momentum(const Stage& stage) {
 class TimeLoop {
   public:
     TimeLoop(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-             const LoopPosition& from, const std::optional<Interaction>& interaction)
+             const LoopPosition& from, const std::optional<Interaction>& interaction, std::optional<Index> until)
         : stages_(stages),
           state_(state),
           force_field_(force_field),
           observer_(observer),
           interaction_(interaction),
+          until_(until),
           position_(from),
           step_(state.step) {}
 
-    LoopSeconds run() {
-        for (; position_.stage < stages_.size(); ++position_.stage) {
+    LoopPosition run() {
+        while (position_.stage < stages_.size() && !is_reached()) {
             run_stage(stages_[position_.stage]);
+            if (!position_.begun) {
+                ++position_.stage;
+            }
         }
         note_seconds();
-        return position_.seconds;
+        return position_;
     }
 
     /// Call the observer's checkpoint() if it asks for it.
@@ -92,6 +96,9 @@ class TimeLoop {
     }
 
   private:
+    [[nodiscard]] bool is_reached() const { return until_ && step_ >= *until_; }
+
+    /// Take the steps of a stage that are left; its position says whether the stage was ended.
     void run_stage(const Stage& stage) {
         std::unique_ptr<Thermostat> thermostat = thermostat_of(stage, state_);
         Integrator integrator = integrator_of(stage, thermostat.get());
@@ -104,6 +111,9 @@ class TimeLoop {
             throw CheckpointError("the checkpoint has another thermostat than the deck");
         }
         while (position_.steps < stage.steps) {
+            if (is_reached()) {
+                return;
+            }
             take_step(stage, parts);
             offer_checkpoint(position_.steps == stage.steps);
         }
@@ -173,6 +183,7 @@ class TimeLoop {
     ForceField& force_field_;
     StepObserver& observer_;
     const std::optional<Interaction>& interaction_;
+    std::optional<Index> until_;
     LoopPosition position_;
     Stopwatch watch_;
     Index step_;
@@ -180,14 +191,15 @@ class TimeLoop {
 
 }  // namespace
 
-LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-                       const std::optional<LoopPosition>& from, const std::optional<Interaction>& interaction) {
+LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field,
+                        StepObserver& observer, const std::optional<LoopPosition>& from,
+                        const std::optional<Interaction>& interaction, std::optional<Index> until) {
     std::optional<TimeLoop> loop;
     try {
         if (!from) {
             observer.started(force_field.evaluate(state, Request::forces_and_energy));
         }
-        loop.emplace(stages, state, force_field, observer, from.value_or(LoopPosition{}), interaction);
+        loop.emplace(stages, state, force_field, observer, from.value_or(LoopPosition{}), interaction, until);
         if (!from) {
             loop->offer_checkpoint(true);
         }

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/core/text_table.hpp"
-#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/results.hpp"
 #include "ljmd/run/footnotes.hpp"
 #include "ljmd/run/json_number.hpp"
 #include "ljmd/run/run_report.hpp"
@@ -36,7 +36,7 @@ Json finding_json(const Finding& finding) {
 
 }  // namespace
 
-std::string few_body_results_json(const Deck& deck, const FewBodyResult& result) {
+std::string results_json(const Deck& deck, const FewBodyResult& result) {
     Json observables = Json::object();
     for (const FewBodyHistory& history : result.histories) {
         observables[history.name] = history_json(history);
@@ -64,7 +64,7 @@ std::string few_body_results_json(const Deck& deck, const FewBodyResult& result)
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string few_body_results_table(const Deck& deck, const FewBodyResult& result) {
+std::string results_table(const Deck& deck, const FewBodyResult& result) {
     std::string text = fmt::format("{}\n{} {} in {} dimension{}, force {}\n\n", title_line(deck), result.bodies,
                                    result.bodies == 1 ? "body" : "bodies", result.dimensions,
                                    result.dimensions == 1 ? "" : "s", result.force);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"

@@ -121,10 +121,6 @@ std::string at_asked_lines(const std::optional<AtAskedTemperature>& there, const
 
 }  // namespace
 
-bool is_in_table(const std::string& observable) {
-    return !observable.starts_with("pressure_") && observable != "virial";
-}
-
 Json observables_json(const std::vector<ObservableAverage>& averages, const std::optional<SubstanceUnits>& units) {
     Json observables = Json::object();
     for (const ObservableAverage& average : averages) {
@@ -156,31 +152,6 @@ std::string observables_table(const std::vector<ObservableAverage>& averages,
 
 std::string samples_footnote() {
     return "  * independent samples: variance of the series over the squared standard error\n";
-}
-
-std::string remark_of(const ObservableAverage& average) {
-    const bool guessed =
-        average.estimate && !average.estimate->converged && !std::isnan(average.estimate->standard_error);
-    if (!guessed) {
-        return average.remark;
-    }
-    return average.remark.empty() ? std::string(guessed_error) : fmt::format("{}; {}", average.remark, guessed_error);
-}
-
-std::string unsure_of(const std::vector<ObservableAverage>& averages) {
-    std::string unsure;
-    bool all_unsure = true;
-    for (const ObservableAverage& average : averages) {
-        if (!is_in_table(average.name)) {
-            continue;
-        }
-        const bool known = average.estimate && average.estimate->converged;
-        if (average.estimate && !known) {
-            unsure += (unsure.empty() ? "" : ", ") + average.name;
-        }
-        all_unsure = all_unsure && !known;
-    }
-    return all_unsure && !unsure.empty() ? "all observables" : unsure;
 }
 
 std::string results_json(const Deck& deck, const RunResult& result) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/files/checkpoint_file.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
@@ -14,7 +14,6 @@
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/results.hpp"
-#include "ljmd/run/run.hpp"
 
 namespace ljmd {
 
@@ -27,6 +26,28 @@ ThermoCsv::Extra thermo_columns(const Deck& deck, bool order_parameter) {
     return {.density = any([](const Stage& stage) { return stage.barostat.has_value(); }),
             .conserved_energy = any([](const Stage& stage) { return stage.thermostat && conserves_energy(stage); }),
             .order_parameter = order_parameter};
+}
+
+std::optional<CommittedFrames> kept_frames(const std::optional<ResumedOutputs>& resumed) {
+    return resumed ? std::optional(resumed->kept.trajectory) : std::nullopt;
+}
+
+std::optional<std::int64_t> kept_rows(const std::optional<ResumedOutputs>& resumed) {
+    return resumed ? std::optional(resumed->kept.thermo) : std::nullopt;
+}
+
+std::optional<EarlierParts> earlier_parts(const std::optional<ResumedOutputs>& resumed) {
+    return resumed ? std::optional(resumed->earlier) : std::nullopt;
+}
+
+std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& system,
+                                      const std::optional<ResumedOutputs>& resumed) {
+    if (!deck.trajectory || deck.trajectory->format != "csv") {
+        return std::nullopt;
+    }
+    return TrajectoryCsv(deck.outputs() / "trajectory.csv", system.state.count(), system.dimensions,
+                         deck.trajectory->accelerations, system.force.plugin.has_polar_angle,
+                         resumed ? std::optional(resumed->kept.trajectory.bytes) : std::nullopt);
 }
 
 }  // namespace
@@ -108,49 +129,78 @@ void check_outputs(const Deck& deck, const ResumedOutputs& resumed) {
     }
 }
 
-RunDirectory::RunDirectory(const Deck& deck, const State& first, bool order_parameter,
-                           const std::optional<ResumedOutputs>& resumed)
+RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<ResumedOutputs>& resumed)
     : deck_(deck),
-      trajectory_(open_trajectory(deck, first, resumed ? std::optional(resumed->kept.trajectory) : std::nullopt)),
-      thermo_(deck.outputs() / "thermo.csv", thermo_columns(deck, order_parameter), deck.units,
-              resumed ? std::optional(resumed->kept.thermo) : std::nullopt),
-      record_(deck, resumed ? std::optional(resumed->earlier) : std::nullopt) {}
+      trajectory_(open_trajectory(deck, fluid.state, kept_frames(resumed))),
+      thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
+              thermo_columns(deck, fluid.order.has_value()), deck.units, kept_rows(resumed)),
+      record_(deck, earlier_parts(resumed)) {}
+
+RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system, const std::optional<ResumedOutputs>& resumed)
+    : deck_(deck),
+      csv_(open_csv(deck, system, resumed)),
+      trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state, kept_frames(resumed))),
+      thermo_(std::in_place_type<FewBodyThermoCsv>, deck.outputs() / "thermo.csv", system.dimensions,
+              kept_rows(resumed)),
+      record_(deck, earlier_parts(resumed)) {}
 
 CommittedOutputs RunDirectory::commit() {
-    return {thermo_.commit(), trajectory_ ? trajectory_->commit() : CommittedFrames()};
+    const std::int64_t rows = std::visit([](auto& thermo) { return thermo.commit(); }, thermo_);
+    if (csv_) {
+        return {rows, {.bytes = csv_->commit()}};
+    }
+    return {rows, trajectory_ ? trajectory_->commit() : CommittedFrames()};
 }
 
-void RunDirectory::write_thermo(Index step, double time, const Thermodynamics& row, const ThermoCsv::Values& values) {
+void RunDirectory::write(const ThermoRow& row) {
+    std::get<ThermoCsv>(thermo_).write(row.step, row.time, row.values, {row.conserved_energy, row.order});
+    row_written();
+}
+
+void RunDirectory::write(const FewBodyRow& row) {
+    std::get<FewBodyThermoCsv>(thermo_).write(row.step, row.time, row.values);
+    row_written();
+}
+
+void RunDirectory::row_written() {
     constexpr Index rows_between_flushes = 100;
-    thermo_.write(step, time, row, values);
-    if (++rows_since_flush_ == rows_between_flushes) {
-        thermo_.flush();
-        rows_since_flush_ = 0;
+    if (++rows_since_flush_ < rows_between_flushes) {
+        return;
+    }
+    rows_since_flush_ = 0;
+    std::visit([](auto& thermo) { thermo.flush(); }, thermo_);
+    if (csv_) {
+        csv_->flush();
     }
 }
 
-void RunDirectory::write_frame(const State& state) {
-    if (trajectory_) {
+void RunDirectory::write_frame(const State& state, const std::optional<double>& angle) {
+    if (csv_) {
+        csv_->write(state, angle);
+    } else if (trajectory_) {
         trajectory_->write(state);
     }
 }
 
 bool RunDirectory::frame_is_due(const State& state) const {
-    return trajectory_ && state.step % deck_.trajectory->every == 0;
+    return deck_.trajectory && state.step % deck_.trajectory->every == 0;
 }
 
-void RunDirectory::finish(const State& state, const RunResult& result) {
-    thermo_.close();
+void RunDirectory::finish(const State& state, const FinalOutputs& outputs) {
+    std::visit([](auto& thermo) { thermo.close(); }, thermo_);
+    if (csv_) {
+        csv_->close();
+    }
     if (trajectory_) {
         trajectory_->close();
     }
     write_configuration(deck_.outputs() / "final.xyz", state, true);
-    for (const DataTable& table : result.tables) {
+    for (const DataTable& table : outputs.tables) {
         write_file_atomically(deck_.outputs() / (table.name + ".csv"), to_csv(with_si_columns(table, deck_.units)));
     }
-    write_file_atomically(deck_.outputs() / "results.json", results_json(deck_, result) + "\n");
-    write_file_atomically(deck_.outputs() / "results.txt", results_table(deck_, result));
-    record_.finish(result.seconds.sum(), result.seconds);
+    write_file_atomically(deck_.outputs() / "results.json", outputs.results_json + "\n");
+    write_file_atomically(deck_.outputs() / "results.txt", outputs.results_text);
+    record_.finish(outputs.seconds, outputs.phases);
 }
 
 }  // namespace ljmd

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/at_temperature.hpp"
+#include "ljmd/engine/at_temperature.hpp"
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/potentials/formulas/lennard_jones.hpp"

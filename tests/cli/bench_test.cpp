@@ -27,7 +27,7 @@ TEST_CASE("a benchmark runs the deck as it is and tells energies, times and memo
     CHECK(json.at("seconds_per_phase").size() == 6);
 
     // The same run by the same code gives the same energies.
-    Simulation simulation = make_simulation(deck, find_start(deck), [](const std::string&) {});
+    FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), [](const std::string&) {});
     prepare_directory(deck.directory);
     test::Recorder nobody;
     const RunResult run = run_deck(deck, simulation, nobody);

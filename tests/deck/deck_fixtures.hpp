@@ -14,7 +14,7 @@
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/deck.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 
 namespace ljmd::test {
 
@@ -88,8 +88,8 @@ inline void no_warnings(const std::string& text) {
 }
 
 /// The simulation that a deck describes, made without a warning.
-inline Simulation simulation_of(const Deck& deck) {
-    return make_simulation(deck, find_start(deck), no_warnings);
+inline FluidSystem simulation_of(const Deck& deck) {
+    return make_fluid(fluid_spec(deck, find_start(deck)), no_warnings);
 }
 
 /// While it lives, what is written to stdout or stderr goes to a file.

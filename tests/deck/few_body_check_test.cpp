@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -58,7 +58,7 @@ TEST_CASE("the disk that a few-body run was said to need is about what it takes"
         prepare_directory(deck.directory);
         FewBodySystem system = make_few_body_system(deck);
         Recorder listener;
-        static_cast<void>(run_few_body(deck, system, listener));
+        static_cast<void>(run_deck(deck, system, listener));
         double taken = 0.0;
         for (const char* name : {"thermo.csv", "trajectory.csv"}) {
             if (std::filesystem::exists(deck.directory / name)) {

@@ -34,7 +34,7 @@ double bytes_in(const std::filesystem::path& directory) {
 
 /// What an analysis keeps after all steps of a run but the last, in which windows may come to their ends.
 double kept_by(Analysis& analysis, const Deck& deck, Index steps) {
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     const Evaluation evaluation = simulation.force_field.evaluate(simulation.state, Request::forces_and_energy);
     for (Index step = 0; step < steps; ++step) {
         if (analysis.due(step)) {
@@ -70,7 +70,7 @@ TEST_CASE("what an analysis was said to keep is about what it keeps") {
     const DeckFolder folder(small_deck + all_analyses_table);
     const Deck deck = folder.load({"stage.production.steps=400"});
     SampledRun run = sampled_run(deck.root, 108, find_start(deck).box);
-    run.interaction = interaction_of(deck);
+    run.interaction = fluid_spec(deck).interaction();
     for (const AnalysisMethod& method : all_analyses()) {
         const auto options = choose(method, deck.root.section("analysis").section(method.name)).options;
         const double said = options->size(run).kept;

@@ -107,7 +107,7 @@ TEST_CASE("thermostats that are said to be deterministic do not depend on the se
             const DeckFolder folder(
                 changed(small_deck, {{rescaling, "thermostat = { type = \"" + method.name + "\" }"}}));
             const Deck deck = folder.load();
-            Simulation simulation = simulation_of(deck);
+            FluidSystem simulation = simulation_of(deck);
             State& state = simulation.state;
             const auto thermostat = choose(method).options->make({1.3, 0.1, seed, degrees_of_freedom(state.count())});
             state.bath = thermostat->beginning();

@@ -8,7 +8,7 @@
 #include "integrators/oscillator.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/few_body.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/model/velocities.hpp"
 
 using namespace ljmd;
@@ -175,7 +175,7 @@ TEST_CASE("a stage cut in two is the same motion, to the last bit, for few bodie
     }
     const std::string parts = changed(small_deck, {{"steps = 40\nsample = true\n", "steps = 13\n"}}) +
                               "\n[[stage]]\nname = \"rest\"\ntime_step = 0.004\nsteps = 27\n";
-    std::vector<Simulation> runs;
+    std::vector<FluidSystem> runs;
     for (const std::string& text : {small_deck, parts}) {
         const Deck deck = DeckFolder(text).load();
         runs.push_back(simulation_of(deck));
@@ -219,7 +219,7 @@ TEST_CASE("a thermostat acts after the particles have moved, and only in its sta
                                  "\n[[stage]]\nname = \"again\"\ntime_step = 0.004\nsteps = 10\n"
                                  "temperature = 1.3\nthermostat = { type = \"rescale\", every = 4 }\n")
                           .load({"stage.equilibrate.temperature=1.3", "stage.production.steps=41"});
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     Log log(simulation.state);
     run_stages(deck.stages, simulation.state, simulation.force_field, log);
     const double wanted = 1.3 * 1.5 * (108.0 - 1.0);  // 3 (N - 1) degrees of freedom
@@ -244,12 +244,12 @@ TEST_CASE("after a thermostat that moves the centre of mass, it is brought to re
         const std::string text = small_deck.substr(0, small_deck.find("\n[[stage]]")) + stage + "one" + steps +
                                  bath(first) + stage + "two" + steps + bath(second);
         const Deck deck = DeckFolder(text).load();
-        Simulation simulation = simulation_of(deck);
+        FluidSystem simulation = simulation_of(deck);
         Log log(simulation.state);
         std::vector<double> found;
         run_stages({deck.stages[0]}, simulation.state, simulation.force_field, log);
         found.push_back(total_momentum(simulation.state).norm());
-        Simulation again = simulation_of(deck);
+        FluidSystem again = simulation_of(deck);
         Log other(again.state);
         run_stages(deck.stages, again.state, again.force_field, other);
         found.push_back(total_momentum(again.state).norm());
@@ -273,7 +273,7 @@ TEST_CASE("a barostat changes the box when its steps come, between two steps, an
                                                    "barostat = { type = \"stochastic-cell-rescaling\", "
                                                    "pressure = 1.0, every = 5 }"}});
     const Deck deck = DeckFolder(text).load();
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     struct Edges : Log {
         using Log::Log;
         void step_done(const Stage& stage, const Evaluation& evaluation) override {
@@ -284,7 +284,7 @@ TEST_CASE("a barostat changes the box when its steps come, between two steps, an
         std::vector<double> edges;
     };
     Edges log(simulation.state, 1000);
-    run_stages(deck.stages, simulation.state, simulation.force_field, log, std::nullopt, interaction_of(deck));
+    run_stages(deck.stages, simulation.state, simulation.force_field, log, std::nullopt, fluid_spec(deck).interaction());
     REQUIRE(log.edges.size() == 60);
     for (std::size_t step = 2; step <= 60; ++step) {
         INFO(step);
@@ -298,7 +298,7 @@ TEST_CASE("a barostat changes the box when its steps come, between two steps, an
 TEST_CASE("a run is not gone on with when the state has not what the thermostat keeps") {
     const Deck deck =
         DeckFolder(changed(small_deck, {{"type = \"rescale\", every = 5", "type = \"nose-hoover-chain\""}})).load();
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     Log log(simulation.state);
     simulation.state.bath = {0.0, 1.0};
     LoopPosition position;

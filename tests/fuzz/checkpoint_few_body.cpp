@@ -1,5 +1,5 @@
 #include "fuzzed_decks.hpp"
-#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/run.hpp"
 #include "resumed_run.hpp"
 
 using namespace ljmd;
@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         control.resumed = fuzz::found_again(folder, content);
         FewBodySystem system = make_few_body_system(folder.deck());
         fuzz::Quiet listener;
-        static_cast<void>(run_few_body(folder.deck(), system, listener, control));
+        static_cast<void>(run_deck(folder.deck(), system, listener, control));
         ++fuzz::inputs_accepted;
     } catch (const CheckpointError&) {
     } catch (const PhysicsError&) {  // positions and velocities may be any

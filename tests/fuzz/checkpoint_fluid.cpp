@@ -1,5 +1,5 @@
 #include "fuzzed_decks.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "resumed_run.hpp"
 
 using namespace ljmd;
@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         RunControl control;
         control.resumed = fuzz::found_again(folder, content);
         const CheckpointHead& head = control.resumed->point.head;
-        Simulation simulation = empty_simulation(folder.deck(), head.atoms, Box(head.edges));
+        FluidSystem simulation = empty_fluid(fluid_spec(folder.deck()), head.atoms, Box(head.edges));
         fuzz::Quiet listener;
         static_cast<void>(run_deck(folder.deck(), simulation, listener, control));
         ++fuzz::inputs_accepted;

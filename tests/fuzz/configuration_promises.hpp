@@ -4,7 +4,7 @@
 
 #include "fuzz_target.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/model/configuration.hpp"
 
 namespace ljmd::fuzz {

@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "fuzzed_decks.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
-#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/run.hpp"
 #include "resumed_run.hpp"
 #include "two_atoms.hpp"
 
@@ -41,9 +41,9 @@ struct StopAt : RunListener {
 void run(const Deck& deck, RunListener& listener) {
     if (deck.kind == DeckKind::few_body) {
         FewBodySystem system = make_few_body_system(deck);
-        static_cast<void>(run_few_body(deck, system, listener));
+        static_cast<void>(run_deck(deck, system, listener));
     } else {
-        Simulation simulation = make_simulation(deck, find_start(deck), [](const std::string&) {});
+        FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), [](const std::string&) {});
         static_cast<void>(run_deck(deck, simulation, listener));
     }
 }

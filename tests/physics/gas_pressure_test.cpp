@@ -12,7 +12,6 @@
 #include "ljmd/observables/statistics/blocking.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/second_virial.hpp"
-#include "ljmd/run/deck_stages.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -49,10 +48,11 @@ class Sampled : private StepObserver {
     Sampled(const std::string& deck_text, Index every) : every_(every) {
         const SameBits same_bits;
         const Deck deck = DeckFolder(deck_text).load();
-        Simulation simulation = simulation_of(deck);
+        FluidSystem simulation = simulation_of(deck);
         state_ = &simulation.state;
         tail_ = simulation.tail;
-        run_stages(deck, simulation.state, simulation.force_field, *this);
+        run_stages(deck.stages, simulation.state, simulation.force_field, *this, std::nullopt,
+                   fluid_spec(deck).interaction());
     }
 
     enum Quantity { temperature, pressure, volume, density };

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/results.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -24,13 +24,14 @@ FewBodyResult some_result() {
                           {{"period", 2.9917, 0.0012},
                            {"precession", 0.1, std::nan("")},
                            {"semi_major_axis_at_end", 0.6097, std::nullopt}}}},
+            .tables = {},
             .seconds = 1.0};
 }
 
 }  // namespace
 
 TEST_CASE("results.json of few bodies has the keys that scripts rely on") {
-    const Json json = Json::parse(few_body_results_json(DeckFolder(stars_deck).load(), some_result()));
+    const Json json = Json::parse(results_json(DeckFolder(stars_deck).load(), some_result()));
     CHECK(json.at("title") == "Two stars");
     CHECK(json.at("system") ==
           Json({{"kind", "few-body"}, {"bodies", 2}, {"dimensions", 2}, {"force", "newtonian-gravity"}}));
@@ -50,7 +51,7 @@ TEST_CASE("results.json of few bodies has the keys that scripts rely on") {
 }
 
 TEST_CASE("what is no number is null in results.json of few bodies") {
-    const Json json = Json::parse(few_body_results_json(DeckFolder(stars_deck).load(), some_result()));
+    const Json json = Json::parse(results_json(DeckFolder(stars_deck).load(), some_result()));
     CHECK(json.at("observables").at("momentum_x").at("at_end").is_null());
     CHECK(json.at("observables").at("momentum_x").at("largest_deviation").is_null());
     CHECK(json.at("analysis").at("orbit").at("precession") == Json({{"value", 0.1}, {"standard_error", nullptr}}));
@@ -60,7 +61,7 @@ TEST_CASE("the table of a few-body run shows totals, findings and drift") {
     const Deck deck = DeckFolder(stars_deck).load();
     FewBodyResult result = some_result();
     result.histories.pop_back();
-    const std::string table = few_body_results_table(deck, result);
+    const std::string table = results_table(deck, result);
     CHECK_THAT(table, Catch::StartsWith("Two stars\n2 bodies in 2 dimensions, force newtonian-gravity\n\n") &&
                           Contains("  total_energy                          -0.205              -0.2050001"
                                    "                 1e-07\n") &&
@@ -70,5 +71,5 @@ TEST_CASE("the table of a few-body run shows totals, findings and drift") {
                           Catch::EndsWith("files: " + deck.directory.string() + "\n"));
     result.bodies = 1;
     result.dimensions = 1;
-    CHECK_THAT(few_body_results_table(deck, result), Contains("1 body in 1 dimension,"));
+    CHECK_THAT(results_table(deck, result), Contains("1 body in 1 dimension,"));
 }

@@ -21,7 +21,7 @@ namespace {
 /// Runs the deck in its folder; returns the directory and the state at the end.
 std::pair<fs::path, State> run_in(const DeckFolder& folder, const std::vector<std::string>& settings = {}) {
     const Deck deck = folder.load(settings);
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     prepare_directory(deck.directory);
     Recorder recorder;
     static_cast<void>(run_deck(deck, simulation, recorder));

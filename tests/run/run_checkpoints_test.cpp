@@ -326,10 +326,10 @@ TEST_CASE("results of stages that have not begun are refused") {
         position.begun = begun;
         return position;
     };
-    CHECK_NOTHROW(require_stages({first}, deck, at(0, true)));
-    CHECK_NOTHROW(require_stages({first}, deck, at(1, false)));
-    CHECK_THROWS_AS(require_stages({}, deck, at(0, true)), CheckpointError);
-    CHECK_THROWS_AS(require_stages({first, first}, deck, at(1, true)), CheckpointError);
+    CHECK_NOTHROW(require_stages({first}, deck.stages, at(0, true)));
+    CHECK_NOTHROW(require_stages({first}, deck.stages, at(1, false)));
+    CHECK_THROWS_AS(require_stages({}, deck.stages, at(0, true)), CheckpointError);
+    CHECK_THROWS_AS(require_stages({first, first}, deck.stages, at(1, true)), CheckpointError);
 }
 
 TEST_CASE("outputs that are shorter than the checkpoint knew them are refused, and nothing is touched") {
@@ -401,7 +401,7 @@ TEST_CASE("no checkpoint is written of a run that has blown up") {
     const DeckFolder folder(with_files);
     const Deck deck = folder.load({"output.checkpoint.every=1"});
     prepare_directory(deck.directory);
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     Recorder listener;
     listener.at_step = [&](Index step) {
         if (step == 33) {

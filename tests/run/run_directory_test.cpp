@@ -1,10 +1,12 @@
 #include "ljmd/run/run_directory.hpp"
 
 #include <map>
+#include <set>
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/run/run.hpp"
+#include "run/run_fixtures.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -28,6 +30,40 @@ std::map<std::string, std::string> contents(const fs::path& directory) {
         all[entry.path().filename().string()] = entry.is_regular_file() ? content_of(entry.path()) : "";
     }
     return all;
+}
+
+const FewBodyRow no_totals{0, 0.0, {0.0, 0.0, 0.0, Vec3::Zero(), Vec3::Zero()}};
+
+using Names = std::set<std::string>;
+
+const Names always{"final.xyz", "results.json", "results.txt", "run.json", "thermo.csv"};
+
+Names files_in(const std::filesystem::path& directory) {
+    Names names;
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+        names.insert(entry.path().filename().string());
+    }
+    return names;
+}
+
+Names together(Names names, const std::string& more) {
+    names.insert(more);
+    return names;
+}
+
+/// The files of a run that writes one row and one frame.
+Names files_of(const std::string& text, const std::vector<std::string>& settings,
+               const std::vector<DataTable>& tables = {}) {
+    const DeckFolder folder(text);
+    const Deck deck = folder.load(settings);
+    prepare_directory(deck.directory);
+    FewBodySystem system = make_few_body_system(deck);
+    system.force_field->evaluate(system.state, Request::forces);
+    RunDirectory files(deck, system);
+    files.write(no_totals);
+    files.write_frame(system.state, std::nullopt);
+    files.finish(system.state, {.tables = tables});
+    return files_in(deck.directory);
 }
 
 }  // namespace
@@ -130,9 +166,9 @@ TEST_CASE("the frames and files that a deck asks for are written, and no others"
         if (*format != '\0') {
             deck.trajectory = TrajectoryOutput{format, 4, false, false, false};
         }
-        Simulation simulation = simulation_of(deck);
+        FluidSystem simulation = simulation_of(deck);
         prepare_directory(deck.directory);
-        RunDirectory files(deck, simulation.state, true);
+        RunDirectory files(deck, simulation);
         files.write_frame(simulation.state);
         for (Index step = 1; step <= 10; ++step) {
             simulation.state.step = step;
@@ -140,7 +176,7 @@ TEST_CASE("the frames and files that a deck asks for are written, and no others"
                 files.write_frame(simulation.state);
             }
         }
-        files.finish(simulation.state, RunResult{});
+        files.finish(simulation.state, {});
         std::string all;
         for (const auto& [file, content] : contents(deck.directory)) {
             all += file + " ";
@@ -152,4 +188,42 @@ TEST_CASE("the frames and files that a deck asks for are written, and no others"
             CHECK_THAT(text, Contains("step=0") && Contains("step=4") && Contains("step=8") && !Contains("step=10"));
         }
     }
+}
+
+TEST_CASE("a few-body run writes the trajectory that its deck asks for, and no other") {
+    CHECK(files_of(stars_deck, {}) == always);
+    CHECK(files_of(stars_deck, {"output.trajectory.every=1"}) == together(always, "trajectory.csv"));
+    for (const std::string format : {"csv", "xyz", "h5md"}) {
+        CHECK(files_of(stars_deck, {"output.trajectory.every=1", "output.trajectory.format=" + format}) ==
+              together(always, "trajectory." + format));
+    }
+    CHECK(files_of(stars_deck, {}, {{"orbit", {"time"}, {{1.0}}}}) == together(always, "orbit.csv"));
+}
+
+TEST_CASE("rows of a few-body run are on the disk before it ends, every hundredth at the latest") {
+    const DeckFolder folder(stars_deck);
+    const Deck deck = folder.load({"output.trajectory.every=1"});
+    prepare_directory(deck.directory);
+    const FewBodySystem system = make_few_body_system(deck);
+    RunDirectory files(deck, system);
+    CHECK(std::filesystem::exists(deck.directory / "run.json"));
+    for (int n = 0; n < 100; ++n) {
+        files.write_frame(system.state, std::nullopt);
+        files.write(no_totals);
+    }
+    CHECK(rows(content_of(deck.directory / "thermo.csv")).size() == 100);
+    CHECK(rows(content_of(deck.directory / "trajectory.csv")).size() == 100);
+}
+
+TEST_CASE("the last configuration of few bodies is kept with velocities and all digits") {
+    const DeckFolder folder(stars_deck);
+    const Deck deck = folder.load();
+    prepare_directory(deck.directory);
+    FewBodySystem system = make_few_body_system(deck);
+    system.state.write_positions()(1, 0) = 1.0 / 3.0;
+    RunDirectory files(deck, system);
+    files.finish(system.state, {});
+    const std::string last = content_of(deck.directory / "final.xyz");
+    CHECK_THAT(last,
+               Catch::Contains("velo:R:3") && Catch::Contains("0.3333333333333333") && !Catch::Contains("Lattice"));
 }

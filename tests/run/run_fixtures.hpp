@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/run.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 
@@ -36,10 +36,10 @@ struct Killed {};
 inline void run_in(const Deck& deck, RunListener& listener, const RunControl& control = {}) {
     if (deck.kind == DeckKind::few_body) {
         FewBodySystem system = make_few_body_system(deck);
-        static_cast<void>(run_few_body(deck, system, listener, control));
+        static_cast<void>(run_deck(deck, system, listener, control));
         return;
     }
-    Simulation simulation = control.resumed ? empty_simulation(deck, control.resumed->point.head.atoms,
+    FluidSystem simulation = control.resumed ? empty_fluid(fluid_spec(deck), control.resumed->point.head.atoms,
                                                                Box(control.resumed->point.head.edges))
                                             : simulation_of(deck);
     static_cast<void>(run_deck(deck, simulation, listener, control));

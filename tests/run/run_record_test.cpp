@@ -119,7 +119,7 @@ TEST_CASE("the trajectory that a deck asks for is opened, and none that it does 
 TEST_CASE("a configuration that a run was given up at is kept as it is, and the user told where") {
     const DeckFolder folder;
     Deck deck = folder.load();
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     prepare_directory(deck.directory);
     const std::string file = (deck.directory / "failed.xyz").string();
     CHECK(save_failure(deck, simulation.state) == "\n  the configuration is in " + file);

@@ -31,7 +31,7 @@ struct Finished {
 
     DeckFolder folder;
     Deck deck;
-    Simulation simulation;
+    FluidSystem simulation;
     Recorder listener;
     RunResult result{};
 };
@@ -250,7 +250,7 @@ TEST_CASE("what follows atoms through time begins anew with each stage") {
 TEST_CASE("run.json tells a run that goes on from one that has ended") {
     const DeckFolder folder;
     const Deck deck = folder.load();
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     prepare_directory(deck.directory);
     Recorder listener;
     int looks = 0;
@@ -271,7 +271,7 @@ TEST_CASE("a run that blows up ends with step, stage and the configuration") {
     const DeckFolder folder;
     Deck deck = folder.load({"system.temperature=20"});
     deck.stages[1].time_step = 0.1;  // which a deck would need --force for
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     prepare_directory(deck.directory);
     Recorder listener;
     const auto run = [&] { static_cast<void>(run_deck(deck, simulation, listener)); };

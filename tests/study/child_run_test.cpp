@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -73,7 +73,7 @@ TEST_CASE("a run begins, is gone on with, and is left alone when it is finished"
     CHECK(verb(next_job(run)).first == "run");
 
     const Deck deck = folder.load(hot);
-    Simulation simulation = simulation_of(deck);
+    FluidSystem simulation = simulation_of(deck);
     prepare_directory(deck.directory);
     Recorder listener;
     static_cast<void>(run_deck(deck, simulation, listener));

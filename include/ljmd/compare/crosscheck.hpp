@@ -8,7 +8,7 @@
 
 #include "ljmd/compare/ensemble_comparison.hpp"
 #include "ljmd/compare/trajectory_comparison.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/run/run.hpp"
 
 namespace ljmd {
@@ -69,7 +69,7 @@ struct Crosscheck {
 /// Run the deck's stages before the first sampled one (the last one, if none is sampled), then compare from there.
 /// @param say  receives a line before each slow operation
 /// @throws InputError  the program to compare with, or its platform, is missing
-[[nodiscard]] Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const CrosscheckOptions& options,
+[[nodiscard]] Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const CrosscheckOptions& options,
                                     RunListener& listener, const std::function<void(const std::string&)>& say);
 
 }  // namespace ljmd

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 
 namespace ljmd {
 

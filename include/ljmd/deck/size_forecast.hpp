@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 
 namespace ljmd {
 

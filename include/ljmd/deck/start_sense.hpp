@@ -2,7 +2,7 @@
 
 #include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/section.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 
 namespace ljmd {
 

@@ -13,13 +13,13 @@ namespace ljmd {
 
 /// Steps of one integrator, with at most one thermostat and one barostat: one [[stage]] of a deck.
 struct Stage {
-    std::string name;
-    ChosenIntegrator integrator;
-    double time_step;  ///< [tau]
-    Index steps;
-    double temperature;  ///< target of the thermostat [epsilon/k_B]
-    bool sample;         ///< whether observables are measured
-    bool reverse;        ///< whether the motion is reversed before the first step
+    std::string name;  ///< for messages and results; unique in a run
+    ChosenIntegrator integrator = choose(find_integrator("velocity-verlet"));
+    double time_step = 0.0;  ///< [tau], must be given: above 0
+    Index steps = 0;
+    double temperature = 0.0;  ///< target of the thermostat [epsilon/k_B]
+    bool sample = false;       ///< whether observables are measured
+    bool reverse = false;      ///< whether the motion is reversed before the first step
     std::optional<ChosenThermostat> thermostat = {};
     std::optional<ChosenBarostat> barostat = {};  ///< for a fluid only
     std::uint64_t seed = 0;                       ///< of the random numbers of thermostat and barostat

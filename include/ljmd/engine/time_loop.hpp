@@ -77,12 +77,15 @@ class StepObserver {
 ///
 /// Time increases in all stages, also in those that run the motion backwards. The centre of mass is brought to rest at
 /// the beginning of a stage that conserves momentum, if the stage before it did not.
-/// @param from  position to resume from; state, force field and observer are as they were at that checkpoint
+/// @param from  position to continue from; state, force field and observer are as they were then
 /// @param interaction  of a fluid; needed by barostats
+/// @param until  last step of the run to take; none: the last one of the stages
+/// @return the position after the last step that was taken; its stage is stages.size() when all is done
 /// @throws PhysicsError naming the step and the stage
 /// @throws CheckpointError if the state lacks the variables of the thermostat
-LoopSeconds run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
-                       const std::optional<LoopPosition>& from = std::nullopt,
-                       const std::optional<Interaction>& interaction = std::nullopt);
+LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field,
+                        StepObserver& observer, const std::optional<LoopPosition>& from = std::nullopt,
+                        const std::optional<Interaction>& interaction = std::nullopt,
+                        std::optional<Index> until = std::nullopt);
 
 }  // namespace ljmd

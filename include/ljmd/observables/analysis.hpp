@@ -112,6 +112,8 @@ struct AnalysisMethod {
     std::function<std::unique_ptr<AnalysisOptions>()> options;  ///< at their defaults
 };
 
+using ChosenAnalysis = Chosen<AnalysisMethod, AnalysisOptions>;
+
 /// All analyses, in alphabetical order.
 [[nodiscard]] std::vector<AnalysisMethod> all_analyses();
 

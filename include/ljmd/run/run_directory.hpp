@@ -4,16 +4,20 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "ljmd/engine/few_body_system.hpp"
+#include "ljmd/engine/fluid_system.hpp"
+#include "ljmd/engine/phase_seconds.hpp"
+#include "ljmd/engine/run_outputs.hpp"
+#include "ljmd/io/tables/few_body_csv.hpp"
 #include "ljmd/io/tables/thermo_csv.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/run/run_record.hpp"
 
 namespace ljmd {
-
-struct RunResult;
 
 /// All names that a run may write into its directory. `--force` replaces only these.
 [[nodiscard]] std::vector<std::string> run_output_names();
@@ -49,28 +53,44 @@ struct ResumedOutputs {
 /// is changed. @throws CheckpointError
 void check_outputs(const Deck& deck, const ResumedOutputs& resumed);
 
-/// The output files of a running fluid run; docs/files.md describes them.
+/// What a run writes at its end.
+struct FinalOutputs {
+    std::string results_json;
+    std::string results_text;
+    std::vector<DataTable> tables;
+    double seconds;                             ///< wall time of the time loop
+    std::optional<PhaseSeconds> phases = {};    ///< its parts, if measured
+};
+
+/// The output files of a running run; docs/files.md describes them.
 class RunDirectory {
   public:
     /// Opens the outputs and writes run.json.
     /// @param resumed  continue the files of an interrupted run  @throws FileError, CheckpointError
-    RunDirectory(const Deck& deck, const State& first, bool order_parameter,
-                 const std::optional<ResumedOutputs>& resumed = std::nullopt);
+    RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<ResumedOutputs>& resumed = {});
+    RunDirectory(const Deck& deck, const FewBodySystem& system, const std::optional<ResumedOutputs>& resumed = {});
 
-    void write_thermo(Index step, double time, const Thermodynamics& row, const ThermoCsv::Values& values);
-    void write_frame(const State& state);
+    /// @pre the row is one of the kind of system that the directory was opened for
+    void write(const ThermoRow& row);
+    void write(const FewBodyRow& row);
+
+    /// Write a frame of the trajectory, if the deck has one. @param angle  see RunOutputs::frame
+    void write_frame(const State& state, const std::optional<double>& angle = {});
     [[nodiscard]] bool frame_is_due(const State& state) const;
 
     /// Synchronise everything written. @return how much that is  @throws FileError
     CommittedOutputs commit();
 
     /// Close the outputs; write final.xyz, the tables of the analyses, results.json and .txt, and run.json again.
-    void finish(const State& state, const RunResult& result);
+    void finish(const State& state, const FinalOutputs& outputs);
 
   private:
+    void row_written();
+
     const Deck& deck_;
-    std::unique_ptr<TrajectoryWriter> trajectory_;  ///< opened first: it may throw when the run is resumed
-    ThermoCsv thermo_;
+    std::optional<TrajectoryCsv> csv_;
+    std::unique_ptr<TrajectoryWriter> trajectory_;  ///< if it is not CSV; may throw when the run is resumed
+    std::variant<ThermoCsv, FewBodyThermoCsv> thermo_;
     RunRecord record_;
     Index rows_since_flush_ = 0;
 };

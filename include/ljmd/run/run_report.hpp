@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/run/run.hpp"
+#include "ljmd/deck/deck.hpp"
+#include "ljmd/engine/run_result.hpp"
 
 namespace ljmd {
 
@@ -12,18 +13,6 @@ namespace ljmd {
 
 /// The title of a deck, or its path, as one line of the screen.
 [[nodiscard]] std::string title_line(const Deck& deck);
-
-/// The remark on a large energy drift in a stage of a fluid; empty if the drift is small, or undefined. It is large if
-/// it adds up to more than 0.3 % of the kinetic energy (2 % in less than 5 tau): the samples then belong to no single
-/// energy, and a time step that heats the fluid so much also falsifies temperature and pressure.
-/// @param kinetic_energy  per atom, mean over the sampled stages
-[[nodiscard]] std::string drift_remark(const StageResult& stage, double kinetic_energy);
-
-/// The remark on a time step that is too long in a sampled stage of a fluid; empty if it is short enough, and for
-/// integrators of higher than second order. It is too long if it makes the temperatures of velocities and of
-/// configurations differ by more than 1 % (see TimeStepError): the pressure of a liquid is then off by several
-/// hundredths, even if the energy does not drift.
-[[nodiscard]] std::string time_step_remark(const StageResult& stage);
 
 /// A stage in results.json.
 [[nodiscard]] nlohmann::ordered_json stage_json(const StageResult& stage);

@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "ljmd/observables/statistics/blocking.hpp"
 
@@ -15,5 +17,20 @@ struct ObservableAverage {
     std::optional<Estimate> estimate;  ///< empty if the observable has no value (temperature of one atom)
     std::string remark = {};           ///< note for the reader: why there is no value, or why to doubt it
 };
+
+/// Whether the table at the end of a run shows an observable; components of the pressure tensor and the virial are only
+/// in results.json.
+[[nodiscard]] bool is_in_table(const std::string& observable);
+
+/// The remark on a number whose error bar is a guess (Estimate::converged).
+inline constexpr std::string_view guessed_error =
+    "its error bar is a guess: the series is too short for its correlations";
+
+/// Remarks on an observable: its own, and whether its error bar is a guess.
+[[nodiscard]] std::string remark_of(const ObservableAverage& average);
+
+/// Names of the observables in the table whose error bars are guesses, "pressure, diffusion"; "all observables" if no
+/// error bar is reliable.
+[[nodiscard]] std::string unsure_of(const std::vector<ObservableAverage>& averages);
 
 }  // namespace ljmd

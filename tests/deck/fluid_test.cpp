@@ -1,4 +1,4 @@
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/deck/fluid.hpp"
 
 #include <cmath>
 
@@ -90,7 +90,7 @@ TEST_CASE("a crystal stands on its lattice, at the temperature, without momentum
     for (const char* type : {"fcc", "simple-cubic"}) {
         const DeckFolder folder(
             changed(small_deck, {{"\"fcc\", cells = 3", std::string("\"") + type + "\", cells = 5"}}));
-        const Simulation simulation = simulation_of(folder.load());
+        const FluidSystem simulation = simulation_of(folder.load());
         const State& state = simulation.state;
         const auto sites =
             lattice_sites(std::string(type) == "fcc" ? Lattice::fcc : Lattice::simple_cubic, 5, state.box());
@@ -109,7 +109,7 @@ TEST_CASE("a crystal stands on its lattice, at the temperature, without momentum
 
 TEST_CASE("a random start is relaxed until no atoms overlap") {
     const DeckFolder folder(changed(small_deck, {{lattice, "lattice = { type = \"random\", atoms = 108 }"}}));
-    const Simulation simulation = simulation_of(folder.load());
+    const FluidSystem simulation = simulation_of(folder.load());
     const State& state = simulation.state;
     CHECK(simulation.relaxation_iterations > 0);
     CHECK_FALSE(simulation.order.has_value());
@@ -135,7 +135,7 @@ TEST_CASE("the seed decides every bit of a start") {
 
 TEST_CASE("tail and analyses are there when the deck asks for them") {
     const DeckFolder plain;
-    const Simulation without = simulation_of(plain.load());
+    const FluidSystem without = simulation_of(plain.load());
     CHECK(without.tail.energy(0.8) == 0.0);
     CHECK(without.analyses.empty());
     const DeckFolder full(changed(small_deck, {{"\"force-shifted\"", "\"cut\"\ntail = true"}}) +
@@ -153,7 +153,7 @@ TEST_CASE("a start from a file keeps atoms, box and velocities, atoms outside th
     const Start found = find_start(deck);
     REQUIRE(found.configuration.has_value());
     CHECK(found.box.edges() == Vec3(4.0, 4.5, 5.0));
-    const Simulation simulation = make_simulation(deck, found, no_warnings);
+    const FluidSystem simulation = make_fluid(fluid_spec(deck, found), no_warnings);
     const State& state = simulation.state;
     CHECK_FALSE(simulation.order.has_value());
     const std::vector<Index> index = state.index_of();
@@ -198,8 +198,8 @@ TEST_CASE("a moving centre of mass is stopped, and the user told") {
     start.write(Vec3(0.0, 0.0, 0.25));
     const Deck deck = start.load();
     std::vector<std::string> warnings;
-    const Simulation simulation =
-        make_simulation(deck, find_start(deck), [&](const std::string& text) { warnings.push_back(text); });
+    const FluidSystem simulation =
+        make_fluid(fluid_spec(deck, find_start(deck)), [&](const std::string& text) { warnings.push_back(text); });
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], Contains("0.25 sigma/tau"));
     CHECK(total_momentum(simulation.state).norm() < 1e-14);
@@ -233,10 +233,10 @@ TEST_CASE("a configuration that no step can be taken from is refused") {
         INFO(message);
         Start bad = good;
         spoil(*bad.configuration);
-        CHECK_THROWS_AS(make_simulation(deck, bad, no_warnings), DataError);
-        CHECK_THROWS_WITH(make_simulation(deck, bad, no_warnings), Contains(message));
+        CHECK_THROWS_AS(make_fluid(fluid_spec(deck, bad), no_warnings), DataError);
+        CHECK_THROWS_WITH(make_fluid(fluid_spec(deck, bad), no_warnings), Contains(message));
     };
     refused([](Configuration& c) { c.positions[4][1] = 5e6; }, "atom 5 is more than a million edges away");
     refused([](Configuration& c) { c.masses = std::vector<double>(8, 2.0); }, "mass 2");
-    CHECK_NOTHROW(make_simulation(deck, good, no_warnings));
+    CHECK_NOTHROW(make_fluid(fluid_spec(deck, good), no_warnings));
 }

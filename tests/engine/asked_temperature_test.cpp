@@ -1,8 +1,8 @@
-#include "ljmd/deck/asked_temperature.hpp"
+#include "ljmd/engine/asked_temperature.hpp"
 
 #include <cmath>
 
-#include "ljmd/deck/at_temperature.hpp"
+#include "ljmd/engine/at_temperature.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -15,12 +15,12 @@ const std::string truncation = "cutoff = 2.0\ntruncation = \"force-shifted\"";
 const std::string rescaling = "thermostat = { type = \"rescale\", every = 5 }";
 const std::string sampled = "sample = true\n";
 
-Deck deck_of(const Replacements& replacements, const std::vector<std::string>& settings = {}) {
-    return DeckFolder(changed(small_deck, replacements)).load(settings);
+FluidSpec spec_of(const Replacements& replacements, const std::vector<std::string>& settings = {}) {
+    return fluid_spec(DeckFolder(changed(small_deck, replacements)).load(settings));
 }
 
-Deck full_fluid(const std::vector<std::string>& settings = {}) {
-    return deck_of({{truncation, "cutoff = 2.5\ntruncation = \"cut\"\ntail = true"}}, settings);
+FluidSpec full_fluid(const std::vector<std::string>& settings = {}) {
+    return spec_of({{truncation, "cutoff = 2.5\ntruncation = \"cut\"\ntail = true"}}, settings);
 }
 
 std::optional<Estimate> measured(double mean, double error) {
@@ -45,44 +45,44 @@ RunAverages averages_at(double temperature, double swing = 0.01) {
 }  // namespace
 
 TEST_CASE("a deck asks for the temperature that is held where it samples, or was last before") {
-    CHECK(asked_temperature(deck_of({})) == 1.0);
-    CHECK(asked_temperature(deck_of({}, {"stage.equilibrate.temperature=0.7"})) == 0.7);
-    CHECK(asked_temperature(deck_of({{rescaling + "\n", ""}})) == 1.0);
+    CHECK(asked_temperature(spec_of({})) == 1.0);
+    CHECK(asked_temperature(spec_of({}, {"stage.equilibrate.temperature=0.7"})) == 0.7);
+    CHECK(asked_temperature(spec_of({{rescaling + "\n", ""}})) == 1.0);
     CHECK(asked_temperature(
-              deck_of({{sampled, sampled + "thermostat = { type = \"langevin\" }\ntemperature = 0.9\n"}})) == 0.9);
+              spec_of({{sampled, sampled + "thermostat = { type = \"langevin\" }\ntemperature = 0.9\n"}})) == 0.9);
     // What comes after the sampled stage, or has no steps, does not count.
-    CHECK(asked_temperature(deck_of({}, {"stage.equilibrate.temperature=0.7", "stage.equilibrate.steps=0"})) == 1.0);
+    CHECK(asked_temperature(spec_of({}, {"stage.equilibrate.temperature=0.7", "stage.equilibrate.steps=0"})) == 1.0);
     const std::string later =
         "[[stage]]\nname = \"later\"\ntime_step = 0.004\nsteps = 10\ntemperature = 2.0\n" + rescaling;
-    CHECK(asked_temperature(deck_of({{sampled, sampled + later}})) == 1.0);
-    CHECK_FALSE(asked_temperature(deck_of({{sampled, ""}})));
+    CHECK(asked_temperature(spec_of({{sampled, sampled + later}})) == 1.0);
+    CHECK_FALSE(asked_temperature(spec_of({{sampled, ""}})));
     // Two sampled stages that are asked for two temperatures.
-    CHECK_FALSE(asked_temperature(deck_of({{sampled, sampled + later + "\n" + sampled}})));
-    CHECK(asked_temperature(deck_of({{sampled, sampled + later + "\n" + sampled}}, {"stage.later.temperature=1.0"})) ==
+    CHECK_FALSE(asked_temperature(spec_of({{sampled, sampled + later + "\n" + sampled}})));
+    CHECK(asked_temperature(spec_of({{sampled, sampled + later + "\n" + sampled}}, {"stage.later.temperature=1.0"})) ==
           1.0);
 }
 
 TEST_CASE("a temperature that is off by more than three errors is remarked on, with what is asked and what is found") {
-    const Deck deck = deck_of({});
-    CHECK(temperature_remark(deck, measured(0.9701, 0.01)).empty());
-    CHECK(temperature_remark(deck, measured(1.0299, 0.01)).empty());
-    CHECK_THAT(temperature_remark(deck, measured(0.9699, 0.01)),
+    const FluidSpec spec = spec_of({});
+    CHECK(temperature_remark(spec, measured(0.9701, 0.01)).empty());
+    CHECK(temperature_remark(spec, measured(1.0299, 0.01)).empty());
+    CHECK_THAT(temperature_remark(spec, measured(0.9699, 0.01)),
                Contains("asked 1, found 0.9699: at constant energy the temperature is a result"));
-    CHECK_THAT(temperature_remark(deck, measured(1.0301, 0.01)), Contains("asked 1, found 1.0301"));
-    const Deck held = deck_of({{sampled, sampled + "thermostat = { type = \"langevin\" }\n"}});
+    CHECK_THAT(temperature_remark(spec, measured(1.0301, 0.01)), Contains("asked 1, found 1.0301"));
+    const FluidSpec held = spec_of({{sampled, sampled + "thermostat = { type = \"langevin\" }\n"}});
     CHECK_THAT(temperature_remark(held, measured(0.9, 0.01)), Contains("the thermostat has not brought it there"));
-    CHECK_THAT(temperature_remark(DeckFolder(small_deck + argon_table).load(), measured(0.9, 0.01)),
+    CHECK_THAT(temperature_remark(fluid_spec(DeckFolder(small_deck + argon_table).load()), measured(0.9, 0.01)),
                Contains("asked 1 (119.8 K), found 0.9 (107.82 K)"));
     // Nothing is known of a temperature without an error, or without a value; what is held exactly has none.
-    CHECK(temperature_remark(deck, measured(0.5, std::nan(""))).empty());
-    CHECK(temperature_remark(deck, std::nullopt).empty());
-    CHECK(temperature_remark(deck, measured(1.0 + 1e-15, 0.0)).empty());
-    CHECK_FALSE(temperature_remark(deck, measured(0.5, 0.0)).empty());
+    CHECK(temperature_remark(spec, measured(0.5, std::nan(""))).empty());
+    CHECK(temperature_remark(spec, std::nullopt).empty());
+    CHECK(temperature_remark(spec, measured(1.0 + 1e-15, 0.0)).empty());
+    CHECK_FALSE(temperature_remark(spec, measured(0.5, 0.0)).empty());
 }
 
 TEST_CASE("a fluid has the equation of state of its own truncation, or none") {
     const auto name = [](const std::string& potential) {
-        const auto equation = equation_of_fluid(deck_of({{truncation, potential}, {"cells = 3", "cells = 5"}}));
+        const auto equation = equation_of_fluid(spec_of({{truncation, potential}, {"cells = 3", "cells = 5"}}));
         return equation ? equation->name : "";
     };
     CHECK(name("cutoff = 2.5\ntruncation = \"cut\"\ntail = true") == "thol2016");
@@ -96,9 +96,9 @@ TEST_CASE("a fluid has the equation of state of its own truncation, or none") {
 }
 
 TEST_CASE("what was measured beside the temperature that was asked is brought there, and only then") {
-    const Deck deck = full_fluid();
+    const FluidSpec spec = full_fluid();
     const RunAverages averages = averages_at(0.96);
-    const auto there = at_asked_temperature(deck, 0.8, averages);
+    const auto there = at_asked_temperature(spec, 0.8, averages);
     REQUIRE(there);
     CHECK(there->temperature == 1.0);
     CHECK(there->equation == "thol2016");
@@ -114,10 +114,10 @@ TEST_CASE("what was measured beside the temperature that was asked is brought th
     CHECK(there->observables[2].name == "compressibility_factor");
     CHECK(there->observables[2].estimate->mean == expected.compressibility_factor.mean);
 
-    CHECK_FALSE(at_asked_temperature(deck, 0.8, averages_at(1.0)));   // found
-    CHECK_FALSE(at_asked_temperature(deck, 0.8, averages_at(0.89)));  // too far
-    CHECK_FALSE(at_asked_temperature(deck, 0.6, averages));           // liquid and vapour
-    CHECK_FALSE(at_asked_temperature(deck_of({}), 0.8, averages));    // no equation
+    CHECK_FALSE(at_asked_temperature(spec, 0.8, averages_at(1.0)));   // found
+    CHECK_FALSE(at_asked_temperature(spec, 0.8, averages_at(0.89)));  // too far
+    CHECK_FALSE(at_asked_temperature(spec, 0.6, averages));           // liquid and vapour
+    CHECK_FALSE(at_asked_temperature(spec_of({}), 0.8, averages));    // no equation
     CHECK_FALSE(at_asked_temperature(full_fluid({"stage.production.thermostat={ type = \"langevin\" }"}), 0.8,
                                      averages));  // held
 }
@@ -134,7 +134,7 @@ TEST_CASE("runs at constant energy, brought to one temperature, scatter as their
         Deck deck = folder.load(
             {fmt::format("system.seed={}", seed), "stage.equilibrate.steps=2000", "stage.production.steps=10000"});
         prepare_directory(deck.directory);
-        Simulation simulation = simulation_of(deck);
+        FluidSystem simulation = simulation_of(deck);
         Recorder listener;
         const RunResult result = run_deck(deck, simulation, listener);
         const auto p = std::ranges::find(result.averages, "pressure", &ObservableAverage::name)->estimate;

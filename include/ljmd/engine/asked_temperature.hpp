@@ -4,26 +4,26 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/deck/deck.hpp"
+#include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/observables/statistics/run_averages.hpp"
 #include "ljmd/reference/equation_of_state.hpp"
 
 namespace ljmd {
 
-/// The temperature that a fluid's deck asks for in its sampled stages: that of their thermostat, else of the last
-/// thermostat before them, else of [system]. Nothing if it asks for none, or for several.
-[[nodiscard]] std::optional<double> asked_temperature(const Deck& deck);
+/// The temperature that is asked for in the sampled stages of a run: that of their thermostat, else of the last
+/// thermostat before them, else of the start. Nothing if none is asked for, or several.
+[[nodiscard]] std::optional<double> asked_temperature(const FluidSpec& spec);
 
-/// A remark if the temperature of a run differs from the one that its deck asks for by more than three standard errors;
+/// A remark if the temperature of a run differs from the one that is asked for by more than three standard errors;
 /// else empty.
 /// @param found  mean over the sampled stages
-[[nodiscard]] std::string temperature_remark(const Deck& deck, const std::optional<Estimate>& found);
+[[nodiscard]] std::string temperature_remark(const FluidSpec& spec, const std::optional<Estimate>& found);
 
-/// The equation of state of exactly the fluid that a deck simulates; nothing if there is none. Cut at 2.5 sigma or
+/// The equation of state of exactly the fluid that is simulated; nothing if there is none. Cut at 2.5 sigma or
 /// farther out and with tail corrections, a fluid counts as the full Lennard-Jones fluid.
-[[nodiscard]] std::optional<EquationOfState> equation_of_fluid(const Deck& deck);
+[[nodiscard]] std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec);
 
-/// Results of a run at constant energy, converted to the temperature that its deck asks for.
+/// Results of a run at constant energy, converted to the temperature that is asked for.
 struct AtAskedTemperature {
     double temperature;
     std::string equation;                        ///< equation of state that was used
@@ -34,7 +34,7 @@ struct AtAskedTemperature {
 /// temperature_remark()), differs from it by more than a tenth, or is held by a thermostat; if the fluid has no
 /// equation of state; or if the state is outside its range or describes no stable phase.
 /// @param averages  not empty
-[[nodiscard]] std::optional<AtAskedTemperature> at_asked_temperature(const Deck& deck, double density,
+[[nodiscard]] std::optional<AtAskedTemperature> at_asked_temperature(const FluidSpec& spec, double density,
                                                                      const RunAverages& averages);
 
 }  // namespace ljmd

@@ -1,4 +1,4 @@
-#include "ljmd/run/few_body_run.hpp"
+#include "ljmd/run/run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Finished {
     explicit Finished(const std::string& text, const std::vector<std::string>& settings = {})
         : folder(text), deck(folder.load(settings)), system(make_few_body_system(deck)) {
         prepare_directory(deck.directory);
-        result = run_few_body(deck, system, listener);
+        result = run_deck(deck, system, listener);
     }
 
     [[nodiscard]] std::string file(const std::string& name) const { return content_of(deck.directory / name); }
@@ -311,7 +311,7 @@ TEST_CASE("bodies that collide end the run with step, stage and the configuratio
     FewBodySystem system = make_few_body_system(deck);
     prepare_directory(deck.directory);
     Recorder listener;
-    const auto run = [&] { static_cast<void>(run_few_body(deck, system, listener)); };
+    const auto run = [&] { static_cast<void>(run_deck(deck, system, listener)); };
     const std::string failed = (deck.directory / "failed.xyz").string();
     CHECK_THROWS_MATCHES(run(), PhysicsError, Catch::Matchers::Predicate<PhysicsError>([&](const PhysicsError& error) {
                              const std::string text = error.what();
@@ -336,7 +336,7 @@ TEST_CASE("bodies that leave the range of numbers end the run, and the last chec
     FewBodySystem system = make_few_body_system(deck);
     prepare_directory(deck.directory);
     Recorder listener;
-    CHECK_THROWS_WITH(run_few_body(deck, system, listener),
+    CHECK_THROWS_WITH(run_deck(deck, system, listener),
                       Contains("the run has blown up. Is the time step too large"));
     CHECK_THAT(content_of(deck.directory / "thermo.csv"), !Contains("inf") && !Contains("nan"));
     REQUIRE(find_resume_point(deck).has_value());

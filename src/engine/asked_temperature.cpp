@@ -1,4 +1,4 @@
-#include "ljmd/deck/asked_temperature.hpp"
+#include "ljmd/engine/asked_temperature.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/at_temperature.hpp"
-#include "ljmd/deck/deck_potential.hpp"
-#include "ljmd/deck/sampled_run.hpp"
-#include "ljmd/deck/simulation.hpp"
+#include "ljmd/engine/at_temperature.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
 
 namespace ljmd {
@@ -26,12 +23,12 @@ bool is_off(double asked, const Estimate& found) {
     return std::abs(found.mean - asked) > std::max(noticeable_errors * found.standard_error, rounding * asked);
 }
 
-bool is_held(const Deck& deck) {
-    return std::ranges::any_of(deck.stages, [](const Stage& stage) { return stage.sample && stage.thermostat; });
+bool is_held(const FluidSpec& spec) {
+    return std::ranges::any_of(spec.stages, [](const Stage& stage) { return stage.sample && stage.thermostat; });
 }
 
-std::string in_words(double temperature, const Deck& deck) {
-    return deck.units ? fmt::format("{:.6g} ({:.5g} K)", temperature, temperature * deck.units->kelvin())
+std::string in_words(double temperature, const FluidSpec& spec) {
+    return spec.units ? fmt::format("{:.6g} ({:.5g} K)", temperature, temperature * spec.units->kelvin())
                       : fmt::format("{:.6g}", temperature);
 }
 
@@ -46,13 +43,10 @@ bool is_good_at(const EquationOfState& equation, double temperature, double dens
 
 }  // namespace
 
-std::optional<double> asked_temperature(const Deck& deck) {
-    std::optional<double> latest;
-    if (deck.system().has("temperature")) {
-        latest = deck.system().number("temperature");
-    }
+std::optional<double> asked_temperature(const FluidSpec& spec) {
+    std::optional<double> latest = spec.temperature;
     std::optional<double> asked;
-    for (const Stage& stage : deck.stages) {
+    for (const Stage& stage : spec.stages) {
         if (stage.steps == 0) {
             continue;
         }
@@ -69,24 +63,24 @@ std::optional<double> asked_temperature(const Deck& deck) {
     return asked;
 }
 
-std::string temperature_remark(const Deck& deck, const std::optional<Estimate>& found) {
-    const auto asked = asked_temperature(deck);
+std::string temperature_remark(const FluidSpec& spec, const std::optional<Estimate>& found) {
+    const auto asked = asked_temperature(spec);
     if (!asked || !found || !std::isfinite(found->standard_error) || !is_off(*asked, *found)) {
         return "";
     }
-    return fmt::format("asked {}, found {}: {}", in_words(*asked, deck), in_words(found->mean, deck),
-                       is_held(deck)
+    return fmt::format("asked {}, found {}: {}", in_words(*asked, spec), in_words(found->mean, spec),
+                       is_held(spec)
                            ? "the thermostat has not brought it there; equilibrate longer, or take a smaller time step"
                            : "at constant energy the temperature is a result; a canonical thermostat holds it");
 }
 
-std::optional<EquationOfState> equation_of_fluid(const Deck& deck) {
-    const PairPotential potential = pair_potential_of(deck.potential());
+std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
+    const PairPotential& potential = spec.potential;
     const double radius = potential.cutoff().radius;
     if (potential.formula() != "lennard-jones") {
         return std::nullopt;
     }
-    if (potential.truncation() == "cut" && wants_tail(deck) && radius >= least_full_cutoff) {
+    if (potential.truncation() == "cut" && spec.tail && radius >= least_full_cutoff) {
         return equation_of_state("thol2016");
     }
     if (potential.truncation() == "shifted" && std::abs(radius - thol2015_cutoff) < rounding) {
@@ -95,16 +89,16 @@ std::optional<EquationOfState> equation_of_fluid(const Deck& deck) {
     return std::nullopt;
 }
 
-std::optional<AtAskedTemperature> at_asked_temperature(const Deck& deck, double density, const RunAverages& averages) {
-    if (sampled_ensemble(deck) != Ensemble::constant_energy) {
+std::optional<AtAskedTemperature> at_asked_temperature(const FluidSpec& spec, double density, const RunAverages& averages) {
+    if (sampled_ensemble(spec.stages) != Ensemble::constant_energy) {
         return std::nullopt;
     }
-    const auto asked = asked_temperature(deck);
-    const auto equation = equation_of_fluid(deck);
+    const auto asked = asked_temperature(spec);
+    const auto equation = equation_of_fluid(spec);
     const MeansOfState means = averages.means_of_state();
     const auto estimate = [&](double value, const Vec3& gradient) { return averages.estimate(value, gradient); };
     const Estimate found = estimate(means[0], Vec3(1.0, 0.0, 0.0));
-    if (!asked || !equation || temperature_remark(deck, found).empty() ||
+    if (!asked || !equation || temperature_remark(spec, found).empty() ||
         std::abs(found.mean - *asked) > farthest_shift * *asked || !is_good_at(*equation, *asked, density) ||
         !is_good_at(*equation, found.mean, density)) {
         return std::nullopt;

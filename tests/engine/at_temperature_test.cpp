@@ -1,4 +1,4 @@
-#include "ljmd/deck/at_temperature.hpp"
+#include "ljmd/engine/at_temperature.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "ljmd/core/description.hpp"
+#include "ljmd/core/units.hpp"
+#include "ljmd/engine/stage.hpp"
+#include "ljmd/model/box.hpp"
+#include "ljmd/model/configuration.hpp"
+#include "ljmd/model/lattice.hpp"
+#include "ljmd/neighbors/pair_search.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/observables/statistics/run_averages.hpp"
+#include "ljmd/potentials/interaction.hpp"
+
+namespace ljmd {
+
+/// A cubic box filled with a crystal.
+struct LatticeStart {
+    Lattice lattice = Lattice::fcc;
+    Index cells = 6;  ///< cubic cells along each edge; an fcc cell has 4 atoms
+};
+
+/// A cubic box with atoms at random places, which are pushed apart before the first step.
+struct RandomStart {
+    Index atoms = 864;
+};
+
+/// How pairs of atoms are found, see PairSearch.
+struct NeighborSpec {
+    std::string method = "verlet-list";    ///< one of pair_search_names()
+    double skin = 0.3;                     ///< [sigma]
+    std::optional<Index> every = {};       ///< steps between rebuilds of the list; none: when a pair could be missed
+};
+
+/// What a run of a fluid is, as plain values in reduced units: where the atoms are at the start, how they interact, what
+/// is done with them, and what is measured.
+struct FluidSpec {
+    /// Where the atoms are at the start. A configuration brings its own box, and its velocities if it has any.
+    std::variant<LatticeStart, RandomStart, Configuration> start = LatticeStart{};
+    double density = 0.8;  ///< N/V of a lattice or random start [sigma^-3]
+    /// Temperature from which velocities are drawn, and which thermostats hold unless their stage says another
+    /// [epsilon/k_B].
+    std::optional<double> temperature = {};
+    bool keep_velocities = true;  ///< those of a configuration that has any; else all are drawn
+    std::uint64_t seed = 1;       ///< of all random numbers
+
+    PairPotential potential = PairPotential::lennard_jones("shifted", {2.5, 0.0});
+    bool tail = false;  ///< correct energy and pressure for what the truncation removes, with g(r) = 1
+    NeighborSpec neighbors = {};
+
+    std::vector<Stage> stages = {};  ///< what is done, one after the other
+    Index sample_every = 10;         ///< steps between samples of energy and pressure
+    std::vector<ChosenAnalysis> analyses = {};
+
+    /// For messages that also name a temperature in kelvin.
+    std::optional<SubstanceUnits> units = {};
+
+    [[nodiscard]] Index total_steps() const;
+
+    /// The potential with its tail correction, if there is one.
+    [[nodiscard]] Interaction interaction() const;
+};
+
+/// Number of atoms at the start.
+[[nodiscard]] Index atoms_of(const FluidSpec& spec);
+
+/// Box at the start. An edge that is twice the cutoff but for rounding is made twice the cutoff, see box_for_cutoff.
+[[nodiscard]] Box box_of(const FluidSpec& spec);
+
+/// The first stage that is sampled; the last stage if none is. @pre there is a stage
+[[nodiscard]] const Stage& sampled_stage(const std::vector<Stage>& stages);
+
+/// The run as analyses see it: the time step of the first sampled stage and the length of the longest one; of the last
+/// stage if none is sampled. The interaction is not set.
+/// @pre there is a stage
+[[nodiscard]] SampledRun sampled_run(const std::vector<Stage>& stages, std::uint64_t seed, Index atoms, const Box& box);
+
+/// The ensemble of the samples of a run. Without a barostat, several sampled stages have none: their samples do not
+/// fluctuate like those of one.
+[[nodiscard]] Ensemble sampled_ensemble(const std::vector<Stage>& stages);
+
+/// Why a fluid cannot be run, one sentence for each mistake, beginning with where it is ("stage 'production': ...").
+/// Empty if it can.
+[[nodiscard]] std::vector<std::string> mistakes(const FluidSpec& spec);
+
+/// The mistakes that depend on the box: cutoff and analyses that do not fit into it. @pre there is a stage
+[[nodiscard]] std::vector<std::string> box_mistakes(const FluidSpec& spec, Index atoms, const Box& box);
+
+}  // namespace ljmd

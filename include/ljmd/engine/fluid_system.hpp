@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ljmd/engine/fluid_spec.hpp"
+#include "ljmd/forces/pair_force_field.hpp"
+#include "ljmd/model/state.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/observables/structure/order_parameter.hpp"
+#include "ljmd/potentials/tail_correction.hpp"
+
+namespace ljmd {
+
+/// The atoms, forces and analyses of a run of a fluid.
+struct FluidSystem {
+    State state;
+    PairForceField force_field;
+    TailCorrection tail;
+    std::optional<TranslationalOrder> order;  ///< when the start is a lattice
+    std::vector<std::unique_ptr<Analysis>> analyses;
+    Index relaxation_iterations = 0;  ///< of a random start
+};
+
+/// The force field of a fluid.
+[[nodiscard]] PairForceField make_force_field(const FluidSpec& spec);
+
+/// The analyses of a fluid, without samples, for this number of atoms and this box.
+/// @pre mistakes() finds none
+[[nodiscard]] std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, Index atoms, const Box& box);
+
+/// A fluid whose atoms are not placed yet: filled in from a checkpoint.
+[[nodiscard]] FluidSystem empty_fluid(const FluidSpec& spec, Index atoms, const Box& box);
+
+/// Set the positions and, if there are any, the velocities of a state from a configuration. Positions outside the box
+/// are wrapped and the crossed edges counted, so that displacements continue from there.
+/// @pre the state has the same number of atoms and the configuration's box
+/// @throws DataError for a position far outside the box, or a mass that is not 1
+void place_configuration(State& state, const Configuration& configuration);
+
+/// Place the atoms, set velocities, and create forces and analyses. The centre of mass is at rest.
+/// @param warn  receives one line per remark for the user
+/// @pre mistakes() finds none  @throws DataError as place_configuration, PhysicsError as relax
+[[nodiscard]] FluidSystem make_fluid(const FluidSpec& spec, const std::function<void(const std::string&)>& warn);
+
+}  // namespace ljmd

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ljmd/core/archive.hpp"
+#include "ljmd/engine/asked_temperature.hpp"
+#include "ljmd/engine/phase_seconds.hpp"
+#include "ljmd/engine/time_loop.hpp"
+#include "ljmd/neighbors/search_statistics.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/observables/statistics/observable_average.hpp"
+#include "ljmd/observables/thermodynamics.hpp"
+
+namespace ljmd {
+
+/// Results of one stage.
+struct StageResult {
+    std::string name;
+    std::string integrator;
+    Index first_step;  ///< the step before its first one, counted from the start of the run
+    Index last_step;
+    double time_step;  ///< [tau]
+    bool sampled;
+    bool thermostatted;
+    bool reversed;                       ///< the velocities were reversed at its start
+    std::optional<double> energy_drift;  ///< least-squares slope of the conserved energy per atom [epsilon/tau]
+    std::string checksum_at_start;       ///< of the positions, see checksum()
+    std::string checksum_at_end;
+    std::optional<double> time_step_error = {};  ///< see TimeStepError; for sampled stages of a fluid
+    std::string drift_remark = {};               ///< why the drift is too large; set at the end of the run
+    std::string time_step_remark = {};           ///< why the time step is too long; set at the end of the run
+
+    void archive(Archive& a) {
+        a(name, integrator, first_step, last_step, time_step, sampled, thermostatted, reversed, energy_drift,
+          checksum_at_start, checksum_at_end, time_step_error);
+    }
+};
+
+/// The result of a stage that begins now. @param thermostatted  whether its energy flows from and to a thermostat
+[[nodiscard]] StageResult begun_stage(const Stage& stage, const State& state, bool thermostatted);
+
+/// @throws CheckpointError unless these are the results of exactly those stages that have begun
+void require_stages(const std::vector<StageResult>& results, const std::vector<Stage>& stages,
+                    const LoopPosition& position);
+
+/// Results of a run of a fluid.
+struct RunResult {
+    Index atoms;
+    double density;  ///< [sigma^-3]
+    Vec3 edges;      ///< [sigma]
+    std::vector<ObservableAverage> averages;
+    std::optional<double> asked_temperature;     ///< see asked_temperature()
+    std::optional<AtAskedTemperature> at_asked;  ///< converted, if the run missed that temperature
+    std::optional<double> order_at_sampling;     ///< translational order when sampling began
+    std::vector<StageResult> stages;
+    std::vector<DataTable> tables;      ///< of the analyses
+    std::vector<std::string> warnings;  ///< about the results
+    SearchStatistics search;
+    PhaseSeconds seconds;  ///< wall time of the time loop
+    Thermodynamics first;  ///< of the start
+    Thermodynamics last;   ///< of the last sample
+
+    /// The observable of this name. @throws InputError naming all, if there is none
+    [[nodiscard]] const ObservableAverage& observable(const std::string& name) const;
+
+    /// The table of this name. @throws InputError naming all, if there is none
+    [[nodiscard]] const DataTable& table(const std::string& name) const;
+};
+
+}  // namespace ljmd

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ljmd/engine/fluid_spec.hpp"
+#include "ljmd/engine/observer.hpp"
+#include "ljmd/engine/run_outputs.hpp"
+#include "ljmd/engine/run_result.hpp"
+
+namespace ljmd {
+
+/// A run of a fluid in memory: no deck, no directory, no output.
+///
+///     FluidSpec argon{.density = 0.8442, .temperature = 0.722};
+///     argon.stages = {{.name = "equilibration", .time_step = 0.004, .steps = 2000, .temperature = 0.722,
+///                      .thermostat = thermostat("langevin")},
+///                     {.name = "production", .time_step = 0.004, .steps = 10000, .sample = true}};
+///     Simulation simulation(argon);
+///     const RunResult result = simulation.run();
+///     const Estimate pressure = result.observable("pressure").estimate.value();
+///
+/// The same specification gives the same trajectory, to the last bit, as a deck that says the same.
+class Simulation {
+  public:
+    /// Place the atoms and draw their velocities. @throws InputError with all mistakes of the specification
+    explicit Simulation(FluidSpec spec);
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    /// Let an observer measure from the next step on. @pre the observer lives as long as the simulation
+    void add(Observer& observer);
+
+    /// Take all steps that are left. @throws PhysicsError naming step and stage, when the run blows up
+    RunResult run();
+
+    /// Take some steps; fewer if the stages end before. @pre steps >= 0  @throws PhysicsError as run()
+    void advance(Index steps);
+
+    [[nodiscard]] bool finished() const;
+
+    /// Results so far; stages that have begun are among them.
+    [[nodiscard]] RunResult result() const;
+
+    [[nodiscard]] const FluidSpec& spec() const;
+    /// The atoms as they are now. Forces belong to the positions once a step was taken.
+    [[nodiscard]] const State& state() const;
+    /// All samples so far, of the start and then every `sample_every` steps.
+    [[nodiscard]] const std::vector<ThermoRow>& samples() const;
+    /// Remarks on the start, for the user.
+    [[nodiscard]] const std::vector<std::string>& warnings() const;
+
+    /// Everything that the rest of the run depends on, observers included.
+    [[nodiscard]] std::string checkpoint() const;
+
+    /// Continue from a checkpoint() of a simulation with the same specification and observers; the rest of the
+    /// trajectory is the same to the last bit. Samples before it are not kept.
+    /// @throws CheckpointError if it is damaged or of another specification; the simulation is then unusable
+    void restore(const std::string& checkpoint);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace ljmd

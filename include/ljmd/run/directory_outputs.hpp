@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+#include "ljmd/engine/run_measurement.hpp"
+#include "ljmd/engine/run_outputs.hpp"
+#include "ljmd/run/run.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+/// The outputs of a run with a directory: its files, its checkpoints, and the listener.
+class DirectoryOutputs : public RunOutputs {
+  public:
+    DirectoryOutputs(const Deck& deck, RunListener& listener, const RunControl& control);
+
+    /// Bring a run back to the checkpoint that it is resumed from, if it is, and open the files. Nothing was changed if
+    /// this throws before the files are opened.
+    /// @param system  a FluidSystem or FewBodySystem, which the measurement measures
+    /// @return the position to resume the time loop from  @throws CheckpointError, FileError
+    template <class System>
+    [[nodiscard]] std::optional<LoopPosition> open(RunMeasurement& measurement, System& system) {
+        const std::optional<ResumedOutputs> resumed = restore(measurement, system.state);
+        files_.emplace(deck_, system, resumed);
+        return from_;
+    }
+
+    [[nodiscard]] RunDirectory& files() { return *files_; }
+
+    void stage_begins(const Stage& stage) override { listener_.stage_begins(stage); }
+    void row(const ThermoRow& row) override { files_->write(row); }
+    void row(const FewBodyRow& row) override { files_->write(row); }
+    [[nodiscard]] bool frame_is_due(const State& state) const override { return files_->frame_is_due(state); }
+    void frame(const State& state, const std::optional<double>& angle) override { files_->write_frame(state, angle); }
+    void step_done(Index step) override { listener_.step_done(step); }
+    [[nodiscard]] bool checkpoint_is_due(Index step, bool last_of_stage) override;
+    void checkpoint(const State& state, const LoopPosition& position,
+                    const std::function<void(Archive&)>& archive) override;
+
+  private:
+    std::optional<ResumedOutputs> restore(RunMeasurement& measurement, const State& state);
+
+    const Deck& deck_;
+    RunListener& listener_;
+    const RunControl& control_;
+    RunCheckpoints checkpoints_;
+    std::optional<LoopPosition> from_;   ///< of a resumed run
+    std::optional<RunDirectory> files_;  ///< opened when it is known that the run can begin
+};
+
+}  // namespace ljmd

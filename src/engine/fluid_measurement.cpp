@@ -1,0 +1,273 @@
+#include "ljmd/engine/fluid_measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/stopwatch.hpp"
+#include "ljmd/engine/result_doubts.hpp"
+#include "ljmd/model/checksum.hpp"
+#include "ljmd/observables/transport/finite_size.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Steps between checks of the atoms' speeds; a check costs a hundredth of a step.
+constexpr Index steps_between_looks = 10;
+
+}  // namespace
+
+FluidMeasurement::FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, RunOutputs& outputs,
+                                   std::vector<Observer*> observers)
+    : spec_(spec),
+      fluid_(fluid),
+      outputs_(outputs),
+      observers_(std::move(observers)),
+      sample_every_(spec.sample_every),
+      averages_(fluid.state.count(), sampled_ensemble(spec.stages)),
+      analysed_edges_(fluid.state.box().edges()) {}
+
+void FluidMeasurement::add(Observer& observer) {
+    observers_.push_back(&observer);
+}
+
+void FluidMeasurement::resume_at(const LoopPosition& position) {
+    if (position.begun) {
+        begin_to_watch(spec_.stages.at(position.stage));
+    }
+}
+
+void FluidMeasurement::archive(Archive& a) {
+    a(fluid_.state);
+    fluid_.force_field.archive(a, fluid_.state);
+    a.mark("averages");
+    a(averages_, order_at_sampling_, first_, last_, drift_, step_error_, stages_, seconds_, force_before_,
+      search_before_);
+    if (watch_) {
+        a(*watch_);
+    }
+    a.mark("analyses");
+    for (const auto& analysis : fluid_.analyses) {
+        analysis->archive(a);
+    }
+    for (Observer* observer : observers_) {
+        observer->archive(a);
+    }
+}
+
+void FluidMeasurement::require_begun(const LoopPosition& position) const {
+    require_stages(stages_, spec_.stages, position);
+}
+
+bool FluidMeasurement::wants_checkpoint(bool last_of_stage) {
+    return outputs_.checkpoint_is_due(fluid_.state.step, last_of_stage);
+}
+
+void FluidMeasurement::checkpoint(const LoopPosition& position) {
+    if (watch_) {
+        watch_->check_speeds(fluid_.state);  // a checkpoint after a blow-up would be useless
+    }
+    Stopwatch watch;
+    outputs_.checkpoint(fluid_.state, position, [this](Archive& a) { archive(a); });
+    seconds_.write += watch.lap();
+}
+
+void FluidMeasurement::begin_to_watch(const Stage& stage) {
+    sampling_ = stage.sample;
+    conserves_energy_ = conserves_energy(stage);
+    watch_.emplace(stage.time_step, !stage.thermostat, fluid_.force_field.potential());
+}
+
+void FluidMeasurement::started(const Evaluation& evaluation) {
+    const Thermodynamics values = thermodynamics(fluid_.state, evaluation, fluid_.tail);
+    outputs_.frame(fluid_.state, std::nullopt);
+    put_row(values);
+    first_ = values;
+    // The time loop begins here: earlier time is not counted.
+    seconds_ = {};
+    force_before_ = fluid_.force_field.seconds_summing();
+    search_before_ = fluid_.force_field.search_statistics();
+    if (spec_.total_steps() == 0) {
+        averages_.add(values);
+        sample(evaluation, true);
+    }
+}
+
+double FluidMeasurement::density() const {
+    return static_cast<double>(fluid_.state.count()) / fluid_.state.box().volume();
+}
+
+std::optional<double> FluidMeasurement::order() const {
+    return fluid_.order ? std::optional((*fluid_.order)(fluid_.state)) : std::nullopt;
+}
+
+/// Per atom; nothing if this stage has no conserved energy.
+std::optional<double> FluidMeasurement::conserved_energy(const Thermodynamics& row) const {
+    const State& state = fluid_.state;
+    return conserves_energy_ ? std::optional(row.total_energy - state.heat() / static_cast<double>(state.count()))
+                             : std::nullopt;
+}
+
+void FluidMeasurement::put_row(const Thermodynamics& values) {
+    last_ = values;
+    const ThermoRow row{fluid_.state.step, fluid_.state.time, values, conserved_energy(values), order()};
+    Stopwatch watch;
+    outputs_.row(row);
+    seconds_.write += watch.lap();
+}
+
+void FluidMeasurement::sample(const Evaluation& evaluation, bool always) {
+    const State& state = fluid_.state;
+    for (const auto& analysis : fluid_.analyses) {
+        if (always || analysis->due(state.step)) {
+            analysis->sample(state, evaluation);
+        }
+    }
+    std::optional<Snapshot> snapshot;
+    for (Observer* observer : observers_) {
+        if (always || observer->needs(state.step)) {
+            if (!snapshot) {
+                const bool known = always || wants_energy(state.step);
+                snapshot.emplace(state, fluid_.tail, known ? std::optional(evaluation) : std::nullopt);
+            }
+            observer->sample(*snapshot);
+        }
+    }
+}
+
+void FluidMeasurement::stage_begins(const Stage& stage) {
+    outputs_.stage_begins(stage);
+    const State& state = fluid_.state;
+    if (stage.sample && stage.steps > 0 && !order_at_sampling_) {
+        order_at_sampling_ = order();
+    }
+    begin_to_watch(stage);
+    if (stage.sample && state.box().edges() != analysed_edges_) {
+        adapt_analyses();
+    }
+    for (const auto& analysis : fluid_.analyses) {
+        analysis->interrupt();
+    }
+    for (Observer* observer : observers_) {
+        observer->interrupt();
+    }
+    drift_ = {};
+    step_error_ = {};
+    stages_.push_back(begun_stage(stage, state, stage.thermostat.has_value()));
+}
+
+/// A barostat has changed the box since the analyses were made. They have no samples yet: with analyses no stage with a
+/// barostat may come after the first sampled one.
+void FluidMeasurement::adapt_analyses() {
+    const State& state = fluid_.state;
+    const std::vector<std::string> wrong = box_mistakes(spec_, state.count(), state.box());
+    if (!wrong.empty()) {
+        throw PhysicsError(fmt::format("in the box that the barostat has made: {}", wrong.front()));
+    }
+    fluid_.analyses = make_analyses(spec_, state.count(), state.box());
+    analysed_edges_ = state.box().edges();
+}
+
+bool FluidMeasurement::wants_energy(Index step) const {
+    if (sample_every_.due(step)) {
+        return true;
+    }
+    return sampling_ && (std::ranges::any_of(fluid_.analyses,
+                                             [step](const auto& analysis) {
+                                                 return analysis->needs_energy() && analysis->due(step);
+                                             }) ||
+                         std::ranges::any_of(observers_, [step](const Observer* observer) {
+                             return observer->needs_energy() && observer->needs(step);
+                         }));
+}
+
+void FluidMeasurement::moved(Index step_of_stage) {
+    if (step_of_stage % steps_between_looks == 0) {
+        watch_->check_speeds(fluid_.state);
+    }
+}
+
+void FluidMeasurement::step_done(const Stage& stage, const Evaluation& evaluation) {
+    const State& state = fluid_.state;
+    if (sample_every_.due(state.step)) {
+        const Thermodynamics values = thermodynamics(state, evaluation, fluid_.tail);
+        put_row(values);
+        watch_->check_energy(values);
+        if (const auto energy = conserved_energy(values)) {
+            drift_.add(state.time, *energy);
+        }
+        if (stage.sample) {
+            averages_.add(values);
+            step_error_.add(state, stage.time_step);
+        }
+    }
+    if (stage.sample) {
+        sample(evaluation, false);
+    }
+    if (outputs_.frame_is_due(state)) {
+        Stopwatch watch;
+        outputs_.frame(state, std::nullopt);
+        seconds_.write += watch.lap();
+    }
+    outputs_.step_done(state.step);
+}
+
+void FluidMeasurement::stage_ends(const Stage& /*stage*/) {
+    complete(stages_.back());
+}
+
+void FluidMeasurement::complete(StageResult& stage) const {
+    stage.last_step = fluid_.state.step;
+    stage.energy_drift = conserves_energy_ ? drift_.slope() : std::nullopt;
+    stage.time_step_error = step_error_.value();
+    stage.checksum_at_end = checksum(fluid_.state);
+}
+
+PhaseSeconds FluidMeasurement::phases(const LoopSeconds& loop) const {
+    const SearchStatistics& search = fluid_.force_field.search_statistics();
+    PhaseSeconds seconds = seconds_;
+    seconds.force = fluid_.force_field.seconds_summing() - force_before_;
+    seconds.list = search.seconds_listing - search_before_.seconds_listing;
+    seconds.sort = search.seconds_sorting - search_before_.seconds_sorting;
+    seconds.integrate = loop.steps - seconds.force - seconds.list - seconds.sort;
+    seconds.observe = loop.all - loop.steps - seconds.write;
+    return seconds;
+}
+
+RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
+    const State& state = fluid_.state;
+    RunResult result{state.count(),
+                     density(),
+                     state.box().edges(),
+                     averages_.averages(),
+                     asked_temperature(spec_),
+                     {},
+                     order_at_sampling_,
+                     stages_,
+                     {},
+                     {},
+                     fluid_.force_field.search_statistics(),
+                     phases(loop),
+                     first_,
+                     last_};
+    if (!result.stages.empty() && result.stages.back().checksum_at_end.empty()) {  // it goes on
+        complete(result.stages.back());
+    }
+    if (averages_.samples() > 0) {
+        result.at_asked = at_asked_temperature(spec_, density(), averages_);
+    }
+    for (const auto& analysis : fluid_.analyses) {
+        std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
+        std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
+    }
+    if (const auto infinite = diffusion_in_infinite_system(result.averages, state.box())) {
+        result.averages.push_back(*infinite);
+    }
+    add_remarks(result, spec_);
+    return result;
+}
+
+}  // namespace ljmd

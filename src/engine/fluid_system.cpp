@@ -1,0 +1,104 @@
+#include "ljmd/engine/fluid_system.hpp"
+
+#include <fmt/format.h>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/integrators/relaxation.hpp"
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double noticeable_drift = 1e-6;  // speed of the centre of mass [sigma/tau]
+
+void place(State& state, const std::vector<Vec3>& positions) {
+    auto r = state.write_positions();
+    for (Index i = 0; i < state.count(); ++i) {
+        r.col(i) = positions[static_cast<std::size_t>(i)];
+    }
+}
+
+void set_velocities(State& state, const FluidSpec& spec, const std::function<void(const std::string&)>& warn) {
+    const auto* configuration = std::get_if<Configuration>(&spec.start);
+    if (configuration == nullptr || configuration->velocities.empty() || !spec.keep_velocities) {
+        draw_velocities(state, spec.temperature.value(), spec.seed);
+        return;
+    }
+    const double drift = (total_momentum(state) / static_cast<double>(state.count())).norm();
+    if (drift > noticeable_drift) {
+        warn(fmt::format("the centre of mass moved with {:.3g} sigma/tau; its motion was removed", drift));
+    }
+    remove_momentum(state);
+}
+
+}  // namespace
+
+PairForceField make_force_field(const FluidSpec& spec) {
+    return {spec.potential, make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every)};
+}
+
+std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, Index atoms, const Box& box) {
+    std::vector<std::unique_ptr<Analysis>> analyses;
+    if (spec.analyses.empty()) {
+        return analyses;
+    }
+    SampledRun run = sampled_run(spec.stages, spec.seed, atoms, box);
+    run.interaction = spec.interaction();
+    for (const ChosenAnalysis& analysis : spec.analyses) {
+        analyses.push_back(analysis.options->make(run));
+    }
+    return analyses;
+}
+
+FluidSystem empty_fluid(const FluidSpec& spec, Index atoms, const Box& box) {
+    FluidSystem fluid{State(atoms, box), make_force_field(spec), spec.interaction().tail, std::nullopt,
+                      make_analyses(spec, atoms, box)};
+    if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
+        fluid.order.emplace(crystal->lattice, crystal->cells);
+    }
+    return fluid;
+}
+
+void place_configuration(State& state, const Configuration& configuration) {
+    const Box& box = state.box();
+    auto r = state.write_positions();
+    auto v = state.write_velocities();
+    for (Index i = 0; i < state.count(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Vec3 n = box.crossings(configuration.positions[k]);
+        if (!(n.cwiseAbs().maxCoeff() < 1e6)) {
+            throw DataError(fmt::format("atom {} is more than a million edges away from its box", i + 1));
+        }
+        r.col(i) = box.snap(configuration.positions[k] - n.cwiseProduct(box.edges()));
+        state.set_image(i, n.cast<int>());
+        if (!configuration.velocities.empty()) {
+            v.col(i) = configuration.velocities[k];
+        }
+    }
+    state.wrap();  // rounding to the grid may have put an atom onto the far wall
+    for (const double mass : configuration.masses) {
+        if (std::abs(mass - 1.0) > 1e-6) {
+            throw DataError(
+                fmt::format("the file has an atom of mass {}; in reduced units all atoms have mass 1", mass));
+        }
+    }
+}
+
+FluidSystem make_fluid(const FluidSpec& spec, const std::function<void(const std::string&)>& warn) {
+    const Index atoms = atoms_of(spec);
+    const Box box = box_of(spec);
+    FluidSystem fluid = empty_fluid(spec, atoms, box);
+    if (const auto* configuration = std::get_if<Configuration>(&spec.start)) {
+        place_configuration(fluid.state, *configuration);
+    } else if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
+        place(fluid.state, lattice_sites(crystal->lattice, crystal->cells, box));
+    } else {
+        place(fluid.state, random_positions(atoms, box, spec.seed));
+        fluid.relaxation_iterations = relax(fluid.state, fluid.force_field).iterations;
+    }
+    set_velocities(fluid.state, spec, warn);
+    return fluid;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,118 @@
+#include "ljmd/engine/result_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ljmd/core/text.hpp"
+#include "ljmd/integrators/integrator.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// With more than this of the crystal left, sampling measures neither crystal nor liquid.
+constexpr double crystal_left = 0.1;
+
+/// Fraction of the kinetic energy. A plain cut with 256 atoms, whose energy performs a random walk, reaches 0.1 % in
+/// 200 tau with the usual time step. With a time step of 0.019 tau, where velocity Verlet begins to be unstable, it
+/// reaches 0.6 % after 60 tau.
+constexpr double large_drift = 0.003;
+
+/// In a short stage the slope is mostly chance, and with a plain cut it follows changes of structure: only a larger
+/// drift indicates the time step.
+constexpr double short_stage = 5.0;  // [tau]
+constexpr double large_drift_of_short_stage = 0.02;
+
+/// In liquid argon the usual time step, 0.004, gives 0.001; a time step of 0.012 gives 0.01, and p is off by 0.04.
+constexpr double small_time_step_error = 0.001;
+constexpr double large_time_step_error = 0.01;
+constexpr int highest_order = 2;  ///< of integrators for which TimeStepError is meaningful
+
+
+void judge_stages(RunResult& result) {
+    const auto kinetic = std::ranges::find(result.averages, "kinetic_energy", &ObservableAverage::name);
+    for (StageResult& stage : result.stages) {
+        if (stage.sampled && kinetic != result.averages.end() && kinetic->estimate) {
+            stage.drift_remark = drift_remark(stage, kinetic->estimate->mean);
+        }
+        stage.time_step_remark = time_step_remark(stage);
+    }
+}
+
+/// Warnings about the results as a whole.
+std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
+    std::vector<std::string> doubts;
+    if (steps == 0) {
+        return doubts;
+    }
+    if (result.averages.empty()) {
+        doubts.emplace_back("no sample was taken: set sample = true in a stage longer than the thermo interval");
+    }
+    if (result.order_at_sampling && *result.order_at_sampling > crystal_left) {
+        doubts.push_back(
+            fmt::format("sampling began with {:.0f} % of the crystal left (translational order {:.3f}): "
+                        "equilibrate longer, or melt above the target temperature first",
+                        100.0 * *result.order_at_sampling, *result.order_at_sampling));
+    }
+    if (const Index late = result.search.late_rebuilds; late > 0) {
+        doubts.push_back(fmt::format(
+            "{} of {} neighbor lists were kept too long: an atom had moved by more than half the skin, "
+            "and pairs within the cutoff may have been missed. Take a larger skin or a smaller `every`, "
+            "or leave `every` out",
+            late, result.search.rebuilds));
+    }
+    for (const StageResult& stage : result.stages) {
+        if (!stage.drift_remark.empty()) {
+            doubts.push_back(
+                fmt::format("the energy drifts in stage {}: {}", in_quotes(stage.name), stage.drift_remark));
+        }
+        if (!stage.time_step_remark.empty()) {
+            doubts.push_back(
+                fmt::format("the time step of stage '{}' is too long: {}", stage.name, stage.time_step_remark));
+        }
+    }
+    if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
+        doubts.push_back(fmt::format("the run is too short for the error bars of {}: they are guesses", unsure));
+    }
+    return doubts;
+}
+
+}  // namespace
+
+std::string drift_remark(const StageResult& stage, double kinetic_energy) {
+    const double length = static_cast<double>(stage.last_step - stage.first_step) * stage.time_step;
+    const double change = stage.energy_drift.value_or(0.0) * length;
+    const double limit = length < short_stage ? large_drift_of_short_stage : large_drift;
+    if (!(std::abs(change) > limit * kinetic_energy)) {
+        return "";
+    }
+    return fmt::format(
+        "in all {:.2g} epsilon per atom, {:.2g} % of the kinetic energy: too much; a smaller time step, "
+        "or a potential that is smooth at its cutoff, conserves it better",
+        change, 100.0 * std::abs(change) / kinetic_energy);
+}
+
+std::string time_step_remark(const StageResult& stage) {
+    const double error = stage.time_step_error.value_or(0.0);
+    if (!(error > large_time_step_error) || find_integrator(stage.integrator).order > highest_order) {
+        return "";
+    }
+    return fmt::format(
+        "it sets the temperatures of velocities and of configurations {:.2g} % apart, and energy and pressure are off "
+        "accordingly; a time step of {:.1g} makes it {} %",
+        100.0 * error, stage.time_step * std::sqrt(small_time_step_error / error), 100.0 * small_time_step_error);
+}
+
+void add_remarks(RunResult& result, const FluidSpec& spec) {
+    judge_stages(result);
+    for (ObservableAverage& average : result.averages) {
+        if (average.name == "temperature" && average.estimate) {
+            average.remark = temperature_remark(spec, average.estimate);
+        }
+    }
+    result.warnings = doubts_about(result, spec.total_steps());
+}
+
+}  // namespace ljmd
