@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ljmd/core/section.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
