@@ -7,16 +7,10 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/model/checksum.hpp"
-#include "ljmd/model/velocities.hpp"
 
 namespace ljmd {
 
 namespace {
-
-FewBodyTotals totals_of(const State& state, double potential_energy) {
-    const double kinetic = kinetic_energy(state);
-    return {potential_energy, kinetic, potential_energy + kinetic, total_momentum(state), angular_momentum(state)};
-}
 
 std::vector<std::pair<std::string, double>> named(const FewBodyTotals& totals, int dimensions) {
     std::vector<std::pair<std::string, double>> values{{"potential_energy", totals.potential_energy},
@@ -51,7 +45,7 @@ void FewBodyMeasurement::archive(Archive& a) {
 void FewBodyMeasurement::require_begun(const LoopPosition& position) const {
     require_stages(stages_, all_stages_, position);
     const auto begun = all_stages_.begin();
-    const auto values = named(totals_of(system_.state, 0.0), system_.dimensions);
+    const auto values = named(few_body_totals(system_.state, 0.0), system_.dimensions);
     const bool wanted =
         std::any_of(begun, begun + std::ssize(stages_), [](const Stage& stage) { return stage.sample; });
     const bool same =
@@ -175,7 +169,7 @@ void FewBodyMeasurement::sample(const State& state) {
 void FewBodyMeasurement::record(const Evaluation& evaluation) {
     const State& state = system_.state;
     require_finite();
-    const FewBodyTotals totals = totals_of(state, evaluation.potential_energy);
+    const FewBodyTotals totals = few_body_totals(state, evaluation.potential_energy);
     if (!std::isfinite(totals.total_energy)) {
         throw PhysicsError(
             fmt::format("the total energy is {} now: the run has blown up. Is the time step too large, or do "

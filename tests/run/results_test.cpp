@@ -227,13 +227,6 @@ TEST_CASE("transport, heat capacity and viscosity have the units of a substance,
     CHECK(si("heat_capacity_cv").at("mean").get<double>() == Approx(2.63 * 8.314462618).epsilon(1e-9));
 }
 
-TEST_CASE("the table leaves out components of the pressure tensor and the virial, and nothing else") {
-    CHECK(is_in_table("pressure"));
-    CHECK(is_in_table("diffusion_green_kubo"));
-    CHECK_FALSE(is_in_table("pressure_xy"));
-    CHECK_FALSE(is_in_table("virial"));
-}
-
 TEST_CASE("lengths, times and wave numbers in tables stand in nanometres and picoseconds too for a substance") {
     const DataTable table{"rdf", {"r", "g"}, {{1.0, 0.5}, {2.0, 1.5}}};
     const SubstanceUnits argon(3.405e-10, 1.65e-21, 6.63e-26);
@@ -250,22 +243,4 @@ TEST_CASE("lengths, times and wave numbers in tables stand in nanometres and pic
     const DataTable sk = with_si_columns({"sk", {"k", "S"}, {{6.8, 2.0}}}, argon);
     CHECK(sk.columns.back() == "k_per_nm");
     CHECK(sk.rows[0][2] == Approx(6.8 / 0.3405).epsilon(1e-14));
-}
-
-TEST_CASE("error bars that are guesses are named, unless all are") {
-    const auto average = [](const std::string& name, bool converged) {
-        Estimate estimate{};
-        estimate.standard_error = 0.1;
-        estimate.converged = converged;
-        return ObservableAverage{name, "x", "1", estimate};
-    };
-    const ObservableAverage known = average("temperature", true);
-    const ObservableAverage few = average("pressure", false);
-    const ObservableAverage short_one = average("diffusion", false);
-    CHECK(unsure_of({known}).empty());
-    CHECK(unsure_of({known, few, short_one}) == "pressure, diffusion");
-    CHECK(unsure_of({few, short_one}) == "all observables");
-    CHECK(unsure_of({}).empty());
-    CHECK(unsure_of({known, average("pressure_xx", false)}).empty());
-    CHECK(unsure_of({{"temperature", "T", "1", std::nullopt}}).empty());
 }

@@ -314,24 +314,6 @@ TEST_CASE("a checkpoint that no run of its deck can have written is refused, tho
     CHECK_THROWS_WITH(find_resume_point(deck), Contains(why));
 }
 
-TEST_CASE("results of stages that have not begun are refused") {
-    const DeckFolder folder;
-    const Deck deck = folder.load();
-    StageResult first{};
-    first.name = deck.stages[0].name;
-    first.integrator = deck.stages[0].integrator.plugin.name;
-    const auto at = [](std::size_t stage, bool begun) {
-        LoopPosition position;
-        position.stage = stage;
-        position.begun = begun;
-        return position;
-    };
-    CHECK_NOTHROW(require_stages({first}, deck.stages, at(0, true)));
-    CHECK_NOTHROW(require_stages({first}, deck.stages, at(1, false)));
-    CHECK_THROWS_AS(require_stages({}, deck.stages, at(0, true)), CheckpointError);
-    CHECK_THROWS_AS(require_stages({first, first}, deck.stages, at(1, true)), CheckpointError);
-}
-
 TEST_CASE("outputs that are shorter than the checkpoint knew them are refused, and nothing is touched") {
     const DeckFolder folder(with_files);
     const Deck deck = folder.load({"output.checkpoint.every=10"});

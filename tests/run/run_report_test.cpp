@@ -50,45 +50,13 @@ TEST_CASE("a stage in results.json has everything that is known of it") {
     CHECK(json.at("energy_drift").is_null());
 }
 
-TEST_CASE("a drift is too large when it adds up to more than 0.3 % of the kinetic energy") {
-    const auto remark = [](std::optional<double> drift) {
-        StageResult stage = there;  // 40 steps
-        stage.time_step = 0.2;
-        stage.energy_drift = drift;
-        return drift_remark(stage, 1.5);
-    };
-    const double limit = 0.003 * 1.5 / 8.0;
-    CHECK(remark(std::nullopt).empty());
-    CHECK(remark(0.99 * limit).empty());
-    CHECK(remark(-0.99 * limit).empty());
-    CHECK_THAT(remark(2.0 * limit), Contains("in all 0.009 epsilon per atom, 0.6 % of the kinetic energy: too much"));
-    CHECK_THAT(remark(-2.0 * limit), Contains("in all -0.009") && Contains("0.6 %"));
-    // In a short stage, here of 0.16 tau, more is left to chance.
-    StageResult brief = there;
-    brief.energy_drift = 0.99 * 0.02 * 1.5 / 0.16;
-    CHECK(drift_remark(brief, 1.5).empty());
-    brief.energy_drift = 1.01 * 0.02 * 1.5 / 0.16;
-    CHECK_THAT(drift_remark(brief, 1.5), Contains("2 % of the kinetic energy"));
-}
-
-TEST_CASE(
-    "a time step is too long when it sets temperatures of velocities and of configurations apart by more than 1 %") {
+TEST_CASE("a time step that is too long stands in the table and in results.json") {
     StageResult stage = there;
-    CHECK(time_step_remark(stage).empty());
-    stage.time_step = 0.016;
-    stage.time_step_error = 0.0099;
-    CHECK(time_step_remark(stage).empty());
     stage.time_step_error = 0.016;
-    const std::string remark = time_step_remark(stage);
-    CHECK_THAT(remark, Contains("1.6 % apart") && Contains("a time step of 0.004 makes it 0.1 %"));
-    stage.integrator = "forest-ruth";  // of fourth order: what its step does is another matter
-    CHECK(time_step_remark(stage).empty());
-
-    stage.time_step_remark = remark;
-    CHECK_THAT(stage_lines({stage}, "per hour"),
-               Contains("  the time step of stage 'there' is too long:\n    " + remark));
+    stage.time_step_remark = "too long";
+    CHECK_THAT(stage_lines({stage}, "per hour"), Contains("  the time step of stage 'there' is too long:\n    too long"));
     CHECK(stage_json(stage).at("time_step_error") == 0.016);
-    CHECK(stage_json(stage).at("time_step_remark") == remark);
+    CHECK(stage_json(stage).at("time_step_remark") == "too long");
 }
 
 TEST_CASE("the table tells of drifts, and of checksums when the motion was turned round") {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "ljmd/model/velocities.hpp"
+
 namespace ljmd {
 
 Vec3 angular_momentum(const State& state) {
@@ -24,6 +26,11 @@ Vec3 centre_of_mass(const State& state) {
         mass += m;
     }
     return sum / mass;
+}
+
+FewBodyTotals few_body_totals(const State& state, double potential_energy) {
+    const double kinetic = kinetic_energy(state);
+    return {potential_energy, kinetic, potential_energy + kinetic, total_momentum(state), angular_momentum(state)};
 }
 
 }  // namespace ljmd

@@ -5,17 +5,9 @@
 
 #include "ljmd/io/files/output_file.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/observables/few_body/few_body.hpp"
 
 namespace ljmd {
-
-/// Energies and momenta of a few-body system at one time: totals over all bodies, in the deck's units.
-struct FewBodyTotals {
-    double potential_energy;
-    double kinetic_energy;
-    double total_energy;
-    Vec3 momentum;
-    Vec3 angular_momentum;  ///< about the origin
-};
 
 /// The history of a few-body run as CSV, one row per sample: step, time, potential_energy, kinetic_energy,
 /// total_energy, momentum_x (momentum_y, momentum_z in two and three dimensions), then angular_momentum_z in two

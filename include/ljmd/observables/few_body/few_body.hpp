@@ -12,4 +12,16 @@ namespace ljmd {
 /// Centre of mass, sum m r / sum m. @pre the state has no box; the masses do not sum to zero
 [[nodiscard]] Vec3 centre_of_mass(const State& state);
 
+/// Energies and momenta of a few-body system at one time: totals over all bodies, in the deck's units.
+struct FewBodyTotals {
+    double potential_energy;
+    double kinetic_energy;
+    double total_energy;
+    Vec3 momentum;
+    Vec3 angular_momentum;  ///< about the origin
+};
+
+/// @param potential_energy  of the state  @pre as angular_momentum()
+[[nodiscard]] FewBodyTotals few_body_totals(const State& state, double potential_energy);
+
 }  // namespace ljmd

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ljmd/core/schema.hpp"
+#include "ljmd/integrators/barostat.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/observables/analysis.hpp"
+
+namespace ljmd {
+
+/// Options by their keys, as in a deck: {{"time", 0.5}, {"chain_length", 3}}. Others keep their defaults; `ljmd info
+/// --deck-reference` and docs/decks.md list all.
+using Settings = std::vector<std::pair<std::string, PlainValue>>;
+
+/// Plug-ins by name, with some of their options.
+/// @throws InputError for an unknown name or key, and for a value of another type or outside its range
+[[nodiscard]] ChosenIntegrator integrator(const std::string& name, const Settings& settings = {});
+[[nodiscard]] ChosenThermostat thermostat(const std::string& name, const Settings& settings = {});
+[[nodiscard]] ChosenBarostat barostat(const std::string& name, const Settings& settings = {});
+[[nodiscard]] ChosenAnalysis analysis(const std::string& name, const Settings& settings = {});
+
+}  // namespace ljmd

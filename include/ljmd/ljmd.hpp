@@ -1,0 +1,9 @@
+#pragma once
+
+/// The whole of what programs use: `#include <ljmd/ljmd.hpp>`. docs/library.md is the tutorial.
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/engine/choices.hpp"
+#include "ljmd/engine/observer.hpp"
+#include "ljmd/engine/simulation.hpp"
+#include "ljmd/observables/statistics/blocking.hpp"

@@ -1,0 +1,26 @@
+#include "ljmd/engine/choices.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using Catch::Matchers::Contains;
+
+TEST_CASE("plug-ins are chosen by name, with the options that are given and defaults for the others") {
+    CHECK(integrator("leapfrog").plugin.name == "leapfrog");
+    CHECK(thermostat("rescale", {{"every", 5}}).values == "every=5");
+    CHECK(thermostat("langevin", {{"time", 0.5}}).values != thermostat("langevin").values);
+    CHECK(thermostat("langevin", {{"time", 2}}).values == thermostat("langevin", {{"time", 2.0}}).values);
+    CHECK(barostat("stochastic", {{"pressure", 1.0}}).plugin.name == "stochastic");
+    CHECK(analysis("rdf", {{"bins", 50}}).values != analysis("rdf").values);
+}
+
+TEST_CASE("a wrong choice is told in one message, with what is allowed") {
+    CHECK_THROWS_WITH(thermostat("nose"), Contains("unknown thermostat 'nose'") && Contains("langevin"));
+    CHECK_THROWS_WITH(analysis("gr"), Contains("unknown analysis 'gr'") && Contains("rdf"));
+    CHECK_THROWS_WITH(thermostat("langevin", {{"tim", 0.5}}), Contains("'tim'") && Contains("time"));
+    CHECK_THROWS_WITH(thermostat("langevin", {{"time", -1.0}}), Contains("'time' in langevin") && Contains("> 0"));
+    CHECK_THROWS_WITH(thermostat("rescale", {{"every", "often"}}), Contains("must be an integer, found a string"));
+    CHECK_THROWS_AS(integrator("leapfrog", {{"every", 1}}), InputError);
+}

@@ -1,0 +1,110 @@
+#include "ljmd/engine/fluid_spec.hpp"
+
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "engine/engine_fixtures.hpp"
+#include "ljmd/core/text.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string complaint(const std::function<void(FluidSpec&)>& spoil) {
+    FluidSpec spec = small_spec();
+    spoil(spec);
+    const std::vector<std::string> found = mistakes(spec);
+    CAPTURE(found);
+    CHECK(found.size() == 1);
+    return found.empty() ? "" : found.front();
+}
+
+}  // namespace
+
+TEST_CASE("a specification has the atoms and the box that its start says") {
+    FluidSpec spec = small_spec();
+    CHECK(mistakes(spec).empty());
+    CHECK(atoms_of(spec) == 108);
+    CHECK(box_of(spec).volume() == Approx(108 / 0.8).epsilon(1e-14));
+    spec.start = RandomStart{50};
+    CHECK(atoms_of(spec) == 50);
+    spec.start = Configuration{.edges = Vec3(4.0, 5.0, 6.0), .positions = {Vec3::Zero(), Vec3::Ones()}};
+    CHECK(atoms_of(spec) == 2);
+    CHECK(box_of(spec).edges() == Vec3(4.0, 5.0, 6.0));
+    CHECK(spec.total_steps() == 60);
+}
+
+TEST_CASE("an edge that is twice the cutoff but for rounding counts as twice the cutoff") {
+    FluidSpec spec = small_spec();
+    const double edge = 4.0 * (1.0 - 1e-15);
+    spec.start = Configuration{.edges = Vec3::Constant(edge), .positions = {Vec3::Zero()}};
+    CHECK(box_of(spec).edges() == Vec3::Constant(4.0));
+}
+
+TEST_CASE("each mistake of a specification is one sentence that says where it is") {
+    CHECK_THAT(complaint([](FluidSpec& s) { s.temperature.reset(); }), Contains("start: a temperature is needed"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.temperature = -1.0; }), Contains("below 0"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.density = 0.0; }), Contains("the density is 0"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.start = RandomStart{0}; }), Contains("no atoms"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.start = Configuration{.positions = {Vec3::Zero()}}; }),
+               Contains("edges of the box"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.density = 3.0; }),
+               Contains("potential: the cutoff is 2, more than half the shortest edge"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.tail = true; }), Contains("'force-shifted' takes no tail correction"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.sample_every = 0; }), Contains("sample_every"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages.clear(); }), Contains("at least one is needed"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].name = "equilibrate"; }),
+               Contains("stage 'equilibrate': another stage has this name"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].name.clear(); }), Contains("it needs a name"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].time_step = 0.0; }), Contains("the time step is 0"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].steps = -1; }), Contains("-1 steps"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].integrator = integrator("prince-dormand"); }),
+               Contains("for few bodies only"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].barostat = barostat("stochastic", {{"pressure", 1.0}}); }),
+               Contains("a barostat needs a canonical thermostat"));
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.stages[1].thermostat = thermostat("langevin");
+                   s.stages[1].temperature = 0.0;
+               }),
+               Contains("langevin needs a temperature above 0"));
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.stages[1].thermostat = thermostat("langevin");
+                   s.stages[1].integrator = integrator("leapfrog");
+               }),
+               Contains("a part of the steps of velocity-verlet"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.analyses = {analysis("rdf"), analysis("rdf")}; }),
+               Contains("analysis rdf: it is there twice"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.analyses = {analysis("rdf", {{"max_radius", 100.0}})}; }),
+               Contains("analysis rdf: "));
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.stages[1].thermostat = thermostat("langevin");
+                   s.stages[1].barostat = barostat("stochastic", {{"pressure", 1.0}});
+                   s.analyses = {analysis("rdf")};
+               }),
+               Contains("a box that stays as it is"));
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.stages[0].sample = true;
+                   s.stages[0].time_step = 0.002;
+                   s.analyses = {analysis("msd", {{"max_time", 0.08}, {"every", 1}})};
+               }),
+               Contains("one time step"));
+}
+
+TEST_CASE("mistakes are reported together") {
+    FluidSpec spec = small_spec();
+    spec.temperature.reset();
+    spec.stages[1].steps = -1;
+    CHECK(mistakes(spec).size() == 2);
+}
+
+TEST_CASE("velocities of a configuration need no temperature, unless they are not kept") {
+    FluidSpec spec = small_spec();
+    spec.temperature.reset();
+    spec.start = Configuration{
+        .edges = Vec3::Constant(5.0), .positions = {Vec3::Zero(), Vec3::Ones()}, .velocities = {Vec3::Ones(), -Vec3::Ones()}};
+    CHECK(mistakes(spec).empty());
+    spec.keep_velocities = false;
+    CHECK(mistakes(spec).size() == 1);
+}

@@ -1,0 +1,190 @@
+#include "ljmd/engine/simulation.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "core/same_bits.hpp"
+#include "engine/engine_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/run/run_directory.hpp"
+#include "run/run_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+FluidSpec with_analyses() {
+    FluidSpec spec = small_spec();
+    spec.analyses = {analysis("rdf", {{"every", 5}}), analysis("msd", {{"max_time", 0.08}, {"every", 1}})};
+    return spec;
+}
+
+/// Counts its calls, and adds up what it sees.
+class Watcher : public Observer {
+  public:
+    explicit Watcher(Index every, bool energy = false) : every_(every), energy_(energy) {}
+    [[nodiscard]] bool needs(Index step) const override { return step % every_ == 0; }
+    [[nodiscard]] bool needs_energy() const override { return energy_; }
+    void sample(const Snapshot& snapshot) override {
+        steps.push_back(snapshot.step());
+        sum += snapshot.unwrapped().sum();
+        if (energy_) {
+            sum += snapshot.thermodynamics().potential_energy;
+        }
+    }
+    void interrupt() override { ++interruptions; }
+    void archive(Archive& a) override { a(steps, sum, interruptions); }
+
+    std::vector<Index> steps;
+    double sum = 0.0;
+    int interruptions = 0;
+
+  private:
+    Index every_;
+    bool energy_;
+};
+
+void check_same(const Simulation& a, const Simulation& b) {
+    CHECK(a.state().step == b.state().step);
+    CHECK(a.state().time == b.state().time);
+    CHECK(checksum(a.state()) == checksum(b.state()));
+    CHECK(a.state().velocities() == b.state().velocities());
+    const RunResult ours = a.result();
+    const RunResult theirs = b.result();
+    REQUIRE(ours.averages.size() == theirs.averages.size());
+    for (std::size_t k = 0; k < ours.averages.size(); ++k) {
+        CHECK(ours.averages[k].name == theirs.averages[k].name);
+        CHECK(ours.averages[k].estimate.has_value() == theirs.averages[k].estimate.has_value());
+        if (ours.averages[k].estimate) {
+            CHECK(ours.averages[k].estimate->mean == theirs.averages[k].estimate->mean);
+        }
+    }
+    REQUIRE(ours.tables.size() == theirs.tables.size());
+    for (std::size_t k = 0; k < ours.tables.size(); ++k) {
+        CHECK(ours.tables[k].rows == theirs.tables[k].rows);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a run in memory has the bits of the same run with a deck and a directory") {
+    const DeckFolder folder(small_deck + "[analysis]\nrdf = { every = 5 }\nmsd = { max_time = 0.08, every = 1 }\n");
+    const Deck deck = folder.load();
+    prepare_directory(deck.directory);
+    FluidSystem fluid = simulation_of(deck);
+    Recorder nobody;
+    const RunResult with_files = run_deck(deck, fluid, nobody);
+
+    FluidSpec spec = with_analyses();
+    spec.analyses = {analysis("msd", {{"max_time", 0.08}, {"every", 1}}), analysis("rdf", {{"every", 5}})};
+    Simulation simulation(spec);
+    const RunResult in_memory = simulation.run();
+    CHECK(simulation.finished());
+    CHECK(checksum(simulation.state()) == checksum(fluid.state));
+    CHECK(in_memory.last.pressure == with_files.last.pressure);
+    REQUIRE(in_memory.averages.size() == with_files.averages.size());
+    for (const ObservableAverage& average : with_files.averages) {
+        INFO(average.name);
+        if (average.estimate) {
+            CHECK(in_memory.observable(average.name).estimate->mean == average.estimate->mean);
+        }
+    }
+    CHECK(in_memory.table("rdf").rows == with_files.table("rdf").rows);
+    CHECK(in_memory.stages.back().checksum_at_end == with_files.stages.back().checksum_at_end);
+    CHECK(simulation.samples().size() == rows(content_of(deck.directory / "thermo.csv")).size());
+    CHECK(simulation.samples().back().step == 60);
+}
+
+TEST_CASE("steps in pieces are the steps of one run") {
+    Simulation whole(with_analyses());
+    whole.run();
+    Simulation pieces(with_analyses());
+    for (const Index steps : {0, 1, 6, 13, 1, 30}) {  // the first stage ends within them, exactly
+        pieces.advance(steps);
+        CHECK_FALSE(pieces.finished());
+    }
+    CHECK(pieces.state().step == 51);
+    CHECK(pieces.result().stages.back().last_step == 51);
+    pieces.advance(1000);
+    CHECK(pieces.finished());
+    CHECK(pieces.state().step == 60);
+    check_same(pieces, whole);
+    pieces.advance(5);
+    check_same(pieces, whole);
+    CHECK_THROWS_AS(pieces.advance(-1), ContractViolation);
+}
+
+TEST_CASE("a simulation that is continued from a checkpoint has the bits of one that was not interrupted") {
+    Simulation whole(with_analyses());
+    Watcher all(3, true);
+    whole.add(all);
+    whole.run();
+    for (const Index step : {0, 7, 20, 41, 60}) {
+        INFO(step);
+        Simulation first(with_analyses());
+        Watcher before(3, true);
+        first.add(before);
+        first.advance(step);
+        Simulation second(with_analyses());
+        Watcher after(3, true);
+        second.add(after);
+        second.restore(first.checkpoint());
+        CHECK(second.state().step == step);
+        second.run();
+        check_same(second, whole);
+        CHECK(after.steps == all.steps);
+        CHECK(after.sum == all.sum);
+    }
+}
+
+TEST_CASE("a checkpoint of another simulation, or a damaged one, is refused") {
+    Simulation first(small_spec());
+    first.advance(30);
+    const std::string checkpoint = first.checkpoint();
+    FluidSpec other = small_spec();
+    other.start = LatticeStart{.lattice = Lattice::fcc, .cells = 4};
+    CHECK_THROWS_AS(Simulation(other).restore(checkpoint), CheckpointError);
+    FluidSpec renamed = small_spec();
+    renamed.stages[1].name = "sampling";
+    CHECK_THROWS_AS(Simulation(renamed).restore(checkpoint), CheckpointError);
+    CHECK_THROWS_AS(Simulation(small_spec()).restore(""), CheckpointError);
+    CHECK_THROWS_AS(Simulation(small_spec()).restore(checkpoint.substr(0, checkpoint.size() / 2)), CheckpointError);
+    CHECK_THROWS_AS(Simulation(small_spec()).restore(checkpoint + "x"), CheckpointError);
+}
+
+TEST_CASE("an observer sees the sampled stages only, in which it changes nothing") {
+    Simulation plain(with_analyses());
+    plain.run();
+    Simulation watched(with_analyses());
+    Watcher third(3);
+    Watcher energies(4, true);
+    watched.add(third);
+    watched.add(energies);
+    watched.run();
+    CHECK(third.steps == std::vector<Index>{21, 24, 27, 30, 33, 36, 39, 42, 45, 48, 51, 54, 57, 60});
+    CHECK(energies.steps.size() == 10);
+    CHECK(third.interruptions == 2);  // two stages began
+    check_same(watched, plain);
+}
+
+TEST_CASE("a specification with mistakes is refused with all of them") {
+    FluidSpec spec = small_spec();
+    spec.temperature.reset();
+    spec.stages[0].time_step = -1.0;
+    CHECK_THROWS_WITH(Simulation(spec), Contains("a temperature is needed") && Contains("the time step is -1"));
+    CHECK_THROWS_AS(Simulation(spec), InputError);
+}
+
+TEST_CASE("results and tables are asked for by name") {
+    const RunResult result = Simulation(with_analyses()).run();
+    CHECK(result.observable("pressure").estimate);
+    CHECK_THROWS_WITH(result.observable("presure"), Contains("no observable 'presure'") && Contains("pressure"));
+    CHECK_THROWS_WITH(result.table("sk"), Contains("no table 'sk'") && Contains("rdf"));
+}
+
+TEST_CASE("a run that blows up says in which step and stage") {
+    FluidSpec spec = small_spec();
+    spec.stages[1].time_step = 0.5;
+    CHECK_THROWS_WITH(Simulation(spec).run(), Contains("step ") && Contains("(stage 'production')"));
+}

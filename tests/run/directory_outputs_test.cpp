@@ -1,0 +1,46 @@
+#include "ljmd/run/directory_outputs.hpp"
+
+#include "ljmd/core/errors.hpp"
+#include "run/run_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+
+namespace {
+
+/// Measures nothing.
+struct Idle : RunMeasurement {
+    void resume_at(const LoopPosition& /*position*/) override {}
+    void archive(Archive& /*a*/) override {}
+    void require_begun(const LoopPosition& /*position*/) const override {}
+    void started(const Evaluation& /*evaluation*/) override {}
+    void stage_begins(const Stage& /*stage*/) override {}
+    [[nodiscard]] bool wants_energy(Index /*step*/) const override { return false; }
+    void moved(Index /*step_of_stage*/) override {}
+    void step_done(const Stage& /*stage*/, const Evaluation& /*evaluation*/) override {}
+    void stage_ends(const Stage& /*stage*/) override {}
+};
+
+}  // namespace
+
+TEST_CASE("files are there once the outputs are opened, and not before") {
+    const DeckFolder folder;
+    const Deck deck = folder.load();
+    prepare_directory(deck.directory);
+    FluidSystem fluid = simulation_of(deck);
+    Recorder listener;
+    const RunControl control;
+    DirectoryOutputs outputs(deck, listener, control);
+    CHECK(std::filesystem::is_empty(deck.directory));
+    Idle measurement;
+    CHECK_FALSE(outputs.open(measurement, fluid));
+    CHECK(std::filesystem::exists(deck.directory / "run.json"));
+
+    outputs.stage_begins(deck.stages[1]);
+    outputs.step_done(3);
+    CHECK(listener.stages == std::vector<std::string>{"production"});
+    CHECK(listener.steps == std::vector<Index>{3});
+    CHECK(outputs.checkpoint_is_due(3, true));
+    outputs.checkpoint(fluid.state, {}, [](Archive& a) { a.mark("mine"); });
+    CHECK(find_resume_point(deck));
+}
