@@ -70,7 +70,7 @@ struct Options : BarostatOptions {
         description.required_number("pressure", pressure)
             .dimension(Dimension::pressure)
             .unit("epsilon/sigma^3")
-            .meaning("to be held; rho T + W/(3V), with tail where the deck has it");
+            .meaning("to be held; rho T + W/(3 V), with tail where the deck has it");
         description.number("time", time)
             .dimension(Dimension::time)
             .unit("tau")
