@@ -7,17 +7,18 @@ file(RENAME ${work_dir}/first ${work_dir}/installed)
 file(COPY ${source_dir}/tests/consumer DESTINATION ${work_dir})
 
 foreach(path ${bin_dir}/ljmd ${lib_dir}/libljmd.a ${lib_dir}/pkgconfig/ljmd.pc ${lib_dir}/cmake/ljmd/ljmdConfig.cmake
-             ${include_dir}/ljmd/core/types.hpp ${data_dir}/ljmd/inputs ${data_dir}/ljmd/analysis)
+             ${include_dir}/ljmd/ljmd.hpp ${data_dir}/ljmd/inputs ${data_dir}/ljmd/analysis)
     if(NOT EXISTS ${work_dir}/installed/${path})
         message(SEND_ERROR "not installed: ${path}")
     endif()
 endforeach()
 
-# A consumer that includes every installed header: none may include one that is not installed.
+# Each installed header compiles alone: none includes one that is not installed, or needs another before it.
 file(GLOB_RECURSE headers RELATIVE ${work_dir}/installed/${include_dir} ${work_dir}/installed/${include_dir}/*.hpp)
-list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n")
-list(JOIN headers "" text)
-file(WRITE ${work_dir}/consumer/all_headers.cpp "${text}")
+foreach(header ${headers})
+    string(MAKE_C_IDENTIFIER ${header} name)
+    file(WRITE ${work_dir}/consumer/headers/${name}.cpp "#include \"${header}\"\n")
+endforeach()
 
 # A path into the source or build tree would break on the next machine.
 file(GLOB_RECURSE texts ${work_dir}/installed/*.cmake ${work_dir}/installed/*.pc)

@@ -13,7 +13,6 @@
 #include "ljmd/model/box.hpp"
 #include "ljmd/model/configuration.hpp"
 #include "ljmd/model/lattice.hpp"
-#include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/analysis.hpp"
 #include "ljmd/observables/statistics/run_averages.hpp"
 #include "ljmd/potentials/interaction.hpp"
@@ -31,7 +30,7 @@ struct RandomStart {
     Index atoms = 864;
 };
 
-/// How pairs of atoms are found, see PairSearch.
+/// How pairs of atoms are found, see PairSearch in neighbors/pair_search.hpp.
 struct NeighborSpec {
     std::string method = "verlet-list";    ///< one of pair_search_names()
     double skin = 0.3;                     ///< [sigma]
