@@ -12,7 +12,7 @@ TEST_CASE("plug-ins are chosen by name, with the options that are given and defa
     CHECK(thermostat("rescale", {{"every", 5}}).values == "every=5");
     CHECK(thermostat("langevin", {{"time", 0.5}}).values != thermostat("langevin").values);
     CHECK(thermostat("langevin", {{"time", 2}}).values == thermostat("langevin", {{"time", 2.0}}).values);
-    CHECK(barostat("stochastic", {{"pressure", 1.0}}).plugin.name == "stochastic");
+    CHECK(barostat("stochastic-cell-rescaling", {{"pressure", 1.0}}).plugin.name == "stochastic-cell-rescaling");
     CHECK(analysis("rdf", {{"bins", 50}}).values != analysis("rdf").values);
 }
 

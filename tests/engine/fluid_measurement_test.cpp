@@ -70,7 +70,7 @@ TEST_CASE("analyses that do not fit into the box that a barostat has made end th
     const double half_edge = 0.5 * box_of(spec).shortest_edge();
     spec.stages[0].integrator = integrator("velocity-verlet");
     spec.stages[0].thermostat = thermostat("stochastic-rescaling");
-    spec.stages[0].barostat = barostat("stochastic", {{"pressure", 50.0}});
+    spec.stages[0].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 50.0}});
     spec.stages[0].steps = 200;
     spec.analyses = {analysis("rdf", {{"max_radius", half_edge}})};
     REQUIRE(mistakes(spec).empty());

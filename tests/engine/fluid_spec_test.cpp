@@ -62,7 +62,7 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].steps = -1; }), Contains("-1 steps"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].integrator = integrator("prince-dormand"); }),
                Contains("for few bodies only"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].barostat = barostat("stochastic", {{"pressure", 1.0}}); }),
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 1.0}}); }),
                Contains("a barostat needs a canonical thermostat"));
     CHECK_THAT(complaint([](FluidSpec& s) {
                    s.stages[1].thermostat = thermostat("langevin");
@@ -80,7 +80,7 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
                Contains("analysis rdf: "));
     CHECK_THAT(complaint([](FluidSpec& s) {
                    s.stages[1].thermostat = thermostat("langevin");
-                   s.stages[1].barostat = barostat("stochastic", {{"pressure", 1.0}});
+                   s.stages[1].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 1.0}});
                    s.analyses = {analysis("rdf")};
                }),
                Contains("a box that stays as it is"));
