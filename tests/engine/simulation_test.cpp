@@ -5,6 +5,7 @@
 #include "core/same_bits.hpp"
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/model/checksum.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 

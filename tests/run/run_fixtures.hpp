@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "deck/deck_fixtures.hpp"
+#include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/run.hpp"
+#include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 

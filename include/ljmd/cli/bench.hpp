@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/run/run.hpp"
 
 namespace ljmd {

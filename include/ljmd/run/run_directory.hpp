@@ -55,10 +55,10 @@ void check_outputs(const Deck& deck, const ResumedOutputs& resumed);
 
 /// What a run writes at its end.
 struct FinalOutputs {
-    std::string results_json;
-    std::string results_text;
-    std::vector<DataTable> tables;
-    double seconds;                             ///< wall time of the time loop
+    std::string results_json = {};
+    std::string results_text = {};
+    std::vector<DataTable> tables = {};
+    double seconds = 0.0;                       ///< wall time of the time loop
     std::optional<PhaseSeconds> phases = {};    ///< its parts, if measured
 };
 
