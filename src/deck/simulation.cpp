@@ -107,12 +107,11 @@ bool wants_tail(const Deck& deck) {
     return deck.potential().has("tail") && deck.potential().flag("tail");
 }
 
-PairForceField make_force_field(const Deck& deck) {
+PairForceField make_force_field(const Deck& deck, const Execution& execution) {
     const Section& neighbors = deck.neighbors();
     const auto every = neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt;
     return {pair_potential_of(deck.potential()),
-            make_pair_search(neighbors.text("method"), neighbors.number("skin"), every),
-            {default_simd_level(), precision_of(deck.performance().text("precision"))}};
+            make_pair_search(neighbors.text("method"), neighbors.number("skin"), every), execution};
 }
 
 void place_configuration(State& state, const Configuration& configuration) {
@@ -145,8 +144,9 @@ Interaction interaction_of(const Deck& deck) {
     return {potential, wants_tail(deck) ? TailCorrection(potential) : TailCorrection()};
 }
 
-Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box) {
-    Simulation simulation{State(atoms, box), make_force_field(deck), interaction_of(deck).tail, std::nullopt, {}};
+Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box, const Execution& execution) {
+    Simulation simulation{
+        State(atoms, box, execution), make_force_field(deck, execution), interaction_of(deck).tail, std::nullopt, {}};
     const Section& system = deck.system();
     if (system.has("lattice") && !is_random(system.section("lattice"))) {
         const Section& lattice = system.section("lattice");
@@ -169,9 +169,10 @@ std::vector<std::unique_ptr<Analysis>> make_analyses(const Deck& deck, const Sim
     return analyses;
 }
 
-Simulation make_simulation(const Deck& deck, Start start, const std::function<void(const std::string&)>& warn) {
+Simulation make_simulation(const Deck& deck, Start start, const Execution& execution,
+                           const std::function<void(const std::string&)>& warn) {
     const Section& system = deck.system();
-    Simulation simulation = empty_simulation(deck, start.atoms, start.box);
+    Simulation simulation = empty_simulation(deck, start.atoms, start.box, execution);
     if (start.configuration) {
         place_configuration(simulation.state, *start.configuration);
     } else if (const Section& lattice = system.section("lattice"); is_random(lattice)) {

@@ -28,7 +28,7 @@ FewBodyDirectory::FewBodyDirectory(const Deck& deck, const FewBodySystem& system
                : open_trajectory(deck, system.state, resumed ? std::optional(resumed->kept.trajectory) : std::nullopt)),
       thermo_(deck.outputs() / "thermo.csv", system.dimensions,
               resumed ? std::optional(resumed->kept.thermo) : std::nullopt),
-      record_(deck, resumed ? std::optional(resumed->earlier) : std::nullopt) {}
+      record_(deck, system.state.execution(), resumed ? std::optional(resumed->earlier) : std::nullopt) {}
 
 CommittedOutputs FewBodyDirectory::commit() {
     if (csv_) {

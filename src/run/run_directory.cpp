@@ -114,7 +114,7 @@ RunDirectory::RunDirectory(const Deck& deck, const State& first, bool order_para
       trajectory_(open_trajectory(deck, first, resumed ? std::optional(resumed->kept.trajectory) : std::nullopt)),
       thermo_(deck.outputs() / "thermo.csv", thermo_columns(deck, order_parameter), deck.units,
               resumed ? std::optional(resumed->kept.thermo) : std::nullopt),
-      record_(deck, resumed ? std::optional(resumed->earlier) : std::nullopt) {}
+      record_(deck, first.execution(), resumed ? std::optional(resumed->earlier) : std::nullopt) {}
 
 CommittedOutputs RunDirectory::commit() {
     return {thermo_.commit(), trajectory_ ? trajectory_->commit() : CommittedFrames()};

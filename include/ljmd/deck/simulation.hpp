@@ -49,22 +49,24 @@ struct Simulation {
 /// Whether a fluid's deck asks for tail corrections.
 [[nodiscard]] bool wants_tail(const Deck& deck);
 
-/// The force field of a fluid's deck.
-[[nodiscard]] PairForceField make_force_field(const Deck& deck);
+/// The force field of a fluid's deck. @param execution  see PairForceField
+[[nodiscard]] PairForceField make_force_field(const Deck& deck, const Execution& execution);
 
 /// The interaction of a fluid's deck.
 [[nodiscard]] Interaction interaction_of(const Deck& deck);
 
 /// A fluid whose atoms are not placed yet: filled in from a checkpoint.
-[[nodiscard]] Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box);
+/// @param execution  computes all of it, see execution_options()
+[[nodiscard]] Simulation empty_simulation(const Deck& deck, Index atoms, const Box& box, const Execution& execution);
 
 /// The analyses of a deck, without samples, for the current box of the state.
 [[nodiscard]] std::vector<std::unique_ptr<Analysis>> make_analyses(const Deck& deck, const Simulation& simulation);
 
 /// Place the atoms, set velocities, and create forces and analyses.
-/// @param warn  receives one line per remark for the user
+/// @param execution  computes all of it, see execution_options()
+/// @param warn       receives one line per remark for the user
 /// @pre the deck was checked against the box of the start
-[[nodiscard]] Simulation make_simulation(const Deck& deck, Start start,
+[[nodiscard]] Simulation make_simulation(const Deck& deck, Start start, const Execution& execution,
                                          const std::function<void(const std::string&)>& warn);
 
 }  // namespace ljmd
