@@ -6,4 +6,5 @@
 #include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/observer.hpp"
 #include "ljmd/engine/simulation.hpp"
+#include "ljmd/execution/execution.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"

@@ -95,7 +95,7 @@ class Pass {
     }
 
     void sample(Index number, std::size_t k, const Configuration& configuration) {
-        State state(trajectory_.summary.atoms, box_of(configuration));
+        State state(trajectory_.summary.atoms, box_of(configuration), trajectory_.execution);
         place_configuration(state, configuration);
         state.time = configuration.time;
         state.step = configuration.step;  // random numbers depend on it
@@ -117,7 +117,8 @@ class Pass {
 
     /// With a new force field for each frame, because a neighbour list does not last from frame to frame.
     [[nodiscard]] Evaluation evaluate(State& state, std::size_t k) const {
-        const Evaluation evaluation = make_force_field(fluid_spec(*trajectory_.deck)).evaluate(state, Request::forces_and_energy);
+        const Evaluation evaluation =
+            make_force_field(fluid_spec(*trajectory_.deck), state.execution()).evaluate(state, Request::forces_and_energy);
         if (!std::isfinite(evaluation.potential_energy)) {
             throw DataError(fmt::format("{}: frame {}: atoms overlap, the forces between them are not finite",
                                         trajectory_.path.string(), k + 1));

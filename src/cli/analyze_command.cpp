@@ -9,6 +9,7 @@
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/file_system.hpp"
@@ -82,9 +83,16 @@ std::optional<Positions> said_positions(const AnalyzeOptions& options) {
 /// @return the text to print
 std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
                     const AnalyzeOptions& options, const fs::path& directory) {
-    set_thread_count(default_thread_count());
-    // for a run, thermo reads thermo.csv instead
-    AnalyzedTrajectory trajectory{path, deck, {}, {}, options.group, wanted.thermo && !is_run, options.xyz_comment};
+    const Execution execution(deck != nullptr ? execution_options(*deck)
+                                              : ExecutionOptions{.threads = default_thread_count()});
+    AnalyzedTrajectory trajectory{.path = path,
+                                  .deck = deck,
+                                  .summary = {},
+                                  .selection = {},
+                                  .group = options.group,
+                                  .thermo = wanted.thermo && !is_run,  // for a run, thermo reads thermo.csv instead
+                                  .xyz_comment = options.xyz_comment,
+                                  .execution = execution};
     trajectory.summary =
         summarize(path, trajectory.units(), options.group, said_positions(options), options.xyz_comment);
     std::optional<double> time_step = options.time_step;

@@ -8,8 +8,6 @@
 #include <string>
 
 #include "ljmd/cli/bench_deck.hpp"
-#include "ljmd/execution/simd.hpp"
-#include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 
 namespace ljmd {
@@ -55,19 +53,21 @@ std::string_view melt_deck() {
     return melt_deck_text;
 }
 
-BenchResult bench(Deck deck, Start start) {
+BenchResult bench(Deck deck, Start start, const Execution& execution) {
     const ScratchDirectory scratch;
     deck.directory = scratch.path();
     const double before = memory("VmRSS");
     const Index atoms = start.atoms;
-    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(start)), [](const std::string&) {});
+    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(start)), execution, [](const std::string&) {});
     MemoryAtEnd memory(deck.total_steps());
     const RunResult result = run_deck(deck, simulation, memory);
     return {atoms,
             deck.total_steps(),
             result.search.rebuilds,
             list_policy(deck.neighbors()),
-            deck.performance().text("precision"),
+            std::string(name(execution.precision())),
+            std::string(name(execution.simd())),
+            execution.threads(),
             result.seconds,
             (memory.peak - before) / static_cast<double>(atoms),
             result.first,
@@ -75,9 +75,8 @@ BenchResult bench(Deck deck, Start start) {
 }
 
 std::string bench_report(const BenchResult& result) {
-    std::string text =
-        fmt::format("{} atoms, {} steps, {} precision, {}, {} thread{}\n", result.atoms, result.steps, result.precision,
-                    name(default_simd_level()), thread_count(), thread_count() == 1 ? "" : "s");
+    std::string text = fmt::format("{} atoms, {} steps, {} precision, {}, {} thread{}\n", result.atoms, result.steps,
+                                   result.precision, result.simd, result.threads, result.threads == 1 ? "" : "s");
     text += fmt::format("lists {}: built {} times\n\n", result.lists, result.rebuilds);
     const double atom_steps = static_cast<double>(result.atoms) * static_cast<double>(result.steps);
     text += "  phase        seconds   ns/atom-step\n";
@@ -103,9 +102,9 @@ std::string bench_json(const BenchResult& result) {
     const nlohmann::ordered_json json = {
         {"atoms", result.atoms},
         {"steps", result.steps},
-        {"threads", thread_count()},
+        {"threads", result.threads},
         {"precision", result.precision},
-        {"simd", name(default_simd_level())},
+        {"simd", result.simd},
         {"lists", result.lists},
         {"list_rebuilds", result.rebuilds},
         {"atom_steps_per_second", result.atom_steps_per_second()},

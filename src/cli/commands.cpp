@@ -14,12 +14,12 @@
 #include "ljmd/compare/crosscheck_report.hpp"
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/deck_sense.hpp"
 #include "ljmd/deck/few_body_check.hpp"
 #include "ljmd/deck/forecast.hpp"
 #include "ljmd/deck/start_sense.hpp"
-#include "ljmd/execution/simd.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/execution.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
@@ -36,10 +36,8 @@ namespace {
 
 /// @throws InputError with all mistakes of the deck
 Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
-    if (!options.simd.empty()) {
-        set_default_simd_level(usable_simd_level(options.simd));
-    }
-    static_cast<void>(default_simd_level());  // report a wrong LJMD_SIMD before anything is done
+    // Report a wrong --simd or LJMD_SIMD before anything is done.
+    static_cast<void>(options.simd.empty() ? default_simd_level() : usable_simd_level(options.simd));
     if (options.deck.empty()) {
         throw InputError("the name of the deck is empty");
     }
@@ -52,10 +50,16 @@ Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
     return std::move(*deck);
 }
 
-/// The start of a fluid, after all checks of its deck.
-Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
+/// A fluid before its atoms are placed, and what will compute it.
+struct CheckedFluid {
+    Start start;
+    Execution execution;
+};
+
+/// The start of a fluid, after all checks of its deck, and the threads that the system has granted.
+CheckedFluid checked_fluid(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
     Start start = find_start(deck);
-    set_thread_count(options.threads > 0 ? options.threads : default_thread_count());
+    Execution execution(execution_options(deck, options.threads, options.simd));
     if (start.configuration) {  // the box is known only now
         check_start(deck, start, diagnostics);
         diagnostics.throw_if_errors();
@@ -63,7 +67,7 @@ Start checked_start(const Deck& deck, const DeckOptions& options, Diagnostics& d
     if (!options.quiet) {
         talk_of_warnings(diagnostics);
     }
-    return start;
+    return {std::move(start), std::move(execution)};
 }
 
 std::string check_json(const Deck& deck, const Start& start, const Forecast& forecast) {
@@ -105,12 +109,13 @@ Exportable end_of_run(const DeckOptions& options, Diagnostics& diagnostics) {
 Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
     const Deck deck = load(options, diagnostics);
     refuse_bodies(deck);
-    Start start = checked_start(deck, options, diagnostics);
-    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(start)), [&](const std::string& text) {
-        if (!options.quiet) {
-            warn(text);
-        }
-    });
+    CheckedFluid fluid = checked_fluid(deck, options, diagnostics);
+    FluidSystem simulation =
+        make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution, [&](const std::string& text) {
+            if (!options.quiet) {
+                warn(text);
+            }
+        });
     return {deck, std::move(simulation.state)};
 }
 
@@ -167,16 +172,16 @@ void print_results(const Deck& deck, const Result& result, bool json) {
     print_result(json ? results_json(deck, result) + "\n" : results_table(deck, result));
 }
 
-void run_fluid(Deck& deck, Start start, const DeckOptions& options, RunControl& control) {
+void run_fluid(Deck& deck, CheckedFluid fluid, const DeckOptions& options, RunControl& control) {
     // Create the start before any file is touched: if it fails, an earlier run must not be lost.
     check_directory(deck, options.force);
-    Progress progress(start.atoms, deck.total_steps(), options.quiet);
-    FluidSystem fluid =
-        make_fluid(fluid_spec(deck, std::move(start)), [&](const std::string& text) { progress.warning(text); });
+    Progress progress(fluid.start.atoms, deck.total_steps(), options.quiet);
+    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution,
+                                            [&](const std::string& text) { progress.warning(text); });
     heed_signals();  // before this, nothing would be lost
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
-    print_results(deck, run_deck(deck, fluid, progress, control), options.json);
+    print_results(deck, run_deck(deck, simulation, progress, control), options.json);
     lock.warn_if_moved();
 }
 
@@ -210,16 +215,16 @@ void compare_bodies(const Deck& deck, const DeckOptions& options, const std::str
     }
 }
 
-void compare_fluid(const Deck& deck, Start start, const DeckOptions& options, const CrosscheckOptions& compared,
+void compare_fluid(const Deck& deck, CheckedFluid fluid, const DeckOptions& options, const CrosscheckOptions& compared,
                    const std::string& out) {
-    Progress progress(start.atoms, steps_before_crosscheck(deck), options.quiet);
+    Progress progress(fluid.start.atoms, steps_before_crosscheck(deck), options.quiet);
     const auto say = [&](const std::string& text) {
         if (!options.quiet) {
             talk(text + "\n");
         }
     };
-    FluidSystem simulation =
-        make_fluid(fluid_spec(deck, std::move(start)), [&](const std::string& text) { progress.warning(text); });
+    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution,
+                                            [&](const std::string& text) { progress.warning(text); });
     const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
@@ -263,7 +268,7 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
         talk_of_bodies(options, diagnostics);
         run_bodies(deck, options, control);
     } else {
-        run_fluid(deck, checked_start(deck, options, diagnostics), options, control);
+        run_fluid(deck, checked_fluid(deck, options, diagnostics), options, control);
     }
 }
 
@@ -281,10 +286,8 @@ void resume_command(const ResumeOptions& options) {
         throw CheckpointError(fmt::format(
             "{} has no checkpoint: the run ended before its first step, or they were removed", options.directory));
     }
-    if (!run.simd.empty()) {
-        set_default_simd_level(usable_simd_level(run.simd));
-    }
-    set_thread_count(options.threads > 0 ? options.threads : run.threads);
+    const Execution execution(
+        execution_options(run.deck, options.threads > 0 ? options.threads : run.threads, run.simd));
     EarlierParts earlier = run.earlier;
     const Index atoms = point->head.atoms;
     const Vec3 edges = point->head.edges;
@@ -305,10 +308,10 @@ void resume_command(const ResumeOptions& options) {
     }
     control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
     if (bodies) {
-        FewBodySystem system = make_few_body_system(run.deck);
+        FewBodySystem system = make_few_body_system(run.deck, execution);
         print_results(run.deck, run_deck(run.deck, system, progress, control), options.json);
     } else {
-        FluidSystem fluid = empty_fluid(fluid_spec(run.deck), atoms, Box(edges));
+        FluidSystem fluid = empty_fluid(fluid_spec(run.deck), atoms, Box(edges), execution);
         print_results(run.deck, run_deck(run.deck, fluid, progress, control), options.json);
     }
     lock->warn_if_moved();
@@ -322,8 +325,8 @@ void check_command(const DeckOptions& options) {
         print_result(options.json ? few_body_check_json(deck) : few_body_check_report(deck));
         return;
     }
-    const Start start = checked_start(deck, options, diagnostics);
-    const Forecast cost = forecast(deck, start);
+    const auto [start, execution] = checked_fluid(deck, options, diagnostics);
+    const Forecast cost = forecast(deck, start, execution);
     print_result(options.json ? check_json(deck, start, cost) : check_report(deck, start, cost));
 }
 
@@ -347,7 +350,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
         throw InputError(fmt::format("{} is a few-body deck, which '{}' does not take; '--with gsl' compares it",
                                      deck.path, compared.with));
     } else {
-        compare_fluid(deck, checked_start(deck, options, diagnostics), options, compared, out);
+        compare_fluid(deck, checked_fluid(deck, options, diagnostics), options, compared, out);
     }
 }
 
@@ -381,8 +384,8 @@ void bench_command(const DeckOptions& options) {
     if (deck.kind == DeckKind::few_body) {
         throw InputError("a few-body deck has no speed worth measuring: `ljmd bench` wants a fluid");
     }
-    Start start = checked_start(deck, chosen, diagnostics);
-    const BenchResult result = bench(std::move(deck), std::move(start));
+    CheckedFluid fluid = checked_fluid(deck, chosen, diagnostics);
+    const BenchResult result = bench(std::move(deck), std::move(fluid.start), fluid.execution);
     print_result(options.json ? bench_json(result) : bench_report(result));
 }
 

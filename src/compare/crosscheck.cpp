@@ -14,7 +14,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/engine/time_loop.hpp"
-#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/thread_team.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
@@ -69,20 +69,21 @@ void require_threads(int count) {
     }
 }
 
-Peers peers_of(const Fluid& fluid, const Situation& situation, bool mixed, const CrosscheckOptions& options) {
+Peers peers_of(const Fluid& fluid, const Situation& situation, bool mixed, int threads,
+               const CrosscheckOptions& options) {
     if (options.with == "lammps") {
-        return {make_lammps_peer(fluid, thread_count()), nullptr,
+        return {make_lammps_peer(fluid, threads), nullptr,
                 mixed ? single_agreement(situation) : lammps_agreement(situation)};
     }
     const bool exact = options.platform == "Reference";
     const bool fast = exact && (options.wants("averages") || options.wants("speed"));
     if (fast || options.platform == "CPU") {
-        require_threads(thread_count());
+        require_threads(threads);
     }
-    Peers peers{make_openmm_peer(fluid, {.platform = options.platform, .threads = thread_count()}), nullptr,
+    Peers peers{make_openmm_peer(fluid, {.platform = options.platform, .threads = threads}), nullptr,
                 exact && !mixed ? double_agreement(situation) : single_agreement(situation)};
     if (fast) {
-        peers.fast = make_openmm_peer(fluid, {.platform = "CPU", .threads = thread_count()});
+        peers.fast = make_openmm_peer(fluid, {.platform = "CPU", .threads = threads});
     }
     return peers;
 }
@@ -106,7 +107,7 @@ std::vector<Index> steps_of_trajectory(const CrosscheckOptions& options, Index a
     return steps;
 }
 
-EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const Box& box) {
+EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const State& state) {
     const std::string& name = stage.integrator.plugin.name;
     const bool paired = name == "leapfrog" || name == "velocity-verlet";
     EnsembleOptions options{.integrator = paired ? name : "velocity-verlet",
@@ -115,7 +116,8 @@ EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const Box
                             .every = deck.thermo_every,
                             .frame_every = 0,
                             .bins = usual_bins,
-                            .radius = 0.5 * box.shortest_edge()};
+                            .radius = 0.5 * state.box().shortest_edge(),
+                            .execution = state.execution()};
     options.every *= std::max<Index>(1, options.steps / options.every / most_samples);
     options.frame_every = options.every * std::max<Index>(1, options.steps / options.every / usual_frames);
     return options;
@@ -123,7 +125,7 @@ EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const Box
 
 /// Wall time of this many steps of ljmd [s].
 double our_seconds(const Fluid& fluid, ForceField& force_field, const EnsembleOptions& options, Index steps) {
-    State state = state_of(fluid);
+    State state = state_of(fluid, options.execution);
     const Integrator method(find_integrator(options.integrator), options.time_step);
     for (Index n = 0; n < steps_to_calibrate; ++n) {
         method.step(state, force_field, Request::forces);
@@ -201,26 +203,28 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
     const auto fluid_now = [&] {
         return fluid_of(simulation.state, simulation.force_field.potential(), spec.tail);
     };
-    const bool mixed = simulation.force_field.arithmetic().precision == Precision::mixed;
+    const Execution& execution = simulation.state.execution();
+    const bool mixed = simulation.force_field.precision() == Precision::mixed;
     // Report a missing program now, not after minutes of equilibration.
-    static_cast<void>(peers_of(fluid_now(), {}, mixed, options));
+    static_cast<void>(peers_of(fluid_now(), {}, mixed, execution.threads(), options));
 
     const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
     Quiet quiet(simulation.state, listener);
     run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, spec.interaction());
 
     const Fluid fluid = fluid_now();
-    const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, options);
-    const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(spec)); };
-    const EnsembleOptions ensemble = ensemble_options(deck, stage, simulation.state.box());
+    const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, execution.threads(), options);
+    const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(spec, execution)); };
+    const EnsembleOptions ensemble = ensemble_options(deck, stage, simulation.state);
     const bool kernel = deck.neighbors().text("method") == "verlet-list";
     Crosscheck result{.peer = peers.exact->name(),
                       .fast_peer = peers.for_long_runs().name(),
                       .atoms = simulation.state.count(),
                       .steps_before = simulation.state.step,
                       .search = deck.neighbors().text("method"),
-                      .simd = kernel ? std::string(name(default_simd_level())) : "scalar",
-                      .precision = deck.performance().text("precision"),
+                      .simd = kernel ? std::string(name(simulation.force_field.simd())) : "scalar",
+                      .precision = std::string(name(simulation.force_field.precision())),
+                      .threads = execution.threads(),
                       .integrator = ensemble.integrator,
                       .steps_of_averages = ensemble.steps,
                       .checks = {},
@@ -233,18 +237,19 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
     std::future<EnsembleAverages> theirs;
     if (averages) {
         say(fmt::format("averaging over {} steps in {}", ensemble.steps, peers.for_long_runs().name()));
-        theirs = std::async(thread_count() < available_processors() && peers.fast
+        theirs = std::async(execution.threads() < available_processors() && peers.fast
                                 ? std::launch::async | std::launch::deferred
                                 : std::launch::deferred,
                             [&] { return their_averages(fluid, peers.for_long_runs(), ensemble); });
     }
     if (options.wants("point")) {
-        append(result.checks, compare_points(point_of(fluid, *make()), peers.exact->point(), fluid, peers.agreement));
+        const PeerPoint ours = point_of(fluid, *make(), execution);
+        append(result.checks, compare_points(ours, peers.exact->point(), fluid, peers.agreement));
     }
     if (options.wants("trajectory") && options.steps > 0) {
         say(fmt::format("following trajectories over {} steps in {}", options.steps, peers.exact->name()));
         result.trajectory = compare_trajectories(fluid, make, *peers.exact, stage.time_step,
-                                                 steps_of_trajectory(options, result.atoms));
+                                                 steps_of_trajectory(options, result.atoms), execution);
         append(result.checks, checks_of(result.trajectory, options.frames, peers.agreement));
     }
     if (averages) {

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "ljmd/core/text_table.hpp"
-#include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/run/json_number.hpp"
@@ -20,8 +19,8 @@ using Json = nlohmann::ordered_json;
 using Align = TextTable::Align;
 
 std::string path_line(const Crosscheck& found) {
-    return fmt::format("{}, {}, {} precision, {} thread{}", found.search, found.simd, found.precision, thread_count(),
-                       thread_count() == 1 ? "" : "s");
+    return fmt::format("{}, {}, {} precision, {} thread{}", found.search, found.simd, found.precision, found.threads,
+                       found.threads == 1 ? "" : "s");
 }
 
 std::string check_lines(const std::vector<Check>& checks) {
@@ -143,7 +142,7 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
         {"atoms", found.atoms},
         {"steps_before", found.steps_before},
         {"path",
-         {{"search", found.search}, {"simd", found.simd}, {"precision", found.precision}, {"threads", thread_count()}}},
+         {{"search", found.search}, {"simd", found.simd}, {"precision", found.precision}, {"threads", found.threads}}},
         {"pressure_convention", "(2 K + W)/(3 V)"},
         {"checks", checks_json(found.checks)},
         {"passed", found.passed()}};

@@ -50,8 +50,8 @@ class Side {
 };
 
 /// A state for g(r), from positions that may be outside the box.
-State configuration_of(const Fluid& fluid, const std::vector<Vec3>& positions) {
-    State state(static_cast<Index>(positions.size()), Box(fluid.edges));
+State configuration_of(const Fluid& fluid, const std::vector<Vec3>& positions, const Execution& execution) {
+    State state(static_cast<Index>(positions.size()), Box(fluid.edges), execution);
     auto r = state.write_positions();
     for (Index i = 0; i < state.count(); ++i) {
         const Vec3& place = positions[static_cast<std::size_t>(i)];
@@ -65,7 +65,7 @@ State configuration_of(const Fluid& fluid, const std::vector<Vec3>& positions) {
 
 EnsembleAverages our_averages(const Fluid& fluid, ForceField& force_field, const EnsembleOptions& options) {
     Side side(fluid, options);
-    State state = state_of(fluid);
+    State state = state_of(fluid, options.execution);
     const Integrator method(find_integrator(options.integrator), options.time_step);
     force_field.evaluate(state, Request::forces_and_energy);
     method.prepare(state, force_field);
@@ -88,7 +88,7 @@ EnsembleAverages their_averages(const Fluid& fluid, Peer& peer, const EnsembleOp
                 [&](Index, const Totals& totals, const std::vector<Vec3>* positions) {
                     side.add(totals);
                     if (positions != nullptr) {
-                        side.add(configuration_of(fluid, *positions));
+                        side.add(configuration_of(fluid, *positions, options.execution));
                     }
                 });
     return side.averages();

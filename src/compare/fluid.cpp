@@ -17,8 +17,8 @@ Fluid fluid_of(const State& state, const PairPotential& potential, bool tail) {
     return fluid;
 }
 
-State state_of(const Fluid& fluid) {
-    State state(static_cast<Index>(fluid.positions.size()), Box(fluid.edges));
+State state_of(const Fluid& fluid, const Execution& execution) {
+    State state(static_cast<Index>(fluid.positions.size()), Box(fluid.edges), execution);
     state.write_masses() = fluid.masses;
     auto r = state.write_positions();
     auto v = state.write_velocities();

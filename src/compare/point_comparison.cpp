@@ -23,8 +23,8 @@ double volume(const Fluid& fluid) {
 
 }  // namespace
 
-PeerPoint point_of(const Fluid& fluid, ForceField& force_field) {
-    State state = state_of(fluid);
+PeerPoint point_of(const Fluid& fluid, ForceField& force_field, const Execution& execution) {
+    State state = state_of(fluid, execution);
     const Evaluation evaluation = force_field.evaluate(state, Request::forces_and_energy);
     PeerPoint point{{evaluation.potential_energy, kinetic_energy(fluid), evaluation.virial.trace()},
                     std::vector<Vec3>(fluid.positions.size())};

@@ -45,8 +45,8 @@ std::vector<Vec3> unwrapped_by_id(const State& state) {
 }  // namespace
 
 std::vector<PeerFrame> follow(const Fluid& fluid, ForceField& force_field, const std::string& integrator,
-                              double time_step, const std::vector<Index>& steps) {
-    State state = state_of(fluid);
+                              double time_step, const std::vector<Index>& steps, const Execution& execution) {
+    State state = state_of(fluid, execution);
     const Integrator method(find_integrator(integrator), time_step);
     Evaluation evaluation = force_field.evaluate(state, Request::forces_and_energy);
     method.prepare(state, force_field);
@@ -73,7 +73,8 @@ std::optional<double> TrajectoryComparison::divergence_rate() const {
 }
 
 TrajectoryComparison compare_trajectories(const Fluid& fluid, const MakeForceField& make_force_field, Peer& peer,
-                                          double time_step, const std::vector<Index>& steps) {
+                                          double time_step, const std::vector<Index>& steps,
+                                          const Execution& execution) {
     TrajectoryComparison comparison;
     comparison.time_step = time_step;
     for (const Index step : steps) {
@@ -83,7 +84,7 @@ TrajectoryComparison compare_trajectories(const Fluid& fluid, const MakeForceFie
         const std::vector<PeerFrame> theirs = peer.follow(method.name, time_step, steps);
         for (const std::string& integrator : method.ours) {
             const auto force_field = make_force_field();
-            const std::vector<PeerFrame> ours = follow(fluid, *force_field, integrator, time_step, steps);
+            const std::vector<PeerFrame> ours = follow(fluid, *force_field, integrator, time_step, steps, execution);
             const bool first = comparison.pairings.empty();
             comparison.pairings.push_back({integrator, method.name, method.ours.size() == 1});
             for (std::size_t k = 0; k < steps.size(); ++k) {

@@ -14,8 +14,8 @@ Vec3 padded(const std::vector<double>& components) {
 
 }  // namespace
 
-State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptions& force) {
-    State state(static_cast<Index>(bodies.size()));
+State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptions& force, const Execution& execution) {
+    State state(static_cast<Index>(bodies.size()), std::nullopt, execution);
     auto r = state.write_positions();
     auto v = state.write_velocities();
     for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -27,9 +27,9 @@ State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptio
     return state;
 }
 
-FewBodySystem make_few_body_system(const Deck& deck) {
+FewBodySystem make_few_body_system(const Deck& deck, const Execution& execution) {
     const ChosenFewBodyForce force = choose(find_few_body_force(deck.force().text("type")), deck.force());
-    FewBodySystem system{few_body_start(deck.bodies(), *force.options),
+    FewBodySystem system{few_body_start(deck.bodies(), *force.options, execution),
                          static_cast<int>(deck.bodies().front().vector("position").size()),
                          force,
                          force.options->make(),

@@ -10,7 +10,6 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/size_forecast.hpp"
-#include "ljmd/execution/threads.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -48,7 +47,7 @@ double seconds_per_step(const std::string& method, State& state, PairForceField&
 }
 
 /// Measured seconds per atom for all stages, from a trial of each integrator on a stand-in for the start.
-double seconds_per_atom(const Deck& deck, const Start& start) {
+double seconds_per_atom(const Deck& deck, const Start& start, const Execution& execution) {
     const double density = density_of(start);
     const double cutoff = deck.potential().number("cutoff");
     Index cells = nearest_cells(Lattice::fcc, std::min(start.atoms, stand_in_atoms)).above;
@@ -57,7 +56,7 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
     }
     const Index atoms = lattice_atoms(Lattice::fcc, cells);
     const Box box = cubic_box(atoms, density);
-    State state(atoms, box);
+    State state(atoms, box, execution);
     const auto sites = lattice_sites(Lattice::fcc, cells, box);
     auto r = state.write_positions();
     for (Index i = 0; i < atoms; ++i) {
@@ -65,7 +64,7 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
     }
     const double temperature = deck.system().has("temperature") ? deck.system().number("temperature") : 1.0;
     draw_velocities(state, std::min(temperature, hottest_trial), 1);
-    PairForceField force_field = make_force_field(fluid_spec(deck));
+    PairForceField force_field = make_force_field(fluid_spec(deck), execution);
     std::map<std::string, double> seconds;  // per step, by integrator
     double sum = 0.0;
     Index evaluations_of_start = 1;  // takes about as long as a step
@@ -92,15 +91,16 @@ std::string duration(double seconds) {
                               : fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-std::string threads_text() {
-    return thread_count() == 1 ? "one thread" : fmt::format("{} threads", thread_count());
+std::string in_words(int threads) {
+    return threads == 1 ? "one thread" : fmt::format("{} threads", threads);
 }
 
 }  // namespace
 
-Forecast forecast(const Deck& deck, const Start& start) {
+Forecast forecast(const Deck& deck, const Start& start, const Execution& execution) {
     const auto [memory, disk] = forecast_size(deck, start);
-    return {memory, disk, static_cast<double>(start.atoms) * seconds_per_atom(deck, start)};
+    return {memory, disk, static_cast<double>(start.atoms) * seconds_per_atom(deck, start, execution),
+            execution.threads()};
 }
 
 std::string check_report(const Deck& deck, const Start& start, const Forecast& forecast) {
@@ -119,7 +119,7 @@ std::string check_report(const Deck& deck, const Start& start, const Forecast& f
     text += fmt::format("  memory    about {}\n", bytes(forecast.memory_bytes));
     text += fmt::format("  disk      about {} in {}\n", bytes(forecast.disk_bytes), deck.directory.string());
     text += fmt::format("  time      about {} on this machine with {}, analyses not counted\n",
-                        duration(forecast.seconds), threads_text());
+                        duration(forecast.seconds), in_words(forecast.threads));
     return text;
 }
 

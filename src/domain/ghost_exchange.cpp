@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -28,7 +28,7 @@ void GhostExchange::create(State& state, std::vector<Run> runs) {
 void GhostExchange::update(State& state) const {
     const double* r = static_cast<const State&>(state).positions().data();
     double* ghosts = state.write_ghosts().data();
-    for_each_block(static_cast<Index>(runs_.size()), runs_per_block, [&](Index first, Index last) {
+    for_each_block(state.execution(), static_cast<Index>(runs_.size()), runs_per_block, [&](Index first, Index last) {
         for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
             const Run& run = runs_[k];
             const Eigen::Array4d shift(run.shift[0], run.shift[1], run.shift[2], 0.0);

@@ -167,7 +167,7 @@ void FluidMeasurement::adapt_analyses() {
     if (!wrong.empty()) {
         throw PhysicsError(fmt::format("in the box that the barostat has made: {}", wrong.front()));
     }
-    fluid_.analyses = make_analyses(spec_, state.count(), state.box());
+    fluid_.analyses = make_analyses(spec_, state);
     analysed_edges_ = state.box().edges();
 }
 

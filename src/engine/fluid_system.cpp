@@ -34,16 +34,17 @@ void set_velocities(State& state, const FluidSpec& spec, const std::function<voi
 
 }  // namespace
 
-PairForceField make_force_field(const FluidSpec& spec) {
-    return {spec.potential, make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every)};
+PairForceField make_force_field(const FluidSpec& spec, const Execution& execution) {
+    return {spec.potential, make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every),
+            execution};
 }
 
-std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, Index atoms, const Box& box) {
+std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, const State& state) {
     std::vector<std::unique_ptr<Analysis>> analyses;
     if (spec.analyses.empty()) {
         return analyses;
     }
-    SampledRun run = sampled_run(spec.stages, spec.seed, atoms, box);
+    SampledRun run = sampled_run(spec.stages, spec.seed, state.count(), state.box());
     run.interaction = spec.interaction();
     for (const ChosenAnalysis& analysis : spec.analyses) {
         analyses.push_back(analysis.options->make(run));
@@ -51,9 +52,10 @@ std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, Inde
     return analyses;
 }
 
-FluidSystem empty_fluid(const FluidSpec& spec, Index atoms, const Box& box) {
-    FluidSystem fluid{State(atoms, box), make_force_field(spec), spec.interaction().tail, std::nullopt,
-                      make_analyses(spec, atoms, box)};
+FluidSystem empty_fluid(const FluidSpec& spec, Index atoms, const Box& box, const Execution& execution) {
+    FluidSystem fluid{
+        State(atoms, box, execution), make_force_field(spec, execution), spec.interaction().tail, std::nullopt, {}};
+    fluid.analyses = make_analyses(spec, fluid.state);
     if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
         fluid.order.emplace(crystal->lattice, crystal->cells);
     }
@@ -85,10 +87,11 @@ void place_configuration(State& state, const Configuration& configuration) {
     }
 }
 
-FluidSystem make_fluid(const FluidSpec& spec, const std::function<void(const std::string&)>& warn) {
+FluidSystem make_fluid(const FluidSpec& spec, const Execution& execution,
+                       const std::function<void(const std::string&)>& warn) {
     const Index atoms = atoms_of(spec);
     const Box box = box_of(spec);
-    FluidSystem fluid = empty_fluid(spec, atoms, box);
+    FluidSystem fluid = empty_fluid(spec, atoms, box, execution);
     if (const auto* configuration = std::get_if<Configuration>(&spec.start)) {
         place_configuration(fluid.state, *configuration);
     } else if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {

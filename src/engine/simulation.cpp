@@ -33,9 +33,9 @@ const FluidSpec& checked(const FluidSpec& spec) {
 
 /// Parts point to each other, so they stay where they are.
 struct Simulation::Parts {
-    explicit Parts(FluidSpec wanted)
+    Parts(FluidSpec wanted, const Execution& execution)
         : spec(std::move(wanted)),
-          fluid(make_fluid(checked(spec), [this](const std::string& text) { warnings.push_back(text); })),
+          fluid(make_fluid(checked(spec), execution, [this](const std::string& text) { warnings.push_back(text); })),
           measurement(std::in_place, spec, fluid, rows) {}
 
     void advance(std::optional<Index> until) {
@@ -49,7 +49,7 @@ struct Simulation::Parts {
         if (position && position->stage > spec.stages.size()) {
             throw CheckpointError("the checkpoint is in a stage that the simulation does not have");
         }
-        fluid = empty_fluid(spec, fluid.state.count(), Box(edges));
+        fluid = empty_fluid(spec, fluid.state.count(), Box(edges), fluid.state.execution());
         rows.all.clear();
         measurement.emplace(spec, fluid, rows, measurement->observers());
         if (position) {
@@ -70,7 +70,8 @@ struct Simulation::Parts {
     std::optional<LoopPosition> position;  ///< empty until the first step
 };
 
-Simulation::Simulation(FluidSpec spec) : parts_(std::make_unique<Parts>(std::move(spec))) {}
+Simulation::Simulation(FluidSpec spec, const Execution& execution)
+    : parts_(std::make_unique<Parts>(std::move(spec), execution)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -46,7 +46,7 @@ void StabilityWatch::check_speeds(const State& state) const {
         return fastest;
     };
     const Fastest fastest =
-        join_blocks(state.count(), loop_block, Fastest{}, fastest_of,
+        join_blocks(state.execution(), state.count(), loop_block, Fastest{}, fastest_of,
                     [](Fastest& so_far, const Fastest& block) { so_far.compare(block.atom, block.speed2); });
     const double move = std::sqrt(fastest.speed2) * time_step_;
     if (!(move < longest_move)) {

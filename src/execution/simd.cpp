@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <optional>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/simd_levels.hpp"
@@ -13,8 +12,6 @@
 namespace ljmd {
 
 namespace {
-
-std::optional<SimdLevel> chosen_level;
 
 constexpr std::array level_names{"portable", "x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-intel"};
 
@@ -110,15 +107,8 @@ SimdLevel usable_simd_level(const std::string& wanted) {
 }
 
 SimdLevel default_simd_level() {
-    if (chosen_level) {
-        return *chosen_level;
-    }
     const char* wanted = std::getenv("LJMD_SIMD");  // NOLINT(concurrency-mt-unsafe): nobody writes the environment
     return wanted != nullptr && *wanted != '\0' ? usable_simd_level(wanted) : best_simd_level();
-}
-
-void set_default_simd_level(SimdLevel level) {
-    chosen_level = level;
 }
 
 std::string_view name(Precision precision) {

@@ -3,25 +3,15 @@
 #include <fmt/format.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <memory>
 #include <string_view>
 #include <thread>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/thread_team.hpp"
 
 namespace ljmd {
-
-namespace {
-
-std::unique_ptr<ThreadTeam>& team() {
-    static std::unique_ptr<ThreadTeam> team = std::make_unique<ThreadTeam>(1);
-    return team;
-}
-
-}  // namespace
 
 int available_processors() {
 #ifdef CPU_COUNT
@@ -49,25 +39,6 @@ int default_thread_count() {
             fmt::format("OMP_NUM_THREADS is '{}': allowed is a number of threads from 1 to {}", text, most_threads));
     }
     return count;
-}
-
-int thread_count() {
-    return team()->size();
-}
-
-void set_thread_count(int count) {
-    if (count < 1) {
-        throw ContractViolation(fmt::format("{} threads", count));
-    }
-    if (count == thread_count()) {
-        return;
-    }
-    team() = std::make_unique<ThreadTeam>(1);  // the old threads end before new ones start
-    team() = std::make_unique<ThreadTeam>(count);
-}
-
-void for_each_block(Index count, Index block_length, BlockFunction function) {
-    team()->for_each_block(count, block_length, function);
 }
 
 }  // namespace ljmd

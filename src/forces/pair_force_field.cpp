@@ -7,8 +7,8 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/execution/thread_team.hpp"
-#include "ljmd/execution/threads.hpp"
 #include "ljmd/execution/tiny_is_zero.hpp"
 #include "ljmd/forces/pair_sum.hpp"
 #include "simd/pair_kernel.hpp"
@@ -23,12 +23,14 @@ constexpr double far_away = -1e9;
 
 }  // namespace
 
-PairForceField::PairForceField(PairPotential potential, PairSearch search, PairArithmetic arithmetic)
-    : potential_(std::move(potential)), search_(std::move(search)), arithmetic_(arithmetic) {
+PairForceField::PairForceField(PairPotential potential, PairSearch search, const Execution& execution)
+    : potential_(std::move(potential)),
+      search_(std::move(search)),
+      simd_(execution.simd()),
+      precision_(execution.precision()) {
     if (auto* list = std::get_if<VerletList>(&search_)) {
-        const auto precision = static_cast<std::size_t>(arithmetic_.precision);
-        list->prepare_for(arithmetic_.simd, pair_kernels(arithmetic_.simd).row_shapes[precision]);
-    } else if (arithmetic_.precision == Precision::mixed) {
+        list->prepare_for(simd_, pair_kernels(simd_).row_shapes[static_cast<std::size_t>(precision_)]);
+    } else if (precision_ == Precision::mixed) {
         throw ContractViolation("mixed precision needs a Verlet list");
     }
 }
@@ -81,11 +83,10 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
     const State& atoms = state;
     const ClusterGrid& grid = list.clusters();
     const FixedPoint& fixed_point = list.fixed_point();
-    const bool mixed = arithmetic_.precision == Precision::mixed;
+    const bool mixed = precision_ == Precision::mixed;
     const void* pair = potential_.visit([](const auto& any) -> const void* { return &any; });
-    const PairKernel kernel = pair_kernels(arithmetic_.simd)
-                                  .by_precision[static_cast<std::size_t>(arithmetic_.precision)]
-                                  .at(potential_.index())[energy ? 1 : 0];
+    const PairKernel kernel =
+        pair_kernels(simd_).by_precision[static_cast<std::size_t>(precision_)].at(potential_.index())[energy ? 1 : 0];
     const auto tiles = list.tiles();
     std::vector<PairKernelSums> sums(energy ? tiles.size() : 0);
     const double cutoff = potential_.cutoff().radius;
@@ -122,9 +123,9 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
         kernel(pair, task, energy ? &sums[t] : nullptr);
     };
     const auto count = static_cast<Index>(tiles.size());
-    workspaces_.resize(static_cast<std::size_t>(thread_count()));
+    workspaces_.resize(static_cast<std::size_t>(state.execution().threads()));
     guest_forces_.resize(tiles.size());
-    for_each_block(count, 1, [&](Index tile, Index) {
+    for_each_block(state.execution(), count, 1, [&](Index tile, Index) {
         const TinyIsZero tiny_is_zero;
         sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(number_in_team())]);
     });
@@ -143,7 +144,7 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
 /// Add the forces on a tile's clusters where these are ghosts of other tiles, in the order of those tiles.
 void PairForceField::add_guest_forces(const VerletList& list, State& state) const {
     double* forces = state.write_forces().data();
-    for_each_block(static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
+    for_each_block(state.execution(), static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
         for (const VerletList::Away& away : list.away(tile)) {
             const auto& all = list.tiles()[away.tile].guests;
             const ClusterGrid::Guests& guests = all[away.guests];

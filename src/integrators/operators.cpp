@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/model/time_over_mass.hpp"
 
 namespace ljmd {
@@ -24,7 +24,7 @@ void drift(State& state, double dt) {
     double* r = state.write_positions().data();
     const double* v = static_cast<const State&>(state).velocities().data();
     const double rounding = state.rounding();
-    for_each_index(state.count(), [=](Index i) {
+    for_each_index(state.execution(), state.count(), [=](Index i) {
         Atom(r + 4 * i) = (Atom(r + 4 * i) + dt * ConstAtom(v + 4 * i) + rounding) - rounding;
     });
 }
@@ -39,7 +39,7 @@ void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     const double* f = static_cast<const State&>(state).forces().data();
     const double* m = state.masses().data();
     const double rounding = state.rounding();
-    for_each_block(state.count(), loop_block, [=](Index first, Index last) {
+    for_each_block(state.execution(), state.count(), loop_block, [=](Index first, Index last) {
         TimeOverMass due(dt_due);
         TimeOverMass factor(dt_kick);
         for (Index i = first; i < last; ++i) {

@@ -11,7 +11,7 @@
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/model/time_over_mass.hpp"
 
 namespace ljmd {
@@ -34,14 +34,14 @@ ConstVectorView view(const AlignedVector<double>& data, Index count) {
 /// Reorder groups of `width` numbers: group k becomes the former group order[k].
 /// @pre `spare` has room for all bytes of `data`
 template <std::size_t width, class Vector>
-void permute(Vector& data, const std::vector<Index>& order, std::byte* spare) {
+void permute(const Execution& execution, Vector& data, const std::vector<Index>& order, std::byte* spare) {
     constexpr std::size_t bytes = width * sizeof(typename Vector::value_type);
     auto* moved = reinterpret_cast<std::byte*>(data.data());
-    for_each_block(static_cast<Index>(order.size()), loop_block, [&](Index first, Index last) {
+    for_each_block(execution, static_cast<Index>(order.size()), loop_block, [&](Index first, Index last) {
         std::memcpy(spare + bytes * static_cast<std::size_t>(first), moved + bytes * static_cast<std::size_t>(first),
                     bytes * static_cast<std::size_t>(last - first));
     });
-    for_each_index(static_cast<Index>(order.size()), [&](Index k) {
+    for_each_index(execution, static_cast<Index>(order.size()), [&](Index k) {
         const auto to = static_cast<std::size_t>(k);
         std::memcpy(moved + bytes * to, spare + bytes * static_cast<std::size_t>(order[to]), bytes);
     });
@@ -66,8 +66,9 @@ std::size_t checked(Index count) {
 
 }  // namespace
 
-State::State(Index count, std::optional<Box> box)
-    : count_(count),
+State::State(Index count, std::optional<Box> box, Execution execution)
+    : execution_(std::move(execution)),
+      count_(count),
       box_(std::move(box)),
       positions_(),
       velocities_(stride * checked(count)),
@@ -147,7 +148,7 @@ void State::do_kick() const {
         return;
     }
     const double dt = std::exchange(kick_due_, 0.0);
-    for_each_block(count_, loop_block, [&](Index first, Index last) {
+    for_each_block(execution_, count_, loop_block, [&](Index first, Index last) {
         TimeOverMass factor(dt);
         for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
             Eigen::Map<Eigen::Array4d>(velocities_.data() + stride * i) +=
@@ -162,7 +163,7 @@ VectorView State::write_ghosts() {
 
 void State::wrap() {
     auto r = view(positions_, 0, count_);
-    for_each_index(count_, [&](Index i) {
+    for_each_index(execution_, count_, [&](Index i) {
         if ((r.col(i).array() >= 0.0).all() && (r.col(i).array() < box().edges().array()).all()) {
             return;  // nearly always
         }
@@ -193,16 +194,16 @@ void State::reorder(const std::vector<Index>& order) {
     do_kick();
     ++order_version_;
     const auto spare = std::make_unique_for_overwrite<std::byte[]>(stride * sizeof(double) * order.size());
-    permute<stride>(positions_, order, spare.get());
-    permute<stride>(velocities_, order, spare.get());
+    permute<stride>(execution_, positions_, order, spare.get());
+    permute<stride>(execution_, velocities_, order, spare.get());
     if (forces_current_) {
-        permute<stride>(forces_, order, spare.get());
+        permute<stride>(execution_, forces_, order, spare.get());
     }
-    permute<1>(masses_, order, spare.get());
-    permute<1>(ids_, order, spare.get());
-    permute<1>(images_, order, spare.get());
+    permute<1>(execution_, masses_, order, spare.get());
+    permute<1>(execution_, ids_, order, spare.get());
+    permute<1>(execution_, images_, order, spare.get());
     for (auto& extra : registered_) {
-        permute<stride>(extra.data, order, spare.get());
+        permute<stride>(execution_, extra.data, order, spare.get());
     }
     set_ghost_count(0);
 }

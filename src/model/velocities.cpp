@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ljmd/core/random.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -13,7 +13,7 @@ double mass_of(const State& state, Index i) {
 }
 
 double total_mass(const State& state) {
-    return sum_over(state.count(), 0.0, [&](Index i) { return mass_of(state, i); });
+    return sum_over(state.execution(), state.count(), 0.0, [&](Index i) { return mass_of(state, i); });
 }
 }  // namespace
 
@@ -23,7 +23,8 @@ Index degrees_of_freedom(Index atoms) {
 
 double kinetic_energy(const State& state) {
     const auto v = state.velocities();
-    return 0.5 * sum_over(state.count(), 0.0, [&](Index i) { return mass_of(state, i) * v.col(i).squaredNorm(); });
+    return 0.5 * sum_over(state.execution(), state.count(), 0.0,
+                          [&](Index i) { return mass_of(state, i) * v.col(i).squaredNorm(); });
 }
 
 std::optional<double> temperature(Index atoms, double kinetic_energy, const Vec3& momentum, double mass) {
@@ -40,7 +41,8 @@ std::optional<double> temperature(const State& state) {
 
 Vec3 total_momentum(const State& state) {
     const auto v = state.velocities();
-    return sum_over(state.count(), Vec3(Vec3::Zero()), [&](Index i) -> Vec3 { return mass_of(state, i) * v.col(i); });
+    return sum_over(state.execution(), state.count(), Vec3(Vec3::Zero()),
+                    [&](Index i) -> Vec3 { return mass_of(state, i) * v.col(i); });
 }
 
 void draw_velocities(State& state, double target, std::uint64_t seed) {
@@ -50,7 +52,7 @@ void draw_velocities(State& state, double target, std::uint64_t seed) {
         v.setZero();
         return;
     }
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         const double width = std::sqrt(target / mass_of(state, i));
         v.col(i) = width * random.normal(0, state.ids()[static_cast<std::size_t>(i)]);
     });
@@ -64,7 +66,7 @@ void remove_momentum(State& state) {
     }
     const Vec3 drift = total_momentum(state) / total_mass(state);
     auto v = state.write_velocities();
-    for_each_index(state.count(), [&](Index i) { v.col(i) -= drift; });
+    for_each_index(state.execution(), state.count(), [&](Index i) { v.col(i) -= drift; });
 }
 
 void rescale_velocities(State& state, double target) {
@@ -73,7 +75,8 @@ void rescale_velocities(State& state, double target) {
         return;
     }
     auto v = state.write_velocities();
-    for_each_index(state.count(), [&, factor = std::sqrt(target / *now)](Index i) { v.col(i) *= factor; });
+    for_each_index(state.execution(), state.count(),
+                   [&, factor = std::sqrt(target / *now)](Index i) { v.col(i) *= factor; });
 }
 
 }  // namespace ljmd

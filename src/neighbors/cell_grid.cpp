@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -126,12 +126,12 @@ void CellGrid::sort(State& state, GhostExchange& ghosts) {
 std::vector<Index> CellGrid::spatial_order(const State& state) {
     const auto r = state.positions();
     std::vector<std::uint32_t> cell(static_cast<std::size_t>(state.count()));
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         cell[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(flat(cell_of(r.col(i))));
     });
     sort_by(cell, cell_count(), starts_, order_);
     std::vector<Index> order(cell.size());
-    for_each_block(static_cast<Index>(cell_count()), loop_block, [&](Index first, Index last) {
+    for_each_block(state.execution(), static_cast<Index>(cell_count()), loop_block, [&](Index first, Index last) {
         for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
             const auto begin = order_.begin() + starts_[c];
             const auto end = order_.begin() + starts_[c + 1];

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -159,7 +159,7 @@ void ClusterGrid::put_in_order(State& state) {
     const auto columns =
         static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(cells_[2]);
     std::vector<std::uint32_t> column(static_cast<std::size_t>(state.count()));
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         column[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(column_at(cell_at(r.col(i))));
     });
     // Counting sort: column_atoms_[c + 1] is the next free place of column c while it is filled, and then the start of
@@ -182,7 +182,7 @@ void ClusterGrid::put_in_order(State& state) {
     column_atoms_.pop_back();
 
     std::vector<Index> order(column.size());
-    for_each_block(static_cast<Index>(columns), columns_per_block, [&](Index first, Index last) {
+    for_each_block(state.execution(), static_cast<Index>(columns), columns_per_block, [&](Index first, Index last) {
         for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
             const auto begin = places.begin() + column_atoms_[c];
             const auto end = places.begin() + column_atoms_[c + 1];
@@ -211,7 +211,7 @@ void ClusterGrid::make_clusters(const State& state) {
     column_clusters_.push_back(static_cast<std::int32_t>(first_atoms_.size()));
     first_atoms_.push_back(column_atoms_.back());
 
-    cut_into_slices();
+    cut_into_slices(state.execution());
     tiles_.clear();
     for (std::int32_t c = 0; c + 1 < static_cast<std::int32_t>(column_clusters_.size());) {
         const Run of_tile = columns(tiles_.size());
@@ -220,11 +220,11 @@ void ClusterGrid::make_clusters(const State& state) {
     }
 }
 
-void ClusterGrid::cut_into_slices() {
+void ClusterGrid::cut_into_slices(const Execution& execution) {
     const auto columns = static_cast<Index>(column_clusters_.size()) - 1;
     const auto stride = 2 * static_cast<std::size_t>(slice_count_ + 2);
     slices_.resize(static_cast<std::size_t>(columns) * stride);
-    for_each_block(columns, columns_per_block, [&](Index first, Index last) {
+    for_each_block(execution, columns, columns_per_block, [&](Index first, Index last) {
         for (Index column = first; column < last; ++column) {
             const auto number = static_cast<std::int32_t>(column);
             const Run run = clusters_of_column(number);

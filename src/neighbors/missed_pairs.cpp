@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/neighbors/columns_around.hpp"
 
 namespace ljmd {
@@ -40,7 +40,8 @@ struct Moves {
 };
 
 /// @param slow  largest displacement of a slow atom [sigma]
-Moves find_moves(const ClusterGrid& grid, const double* before, const double* now, double slow) {
+Moves find_moves(const ClusterGrid& grid, const double* before, const State& state, double slow) {
+    const double* now = state.positions().data();
     Moves moves;
     moves.of_column.resize(static_cast<std::size_t>(grid.column_count()));
     moves.of_cluster.resize(static_cast<std::size_t>(grid.cluster_count()));
@@ -67,7 +68,7 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const double* no
         return fast;
     };
     moves.fast = join_blocks(
-        grid.column_count(), ClusterGrid::columns_per_block, std::vector<Move>{}, fast_in_columns,
+        state.execution(), grid.column_count(), ClusterGrid::columns_per_block, std::vector<Move>{}, fast_in_columns,
         [](std::vector<Move>& all, const std::vector<Move>& next) { all.insert(all.end(), next.begin(), next.end()); });
     return moves;
 }
@@ -79,7 +80,7 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
     const double reach = cutoff * wider;
     const double range = (cutoff + skin) * (1.0 - 0x1p-40);  // all pairs within it are on the list
     const double harmless = std::max(0.0, range - reach);  // total displacement of a pair that cannot have been missed
-    const Moves moves = find_moves(grid, before, now, 0.5 * harmless);
+    const Moves moves = find_moves(grid, before, state, 0.5 * harmless);
 
     if (static_cast<Index>(moves.fast.size()) * fewest_atoms_a_fast_one > state.count()) {
         return true;
@@ -118,14 +119,15 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
                           });
     };
     std::atomic<bool> missed = false;
-    for_each_block(static_cast<Index>(moves.fast.size()), fast_atoms_per_block, [&](Index first, Index last) {
-        ColumnsAround around(grid);
-        for (Index k = first; k < last && !missed; ++k) {
-            if (missed_around(around, moves.fast[static_cast<std::size_t>(k)])) {
-                missed = true;
-            }
-        }
-    });
+    for_each_block(state.execution(), static_cast<Index>(moves.fast.size()), fast_atoms_per_block,
+                   [&](Index first, Index last) {
+                       ColumnsAround around(grid);
+                       for (Index k = first; k < last && !missed; ++k) {
+                           if (missed_around(around, moves.fast[static_cast<std::size_t>(k)])) {
+                               missed = true;
+                           }
+                       }
+                   });
     return missed;
 }
 

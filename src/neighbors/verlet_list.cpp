@@ -10,7 +10,7 @@
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/neighbors/missed_pairs.hpp"
 #include "simd/list_kernel.hpp"
 
@@ -154,7 +154,7 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
     const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // slightly less, for rounding of the distances
     const double limit2 = limit * limit;
     std::atomic<bool> valid = true;
-    for_each_block(state.count(), loop_block, [&](Index first, Index last) {
+    for_each_block(state.execution(), state.count(), loop_block, [&](Index first, Index last) {
         if (!valid.load(std::memory_order_relaxed)) {
             return;
         }
@@ -207,15 +207,16 @@ void VerletList::build(const State& state, double cutoff) {
     fixed_point_ = FixedPoint(state.box(), 2.0 * range);
     tiles_.resize(grid_.tiles().size());
     statistics_.distance_tests += join_blocks(
-        static_cast<Index>(tiles_.size()), 1, Index{0},
+        state.execution(), static_cast<Index>(tiles_.size()), 1, Index{0},
         [&](Index tile, Index) { return fill(static_cast<std::size_t>(tile), state, range); },
         [](Index& sum, Index tests) { sum += tests; });
     find_guests_owners();
 
     reference_.resize(4 * static_cast<std::size_t>(state.count()));
-    for_each_block(state.count(), loop_block, [&, r = state.positions().data()](Index first, Index last) {
-        std::copy(r + 4 * first, r + 4 * last, reference_.data() + 4 * first);
-    });
+    for_each_block(state.execution(), state.count(), loop_block,
+                   [&, r = state.positions().data()](Index first, Index last) {
+                       std::copy(r + 4 * first, r + 4 * last, reference_.data() + 4 * first);
+                   });
     built_for_cutoff_ = cutoff;
     built_for_edges_ = state.box().edges();
     built_for_order_ = state.order_version();
@@ -224,7 +225,7 @@ void VerletList::build(const State& state, double cutoff) {
 }
 
 Index VerletList::fill(std::size_t number, const State& state, double range) {
-    const ListKernel kernel = list_kernel(level_);
+    const ListKernel kernel = list_kernel(level_.value_or(state.execution().simd()));
     // A coordinate may be off by 16.5 units, so a distance by twice that times the root of three; and the kernel
     // rounds. With this margin no pair within range is lost; a pair slightly beyond it may be on the list.
     const double units = range / fixed_point_.unit() + 58.0;

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/model/velocities.hpp"
 
 namespace ljmd {
@@ -12,7 +12,7 @@ namespace {
 /// sum m u u for u = (v, 1): sum m v v in the first three rows, sum m v and sum m in the last one.
 Eigen::Matrix4d kinetic_sums(const State& state) {
     const auto v = state.velocities();
-    return sum_over(state.count(), Eigen::Matrix4d(Eigen::Matrix4d::Zero()), [&](Index i) {
+    return sum_over(state.execution(), state.count(), Eigen::Matrix4d(Eigen::Matrix4d::Zero()), [&](Index i) {
         // The three components of a velocity are followed by a zero.
         const Eigen::Vector4d u = Eigen::Map<const Eigen::Vector4d>(v.col(i).data()) + Eigen::Vector4d::UnitW();
         const double mass = state.masses()[static_cast<std::size_t>(i)];

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/potentials/pair_term.hpp"
@@ -29,7 +29,7 @@ WidomInsertion::WidomInsertion(const SampledRun& run, Index insertions, Every ev
 
 WidomInsertion::Weights WidomInsertion::mean_weights(const State& state, double temperature) {
     // The grid sorts and wraps atoms, so it works on a copy of the state.
-    State scratch(state.count(), state.box());
+    State scratch(state.count(), state.box(), state.execution());
     scratch.write_positions() = state.positions();
     const double cutoff = interaction_.potential.cutoff().radius;
     grid_.configure(scratch.box(), cutoff, scratch.count());
@@ -39,20 +39,22 @@ WidomInsertion::Weights WidomInsertion::mean_weights(const State& state, double 
     const double tail = 2.0 * interaction_.tail.energy(static_cast<double>(state.count()) / box.volume());
 
     const Eigen::Vector2d sum = interaction_.potential.visit([&](const auto& pair) {
-        return sum_over(insertions_, Eigen::Vector2d(Eigen::Vector2d::Zero()), [&](Index place) -> Eigen::Vector2d {
-            const Vec3 r = random_.uniform(state.step, place).cwiseProduct(box.edges());
-            double energy = 0.0;
-            grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {
-                for (std::int32_t k = run.first; k < run.last; ++k) {
-                    const double r2 = (points.col(grid_.order()[static_cast<std::size_t>(k)]) - r).squaredNorm();
-                    if (r2 < cutoff * cutoff) {
-                        energy += pair_term(pair, r2).u;
-                    }
-                }
-            });
-            const double weight = std::exp(-(energy + tail) / temperature);
-            return {weight, weight > 0.0 ? energy * weight : 0.0};
-        });
+        return sum_over(state.execution(), insertions_, Eigen::Vector2d(Eigen::Vector2d::Zero()),
+                        [&](Index place) -> Eigen::Vector2d {
+                            const Vec3 r = random_.uniform(state.step, place).cwiseProduct(box.edges());
+                            double energy = 0.0;
+                            grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {
+                                for (std::int32_t k = run.first; k < run.last; ++k) {
+                                    const double r2 =
+                                        (points.col(grid_.order()[static_cast<std::size_t>(k)]) - r).squaredNorm();
+                                    if (r2 < cutoff * cutoff) {
+                                        energy += pair_term(pair, r2).u;
+                                    }
+                                }
+                            });
+                            const double weight = std::exp(-(energy + tail) / temperature);
+                            return {weight, weight > 0.0 ? energy * weight : 0.0};
+                        });
     });
     return {sum[0] / static_cast<double>(insertions_), sum[1] / static_cast<double>(insertions_)};
 }

@@ -134,7 +134,7 @@ RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std
       trajectory_(open_trajectory(deck, fluid.state, kept_frames(resumed))),
       thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
               thermo_columns(deck, fluid.order.has_value()), deck.units, kept_rows(resumed)),
-      record_(deck, earlier_parts(resumed)) {}
+      record_(deck, fluid.state.execution(), earlier_parts(resumed)) {}
 
 RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system, const std::optional<ResumedOutputs>& resumed)
     : deck_(deck),
@@ -142,7 +142,7 @@ RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system, const 
       trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state, kept_frames(resumed))),
       thermo_(std::in_place_type<FewBodyThermoCsv>, deck.outputs() / "thermo.csv", system.dimensions,
               kept_rows(resumed)),
-      record_(deck, earlier_parts(resumed)) {}
+      record_(deck, system.state.execution(), earlier_parts(resumed)) {}
 
 CommittedOutputs RunDirectory::commit() {
     const std::int64_t rows = std::visit([](auto& thermo) { return thermo.commit(); }, thermo_);

@@ -11,8 +11,6 @@
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/simd.hpp"
-#include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 
@@ -71,8 +69,9 @@ std::string save_failure(const Deck& deck, const State& state) {
     return fmt::format("\n  the configuration is in {}", (deck.directory / name).string());
 }
 
-RunRecord::RunRecord(const Deck& deck, const std::optional<EarlierParts>& earlier)
+RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<EarlierParts>& earlier)
     : deck_(deck),
+      execution_(std::move(execution)),
       began_(earlier ? earlier->began : now()),
       resumed_at_steps_(earlier ? earlier->resumed_at_steps : std::vector<Index>{}),
       steps_added_(earlier ? earlier->steps_added : 0) {
@@ -93,9 +92,9 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
         {"compiler", build.compiler + " " + build.compiler_version},
         {"build_type", build.build_type},
         {"flags", build.flags},
-        {"simd", few_body ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name(default_simd_level()))},
-        {"precision", few_body ? "double" : deck_.performance().text("precision")},
-        {"threads", thread_count()},
+        {"simd", few_body ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name(execution_.simd()))},
+        {"precision", name(execution_.precision())},
+        {"threads", execution_.threads()},
         {"host", host()},
         {"title", deck_.title},
         {"deck_file", deck_.path},

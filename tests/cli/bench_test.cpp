@@ -12,7 +12,8 @@ TEST_CASE("a benchmark runs the deck as it is and tells energies, times and memo
     const test::DeckFolder folder(test::small_deck + "[neighbors]\nevery = 7\n[performance]\nprecision = \"mixed\"\n");
     Deck deck = folder.load();
     Start start = find_start(deck);
-    const BenchResult result = bench(deck, std::move(start));
+    const Execution execution(execution_options(deck, 2));
+    const BenchResult result = bench(deck, std::move(start), execution);
     CHECK(result.atoms == 108);
     CHECK(result.steps == 60);
     CHECK(result.rebuilds >= 60 / 7);
@@ -22,12 +23,14 @@ TEST_CASE("a benchmark runs the deck as it is and tells energies, times and memo
 
     const auto json = nlohmann::json::parse(bench_json(result));
     CHECK(json.at("precision") == "mixed");
+    CHECK(json.at("threads") == 2);
+    CHECK(json.at("simd") == name(default_simd_level()));
     CHECK(json.at("lists") == "every 7 steps, pairs may be missed");
     CHECK(json.at("atom_steps_per_second").get<double>() == Approx(108 * 60 / result.seconds.sum()));
     CHECK(json.at("seconds_per_phase").size() == 6);
 
     // The same run by the same code gives the same energies.
-    FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), [](const std::string&) {});
+    FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), execution, [](const std::string&) {});
     prepare_directory(deck.directory);
     test::Recorder nobody;
     const RunResult run = run_deck(deck, simulation, nobody);

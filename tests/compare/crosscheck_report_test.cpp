@@ -24,6 +24,7 @@ Crosscheck made() {
                      .search = "verlet-list",
                      .simd = "x86-64-v3",
                      .precision = "double",
+                     .threads = 2,
                      .integrator = "leapfrog",
                      .steps_of_averages = 400,
                      .checks = {{"potential energy", 1e-15, 1e-13}, {"pressure", 2e-12, 1e-12}},
@@ -49,7 +50,7 @@ TEST_CASE("the table of a comparison tells who was compared, what was found, and
     const std::string table = crosscheck_table(made(), any_deck(), options);
     for (const char* part :
          {"A small liquid\nagainst OpenMM 7.7 (Reference), long runs OpenMM 7.7 (CPU, 1 thread)\n",
-          "108 atoms, after 20 steps of the deck\n", "ljmd: verlet-list, x86-64-v3, double precision, 1 thread\n",
+          "108 atoms, after 20 steps of the deck\n", "ljmd: verlet-list, x86-64-v3, double precision, 2 threads\n",
           "potential energy      1.00e-15     1.0e-13\n", "pressure              2.00e-12     1.0e-12  FAILED\n",
           "400 steps of leapfrog, 40 configurations for g(r)\n",
           "temperature             0.700000    0.030000    0.800000    0.040000     2.00\n",
@@ -74,6 +75,7 @@ TEST_CASE("the JSON of a comparison holds every number") {
     CHECK(json["with"] == "openmm");
     CHECK(json["pressure_convention"] == "(2 K + W)/(3 V)");
     CHECK(json["path"]["simd"] == "x86-64-v3");
+    CHECK(json["path"]["threads"] == 2);
     CHECK(json["trajectory"]["pairings"][1] == Json({{"ours", "velocity-verlet"}, {"theirs", "kick-drift-kick"}}));
     CHECK(json["trajectory"]["rows"][1]["distances"] == Json({1e-14, 2e-15}));
     CHECK(json["trajectory"]["rows"][1]["kinetic_energy_difference"] == 4e-16);

@@ -22,7 +22,8 @@ Compared compared(const std::string& text, const CrosscheckOptions& options,
                   const std::vector<std::string>& settings = {}) {
     const DeckFolder folder(text);
     const Deck deck = folder.load(settings);
-    FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), [](const std::string&) {});
+    FluidSystem simulation =
+        make_fluid(fluid_spec(deck, find_start(deck)), Execution(execution_options(deck)), [](const std::string&) {});
     Recorder listener;
     std::vector<std::string> said;
     Crosscheck found =
@@ -114,7 +115,8 @@ TEST_CASE("a program that is not there is missed before anything is run") {
     }
     const DeckFolder folder(small_deck);
     const Deck deck = folder.load();
-    FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), [](const std::string&) {});
+    FluidSystem simulation =
+        make_fluid(fluid_spec(deck, find_start(deck)), Execution(execution_options(deck)), [](const std::string&) {});
     Recorder listener;
     const CrosscheckOptions options{.with = "openmm", .platform = "Abacus"};
     CHECK_THROWS_AS(crosscheck(deck, simulation, options, listener, [](const std::string&) {}), InputError);

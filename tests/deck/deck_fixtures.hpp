@@ -14,6 +14,7 @@
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/deck.hpp"
+#include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/fluid.hpp"
 
 namespace ljmd::test {
@@ -89,7 +90,7 @@ inline void no_warnings(const std::string& text) {
 
 /// The simulation that a deck describes, made without a warning.
 inline FluidSystem simulation_of(const Deck& deck) {
-    return make_fluid(fluid_spec(deck, find_start(deck)), no_warnings);
+    return make_fluid(fluid_spec(deck, find_start(deck)), Execution(execution_options(deck)), no_warnings);
 }
 
 /// While it lives, what is written to stdout or stderr goes to a file.

@@ -153,7 +153,7 @@ TEST_CASE("a start from a file keeps atoms, box and velocities, atoms outside th
     const Start found = find_start(deck);
     REQUIRE(found.configuration.has_value());
     CHECK(found.box.edges() == Vec3(4.0, 4.5, 5.0));
-    const FluidSystem simulation = make_fluid(fluid_spec(deck, found), no_warnings);
+    const FluidSystem simulation = make_fluid(fluid_spec(deck, found), Execution(), no_warnings);
     const State& state = simulation.state;
     CHECK_FALSE(simulation.order.has_value());
     const std::vector<Index> index = state.index_of();
@@ -198,8 +198,8 @@ TEST_CASE("a moving centre of mass is stopped, and the user told") {
     start.write(Vec3(0.0, 0.0, 0.25));
     const Deck deck = start.load();
     std::vector<std::string> warnings;
-    const FluidSystem simulation =
-        make_fluid(fluid_spec(deck, find_start(deck)), [&](const std::string& text) { warnings.push_back(text); });
+    const FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), Execution(),
+                                                  [&](const std::string& text) { warnings.push_back(text); });
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], Contains("0.25 sigma/tau"));
     CHECK(total_momentum(simulation.state).norm() < 1e-14);
@@ -233,10 +233,10 @@ TEST_CASE("a configuration that no step can be taken from is refused") {
         INFO(message);
         Start bad = good;
         spoil(*bad.configuration);
-        CHECK_THROWS_AS(make_fluid(fluid_spec(deck, bad), no_warnings), DataError);
-        CHECK_THROWS_WITH(make_fluid(fluid_spec(deck, bad), no_warnings), Contains(message));
+        CHECK_THROWS_AS(make_fluid(fluid_spec(deck, bad), Execution(), no_warnings), DataError);
+        CHECK_THROWS_WITH(make_fluid(fluid_spec(deck, bad), Execution(), no_warnings), Contains(message));
     };
     refused([](Configuration& c) { c.positions[4][1] = 5e6; }, "atom 5 is more than a million edges away");
     refused([](Configuration& c) { c.masses = std::vector<double>(8, 2.0); }, "mass 2");
-    CHECK_NOTHROW(make_fluid(fluid_spec(deck, good), no_warnings));
+    CHECK_NOTHROW(make_fluid(fluid_spec(deck, good), Execution(), no_warnings));
 }

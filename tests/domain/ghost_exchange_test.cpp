@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
@@ -29,9 +29,9 @@ bool ghosts_follow(const State& state, const std::vector<GhostExchange::Run>& ru
 }  // namespace
 
 TEST_CASE("ghosts are the atoms of the runs, whole edges away, and follow them to the last bit") {
-    const test::ThreadGuard guard(GENERATE(1, 3));
+    const int threads = GENERATE(1, 3);
     const Box box(Vec3(4.3, 5.1, 6.7));
-    State state = test::random_state(60, box, 3);
+    State state = test::random_state(60, box, 3, test::with_threads(threads));
     std::vector<GhostExchange::Run> runs;
     for (Index k = 0; k < 50; ++k) {  // more than one thread takes at a time
         const Vec3 edges(static_cast<double>(k % 3 - 1), static_cast<double>(k % 5 - 2), 1.0);

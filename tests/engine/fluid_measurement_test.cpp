@@ -41,7 +41,7 @@ struct Noted : RunOutputs {
 
 TEST_CASE("outputs get every row, frame and checkpoint of a run that is due") {
     const FluidSpec spec = small_spec();
-    FluidSystem fluid = make_fluid(spec, [](const std::string&) {});
+    FluidSystem fluid = make_fluid(spec, Execution(), [](const std::string&) {});
     Noted outputs;
     FluidMeasurement measurement(spec, fluid, outputs);
     const LoopPosition end = run_stages(spec.stages, fluid.state, fluid.force_field, measurement);
@@ -74,7 +74,7 @@ TEST_CASE("analyses that do not fit into the box that a barostat has made end th
     spec.stages[0].steps = 200;
     spec.analyses = {analysis("rdf", {{"max_radius", half_edge}})};
     REQUIRE(mistakes(spec).empty());
-    FluidSystem fluid = make_fluid(spec, [](const std::string&) {});
+    FluidSystem fluid = make_fluid(spec, Execution(), [](const std::string&) {});
     Noted outputs;
     FluidMeasurement measurement(spec, fluid, outputs);
     CHECK_THROWS_WITH(run_stages(spec.stages, fluid.state, fluid.force_field, measurement, std::nullopt,

@@ -21,7 +21,7 @@ Configuration pair_of_atoms() {
 
 struct Warnings {
     FluidSystem make(const FluidSpec& spec) {
-        return make_fluid(spec, [this](const std::string& text) { all.push_back(text); });
+        return make_fluid(spec, Execution(), [this](const std::string& text) { all.push_back(text); });
     }
     std::vector<std::string> all;
 };
@@ -73,11 +73,11 @@ TEST_CASE("an atom far away, or of another mass, is refused") {
 
 TEST_CASE("tail and analyses are there when the specification asks for them") {
     FluidSpec spec = small_spec();
-    CHECK(empty_fluid(spec, 108, box_of(spec)).tail.energy(0.8) == 0.0);
+    CHECK(empty_fluid(spec, 108, box_of(spec), Execution()).tail.energy(0.8) == 0.0);
     spec.potential = PairPotential::lennard_jones("cut", {.radius = 2.0, .switch_start = 0.0});
     spec.tail = true;
     spec.analyses = {analysis("rdf")};
-    const FluidSystem fluid = empty_fluid(spec, 108, box_of(spec));
+    const FluidSystem fluid = empty_fluid(spec, 108, box_of(spec), Execution());
     CHECK(fluid.tail.energy(0.8) < 0.0);
     CHECK(fluid.analyses.size() == 1);
 }

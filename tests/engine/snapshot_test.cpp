@@ -11,7 +11,7 @@ using namespace ljmd::test;
 
 TEST_CASE("a snapshot gives atoms by their ids, whatever their order in memory") {
     const FluidSpec spec = small_spec();
-    FluidSystem fluid = make_fluid(spec, [](const std::string&) {});
+    FluidSystem fluid = make_fluid(spec, Execution(), [](const std::string&) {});
     State& state = fluid.state;
     std::vector<Index> order;
     for (Index i = 0; i < state.count(); ++i) {

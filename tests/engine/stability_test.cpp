@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/model/lattice.hpp"
 
 using namespace ljmd;
@@ -54,11 +55,11 @@ TEST_CASE("a fast atom is noticed and named") {
 }
 
 TEST_CASE("the fastest atom of all blocks is named, of equals and of those that are not finite the first") {
-    const test::ThreadGuard threads(GENERATE(1, 2));
+    const Execution execution = test::with_threads(GENERATE(1, 2));
     const StabilityWatch watch(dt, false, cut_at(2.5));
     const Index atoms = 3 * loop_block;
     const auto message_starts = [&](const std::vector<std::pair<Index, double>>& moves, const std::string& start) {
-        State state(atoms, cubic_box(atoms, 0.5));
+        State state(atoms, cubic_box(atoms, 0.5), execution);
         for (const auto& [atom, move] : moves) {
             state.write_velocities()(0, atom) = move / dt;
         }

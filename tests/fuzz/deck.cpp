@@ -1,5 +1,6 @@
 #include "deck_promises.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/few_body_check.hpp"
 #include "ljmd/deck/fluid.hpp"
 
@@ -15,7 +16,7 @@ void check_fluid(const Deck& deck) {
     }
     const Start start = find_start(deck);
     if (start.atoms <= many_atoms) {
-        static_cast<void>(empty_fluid(fluid_spec(deck), start.atoms, start.box));
+        static_cast<void>(empty_fluid(fluid_spec(deck), start.atoms, start.box, Execution(execution_options(deck))));
     }
 }
 

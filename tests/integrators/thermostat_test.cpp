@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "integrators/thermostats/made_thermostat.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/registry.hpp"
@@ -67,8 +67,7 @@ TEST_CASE("what a thermostat does depends on ids and steps, not on the order of 
         CAPTURE(method.name);
         std::vector<State> ends;
         for (const bool reordered : {false, true, true}) {
-            const test::ThreadGuard threads(ends.size() == 2 ? 3 : 1);
-            State state = test::moving_atoms(1.3, reordered);
+            State state = test::moving_atoms(1.3, reordered, test::with_threads(ends.size() == 2 ? 3 : 1));
             const auto thermostat = test::made_thermostat(method.name, test::bath_of(state, 0.7));
             state.bath = thermostat->beginning();
             for (Index step = 1; step <= 50; ++step) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "ljmd/core/random.hpp"
-#include "ljmd/execution/threads.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
@@ -67,14 +66,13 @@ Vec3 direction(Random& random, Index k) {
 void check_missed_pairs(int rounds) {
     const Vec3 edges = GENERATE(Vec3(8.0, 8.0, 8.0), Vec3(5.6, 6.4, 14.0), Vec3(16.0, 5.6, 5.7));
     const double longest = GENERATE(0.5, 0.8, 0.99) * skin;
-    const int threads = GENERATE(1, 2);
+    const Execution execution = test::with_threads(GENERATE(1, 2));
     const Box box(edges);
     const auto atoms = static_cast<Index>(0.8442 * box.volume());
     int missed = 0;
     int wrong = 0;
-    set_thread_count(threads);
     for (int round = 0; round < rounds; ++round) {
-        Sorted sorted(test::random_state(atoms, box, static_cast<std::uint64_t>(round)));
+        Sorted sorted(test::random_state(atoms, box, static_cast<std::uint64_t>(round), execution));
         Random random(static_cast<std::uint64_t>(round), RandomStream::positions);
         for (Index i = 0; i < atoms; ++i) {
             // One in a hundred far, some just below half of the skin, most of them little.
@@ -85,7 +83,6 @@ void check_missed_pairs(int rounds) {
         missed += expected ? 1 : 0;
         wrong += sorted.missed() == expected ? 0 : 1;
     }
-    set_thread_count(1);
     CAPTURE(edges.transpose(), longest);
     CHECK(wrong == 0);
     CHECK(missed < rounds);

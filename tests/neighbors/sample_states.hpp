@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "execution/test_execution.hpp"
 #include "ljmd/model/lattice.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/neighbors/all_pairs.hpp"
@@ -14,8 +15,9 @@
 namespace ljmd::test {
 
 /// Atoms at the given places, put onto the grid of the box.
-inline State state_of(const std::vector<Vec3>& positions, const Box& box) {
-    State state(static_cast<Index>(positions.size()), box);
+inline State state_of(const std::vector<Vec3>& positions, const Box& box,
+                      const Execution& execution = test_execution()) {
+    State state(static_cast<Index>(positions.size()), box, execution);
     auto r = state.write_positions();
     for (std::size_t i = 0; i < positions.size(); ++i) {
         r.col(static_cast<Index>(i)) = box.snap(positions[i]);
@@ -24,12 +26,14 @@ inline State state_of(const std::vector<Vec3>& positions, const Box& box) {
 }
 
 /// A state of uniformly random atoms, which may overlap.
-inline State random_state(Index atoms, const Box& box, std::uint64_t seed) {
-    return state_of(random_positions(atoms, box, seed), box);
+inline State random_state(Index atoms, const Box& box, std::uint64_t seed,
+                          const Execution& execution = test_execution()) {
+    return state_of(random_positions(atoms, box, seed), box, execution);
 }
 
-inline State crystal_state(Lattice lattice, Index cells, const Box& box) {
-    return state_of(lattice_sites(lattice, cells, box), box);
+inline State crystal_state(Lattice lattice, Index cells, const Box& box,
+                           const Execution& execution = test_execution()) {
+    return state_of(lattice_sites(lattice, cells, box), box, execution);
 }
 
 /// Move every atom by `length` in a random direction.
@@ -43,8 +47,10 @@ inline void displace(State& state, double length, std::mt19937_64& generator) {
 }
 
 /// An fcc crystal shaken until it is no crystal any more, but no atoms overlap: forces like those of a dense fluid.
-inline State shaken_crystal(Index cells, double density, double length, std::uint64_t seed) {
-    State state = crystal_state(Lattice::fcc, cells, cubic_box(lattice_atoms(Lattice::fcc, cells), density));
+inline State shaken_crystal(Index cells, double density, double length, std::uint64_t seed,
+                            const Execution& execution = test_execution()) {
+    const Box box = cubic_box(lattice_atoms(Lattice::fcc, cells), density);
+    State state = crystal_state(Lattice::fcc, cells, box, execution);
     std::mt19937_64 generator(seed);
     displace(state, length, generator);
     return state;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/through_archive.hpp"
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
@@ -74,8 +74,7 @@ TEST_CASE("every analysis goes on from an archive, and with any number of thread
     for (const AnalysisMethod& method : all_analyses()) {
         CAPTURE(method.name);
         const auto found = [&method](int threads, Index archived_at) {
-            const test::ThreadGuard guard(threads);
-            State state = test::shaken_crystal(3, 0.8442, 0.2, 12);
+            State state = test::shaken_crystal(3, 0.8442, 0.2, 12, test::with_threads(threads));
             draw_velocities(state, 1.0, 3);
             const SampledRun run = test::run_of(state);
             const auto options = test::analysis_options(method);

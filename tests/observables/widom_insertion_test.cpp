@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/potentials/second_virial.hpp"
 #include "neighbors/sample_states.hpp"
@@ -26,8 +26,8 @@ SampledRun run_with(Index atoms, bool tail, std::optional<double> held_temperatu
             Interaction{potential, tail ? TailCorrection(potential) : TailCorrection()}};
 }
 
-State state_at(Index atoms, Index step, double temperature) {
-    State state = test::random_state(atoms, box, static_cast<std::uint64_t>(step));
+State state_at(Index atoms, Index step, double temperature, const Execution& execution = test::test_execution()) {
+    State state = test::random_state(atoms, box, static_cast<std::uint64_t>(step), execution);
     draw_velocities(state, temperature, static_cast<std::uint64_t>(step));
     state.step = step;
     return state;
@@ -128,10 +128,7 @@ TEST_CASE("threads and the order of atoms in memory do not matter, steps do") {
     };
     const State state = state_at(200, 7, 1.0);
     const double value = found(state);
-    {
-        const test::ThreadGuard guard(3);
-        CHECK(found(state) == value);
-    }
+    CHECK(found(state_at(200, 7, 1.0, test::with_threads(3))) == value);
     State later = state;
     later.step = 8;
     CHECK(found(later) != value);

@@ -220,7 +220,7 @@ std::map<std::string, double> first_row(const std::filesystem::path& directory) 
 
 /// What ljmd says of a configuration of a deck.
 Thermodynamics ours(const Deck& deck, State state) {
-    PairForceField force_field = make_force_field(fluid_spec(deck));
+    PairForceField force_field = make_force_field(fluid_spec(deck), state.execution());
     const Evaluation evaluation = force_field.evaluate(state, Request::forces_and_energy);
     const bool tail = deck.potential().has("tail") && deck.potential().flag("tail");
     return thermodynamics(state, evaluation,

@@ -19,8 +19,8 @@ namespace {
 constexpr double time_step = 0.004;
 
 MakeForceField by(const PairPotential& potential, const std::string& search = "verlet-list",
-                  PairArithmetic arithmetic = {}) {
-    return [=] { return std::make_unique<PairForceField>(potential, make_pair_search(search, 0.3), arithmetic); };
+                  const Execution& execution = {}) {
+    return [=] { return std::make_unique<PairForceField>(potential, make_pair_search(search, 0.3), execution); };
 }
 
 PairPotential cut() {
@@ -34,7 +34,7 @@ Fluid triple_point(Index cells, const PairPotential& potential, bool tail = fals
 
 /// Makes starts, the same ones on all processors of a kind, see liquid().
 std::unique_ptr<ForceField> portable() {
-    return by(cut(), "verlet-list", {SimdLevel::portable})();
+    return by(cut(), "verlet-list", Execution({.simd = SimdLevel::portable}))();
 }
 
 /// A fluid at another density and temperature, molten and equilibrated.
@@ -189,10 +189,10 @@ TEST_CASE("kernels of every SIMD level agree with OpenMM, in double and in mixed
     Remembering peer(make_openmm_peer(fluid, {}));
     for (const SimdLevel level : usable_simd_levels()) {
         INFO(name(level));
-        const PairArithmetic in_double{level, Precision::double_precision};
+        const Execution in_double({.simd = level, .precision = Precision::double_precision});
         require_all(point_checks(fluid, peer, doubles(fluid), by(cut(), "verlet-list", in_double)));
         require_all(trajectory_checks(fluid, peer, doubles(fluid), by(cut(), "verlet-list", in_double), {1, 10, 100}));
-        const PairArithmetic mixed{level, Precision::mixed};
+        const Execution mixed({.simd = level, .precision = Precision::mixed});
         require_all(point_checks(fluid, peer, singles(fluid), by(cut(), "verlet-list", mixed)));
         require_all(trajectory_checks(fluid, peer, singles(fluid), by(cut(), "verlet-list", mixed), {1, 10, 100}));
     }

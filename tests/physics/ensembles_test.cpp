@@ -216,7 +216,7 @@ TEST_CASE("thermostats that keep the motion conserve energy and heat together", 
 TEST_CASE("Langevin's oscillators are right in position, and half-way in velocity, and known at whole steps",
           "[ensembles]") {
     // For omega dt = 0.5: <x^2> = T/k and <v^2> = (T/m)(1 - (omega dt)^2/4) at whole steps.
-    State start(200);
+    State start(200, std::nullopt, test::test_execution());
     draw_velocities(start, 1.0, 3);
     Bathed<test::Oscillator> oscillators(start, test::Oscillator(1.0),
                                          test::made_thermostat("langevin", {1.0, 0.5, 5, 600}, {{"time", 1.0}}), 0.5);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "execution/test_execution.hpp"
 #include "ljmd/forces/pair_force_field.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/model/lattice.hpp"
@@ -24,10 +25,10 @@ inline void place(State& state, const std::vector<Vec3>& positions) {
 }
 
 /// An fcc crystal at rest.
-inline State crystal(Index cells, double density) {
+inline State crystal(Index cells, double density, const Execution& execution = test_execution()) {
     const Index atoms = lattice_atoms(Lattice::fcc, cells);
     const Box box = cubic_box(atoms, density);
-    State state(atoms, box);
+    State state(atoms, box, execution);
     place(state, lattice_sites(Lattice::fcc, cells, box));
     return state;
 }
@@ -48,7 +49,7 @@ inline void advance(State& state, ForceField& force_field, double dt, Index step
 inline State liquid(Index cells, std::uint64_t seed, const std::string& truncation = "force-shifted") {
     State state = crystal(cells, 0.8442);
     PairForceField force_field(PairPotential::lennard_jones(truncation, {2.5, 2.0}),
-                               make_pair_search("verlet-list", 0.3), {SimdLevel::portable});
+                               make_pair_search("verlet-list", 0.3), Execution({.simd = SimdLevel::portable}));
     draw_velocities(state, 2.0, seed);
     for (int block = 0; block < 60; ++block) {
         advance(state, force_field, 0.005, 20);

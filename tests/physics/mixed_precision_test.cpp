@@ -10,9 +10,8 @@ using namespace ljmd;
 namespace {
 
 PairForceField lennard_jones(const std::string& truncation, Precision precision) {
-    return {PairPotential::lennard_jones(truncation, {2.5, 2.0}),
-            make_pair_search("verlet-list", 0.3),
-            {default_simd_level(), precision}};
+    return {PairPotential::lennard_jones(truncation, {2.5, 2.0}), make_pair_search("verlet-list", 0.3),
+            Execution({.precision = precision})};
 }
 
 double energy_per_atom(const State& state, const PairForceField& force_field) {

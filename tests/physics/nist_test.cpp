@@ -52,7 +52,7 @@ State load(int config) {
     const auto configuration = read_configuration(
         std::string(LJMD_TEST_DATA "/nist/lj_sample_config_periodic") + std::to_string(config) + ".txt", std::nullopt);
     const Box box(configuration.edges);
-    State state(static_cast<Index>(configuration.positions.size()), box);
+    State state(static_cast<Index>(configuration.positions.size()), box, test::test_execution());
     auto r = state.write_positions();
     for (Index i = 0; i < state.count(); ++i) {
         const Vec3& given = configuration.positions[static_cast<std::size_t>(i)];

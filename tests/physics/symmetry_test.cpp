@@ -15,7 +15,7 @@ namespace {
 using Vectors = Eigen::Matrix3Xd;
 
 Vectors forces_by_id(const Vectors& positions, const Box& box, const std::string& search) {
-    State state(positions.cols(), box);
+    State state(positions.cols(), box, test::test_execution());
     for (Index i = 0; i < state.count(); ++i) {
         const Vec3 n = box.crossings(positions.col(i));
         state.write_positions().col(i) = box.snap(positions.col(i) - n.cwiseProduct(box.edges()));

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "execution/thread_guard.hpp"
 #include "ljmd/observables/structure/order_parameter.hpp"
 #include "ljmd/observables/structure/radial_distribution.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
@@ -24,12 +23,11 @@ struct Run {
 };
 
 Run run_with(int threads, Precision precision, const std::string& search, const std::string& integrator) {
-    const test::ThreadGuard guard(threads);
-    State state = test::crystal(cells, 0.8442);
+    const Execution execution({.threads = threads, .precision = precision});
+    State state = test::crystal(cells, 0.8442, execution);
     draw_velocities(state, 1.44, 3);
-    const PairArithmetic arithmetic{default_simd_level(), precision};
     const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
-    PairForceField force_field(potential, make_pair_search(search, 0.3), arithmetic);
+    PairForceField force_field(potential, make_pair_search(search, 0.3), execution);
     test::advance(state, force_field, 0.005, 20, integrator);
     rescale_velocities(state, 0.75);
     const Evaluation last = force_field.evaluate(state, Request::forces_and_energy);

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "execution/thread_guard.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/integrator.hpp"
@@ -41,8 +40,9 @@ std::string outputs_of(const std::filesystem::path& directory) {
     return all + results.dump(1);
 }
 
+/// @param threads  0: as OMP_NUM_THREADS says
 /// @return the step from which the run in the directory was gone on with
-Index resume(const std::filesystem::path& directory) {
+Index resume(const std::filesystem::path& directory, int threads = 0) {
     RecordedRun run = recorded_run(directory);
     auto point = find_resume_point(run.deck);
     REQUIRE(point.has_value());
@@ -51,16 +51,17 @@ Index resume(const std::filesystem::path& directory) {
     RunControl control;
     control.resumed.emplace(RunControl::Resumed{std::move(*point), run.earlier});
     Recorder listener;
-    run_in(run.deck, listener, control);
+    run_in(run.deck, listener, control, threads);
     return step;
 }
 
 /// Stop a run at every step and go on with it: the end must be the end of the run that was not stopped.
+/// @param threads  0: as OMP_NUM_THREADS says
 /// @return how often that has built its neighbour list
-Index check_every_step(const std::string& text, const std::vector<std::string>& settings) {
+Index check_every_step(const std::string& text, const std::vector<std::string>& settings, int threads = 0) {
     const DeckFolder whole_folder(text);
     const Deck whole = whole_folder.load(settings);
-    run_until(whole, whole.total_steps());
+    run_until(whole, whole.total_steps(), threads);
     const std::string expected = outputs_of(whole.directory);
     Index wrong = 0;
     for (Index step = 0; step < whole.total_steps(); ++step) {
@@ -68,8 +69,8 @@ Index check_every_step(const std::string& text, const std::vector<std::string>& 
         std::vector<std::string> with_checkpoint = settings;
         with_checkpoint.push_back(fmt::format("output.checkpoint.every={}", std::max<Index>(step, 1)));
         const Deck deck = folder.load(with_checkpoint);
-        run_until(deck, step);
-        const Index resumed_at = resume(deck.directory);
+        run_until(deck, step, threads);
+        const Index resumed_at = resume(deck.directory, threads);
         CHECK(resumed_at == step);
         if (outputs_of(deck.directory) != expected) {
             ++wrong;
@@ -93,7 +94,7 @@ chemical_potential = { every = 3, insertions = 5 }
 )";
 
 /// The same of 4 cells^3 atoms in both precisions, while two lists and more come and go.
-void check_every_step(const IntegratorMethod& method, const ThermostatMethod& thermostat, int cells) {
+void check_every_step(const IntegratorMethod& method, const ThermostatMethod& thermostat, int cells, int threads) {
     const std::string text =
         thermostat.name == "rescale"
             ? with_files
@@ -106,7 +107,8 @@ void check_every_step(const IntegratorMethod& method, const ThermostatMethod& th
              "neighbors.skin=0.05", "stage.equilibrate.integrator=\"" + method.name + "\"",
              "stage.production.integrator=\"" + method.name + "\"",
              "stage.equilibrate.time_step=0.001",  // Euler heats
-             "stage.production.time_step=0.001", "stage.equilibrate.steps=10", "stage.production.steps=20"});
+             "stage.production.time_step=0.001", "stage.equilibrate.steps=10", "stage.production.steps=20"},
+            threads);
         CHECK(rebuilds >= 3);  // two lists have come and gone
     }
 }
@@ -134,37 +136,35 @@ TEST_CASE("so it is with frames in H5MD") {
 }
 
 TEST_CASE("so it is with every integrator and thermostat of fluids, in both precisions") {
-    const ThreadGuard threads(1);
     for (const IntegratorMethod& method : all_integrators()) {
         for (const ThermostatMethod& thermostat : all_thermostats()) {
             if (go_together(method, thermostat)) {
-                check_every_step(method, thermostat, 3);
+                check_every_step(method, thermostat, 3, 1);
             }
         }
     }
 }
 
 TEST_CASE("so it is with two threads, every integrator, and every thermostat, in both precisions", "[long]") {
-    const ThreadGuard threads(2);
     constexpr int cells = 6;  // the least that gives two threads something to share
     for (const IntegratorMethod& method : all_integrators()) {
         for (const ThermostatMethod& thermostat : all_thermostats()) {
             const bool new_here = method.name == "velocity-verlet" || thermostat.name == "rescale";
             if (new_here && go_together(method, thermostat)) {
-                check_every_step(method, thermostat, cells);
+                check_every_step(method, thermostat, cells, 2);
             }
         }
     }
 }
 
 TEST_CASE("so it is with a thermostat while samples are taken, and with a barostat before it") {
-    const ThreadGuard threads(GENERATE(1, 2));
+    const int threads = GENERATE(1, 2);
     const std::string text =
         changed(with_files, {{"thermostat = { type = \"rescale\", every = 5 }",
                               "thermostat = { type = \"nose-hoover-chain\" }\n"
                               "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5, every = 3 }"},
                              {"sample = true\n", "sample = true\nthermostat = { type = \"nose-hoover-chain\" }\n"}});
-    check_every_step(text, {"stage.equilibrate.steps=10", "stage.production.steps=20"});
+    check_every_step(text, {"stage.equilibrate.steps=10", "stage.production.steps=20"}, threads);
 }
 
 TEST_CASE("so it is while a barostat changes the box and samples are taken") {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "deck/deck_fixtures.hpp"
+#include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/run.hpp"
-#include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 
@@ -34,21 +34,22 @@ struct Recorder : RunListener {
 /// What ends a run between writing and the next checkpoint, as a kill would.
 struct Killed {};
 
-/// Run a deck of either kind, from its start or from a checkpoint.
-inline void run_in(const Deck& deck, RunListener& listener, const RunControl& control = {}) {
+/// Run a deck of either kind, from its start or from a checkpoint. @param threads  0: as OMP_NUM_THREADS says
+inline void run_in(const Deck& deck, RunListener& listener, const RunControl& control = {}, int threads = 0) {
+    const Execution execution(execution_options(deck, threads));
     if (deck.kind == DeckKind::few_body) {
-        FewBodySystem system = make_few_body_system(deck);
+        FewBodySystem system = make_few_body_system(deck, execution);
         static_cast<void>(run_deck(deck, system, listener, control));
         return;
     }
     FluidSystem simulation = control.resumed ? empty_fluid(fluid_spec(deck), control.resumed->point.head.atoms,
-                                                               Box(control.resumed->point.head.edges))
-                                            : simulation_of(deck);
+                                                               Box(control.resumed->point.head.edges), execution)
+                                            : make_fluid(fluid_spec(deck, find_start(deck)), execution, no_warnings);
     static_cast<void>(run_deck(deck, simulation, listener, control));
 }
 
-/// Run the deck and stop it dead in the step after this one.
-inline void run_until(const Deck& deck, Index step) {
+/// Run the deck and stop it dead in the step after this one. @param threads  0: as OMP_NUM_THREADS says
+inline void run_until(const Deck& deck, Index step, int threads = 0) {
     prepare_directory(deck.directory);
     Recorder listener;
     listener.at_step = [&](Index now) {
@@ -57,7 +58,7 @@ inline void run_until(const Deck& deck, Index step) {
         }
     };
     try {
-        run_in(deck, listener);
+        run_in(deck, listener, {}, threads);
     } catch (const Killed&) {
     }
 }

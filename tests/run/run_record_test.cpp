@@ -24,7 +24,7 @@ Json first_record(const std::string& text, const std::vector<std::string>& setti
     const DeckFolder folder(text);
     const Deck deck = folder.load(settings);
     prepare_directory(deck.directory);
-    const RunRecord record(deck);
+    const RunRecord record(deck, Execution());
     return record_of(deck);
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("run.json says what is run by what, and whether it came to its end") {
     const DeckFolder folder(small_deck + argon_table);
     const Deck deck = folder.load({"title=\"Another title\""});
     prepare_directory(deck.directory);
-    const RunRecord record(deck);
+    const RunRecord record(deck, Execution());
     const Json before = record_of(deck);
     CHECK(before.at("program") == "ljmd");
     CHECK(before.at("version") == build_info().version);
@@ -98,7 +98,7 @@ TEST_CASE("the path of a deck need not be UTF-8") {
     Deck deck = folder.load();
     deck.path = "d\xff.toml";
     prepare_directory(deck.directory);
-    const RunRecord record(deck);
+    const RunRecord record(deck, Execution());
     CHECK_THAT(record_of(deck).at("deck_file").get<std::string>(), Contains(".toml"));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ljmd/analyze/trajectory_analyses.hpp"
+#include "ljmd/execution/execution.hpp"
 
 namespace ljmd {
 
@@ -18,6 +19,7 @@ struct AnalyzedTrajectory {
     std::string group = {};     ///< particle group, see open_trajectory()
     bool thermo = false;        ///< compute energies and pressures of the frames, see check_thermo()
     std::string xyz_comment{};  ///< keys missing from the comment lines of an extended XYZ file
+    Execution execution{};      ///< for the states of the frames
 
     [[nodiscard]] std::optional<SubstanceUnits> units() const { return deck != nullptr ? deck->units : std::nullopt; }
 };

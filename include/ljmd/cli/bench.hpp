@@ -14,6 +14,8 @@ struct BenchResult {
     Index rebuilds;         ///< of the neighbour list, also before the time loop
     std::string lists;      ///< when lists are rebuilt
     std::string precision;  ///< of pair terms
+    std::string simd;       ///< SIMD level
+    int threads;
     PhaseSeconds seconds;   ///< in the time loop
     double bytes_per_atom;  ///< peak memory until the last step, without what the program used before the atoms were
                             ///< created
@@ -27,7 +29,7 @@ struct BenchResult {
 
 /// Run a deck like `ljmd run`, with all its outputs, in a temporary directory.
 /// @throws all exceptions of run_deck()
-[[nodiscard]] BenchResult bench(Deck deck, Start start);
+[[nodiscard]] BenchResult bench(Deck deck, Start start, const Execution& execution);
 
 /// The Lennard-Jones melt of 32000 atoms: inputs/examples/melt-32k.toml at build time.
 [[nodiscard]] std::string_view melt_deck();

@@ -51,6 +51,7 @@ struct Crosscheck {
     std::string search;       ///< pair search of ljmd
     std::string simd;         ///< SIMD level; "scalar" if no kernel was used
     std::string precision;    ///< "double" or "mixed"
+    int threads;              ///< of ljmd
     std::string integrator;   ///< of the averages
     Index steps_of_averages;  ///< at constant energy
     std::vector<Check> checks;

@@ -21,6 +21,7 @@ struct EnsembleOptions {
     Index frame_every;       ///< steps between configurations for g(r), a multiple of `every`; 0: no g(r)
     Index bins;              ///< of g(r)
     double radius;           ///< of g(r) [sigma]
+    Execution execution{};   ///< for the states of ljmd, and for g(r)
 };
 
 /// Averages of one program.

@@ -23,7 +23,7 @@ struct Fluid {
 [[nodiscard]] Fluid fluid_of(const State& state, const PairPotential& potential, bool tail);
 
 /// A state at the same moment; atom k has id k.
-[[nodiscard]] State state_of(const Fluid& fluid);
+[[nodiscard]] State state_of(const Fluid& fluid, const Execution& execution = {});
 
 /// Sum of m v^2 / 2 [epsilon].
 [[nodiscard]] double kinetic_energy(const Fluid& fluid);

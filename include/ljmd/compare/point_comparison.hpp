@@ -8,8 +8,8 @@
 
 namespace ljmd {
 
-/// Evaluate a configuration with ljmd.
-[[nodiscard]] PeerPoint point_of(const Fluid& fluid, ForceField& force_field);
+/// Evaluate a configuration with ljmd. @param execution  for its state
+[[nodiscard]] PeerPoint point_of(const Fluid& fluid, ForceField& force_field, const Execution& execution = {});
 
 /// Pressure without tail correction, by the convention for both programs: (2 K + W)/3V, as LAMMPS prints it, instead of
 /// rho T + W/3V [epsilon/sigma^3].

@@ -39,14 +39,18 @@ struct TrajectoryComparison {
 };
 
 /// Integrate the fluid with ljmd; frames at the given steps.
-/// @param steps  ascending, from 0
+/// @param steps      ascending, from 0
+/// @param execution  for its state
 [[nodiscard]] std::vector<PeerFrame> follow(const Fluid& fluid, ForceField& force_field, const std::string& integrator,
-                                            double time_step, const std::vector<Index>& steps);
+                                            double time_step, const std::vector<Index>& steps,
+                                            const Execution& execution = {});
 
 /// Compare all pairings of methods.
-/// @param steps  ascending, from 0
+/// @param steps      ascending, from 0
+/// @param execution  for the states of ljmd
 [[nodiscard]] TrajectoryComparison compare_trajectories(const Fluid& fluid, const MakeForceField& make_force_field,
-                                                        Peer& peer, double time_step, const std::vector<Index>& steps);
+                                                        Peer& peer, double time_step, const std::vector<Index>& steps,
+                                                        const Execution& execution = {});
 
 /// Checks of rows: distances, and kinetic energies up to step 100.
 /// @param judged  steps to check; steps beyond the limits are skipped

@@ -11,11 +11,12 @@ struct Forecast {
     double memory_bytes;  ///< see SizeForecast
     double disk_bytes;
     double seconds;  ///< of the time loop on this machine, extrapolated from a short trial with a stand-in crystal
+    int threads;     ///< that compute it in that time
 };
 
 /// Estimate the cost of a run. For each integrator, runs a crystal of about 4000 atoms at most with the deck's density,
 /// potential and pair search for about 0.3 seconds. The deck itself is not run and nothing is written.
-[[nodiscard]] Forecast forecast(const Deck& deck, const Start& start);
+[[nodiscard]] Forecast forecast(const Deck& deck, const Start& start, const Execution& execution);
 
 /// The report of `ljmd check`.
 [[nodiscard]] std::string check_report(const Deck& deck, const Start& start, const Forecast& forecast);

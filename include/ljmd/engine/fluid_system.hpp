@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ljmd/engine/fluid_spec.hpp"
+#include "ljmd/execution/execution.hpp"
 #include "ljmd/forces/pair_force_field.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/analysis.hpp"
@@ -26,14 +27,15 @@ struct FluidSystem {
 };
 
 /// The force field of a fluid.
-[[nodiscard]] PairForceField make_force_field(const FluidSpec& spec);
+[[nodiscard]] PairForceField make_force_field(const FluidSpec& spec, const Execution& execution);
 
-/// The analyses of a fluid, without samples, for this number of atoms and this box.
+/// The analyses of a fluid, without samples, for the present box of the state.
 /// @pre mistakes() finds none
-[[nodiscard]] std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, Index atoms, const Box& box);
+[[nodiscard]] std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, const State& state);
 
 /// A fluid whose atoms are not placed yet: filled in from a checkpoint.
-[[nodiscard]] FluidSystem empty_fluid(const FluidSpec& spec, Index atoms, const Box& box);
+/// @param execution  computes all of it
+[[nodiscard]] FluidSystem empty_fluid(const FluidSpec& spec, Index atoms, const Box& box, const Execution& execution);
 
 /// Set the positions and, if there are any, the velocities of a state from a configuration. Positions outside the box
 /// are wrapped and the crossed edges counted, so that displacements continue from there.
@@ -42,8 +44,10 @@ struct FluidSystem {
 void place_configuration(State& state, const Configuration& configuration);
 
 /// Place the atoms, set velocities, and create forces and analyses. The centre of mass is at rest.
-/// @param warn  receives one line per remark for the user
+/// @param execution  computes all of it
+/// @param warn       receives one line per remark for the user
 /// @pre mistakes() finds none  @throws DataError as place_configuration, PhysicsError as relax
-[[nodiscard]] FluidSystem make_fluid(const FluidSpec& spec, const std::function<void(const std::string&)>& warn);
+[[nodiscard]] FluidSystem make_fluid(const FluidSpec& spec, const Execution& execution,
+                                     const std::function<void(const std::string&)>& warn);
 
 }  // namespace ljmd

@@ -9,6 +9,7 @@
 #include "ljmd/engine/observer.hpp"
 #include "ljmd/engine/run_outputs.hpp"
 #include "ljmd/engine/run_result.hpp"
+#include "ljmd/execution/execution.hpp"
 
 namespace ljmd {
 
@@ -22,11 +23,12 @@ namespace ljmd {
 ///     const RunResult result = simulation.run();
 ///     const Estimate pressure = result.observable("pressure").estimate.value();
 ///
-/// The same specification gives the same trajectory, to the last bit, as a deck that says the same.
+/// Several simulations may run at the same time, each in a thread of its own. The same specification gives the same trajectory, to the last bit, as a deck that says the same.
 class Simulation {
   public:
-    /// Place the atoms and draw their velocities. @throws InputError with all mistakes of the specification
-    explicit Simulation(FluidSpec spec);
+    /// Place the atoms and draw their velocities.
+    /// @throws InputError with all mistakes of the specification; ThreadsError as Execution
+    explicit Simulation(FluidSpec spec, const Execution& execution = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;

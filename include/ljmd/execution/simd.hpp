@@ -26,13 +26,10 @@ enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_inte
 /// The level with this name. @throws InputError if it is unknown, or not available in this processor or program
 [[nodiscard]] SimdLevel usable_simd_level(const std::string& name);
 
-/// Level of kernels that are not given one: the level set, else the one named by the environment variable LJMD_SIMD,
-/// else the highest usable (v4_intel on Intel's processors only).
+/// Level of an Execution that is not given one: the one named by the environment variable LJMD_SIMD, else the highest
+/// usable (v4_intel on Intel's processors only).
 /// @throws InputError as usable_simd_level
 [[nodiscard]] SimdLevel default_simd_level();
-
-/// Set the default level of this process. @pre level is usable here
-void set_default_simd_level(SimdLevel level);
 
 /// Precision of the pair sum. Positions, velocities, totals and integration are always in double.
 enum class Precision {

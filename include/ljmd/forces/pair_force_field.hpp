@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ljmd/core/aligned_vector.hpp"
-#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/execution.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/neighbors/tile_positions.hpp"
@@ -12,26 +12,24 @@
 
 namespace ljmd {
 
-/// Arithmetic of a pair sum. With a Verlet list, kernels of the SIMD level compute it in either precision. With the
-/// other searches, and for order-independent forces, scalar code computes it in double (see sum_pairs).
-struct PairArithmetic {
-    SimdLevel simd = default_simd_level();
-    Precision precision = Precision::double_precision;
-};
-
 /// Pair forces in a periodic box: f_i = sum over j with r_ij < rc of w(r_ij) (r_i - r_j).
 ///
 /// Forces are summed part by part of the search; threads share the parts. Energy and virial are added up part by part.
 /// Both depend on nothing but the configuration and the order of sums that it decides.
+///
+/// With a Verlet list, kernels of the SIMD level compute the sum in either precision. With the other searches, and for
+/// order-independent forces, scalar code computes it in double (see sum_pairs).
 class PairForceField : public ForceField {
   public:
     /// @pre potential.cutoff().radius <= L/2 for every box that will be evaluated (checked: ContractViolation)
+    /// @param execution  SIMD level and precision of the sum; the threads are those of the state that is evaluated
     /// @throws ContractViolation for mixed precision without a Verlet list
-    PairForceField(PairPotential potential, PairSearch search, PairArithmetic arithmetic = {});
+    PairForceField(PairPotential potential, PairSearch search, const Execution& execution = {});
 
     [[nodiscard]] const PairPotential& potential() const { return potential_; }
     [[nodiscard]] const PairSearch& search() const { return search_; }
-    [[nodiscard]] const PairArithmetic& arithmetic() const { return arithmetic_; }
+    [[nodiscard]] SimdLevel simd() const { return simd_; }
+    [[nodiscard]] Precision precision() const { return precision_; }
     [[nodiscard]] const SearchStatistics& search_statistics() const;
     /// Wall time spent on pair sums, without the neighbour search [s].
     [[nodiscard]] double seconds_summing() const { return seconds_summing_; }
@@ -54,7 +52,8 @@ class PairForceField : public ForceField {
 
     PairPotential potential_;
     PairSearch search_;
-    PairArithmetic arithmetic_;
+    SimdLevel simd_;
+    Precision precision_;
     std::vector<Workspace> workspaces_;
     std::vector<AlignedVector<double>> guest_forces_;  ///< forces on each tile's ghost clusters (guests in names)
     double seconds_summing_ = 0.0;

@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/forces/force_sum.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
@@ -79,17 +79,17 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
         }
         return block;
     };
-    const Evaluation total =
-        join_blocks(search.part_count(atoms), 1, Evaluation{}, sum_part, [](Evaluation& sum, const Evaluation& block) {
-            sum.potential_energy += block.potential_energy;
-            sum.virial += block.virial;
-        });
+    const Evaluation total = join_blocks(atoms.execution(), search.part_count(atoms), 1, Evaluation{}, sum_part,
+                                         [](Evaluation& sum, const Evaluation& block) {
+                                             sum.potential_energy += block.potential_energy;
+                                             sum.virial += block.virial;
+                                         });
     for (const std::vector<OnOther>& of_part : on_others) {
         for (const OnOther& other : of_part) {
             add(other.atom, other.force);
         }
     }
-    for_each_index(atoms.count(), [&](Index i) {
+    for_each_index(atoms.execution(), atoms.count(), [&](Index i) {
         const auto& sum = sums[static_cast<std::size_t>(i)];
         forces.col(i) << sum[0].value(), sum[1].value(), sum[2].value();
     });

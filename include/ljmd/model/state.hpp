@@ -7,6 +7,7 @@
 
 #include "ljmd/core/aligned_vector.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/execution/execution.hpp"
 #include "ljmd/model/box.hpp"
 
 namespace ljmd {
@@ -32,7 +33,12 @@ using ConstVectorView = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eig
 class State {
   public:
     /// N atoms of mass 1 at the origin, at rest, ids 0 ... N-1. @throws ContractViolation if count < 0
-    explicit State(Index count, std::optional<Box> box = std::nullopt);
+    /// @param execution  for all loops over these atoms
+    explicit State(Index count, std::optional<Box> box = std::nullopt, Execution execution = {});
+
+    /// Threads and SIMD level that work on these atoms. Not archived: a checkpoint can be read into a state with
+    /// others.
+    [[nodiscard]] const Execution& execution() const { return execution_; }
 
     [[nodiscard]] Index count() const { return count_; }
     [[nodiscard]] Index ghost_count() const { return ghost_count_; }
@@ -148,6 +154,7 @@ class State {
         void archive(Archive& a);
     };
 
+    Execution execution_;
     Index count_;
     Index ghost_count_ = 0;
     Index order_version_ = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ljmd/core/types.hpp"
+#include "ljmd/execution/execution.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
 
@@ -136,7 +137,7 @@ class ClusterGrid {
     [[nodiscard]] Index slice(double above) const {
         return std::clamp(static_cast<int>(above * inverse_slice_ + 1.0), 0, slice_count_ + 1);
     }
-    void cut_into_slices();
+    void cut_into_slices(const Execution& execution);
     void put_in_order(State& state);
     void make_clusters(const State& state);
     [[nodiscard]] double gap2(int cells, std::size_t axis) const;

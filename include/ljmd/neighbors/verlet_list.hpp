@@ -42,7 +42,8 @@ class VerletList {
     ///               displacement
     explicit VerletList(double skin, std::optional<Index> every = std::nullopt) : skin_(skin), every_(every) {}
 
-    /// Choose the kernel that builds lists and the shape of their rows. Takes effect at the next rebuild.
+    /// Choose the level of the kernel that builds lists (by default the level of the state's execution) and the shape
+    /// of their rows. Takes effect at the next rebuild.
     /// @pre level is usable here  @throws ContractViolation unless atoms x slots is 1 x 2, 2 x 2, 2 x 4 or 4 x 4
     void prepare_for(SimdLevel level, RowShape shape);
 
@@ -106,7 +107,7 @@ class VerletList {
 
     double skin_;
     std::optional<Index> every_;
-    SimdLevel level_ = default_simd_level();
+    std::optional<SimdLevel> level_;  ///< none: the level of the state
     RowShape shape_{2, 2};
     Index age_ = 0;  ///< evaluations since the last rebuild
     double built_for_cutoff_ = -1.0;

@@ -7,6 +7,7 @@
 
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/engine/phase_seconds.hpp"
+#include "ljmd/execution/execution.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 
 namespace ljmd {
@@ -24,8 +25,10 @@ struct EarlierParts {
 /// run.json: what was run, by which program, where and when. Written at the beginning and the end of a run.
 class RunRecord {
   public:
-    /// @param earlier  for a resumed run, including the step at which it is resumed  @throws FileError
-    explicit RunRecord(const Deck& deck, const std::optional<EarlierParts>& earlier = std::nullopt);
+    /// @param execution  computes the run
+    /// @param earlier    for a resumed run, including the step at which it is resumed
+    /// @throws FileError
+    RunRecord(const Deck& deck, Execution execution, const std::optional<EarlierParts>& earlier = std::nullopt);
 
     /// @param seconds  wall time of the time loop
     /// @param phases   its parts, if measured
@@ -35,6 +38,7 @@ class RunRecord {
     void write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const;
 
     const Deck& deck_;
+    Execution execution_;
     std::string began_;
     std::vector<Index> resumed_at_steps_;
     Index steps_added_;

@@ -1,5 +1,5 @@
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -31,7 +31,7 @@ Vec3 increment(const State& state, Index i, double dt) {
 void begin(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const auto v = static_cast<const State&>(state).velocities();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         const Vec3 half_increment = 0.5 * dt * dt / state.masses()[static_cast<std::size_t>(i)] *
                                     static_cast<const State&>(state).forces().col(i);
         d.col(i) = on_grid(dt * v.col(i) - half_increment, resolution_of(state));
@@ -41,16 +41,17 @@ void begin(State& state, double dt) {
 void put_on_grid(State& state) {
     if (!state.has_box()) {
         auto r = state.write_positions();
-        for_each_index(state.count(), [&](Index i) { r.col(i) = on_grid(r.col(i), unbounded_resolution); });
+        for_each_index(state.execution(), state.count(),
+                       [&](Index i) { r.col(i) = on_grid(r.col(i), unbounded_resolution); });
     }
 }
 
 /// Sums and differences of multiples of the grid spacing are exact here, as with integers.
 void advance(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
-    for_each_index(state.count(), [&](Index i) { d.col(i) += increment(state, i, dt); });
+    for_each_index(state.execution(), state.count(), [&](Index i) { d.col(i) += increment(state, i, dt); });
     auto r = state.write_positions();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         r.col(i) += d.col(i);
         if (!state.has_box() && !(r.col(i).cwiseAbs().maxCoeff() < far_out)) {
             throw PhysicsError(
@@ -63,12 +64,14 @@ void advance(State& state, double dt) {
 void central_difference(State& state, double dt) {
     const auto d = state.registered(state.register_vectors(last_displacement));
     auto v = state.write_velocities();
-    for_each_index(state.count(), [&](Index i) { v.col(i) = (2.0 * d.col(i) + increment(state, i, dt)) / (2.0 * dt); });
+    for_each_index(state.execution(), state.count(),
+                   [&](Index i) { v.col(i) = (2.0 * d.col(i) + increment(state, i, dt)) / (2.0 * dt); });
 }
 
 void reverse(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
-    for_each_index(state.count(), [&](Index i) { d.col(i) = -(d.col(i) + increment(state, i, dt)); });
+    for_each_index(state.execution(), state.count(),
+                   [&](Index i) { d.col(i) = -(d.col(i) + increment(state, i, dt)); });
     state.write_velocities() *= -1.0;
 }
 

@@ -1,4 +1,4 @@
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -10,7 +10,7 @@ void euler_step(State& state, double dt) {
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
     auto v = state.write_velocities();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         r.col(i) = state.snapped(r.col(i) + dt * v.col(i));
         v.col(i) += dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
     });

@@ -1,4 +1,4 @@
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -9,7 +9,7 @@ void garcia_step(State& state, double dt) {
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
     auto v = state.write_velocities();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         const Vec3 v_old = v.col(i);
         v.col(i) += dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
         r.col(i) = state.snapped(r.col(i) + 0.5 * dt * (v_old + v.col(i)));

@@ -1,4 +1,4 @@
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -10,7 +10,7 @@ constexpr const char* half_step_velocities = "leapfrog: velocities half a step a
 /// out = in + (dt/m) f for each atom.
 template <class In, class Out>
 void kicked(const State& state, double dt, const In& in, Out&& out) {
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         out.col(i) = in.col(i) + dt / state.masses()[static_cast<std::size_t>(i)] * state.forces().col(i);
     });
 }
@@ -25,7 +25,8 @@ void leap(State& state, double dt) {
     auto u = state.registered(state.register_vectors(half_step_velocities));
     kicked(state, dt, u, u);
     auto r = state.write_positions();
-    for_each_index(state.count(), [&](Index i) { r.col(i) = state.snapped(r.col(i) + dt * u.col(i)); });
+    for_each_index(state.execution(), state.count(),
+                   [&](Index i) { r.col(i) = state.snapped(r.col(i) + dt * u.col(i)); });
 }
 
 void synchronise(State& state, double dt) {

@@ -1,4 +1,4 @@
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -13,7 +13,7 @@ void begin(State& state, double dt, const std::string& start) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const State& now = state;
     const auto v = now.velocities();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         const Vec3 dt2_a = dt * dt / state.masses()[static_cast<std::size_t>(i)] * now.forces().col(i);
         const Vec3 dt_v = dt * v.col(i);
         const Vec3 r = now.positions().col(i);
@@ -32,7 +32,7 @@ void advance(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         const Vec3 dt2_a = dt * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
         const Vec3 r_old = r.col(i);
         r.col(i) = state.snapped(r_old + (d.col(i) + dt2_a));
@@ -45,7 +45,7 @@ void central_difference(State& state, double dt) {
     const auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
     auto v = state.write_velocities();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         v.col(i) = d.col(i) / dt + 0.5 * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
     });
 }
@@ -54,7 +54,7 @@ void central_difference(State& state, double dt) {
 void reverse(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
     const auto f = static_cast<const State&>(state).forces();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         d.col(i) = -(d.col(i) + dt * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i));
     });
     state.write_velocities() *= -1.0;

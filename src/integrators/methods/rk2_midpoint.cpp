@@ -1,4 +1,4 @@
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
 namespace ljmd {
@@ -12,7 +12,7 @@ void half_euler_step(State& state, double dt) {
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
     auto v = state.write_velocities();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         v_start.col(i) = v.col(i);
         r.col(i) = state.snapped(r.col(i) + 0.5 * dt * v.col(i));
         v.col(i) += 0.5 * dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
@@ -25,7 +25,7 @@ void full_step_from_midpoint(State& state, double dt) {
     const auto f = static_cast<const State&>(state).forces();
     auto r = state.write_positions();
     auto v = state.write_velocities();
-    for_each_index(state.count(), [&](Index i) {
+    for_each_index(state.execution(), state.count(), [&](Index i) {
         r.col(i) = state.snapped(r.col(i) - 0.5 * dt * v_start.col(i) + dt * v.col(i));
         v.col(i) = v_start.col(i) + dt / state.masses()[static_cast<std::size_t>(i)] * f.col(i);
     });

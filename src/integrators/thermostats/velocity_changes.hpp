@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -13,7 +13,7 @@ void change_velocities(State& state, const Change& change) {
     auto velocities = state.write_velocities();
     const std::vector<double>& masses = state.masses();
     const std::vector<Index>& ids = state.ids();
-    state.bath.front() += sum_over(state.count(), 0.0, [&](Index i) {
+    state.bath.front() += sum_over(state.execution(), state.count(), 0.0, [&](Index i) {
         const auto k = static_cast<std::size_t>(i);
         const Vec3 before = velocities.col(i);
         const Vec3 after = change(before, masses[k], ids[k]);
@@ -26,7 +26,7 @@ void change_velocities(State& state, const Change& change) {
 /// @param kinetic_energy  of the state before
 inline void scale_velocities(State& state, double factor, double kinetic_energy) {
     auto velocities = state.write_velocities();
-    for_each_index(state.count(), [&](Index i) { velocities.col(i) *= factor; });
+    for_each_index(state.execution(), state.count(), [&](Index i) { velocities.col(i) *= factor; });
     state.bath.front() += (factor * factor - 1.0) * kinetic_energy;
 }
 

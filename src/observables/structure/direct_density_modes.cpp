@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/observables/structure/density_modes.hpp"
 
 namespace ljmd {
@@ -20,7 +20,7 @@ class DirectDensityModes : public DensityModes {
         for (Index a = 0; a < 3; ++a) {
             Eigen::MatrixXcd& powers = powers_[static_cast<std::size_t>(a)];
             powers.resize(atoms, largest_[static_cast<std::size_t>(a)] + 1);
-            for_each_index(atoms, [&](Index i) {
+            for_each_index(state.execution(), atoms, [&](Index i) {
                 const Complex once = std::polar(1.0, -2.0 * std::numbers::pi * r(a, i) / edges_[a]);
                 Complex power = 1.0;
                 for (Index n = 0; n < powers.cols(); ++n) {

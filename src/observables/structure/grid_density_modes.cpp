@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "ljmd/core/quadrature.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/observables/structure/density_modes.hpp"
 
 namespace ljmd {
@@ -68,7 +68,7 @@ class GridDensityModes : public DensityModes {
         spread_atoms(state);
         // Planes are filled one by one, each with its atoms in a fixed order. So no two threads write the same point,
         // and sums do not depend on the number of threads.
-        for_each_block(points_[0], 1, [&](Index first, Index last) {
+        for_each_block(state.execution(), points_[0], 1, [&](Index first, Index last) {
             for (Index x = first; x < last; ++x) {
                 fill_plane(x);
             }
@@ -94,7 +94,7 @@ class GridDensityModes : public DensityModes {
         const Index atoms = state.count();
         const auto r = state.positions();
         spreads_.resize(static_cast<std::size_t>(atoms));
-        for_each_index(atoms, [&](Index i) {
+        for_each_index(state.execution(), atoms, [&](Index i) {
             for (Index a = 0; a < 3; ++a) {
                 const auto direction = static_cast<std::size_t>(a);
                 spreads_[static_cast<std::size_t>(i)][direction] = spread(r(a, i), edges_[a], points_[direction]);

@@ -1,7 +1,7 @@
 #include "ljmd/observables/structure/order_parameter.hpp"
 
 #include "../simd/cosine_kernel.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -11,10 +11,10 @@ TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells)
 double TranslationalOrder::operator()(const State& state) const {
     const Vec3 planes_per_length = planes_ * state.box().edges().cwiseInverse();
     const Eigen::Vector4d turns(planes_per_length[0], planes_per_length[1], planes_per_length[2], 0.0);
-    const CosineKernel kernel = cosine_kernel(default_simd_level());
+    const CosineKernel kernel = cosine_kernel(state.execution().simd());
     const double* r = state.positions().data();  // the three coordinates of an atom are followed by a zero
     const Eigen::Vector4d sums = join_blocks(
-        state.count(), sum_block, Eigen::Vector4d(Eigen::Vector4d::Zero()),
+        state.execution(), state.count(), sum_block, Eigen::Vector4d(Eigen::Vector4d::Zero()),
         [&](Index first, Index last) {
             Eigen::Vector4d of_block;
             kernel.sums_of_cosines(r + 4 * first, last - first, turns.data(), of_block.data());

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "../simd/histogram_kernel.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -141,7 +141,7 @@ void Cells::for_each_run_behind(Index place, Visit visit) const {
 
 std::vector<Index> pair_histogram(const State& state, double radius, Index bins) {
     const Cells cells(state, radius);
-    const HistogramKernel kernel = histogram_kernel(default_simd_level());
+    const HistogramKernel kernel = histogram_kernel(state.execution().simd());
     const Vec3 edges = state.box().edges();
     const double per_length = static_cast<double>(bins) / radius;
     using Counts = std::vector<Index>;
@@ -162,7 +162,7 @@ std::vector<Index> pair_histogram(const State& state, double radius, Index bins)
         return counts;
     };
     const Index atoms = cells.atoms();
-    return join_blocks(atoms, std::max((atoms + most_blocks - 1) / most_blocks, Index{1}),
+    return join_blocks(state.execution(), atoms, std::max((atoms + most_blocks - 1) / most_blocks, Index{1}),
                        Counts(static_cast<std::size_t>(bins)), count_block, [](Counts& sum, const Counts& block) {
                            std::transform(sum.begin(), sum.end(), block.begin(), sum.begin(), std::plus<>());
                        });

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -95,7 +95,7 @@ void StructureFactor::sample(const State& state, const Evaluation& /*evaluation*
     };
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(vectors_.size());
     const Eigen::VectorXd powers =
-        join_blocks(2 * largest_[0] + 1, 1, zero, powers_of_planes,
+        join_blocks(state.execution(), 2 * largest_[0] + 1, 1, zero, powers_of_planes,
                     [](Eigen::VectorXd& sum, const Eigen::VectorXd& block) { sum += block; });
     means_.add(powers.cwiseQuotient(vectors_.cwiseMax(1.0)) / static_cast<double>(state.count()));
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -29,7 +29,7 @@ CorrelationWindows::CorrelationWindows(Index series, Index lags, Index window)
     }
 }
 
-std::optional<Eigen::VectorXd> CorrelationWindows::add(const Eigen::VectorXd& frame) {
+std::optional<Eigen::VectorXd> CorrelationWindows::add(const Eigen::VectorXd& frame, const Execution& execution) {
     if (frame.size() != series_) {
         throw ContractViolation(fmt::format("a frame of {} numbers was added to windows of {}", frame.size(), series_));
     }
@@ -38,12 +38,12 @@ std::optional<Eigen::VectorXd> CorrelationWindows::add(const Eigen::VectorXd& fr
     if (static_cast<Index>(frames_.size()) < series_ * window_) {
         return std::nullopt;
     }
-    const Eigen::VectorXd correlation = correlate();
+    const Eigen::VectorXd correlation = correlate(execution);
     frames_.clear();
     return correlation;
 }
 
-Eigen::VectorXd CorrelationWindows::correlate() const {
+Eigen::VectorXd CorrelationWindows::correlate(const Execution& execution) const {
     const Index length = forward_.length();
     const Index half = length / 2 + 1;
     const Index batches = (series_ + batch - 1) / batch;
@@ -69,7 +69,7 @@ Eigen::VectorXd CorrelationWindows::correlate() const {
         return power;
     };
     const Eigen::VectorXd power =
-        join_blocks(batches, batches_a_block, Eigen::VectorXd(Eigen::VectorXd::Zero(half)), power_of_block,
+        join_blocks(execution, batches, batches_a_block, Eigen::VectorXd(Eigen::VectorXd::Zero(half)), power_of_block,
                     [](Eigen::VectorXd& sum, const Eigen::VectorXd& block) { sum += block; });
     AlignedVector<std::complex<double>> spectrum(power.begin(), power.end());
     AlignedVector<double> sums(static_cast<std::size_t>(length));

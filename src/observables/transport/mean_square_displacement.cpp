@@ -7,7 +7,7 @@
 
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -31,9 +31,9 @@ Eigen::VectorXd slope_weights(const LagTimes& lags, double start) {
 }
 
 /// Sum of squared differences, block by block.
-double square_distance(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
+double square_distance(const Execution& execution, const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
     return join_blocks(
-        a.cols(), sum_block, 0.0,
+        execution, a.cols(), sum_block, 0.0,
         [&](Index first, Index last) {
             return (a.middleCols(first, last - first) - b.middleCols(first, last - first)).squaredNorm();
         },
@@ -53,14 +53,14 @@ MeanSquareDisplacement::MeanSquareDisplacement(Index atoms, const LagTimes& lags
 void MeanSquareDisplacement::sample(const State& state, const Evaluation& /*evaluation*/) {
     ++samples_;
     Eigen::Matrix3Xd positions(3, atoms_);
-    for_each_index(atoms_,
+    for_each_index(state.execution(), atoms_,
                    [&](Index i) { positions.col(state.ids()[static_cast<std::size_t>(i)]) = state.unwrapped(i); });
     if (frames_ % frames_between_origins_ == 0) {
         origins_.push_back({positions, Eigen::VectorXd()});
     }
     ++frames_;
     for (Origin& origin : origins_) {
-        const double sum = square_distance(positions, origin.positions);
+        const double sum = square_distance(state.execution(), positions, origin.positions);
         origin.found.conservativeResize(origin.found.size() + 1);
         origin.found[origin.found.size() - 1] = sum / static_cast<double>(atoms_);
     }

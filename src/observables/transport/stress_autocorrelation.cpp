@@ -35,7 +35,8 @@ void StressAutocorrelation::sample(const State& state, const Evaluation& evaluat
     ++samples_;
     ++in_window_;
     temperature_sum_ += temperature(state).value_or(0.0);
-    const std::optional<Eigen::VectorXd> sum = window_.add(shear_part(mechanical_stress(state, evaluation)));
+    const std::optional<Eigen::VectorXd> sum =
+        window_.add(shear_part(mechanical_stress(state, evaluation)), state.execution());
     if (!sum) {
         return;
     }

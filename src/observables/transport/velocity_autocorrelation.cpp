@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/observables/transport/green_kubo.hpp"
 
 namespace ljmd {
@@ -20,8 +20,9 @@ void VelocityAutocorrelation::sample(const State& state, const Evaluation& /*eva
     ++samples_;
     Eigen::VectorXd frame(3 * atoms_);
     const auto v = state.velocities();
-    for_each_index(atoms_, [&](Index i) { frame.segment<3>(3 * state.ids()[static_cast<std::size_t>(i)]) = v.col(i); });
-    const std::optional<Eigen::VectorXd> sum = window_.add(frame);
+    for_each_index(state.execution(), atoms_,
+                   [&](Index i) { frame.segment<3>(3 * state.ids()[static_cast<std::size_t>(i)]) = v.col(i); });
+    const std::optional<Eigen::VectorXd> sum = window_.add(frame, state.execution());
     if (!sum) {
         return;
     }

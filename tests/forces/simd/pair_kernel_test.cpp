@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "forces/every_potential.hpp"
 #include "ljmd/forces/pair_force_field.hpp"
 #include "neighbors/sample_states.hpp"
@@ -19,9 +19,9 @@ struct Evaluated {
     Evaluation sums;
 };
 
-Evaluated evaluated(const PairPotential& potential, const char* search, PairArithmetic arithmetic, State state,
+Evaluated evaluated(const PairPotential& potential, const char* search, const ExecutionOptions& options, State state,
                     Request request = Request::forces_and_energy) {
-    PairForceField force_field(potential, make_pair_search(search, 0.3), arithmetic);
+    PairForceField force_field(potential, make_pair_search(search, 0.3), Execution(options));
     const Evaluation sums = force_field.evaluate(state, request);
     return {test::by_id(state, state.forces()), sums};
 }
@@ -31,8 +31,8 @@ double rms(const Eigen::Matrix3Xd& f) {
 }
 
 /// 500 atoms of a dense fluid, no whole number of blocks, and far from the edge of a cell.
-State fluid() {
-    return test::shaken_crystal(5, 0.8442, 0.1, 7);
+State fluid(int threads = default_thread_count()) {
+    return test::shaken_crystal(5, 0.8442, 0.1, 7, test::with_threads(threads));
 }
 
 /// Forces, to a part of their root mean square, and energy and virial, to a part of themselves, of every potential on
@@ -42,7 +42,8 @@ void check_against_scalar_sum(Precision precision, double tolerance_of_forces, d
         const Evaluated expected = evaluated(potential, "cells", {}, fluid());
         for (const SimdLevel level : usable_simd_levels()) {
             CAPTURE(potential.formula(), potential.truncation(), name(level));
-            const Evaluated found = evaluated(potential, "verlet-list", {level, precision}, fluid());
+            const Evaluated found =
+                evaluated(potential, "verlet-list", {.simd = level, .precision = precision}, fluid());
             CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < tolerance_of_forces * rms(expected.forces));
             CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(tolerance_of_sums));
             CHECK((found.sums.virial - expected.sums.virial).norm() < tolerance_of_sums * expected.sums.virial.norm());
@@ -65,12 +66,12 @@ TEST_CASE("kernels give the same forces to the last bit with and without energy,
     for (const SimdLevel level : usable_simd_levels()) {
         for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
             CAPTURE(name(level), name(precision));
-            const Evaluated one = evaluated(potential, "verlet-list", {level, precision}, fluid());
-            CHECK(evaluated(potential, "verlet-list", {level, precision}, fluid(), Request::forces).forces ==
-                  one.forces);
+            const Evaluated one = evaluated(potential, "verlet-list", {.simd = level, .precision = precision}, fluid());
+            CHECK(evaluated(potential, "verlet-list", {.simd = level, .precision = precision}, fluid(), Request::forces)
+                      .forces == one.forces);
             for (const int threads : {2, 3, 8}) {
-                const test::ThreadGuard guard(threads);
-                const Evaluated several = evaluated(potential, "verlet-list", {level, precision}, fluid());
+                const Evaluated several =
+                    evaluated(potential, "verlet-list", {.simd = level, .precision = precision}, fluid(threads));
                 CHECK(several.forces == one.forces);
                 CHECK(several.sums.potential_energy == one.sums.potential_energy);
                 CHECK(several.sums.virial == one.sums.virial);
@@ -87,11 +88,12 @@ TEST_CASE("kernels give the forces on guests to their owners, whatever tiles the
         const Evaluated expected = evaluated(potential, "cells", {}, fluid);
         for (const SimdLevel level : usable_simd_levels()) {
             CAPTURE(fluid.count(), name(level));
-            const Evaluated found = evaluated(potential, "verlet-list", {level}, fluid);
+            const Evaluated found = evaluated(potential, "verlet-list", {.simd = level}, fluid);
             CHECK((found.forces - expected.forces).cwiseAbs().maxCoeff() < 1e-13 * rms(expected.forces));
             CHECK(found.sums.potential_energy == Approx(expected.sums.potential_energy).epsilon(1e-13));
             CHECK((found.sums.virial - expected.sums.virial).norm() < 1e-13 * expected.sums.virial.norm());
-            const Evaluated mixed = evaluated(potential, "verlet-list", {level, Precision::mixed}, fluid);
+            const Evaluated mixed =
+                evaluated(potential, "verlet-list", {.simd = level, .precision = Precision::mixed}, fluid);
             CHECK((mixed.sums.virial - expected.sums.virial).norm() < 1e-6 * expected.sums.virial.norm());
         }
     }
@@ -105,7 +107,8 @@ TEST_CASE("kernels handle atoms without neighbours, and blocks that are not full
         for (const SimdLevel level : usable_simd_levels()) {
             for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
                 CAPTURE(atoms, name(level), name(precision));
-                const Evaluated found = evaluated(potential, "verlet-list", {level, precision}, gas);
+                const Evaluated found =
+                    evaluated(potential, "verlet-list", {.simd = level, .precision = precision}, gas);
                 const double tolerance = precision == Precision::mixed ? 1e-4 : 1e-12;
                 CHECK((found.forces - expected.forces).norm() <= tolerance * expected.forces.norm());
                 CHECK(found.sums.potential_energy ==
@@ -123,7 +126,7 @@ TEST_CASE("the error of mixed precision does not grow with the box") {
         const Vec3 corner = Vec3::Constant(0.99 * edge);
         const State pair = test::state_of({corner, corner + Vec3(0.9, 0.3, 0.2)}, Box(Vec3::Constant(edge)));
         const Evaluated exact = evaluated(potential, "all-pairs", {}, pair);
-        const Evaluated mixed = evaluated(potential, "verlet-list", {default_simd_level(), Precision::mixed}, pair);
+        const Evaluated mixed = evaluated(potential, "verlet-list", {.precision = Precision::mixed}, pair);
         const double unit = FixedPoint(pair.box(), 2.0 * 2.8).unit();
         CAPTURE(edge, unit);
         CHECK((mixed.forces - exact.forces).norm() < (1e-6 + 40.0 * unit) * exact.forces.norm());
@@ -141,8 +144,9 @@ TEST_CASE("kernels take numbers below the normal range for zero, and leave the a
     for (const SimdLevel level : usable_simd_levels()) {
         CAPTURE(name(level));
         const unsigned before = _mm_getcsr() & ~flags;
-        CHECK(evaluated(potential, "verlet-list", {level, Precision::mixed}, pair).forces.norm() == 0.0);
-        CHECK(evaluated(potential, "verlet-list", {level, Precision::double_precision}, pair).forces(0, 0) ==
+        CHECK(evaluated(potential, "verlet-list", {.simd = level, .precision = Precision::mixed}, pair).forces.norm() ==
+              0.0);
+        CHECK(evaluated(potential, "verlet-list", {.simd = level}, pair).forces(0, 0) ==
               Approx(24.0 * std::pow(8e4, -7)).epsilon(1e-12).margin(0));
         CHECK((_mm_getcsr() & ~flags) == before);
     }

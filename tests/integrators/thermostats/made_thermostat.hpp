@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "execution/test_execution.hpp"
 #include "ljmd/core/section.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -45,8 +46,8 @@ inline void act(const Thermostat& thermostat, State& state, Index step) {
 }
 
 /// 100 atoms that move, in the order of their ids or another one.
-inline State moving_atoms(double temperature, bool reordered = false) {
-    State state(100, Box(Vec3::Constant(5.0)));
+inline State moving_atoms(double temperature, bool reordered = false, const Execution& execution = test_execution()) {
+    State state(100, Box(Vec3::Constant(5.0)), execution);
     draw_velocities(state, temperature, 9);
     if (reordered) {
         std::vector<Index> order;

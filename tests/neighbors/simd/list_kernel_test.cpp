@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "ljmd/neighbors/verlet_list.hpp"
 #include "neighbors/sample_states.hpp"
 
@@ -9,9 +9,8 @@ using namespace ljmd;
 TEST_CASE("list kernels of every SIMD level find the pairs of all-pairs, for any shape of rows and number of threads") {
     const RowShape shape = GENERATE(RowShape{1, 2}, RowShape{2, 2}, RowShape{2, 4}, RowShape{4, 4});
     const int threads = GENERATE(1, 3);
-    const test::ThreadGuard guard(threads);
     for (const double density : {0.02, 0.8442, 1.3}) {
-        State state = test::random_state(400, cubic_box(400, density), 19);
+        State state = test::random_state(400, cubic_box(400, density), 19, test::with_threads(threads));
         const auto expected = test::all_pairs_within(state, 2.5);
         for (const SimdLevel level : usable_simd_levels()) {
             CAPTURE(name(level), shape.atoms, shape.others, threads, density);

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "ljmd/observables/structure/density_modes.hpp"
 #include "neighbors/sample_states.hpp"
 
@@ -52,11 +52,10 @@ TEST_CASE("density modes from the grid are those from sums, all of them") {
 
 TEST_CASE("threads change no bit of density modes") {
     const Box box(Vec3(6.0, 7.0, 8.0));
-    const State state = test::random_state(500, box, 6);
     const DensityModes::Numbers largest{8, 9, 10};
     std::vector<std::vector<Rod>> found;
     for (const int threads : {1, 2, 3}) {
-        const test::ThreadGuard guard(threads);
+        const State state = test::random_state(500, box, 6, test::with_threads(threads));
         found.push_back(rods(*grid_density_modes(box, largest), state, largest));
     }
     CHECK(found[1] == found[0]);

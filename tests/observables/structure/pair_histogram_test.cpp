@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
@@ -49,10 +49,11 @@ TEST_CASE("atoms that have strayed over the walls are counted where they belong"
 }
 
 TEST_CASE("threads count the same pairs") {
-    const State state = test::random_state(700, Box(Vec3::Constant(9.0)), 19);
-    const std::vector<Index> counts = pair_histogram(state, 3.0, 10);
-    for (const int threads : {2, 3}) {
-        const test::ThreadGuard guard(threads);
-        CHECK(pair_histogram(state, 3.0, 10) == counts);
-    }
+    const auto counts = [](int threads) {
+        const Box box(Vec3::Constant(9.0));
+        return pair_histogram(test::random_state(700, box, 19, test::with_threads(threads)), 3.0, 10);
+    };
+    const std::vector<Index> one = counts(1);
+    CHECK(counts(2) == one);
+    CHECK(counts(3) == one);
 }

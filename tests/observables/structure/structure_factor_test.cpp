@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/through_archive.hpp"
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "ljmd/core/errors.hpp"
 #include "neighbors/sample_states.hpp"
 
@@ -101,7 +101,6 @@ TEST_CASE("threads and archives change no bit of a structure factor") {
     const Method method = GENERATE(Method::direct, Method::grid);
     const Box box(Vec3(6.0, 7.0, 8.0));
     const auto rows = [&](int threads, std::uint64_t archived_at) {
-        const test::ThreadGuard guard(threads);
         auto s = std::make_unique<StructureFactor>(box, 9.0, 0.2, method, Every(1));
         for (std::uint64_t k = 0; k < 6; ++k) {
             if (k == archived_at) {
@@ -109,7 +108,7 @@ TEST_CASE("threads and archives change no bit of a structure factor") {
                 test::through_archive(*s, *restored);
                 s = std::move(restored);
             }
-            s->sample(test::random_state(200, box, k), {});
+            s->sample(test::random_state(200, box, k, test::with_threads(threads)), {});
         }
         return s->tables().at(0).rows;
     };

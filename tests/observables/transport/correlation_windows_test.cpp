@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/through_archive.hpp"
-#include "execution/thread_guard.hpp"
+#include "execution/test_execution.hpp"
 #include "ljmd/core/errors.hpp"
 
 using namespace ljmd;
@@ -35,9 +35,10 @@ Eigen::VectorXd by_definition(const std::vector<Eigen::VectorXd>& frames, Index 
     return correlation;
 }
 
-Eigen::VectorXd first_window(CorrelationWindows& windows, const std::vector<Eigen::VectorXd>& frames) {
+Eigen::VectorXd first_window(CorrelationWindows& windows, const std::vector<Eigen::VectorXd>& frames,
+                             const Execution& execution = test::test_execution()) {
     for (const Eigen::VectorXd& frame : frames) {
-        if (const auto found = windows.add(frame)) {
+        if (const auto found = windows.add(frame, execution)) {
             return *found;
         }
     }
@@ -52,9 +53,10 @@ TEST_CASE("correlations of a window are the sums that define them, at all lags, 
     CAPTURE(series, window, lags);
     const auto frames = random_frames(2 * window, series, 7);
     CorrelationWindows windows(series, lags, window);
+    const Execution execution = test::test_execution();
     Index found = 0;
     for (Index t = 0; t < 2 * window; ++t) {
-        const auto correlation = windows.add(frames[static_cast<std::size_t>(t)]);
+        const auto correlation = windows.add(frames[static_cast<std::size_t>(t)], execution);
         REQUIRE(correlation.has_value() == ((t + 1) % window == 0));
         if (correlation) {
             const Eigen::VectorXd expected = by_definition(frames, t + 1 - window, window, lags);
@@ -70,7 +72,7 @@ TEST_CASE("a window that was interrupted does not count") {
     const auto frames = random_frames(20, 4, 8);
     CorrelationWindows interrupted(4, 3, 8);
     for (std::size_t t = 0; t < 5; ++t) {
-        CHECK_FALSE(interrupted.add(frames[t]).has_value());
+        CHECK_FALSE(interrupted.add(frames[t], {}).has_value());
     }
     interrupted.interrupt();
     const std::vector<Eigen::VectorXd> rest(frames.begin() + 5, frames.end());
@@ -84,9 +86,8 @@ TEST_CASE("threads change no bit of a correlation") {
     const auto frames = random_frames(24, 1000, 9);
     std::vector<Eigen::VectorXd> found;
     for (const int threads : {1, 2, 3}) {
-        const test::ThreadGuard guard(threads);
         CorrelationWindows windows(1000, 12, 24);
-        found.push_back(first_window(windows, frames));
+        found.push_back(first_window(windows, frames, test::with_threads(threads)));
     }
     CHECK(found[1] == found[0]);
     CHECK(found[2] == found[0]);
@@ -96,7 +97,7 @@ TEST_CASE("a window goes on from an archive, and refuses that of another") {
     const auto frames = random_frames(8, 4, 10);
     CorrelationWindows windows(4, 3, 8);
     for (std::size_t t = 0; t < 5; ++t) {
-        static_cast<void>(windows.add(frames[t]));
+        static_cast<void>(windows.add(frames[t], {}));
     }
     CorrelationWindows restored(4, 3, 8);
     test::through_archive(windows, restored);
@@ -115,7 +116,7 @@ TEST_CASE("windows that make no sense are refused") {
     CHECK_THROWS_AS(CorrelationWindows(4, 0, 8), ContractViolation);
     CHECK_THROWS_AS(CorrelationWindows(4, 8, 8), ContractViolation);
     CorrelationWindows windows(4, 3, 8);
-    CHECK_THROWS_AS(windows.add(Eigen::VectorXd::Zero(5)), ContractViolation);
+    CHECK_THROWS_AS(windows.add(Eigen::VectorXd::Zero(5), {}), ContractViolation);
 }
 
 TEST_CASE("the running integral is exact for straight lines") {

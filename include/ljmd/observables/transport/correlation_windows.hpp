@@ -6,6 +6,7 @@
 
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/fourier.hpp"
+#include "ljmd/execution/execution.hpp"
 
 namespace ljmd {
 
@@ -28,8 +29,9 @@ class CorrelationWindows {
     CorrelationWindows(Index series, Index lags, Index window);
 
     /// Add the next frame. @return C_0 ... C_lags if it completes a window
+    /// @param execution  its threads compute them
     /// @throws ContractViolation unless it has `series` numbers
-    std::optional<Eigen::VectorXd> add(const Eigen::VectorXd& frame);
+    std::optional<Eigen::VectorXd> add(const Eigen::VectorXd& frame, const Execution& execution);
 
     /// Discard the incomplete window.
     void interrupt() { frames_.clear(); }
@@ -38,7 +40,7 @@ class CorrelationWindows {
     void archive(Archive& a);
 
   private:
-    [[nodiscard]] Eigen::VectorXd correlate() const;
+    [[nodiscard]] Eigen::VectorXd correlate(const Execution& execution) const;
 
     Index series_;
     Index lags_;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "ljmd/execution/simd.hpp"
+
+namespace ljmd {
+
+class ThreadTeam;
+
+/// What an Execution is made of.
+struct ExecutionOptions {
+    int threads = 1;
+    SimdLevel simd = default_simd_level();
+    Precision precision = Precision::double_precision;
+};
+
+/// How a system is computed: threads, SIMD level of the kernels, precision of the pair sum. It is given to whatever
+/// computes (State holds it), so that systems with different settings can be computed in one process, also at the same
+/// time. No result depends on the number of threads.
+///
+/// A value: copies are equal and share one team of threads, which ends with the last of them.
+class Execution {
+  public:
+    /// One thread, the default SIMD level, double precision. @throws InputError as default_simd_level()
+    Execution();
+    /// @pre options.simd is usable here
+    /// @throws ContractViolation for fewer threads than one; ThreadsError if the system refuses that many
+    explicit Execution(const ExecutionOptions& options);
+
+    /// Number of threads, at least 1.
+    [[nodiscard]] int threads() const;
+    [[nodiscard]] SimdLevel simd() const { return simd_; }
+    [[nodiscard]] Precision precision() const { return precision_; }
+
+    /// The threads, for the loops of execution/loops.hpp.
+    [[nodiscard]] ThreadTeam& team() const { return *team_; }
+
+  private:
+    std::shared_ptr<ThreadTeam> team_;
+    SimdLevel simd_;
+    Precision precision_;
+};
+
+}  // namespace ljmd
