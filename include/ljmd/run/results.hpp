@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "ljmd/core/data.hpp"
 #include "ljmd/run/run.hpp"
 
 namespace ljmd {
@@ -26,8 +26,8 @@ inline constexpr std::string_view guessed_error =
 
 /// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for
 /// a substance, and remark if there is one.
-[[nodiscard]] nlohmann::ordered_json observables_json(const std::vector<ObservableAverage>& averages,
-                                                      const std::optional<SubstanceUnits>& units);
+[[nodiscard]] Data observables_data(const std::vector<ObservableAverage>& averages,
+                                    const std::optional<SubstanceUnits>& units);
 
 /// A header, one line per observable, and below them the remarks.
 [[nodiscard]] std::string observables_table(const std::vector<ObservableAverage>& averages,
