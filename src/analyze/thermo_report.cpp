@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
@@ -14,15 +13,14 @@
 #include "ljmd/deck/sampled_steps.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
-#include "ljmd/run/json_number.hpp"
 #include "ljmd/run/results.hpp"
 
 namespace ljmd {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Align = TextTable::Align;
 
 constexpr Index most_starts = 100;  // candidate start rows of a series
@@ -161,30 +159,29 @@ std::string thermo_table(const ThermoReport& report) {
 }
 
 std::string thermo_json(const ThermoReport& report) {
-    Json observables = Json::object();
+    Data observables = Data::object();
     for (const ThermoReport::Column& column : report.columns) {
         const Equilibration& found = column.found;
-        Json& json = observables[column.name] = {
-            {"equilibrated_at_row", found.start},
-            {"equilibrated_at_step", step_of_row(report, found.start)},
-            {"statistical_inefficiency", number_or_null(found.inefficiency)},
-            {"correlation_time", number_or_null(correlation_time(report, found))},
-            {"independent_samples", number_or_null(found.independent_samples)},
-            {"mean", number_or_null(found.mean)},
-            {"standard_error", number_or_null(found.standard_error)},
-            {"statistical_inefficiency_of_all", number_or_null(column.whole_inefficiency)},
-            {"mean_of_all", number_or_null(column.by_blocking.mean)},
-            {"blocking_standard_error_of_all", number_or_null(column.by_blocking.standard_error)}};
+        Data& json = observables[column.name] = {{"equilibrated_at_row", found.start},
+                                                 {"equilibrated_at_step", step_of_row(report, found.start)},
+                                                 {"statistical_inefficiency", found.inefficiency},
+                                                 {"correlation_time", correlation_time(report, found)},
+                                                 {"independent_samples", found.independent_samples},
+                                                 {"mean", found.mean},
+                                                 {"standard_error", found.standard_error},
+                                                 {"statistical_inefficiency_of_all", column.whole_inefficiency},
+                                                 {"mean_of_all", column.by_blocking.mean},
+                                                 {"blocking_standard_error_of_all", column.by_blocking.standard_error}};
         if (const std::string remark = remark_on(found); !remark.empty()) {
             json["remark"] = remark;
         }
     }
-    Json json = {{"rows", report.rows},         {"first_step", report.first_step}, {"last_step", report.last_step},
+    Data json = {{"rows", report.rows},         {"first_step", report.first_step}, {"last_step", report.last_step},
                  {"interval", report.interval}, {"stride", report.stride},         {"observables", observables}};
     if (report.heat_capacity) {
-        json["heat_capacity_cv"] = observables_json({*report.heat_capacity}, std::nullopt).at("heat_capacity_cv");
+        json["heat_capacity_cv"] = observables_data({*report.heat_capacity}, std::nullopt).at("heat_capacity_cv");
     }
-    return json.dump(2) + "\n";
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

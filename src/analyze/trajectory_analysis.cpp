@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/analyze/deck_against_frames.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/formats/frame_unwrapper.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
-#include "ljmd/run/json_number.hpp"
 #include "ljmd/run/results.hpp"
 
 namespace ljmd {
@@ -136,7 +135,7 @@ class Pass {
 };
 
 /// How positions were treated; null if no displacement was measured.
-nlohmann::ordered_json positions_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
+Data positions_data(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
     const PositionReading& reading = trajectory.summary.positions;
     if (!result.used_displacements) {
         return nullptr;
@@ -211,18 +210,16 @@ std::string trajectory_table(const AnalyzedTrajectory& trajectory, const Traject
 
 std::string trajectory_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
     const TrajectorySummary& summary = trajectory.summary;
-    const auto& spacing = trajectory.selection.spacing;
-    const nlohmann::ordered_json json = {{"trajectory", trajectory.path.string()},
-                                         {"atoms", summary.atoms},
-                                         {"box_edges", {summary.edges[0], summary.edges[1], summary.edges[2]}},
-                                         {"frames", summary.frames},
-                                         {"frames_used", trajectory.selection.used},
-                                         {"spacing", number_or_null(spacing)},
-                                         {"positions", positions_json(trajectory, result)},
-                                         {"observables", observables_json(result.averages, trajectory.units())},
-                                         {"warnings", result.warnings}};
-    // A path may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    const Data json = {{"trajectory", trajectory.path.string()},
+                       {"atoms", summary.atoms},
+                       {"box_edges", Data::list({summary.edges[0], summary.edges[1], summary.edges[2]})},
+                       {"frames", summary.frames},
+                       {"frames_used", trajectory.selection.used},
+                       {"spacing", trajectory.selection.spacing},
+                       {"positions", positions_data(trajectory, result)},
+                       {"observables", observables_data(result.averages, trajectory.units())},
+                       {"warnings", result.warnings}};
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

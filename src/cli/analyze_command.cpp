@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/analyze/thermo_report.hpp"
 #include "ljmd/analyze/trajectory_analysis.hpp"
@@ -15,6 +14,7 @@
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/results.hpp"
@@ -183,9 +183,9 @@ void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
     const fs::path directory = options.out.empty() ? fs::path(options.path) / "analysis" : fs::path(options.out);
     std::string text = analyze(trajectory_of(run.deck), &run.deck, true, wanted, options, directory);
     if (report && options.json) {
-        auto json = nlohmann::ordered_json::parse(text);
-        json[thermo] = nlohmann::ordered_json::parse(thermo_json(*report));
-        text = json.dump(2) + "\n";
+        Data json = parse_json(text);
+        json[thermo] = parse_json(thermo_json(*report));
+        text = to_json(json) + "\n";
     } else if (report) {
         text = fmt::format("{}\n{}", thermo_table(*report), text);
     }

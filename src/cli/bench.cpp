@@ -4,11 +4,11 @@
 
 #include <array>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "ljmd/cli/bench_deck.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
 
@@ -99,25 +99,23 @@ std::string bench_report(const BenchResult& result) {
 }
 
 std::string bench_json(const BenchResult& result) {
-    const nlohmann::ordered_json json = {
-        {"atoms", result.atoms},
-        {"steps", result.steps},
-        {"threads", result.threads},
-        {"precision", result.precision},
-        {"simd", result.simd},
-        {"lists", result.lists},
-        {"list_rebuilds", result.rebuilds},
-        {"atom_steps_per_second", result.atom_steps_per_second()},
-        {"seconds", result.seconds.sum()},
-        {"seconds_per_phase", phases_json(result.seconds)},
-        {"bytes_per_atom", result.bytes_per_atom},
-        {"potential_energy_initial", result.first.potential_energy},
-        {"total_energy_initial", result.first.total_energy},
-        {"potential_energy_final", result.last.potential_energy},
-        {"total_energy_final", result.last.total_energy},
-        {"temperature_final",
-         result.last.temperature ? nlohmann::ordered_json(*result.last.temperature) : nlohmann::ordered_json(nullptr)}};
-    return json.dump(2) + "\n";
+    const Data json = {{"atoms", result.atoms},
+                       {"steps", result.steps},
+                       {"threads", result.threads},
+                       {"precision", result.precision},
+                       {"simd", result.simd},
+                       {"lists", result.lists},
+                       {"list_rebuilds", result.rebuilds},
+                       {"atom_steps_per_second", result.atom_steps_per_second()},
+                       {"seconds", result.seconds.sum()},
+                       {"seconds_per_phase", phases_data(result.seconds)},
+                       {"bytes_per_atom", result.bytes_per_atom},
+                       {"potential_energy_initial", result.first.potential_energy},
+                       {"total_energy_initial", result.first.total_energy},
+                       {"potential_energy_final", result.last.potential_energy},
+                       {"total_energy_final", result.last.total_energy},
+                       {"temperature_final", result.last.temperature}};
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/cli/bench.hpp"
 #include "ljmd/cli/progress.hpp"
@@ -23,6 +22,7 @@
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/results.hpp"
@@ -72,17 +72,16 @@ CheckedFluid checked_fluid(const Deck& deck, const DeckOptions& options, Diagnos
 
 std::string check_json(const Deck& deck, const Start& start, const Forecast& forecast) {
     const Vec3& edges = start.box.edges();
-    const nlohmann::ordered_json json = {{"deck", deck.path},
-                                         {"atoms", start.atoms},
-                                         {"box_edges", {edges[0], edges[1], edges[2]}},
-                                         {"cutoff", deck.potential().number("cutoff")},
-                                         {"largest_cutoff", 0.5 * start.box.shortest_edge()},
-                                         {"steps", deck.total_steps()},
-                                         {"memory_bytes", forecast.memory_bytes},
-                                         {"disk_bytes", forecast.disk_bytes},
-                                         {"seconds", forecast.seconds}};
-    // The path of a deck may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    const Data json = {{"deck", deck.path},
+                       {"atoms", start.atoms},
+                       {"box_edges", Data::list({edges[0], edges[1], edges[2]})},
+                       {"cutoff", deck.potential().number("cutoff")},
+                       {"largest_cutoff", 0.5 * start.box.shortest_edge()},
+                       {"steps", deck.total_steps()},
+                       {"memory_bytes", forecast.memory_bytes},
+                       {"disk_bytes", forecast.disk_bytes},
+                       {"seconds", forecast.seconds}};
+    return to_json(json) + "\n";
 }
 
 /// Input of `ljmd export`: a deck and its start configuration, or that of a run and its last configuration.
@@ -133,14 +132,14 @@ std::string export_json(const Exportable& what, const Exported& written, const s
     for (const std::filesystem::path& file : written.files) {
         files.push_back(file.string());
     }
-    const nlohmann::ordered_json json = {{"target", to},
-                                         {"files", files},
-                                         {"atoms", what.state.count()},
-                                         {"step", what.state.step},
-                                         {"stage", exported_stage(what.deck).name},
-                                         {"time_step", exported_stage(what.deck).time_step},
-                                         {"warnings", written.warnings}};
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    const Data json = {{"target", to},
+                       {"files", files},
+                       {"atoms", what.state.count()},
+                       {"step", what.state.step},
+                       {"stage", exported_stage(what.deck).name},
+                       {"time_step", exported_stage(what.deck).time_step},
+                       {"warnings", written.warnings}};
+    return to_json(json) + "\n";
 }
 
 std::string export_report(const Exportable& what, const Exported& written) {

@@ -2,20 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
-#include "ljmd/run/json_number.hpp"
 
 namespace ljmd {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A number with its key in JSON and in tables, and its unit.
 struct Line {
@@ -38,10 +35,10 @@ std::vector<Line> lines_of(const EquationOfState& equation, const FluidPropertie
             {"second_virial_coefficient", "sigma^3", second_virial_coefficient(equation, state.temperature)}};
 }
 
-Json json_of(const EquationOfState& equation, const FluidProperties& state) {
-    Json json = {{"temperature", state.temperature}, {"density", state.density}};
+Data data_of(const EquationOfState& equation, const FluidProperties& state) {
+    Data json = {{"temperature", state.temperature}, {"density", state.density}};
     for (const auto& [key, unit, value] : lines_of(equation, state)) {
-        json[key] = number_or_null(value);
+        json[key] = value;
     }
     return json;
 }
@@ -90,7 +87,7 @@ std::string equations_table() {
 }
 
 std::string equations_json() {
-    Json list = Json::array();
+    Data list = Data::list();
     for (const EquationOfState& equation : all_equations_of_state()) {
         const CriticalPoint point = critical_point(equation);
         list.push_back({{"model", equation.name},
@@ -98,13 +95,13 @@ std::string equations_json() {
                         {"source", equation.source},
                         {"lowest_temperature", equation.valid.lowest_temperature},
                         {"highest_temperature", equation.valid.highest_temperature},
-                        {"highest_density", number_or_null(equation.valid.highest_density)},
-                        {"highest_pressure", number_or_null(equation.valid.highest_pressure)},
+                        {"highest_density", equation.valid.highest_density},
+                        {"highest_pressure", equation.valid.highest_pressure},
                         {"critical_temperature", point.temperature},
                         {"critical_density", point.density},
                         {"critical_pressure", point.pressure}});
     }
-    return list.dump(2) + "\n";
+    return to_json(list) + "\n";
 }
 
 std::string state_table(const EquationOfState& equation, double temperature, double density) {
@@ -119,10 +116,10 @@ std::string state_table(const EquationOfState& equation, double temperature, dou
 }
 
 std::string state_json(const EquationOfState& equation, double temperature, double density) {
-    Json json = {{"model", equation.name}, {"source", equation.source}};
-    json.update(json_of(equation, properties(equation, temperature, density)));
+    Data json = {{"model", equation.name}, {"source", equation.source}};
+    json.update(data_of(equation, properties(equation, temperature, density)));
     json["warnings"] = doubts(equation, temperature, density);
-    return json.dump(2) + "\n";
+    return to_json(json) + "\n";
 }
 
 std::string coexistence_table(const EquationOfState& equation, double temperature) {
@@ -143,14 +140,14 @@ std::string coexistence_table(const EquationOfState& equation, double temperatur
 
 std::string coexistence_json(const EquationOfState& equation, double temperature) {
     const Coexistence phases = coexistence_or_refusal(equation, temperature);
-    const Json json = {{"model", equation.name},
+    const Data json = {{"model", equation.name},
                        {"source", equation.source},
                        {"temperature", temperature},
                        {"pressure", phases.pressure},
-                       {"liquid", json_of(equation, phases.liquid)},
-                       {"vapour", json_of(equation, phases.vapour)},
+                       {"liquid", data_of(equation, phases.liquid)},
+                       {"vapour", data_of(equation, phases.vapour)},
                        {"heat_of_vaporisation", phases.heat_of_vaporisation()}};
-    return json.dump(2) + "\n";
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

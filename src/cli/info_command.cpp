@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
-
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/compare/openmm.hpp"
@@ -15,6 +13,7 @@
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
@@ -72,7 +71,7 @@ std::string info_text() {
 
 std::string info_json() {
     const BuildInfo& build = build_info();
-    nlohmann::ordered_json integrators = nlohmann::ordered_json::array();
+    Data integrators = Data::list();
     for (const IntegratorMethod& method : all_integrators()) {
         integrators.push_back({{"name", method.name},
                                {"meaning", method.meaning},
@@ -81,27 +80,27 @@ std::string info_json() {
                                {"adaptive", method.adaptive},
                                {"unbounded_only", method.unbounded_only}});
     }
-    const nlohmann::ordered_json json = {{"version", build.version},
-                                         {"commit", build.commit},
-                                         {"compiler", build.compiler + " " + build.compiler_version},
-                                         {"build_type", build.build_type},
-                                         {"flags", build.flags},
-                                         {"simd", name(default_simd_level())},
-                                         {"simd_levels", usable_levels()},
-                                         {"processors", available_processors()},
-                                         {"openmm", openmm_version()},
-                                         {"openmm_platforms", openmm_platforms()},
-                                         {"potentials", PairPotential::formula_names()},
-                                         {"truncations", PairPotential::truncation_names()},
-                                         {"pair_searches", pair_search_names()},
-                                         {"forces", plugin_names(all_few_body_forces())},
-                                         {"integrators", integrators},
-                                         {"thermostats", plugin_names(all_thermostats())},
-                                         {"barostats", plugin_names(all_barostats())},
-                                         {"analyses", plugin_names(all_analyses())},
-                                         {"few_body_analyses", plugin_names(all_few_body_analyses())},
-                                         {"equations_of_state", plugin_names(all_equations_of_state())}};
-    return json.dump(2) + "\n";
+    const Data json = {{"version", build.version},
+                       {"commit", build.commit},
+                       {"compiler", build.compiler + " " + build.compiler_version},
+                       {"build_type", build.build_type},
+                       {"flags", build.flags},
+                       {"simd", name(default_simd_level())},
+                       {"simd_levels", usable_levels()},
+                       {"processors", available_processors()},
+                       {"openmm", openmm_version()},
+                       {"openmm_platforms", openmm_platforms()},
+                       {"potentials", PairPotential::formula_names()},
+                       {"truncations", PairPotential::truncation_names()},
+                       {"pair_searches", pair_search_names()},
+                       {"forces", plugin_names(all_few_body_forces())},
+                       {"integrators", integrators},
+                       {"thermostats", plugin_names(all_thermostats())},
+                       {"barostats", plugin_names(all_barostats())},
+                       {"analyses", plugin_names(all_analyses())},
+                       {"few_body_analyses", plugin_names(all_few_body_analyses())},
+                       {"equations_of_state", plugin_names(all_equations_of_state())}};
+    return to_json(json) + "\n";
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ class PointRun {
   private:
     void take_results() {
         try {
-            point_.found = observed_means(run_.directory / "results.json");
+            point_.found = read_results(run_.directory / "results.json").means;
         } catch (const DataError& error) {
             point_.failure = fmt::format("{}: {}", run_.name, error.what());
         }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text_table.hpp"
@@ -12,6 +11,7 @@
 #include "ljmd/integrators/reference_trajectory.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/velocities.hpp"
 #include "ljmd/observables/few_body/few_body.hpp"
 #include "ljmd/run/run_directory.hpp"
@@ -165,7 +165,7 @@ std::string comparison_table(const GslComparison& comparison, const Deck& deck) 
 }
 
 std::string comparison_json(const GslComparison& comparison, const Deck& deck) {
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    Data rows = Data::list();
     for (const auto& row : comparison.rows) {
         rows.push_back({{"step", row.step},
                         {"time", row.time},
@@ -175,20 +175,18 @@ std::string comparison_json(const GslComparison& comparison, const Deck& deck) {
                         {"angular_momentum_error", row.angular_momentum_error},
                         {"reference_error", row.reference_error}});
     }
-    const nlohmann::ordered_json json = {
-        {"deck", deck.path},
-        {"with", "gsl"},
-        {"checks", nlohmann::ordered_json::array({{{"name", "the reference conserves its energy"},
-                                                   {"value", comparison.reference_energy_error},
-                                                   {"tolerance", comparison.reference_energy_tolerance},
-                                                   {"passed", comparison.passed()}}})},
-        {"passed", comparison.passed()},
-        {"largest_position_error", comparison.largest_position_error},
-        {"largest_energy_error", comparison.largest_energy_error},
-        {"largest_angular_momentum_error", comparison.largest_angular_momentum_error},
-        {"rows", rows}};
-    // The path of a deck may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    const Data json = {{"deck", deck.path},
+                       {"with", "gsl"},
+                       {"checks", Data::list({{{"name", "the reference conserves its energy"},
+                                               {"value", comparison.reference_energy_error},
+                                               {"tolerance", comparison.reference_energy_tolerance},
+                                               {"passed", comparison.passed()}}})},
+                       {"passed", comparison.passed()},
+                       {"largest_position_error", comparison.largest_position_error},
+                       {"largest_energy_error", comparison.largest_energy_error},
+                       {"largest_angular_momentum_error", comparison.largest_angular_momentum_error},
+                       {"rows", rows}};
+    return to_json(json);
 }
 
 void write_comparison(const GslComparison& comparison, const Deck& deck, const std::filesystem::path& directory) {

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/run/json_number.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "ljmd/run/run_report.hpp"
 
@@ -15,7 +13,6 @@ namespace ljmd {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Align = TextTable::Align;
 
 std::string path_line(const Crosscheck& found) {
@@ -50,8 +47,8 @@ std::string average_lines(const EnsembleComparison& ensemble, const std::string&
            "them, is larger by T/V\n";
 }
 
-Json checks_json(const std::vector<Check>& checks) {
-    Json json = Json::array();
+Data checks_data(const std::vector<Check>& checks) {
+    Data json = Data::list();
     for (const Check& check : checks) {
         json.push_back(
             {{"name", check.name}, {"value", check.value}, {"tolerance", check.tolerance}, {"passed", check.passed()}});
@@ -59,12 +56,12 @@ Json checks_json(const std::vector<Check>& checks) {
     return json;
 }
 
-Json trajectory_json(const TrajectoryComparison& trajectory) {
-    Json pairings = Json::array();
+Data trajectory_data(const TrajectoryComparison& trajectory) {
+    Data pairings = Data::list();
     for (const auto& [ours, theirs, same_order] : trajectory.pairings) {
         pairings.push_back({{"ours", ours}, {"theirs", theirs}});
     }
-    Json rows = Json::array();
+    Data rows = Data::list();
     for (const auto& row : trajectory.rows) {
         rows.push_back({{"step", row.step},
                         {"time", row.time},
@@ -72,14 +69,13 @@ Json trajectory_json(const TrajectoryComparison& trajectory) {
                         {"potential_energy_difference", row.potential_difference},
                         {"kinetic_energy_difference", row.kinetic_difference}});
     }
-    const auto rate = trajectory.divergence_rate();
     return {{"time_step", trajectory.time_step},
             {"pairings", pairings},
             {"rows", rows},
-            {"divergence_rate", number_or_null(rate)}};
+            {"divergence_rate", trajectory.divergence_rate()}};
 }
 
-Json estimate_json(const Estimate& estimate) {
+Data estimate_data(const Estimate& estimate) {
     return {{"mean", estimate.mean}, {"standard_error", estimate.standard_error}};
 }
 
@@ -134,7 +130,7 @@ std::string crosscheck_table(const Crosscheck& found, const Deck& deck, const Cr
 }
 
 std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options) {
-    Json json = {
+    Data json = {
         {"deck", deck.path},
         {"with", options.with},
         {"peer", found.peer},
@@ -144,16 +140,16 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
         {"path",
          {{"search", found.search}, {"simd", found.simd}, {"precision", found.precision}, {"threads", found.threads}}},
         {"pressure_convention", "(2 K + W)/(3 V)"},
-        {"checks", checks_json(found.checks)},
+        {"checks", checks_data(found.checks)},
         {"passed", found.passed()}};
     if (!found.trajectory.rows.empty()) {
-        json["trajectory"] = trajectory_json(found.trajectory);
+        json["trajectory"] = trajectory_data(found.trajectory);
     }
     if (found.ensemble) {
-        Json averages = Json::object();
+        Data averages = Data::object();
         for (const auto& row : found.ensemble->rows) {
             averages[row.name] = {
-                {"ljmd", estimate_json(row.ours)}, {"peer", estimate_json(row.theirs)}, {"sigmas", row.sigmas()}};
+                {"ljmd", estimate_data(row.ours)}, {"peer", estimate_data(row.theirs)}, {"sigmas", row.sigmas()}};
         }
         json["averages"] = {{"integrator", found.integrator},
                             {"steps", found.steps_of_averages},
@@ -163,8 +159,7 @@ std::string crosscheck_json(const Crosscheck& found, const Deck& deck, const Cro
     if (found.speed) {
         json["atom_steps_per_second"] = {{"ljmd", found.speed->ours}, {"peer", found.speed->theirs}};
     }
-    // The path of a deck may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+    return to_json(json);
 }
 
 void write_crosscheck(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options,

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "ljmd/deck/few_body.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/velocities.hpp"
 
 namespace ljmd {
@@ -50,15 +49,14 @@ std::string few_body_check_report(const Deck& deck) {
 
 std::string few_body_check_json(const Deck& deck) {
     FewBodySystem system = make_few_body_system(deck);
-    const nlohmann::ordered_json json = {{"deck", deck.path},
-                                         {"bodies", system.state.count()},
-                                         {"dimensions", system.dimensions},
-                                         {"force", system.force.plugin.name},
-                                         {"total_energy", energy_at_start(system)},
-                                         {"steps", deck.total_steps()},
-                                         {"disk_bytes", disk_bytes(deck, system)}};
-    // The path of a deck may not be UTF-8, but JSON must be.
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    const Data json = {{"deck", deck.path},
+                       {"bodies", system.state.count()},
+                       {"dimensions", system.dimensions},
+                       {"force", system.force.plugin.name},
+                       {"total_energy", energy_at_start(system)},
+                       {"steps", deck.total_steps()},
+                       {"disk_bytes", disk_bytes(deck, system)}};
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

@@ -2,20 +2,18 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "ljmd/core/units.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+Data of_table(const Schema& schema);
 
-Json of_table(const Schema& schema);
-
-Json with_range(Json json, const Key& key) {
+Data with_range(Data json, const Key& key) {
     if (std::isfinite(key.low)) {
         json[key.low_open ? "exclusiveMinimum" : "minimum"] = key.low;
     }
@@ -26,8 +24,8 @@ Json with_range(Json json, const Key& key) {
 }
 
 /// The type and range of the value, without its description.
-Json of_value(const Key& key) {
-    const Json text = {{"type", "string"}};
+Data of_value(const Key& key) {
+    const Data text = {{"type", "string"}};
     switch (key.kind) {
         case Kind::flag:
             return {{"type", "boolean"}};
@@ -37,14 +35,14 @@ Json of_value(const Key& key) {
             if (key.physical_dimension == Dimension::none) {
                 return with_range({{"type", "number"}}, key);
             }
-            return {{"anyOf", {with_range({{"type", "number"}}, key), text}}};
+            return {{"anyOf", Data::list({with_range({{"type", "number"}}, key), text})}};
         case Kind::text:
         case Kind::quantity:
             return text;
         case Kind::choice:
             return {{"enum", key.choices}};
         case Kind::interval:
-            return {{"anyOf", {with_range({{"type", "integer"}}, key), text}}};
+            return {{"anyOf", Data::list({with_range({{"type", "integer"}}, key), text})}};
         case Kind::vector:
             return {{"type", "array"},
                     {"items", with_range({{"type", "number"}}, key)},
@@ -71,8 +69,8 @@ std::string words_about(const Key& key) {
     return text;
 }
 
-Json of_key(const Key& key) {
-    Json json = {{"description", words_about(key)}};
+Data of_key(const Key& key) {
+    Data json = {{"description", words_about(key)}};
     json.update(of_value(key));
     if (key.default_value) {
         std::visit([&json](const auto& value) { json["default"] = value; }, *key.default_value);
@@ -80,7 +78,7 @@ Json of_key(const Key& key) {
     return json;
 }
 
-void add_required(Json& json, const std::vector<Key>& keys) {
+void add_required(Data& json, const std::vector<Key>& keys) {
     for (const Key& key : keys) {
         if (key.required) {
             json["required"].push_back(key.name);
@@ -89,8 +87,8 @@ void add_required(Json& json, const std::vector<Key>& keys) {
 }
 
 /// The keys of one choice; those of other choices are excluded.
-Json of_case(const std::vector<Key>& keys, const std::set<std::string>& of_all_cases) {
-    Json json = Json::object();
+Data of_case(const std::vector<Key>& keys, const std::set<std::string>& of_all_cases) {
+    Data json = Data::object();
     for (const std::string& name : of_all_cases) {
         json["properties"][name] = false;
     }
@@ -102,7 +100,7 @@ Json of_case(const std::vector<Key>& keys, const std::set<std::string>& of_all_c
 }
 
 /// Add one "if it is this choice, then these keys" for each choice.
-void add_selection(Json& json, const Schema& schema, const Schema::Selection& selection) {
+void add_selection(Data& json, const Schema& schema, const Schema::Selection& selection) {
     std::set<std::string> names;
     for (const auto& [choice, keys] : selection.cases) {
         for (const Key& key : keys) {
@@ -114,16 +112,16 @@ void add_selection(Json& json, const Schema& schema, const Schema::Selection& se
     }
     const auto& default_value = schema.find(selection.key)->default_value;
     for (const auto& [choice, keys] : selection.cases) {
-        Json condition = {{"properties", {{selection.key, {{"const", choice}}}}}};
+        Data condition = {{"properties", {{selection.key, {{"const", choice}}}}}};
         if (!default_value || *default_value != PlainValue(choice)) {
-            condition["required"] = {selection.key};
+            condition["required"] = Data::list({selection.key});
         }
         json["allOf"].push_back({{"if", condition}, {"then", of_case(keys, names)}});
     }
 }
 
-Json of_table(const Schema& schema) {
-    Json json = {{"type", "object"}, {"properties", Json::object()}};
+Data of_table(const Schema& schema) {
+    Data json = {{"type", "object"}, {"properties", Data::object()}};
     for (const Key& key : schema.keys()) {
         json["properties"][key.name] = of_key(key);
     }
@@ -138,17 +136,17 @@ Json of_table(const Schema& schema) {
 }  // namespace
 
 std::string json_schema(const std::string& title, const SchemaChoice& choice) {
-    Json marked = Json::array();
+    Data marked = Data::list();
     for (const std::string& mark : choice.marks) {
-        marked.push_back({{"required", Json::array({mark})}});
+        marked.push_back({{"required", Data::list({mark})}});
     }
-    const Json json = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+    const Data json = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                        {"title", title},
                        {"type", "object"},
                        {"if", {{"anyOf", marked}}},
                        {"then", of_table(choice.marked)},
                        {"else", of_table(choice.usual)}};
-    return json.dump(2) + "\n";
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

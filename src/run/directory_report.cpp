@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/run/run_report.hpp"
@@ -102,19 +102,18 @@ std::string directory_report(const fs::path& directory) {
 }
 
 std::string directory_json(const fs::path& directory) {
-    using Json = nlohmann::ordered_json;
     const Contents contents = contents_of(directory);
     const Deck& deck = contents.run.deck;
-    Json checkpoint = nullptr;
+    Data checkpoint = nullptr;
     if (contents.point) {
         const CheckpointHead& head = contents.point->head;
         checkpoint = {{"step", head.step}, {"stage", contents.stage().name}, {"atoms", head.atoms}};
     }
-    Json files = Json::array();
+    Data files = Data::list();
     for (const auto& [name, bytes] : contents.files) {
         files.push_back({{"name", name}, {"bytes", bytes}});
     }
-    const Json json = {{"deck", deck.path},
+    const Data json = {{"deck", deck.path},
                        {"title", deck.title},
                        {"kind", deck.kind == DeckKind::few_body ? "few-body" : "fluid"},
                        {"finished", contents.run.finished},
@@ -125,8 +124,7 @@ std::string directory_json(const fs::path& directory) {
                        {"checkpoint", checkpoint},
                        {"damaged", contents.damaged},
                        {"files", files}};
-    // Names of files may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

@@ -1,33 +1,31 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/run/results.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
-#include "ljmd/run/json_number.hpp"
 #include "ljmd/run/run_report.hpp"
 
 namespace ljmd {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Align = TextTable::Align;
 
 /// These numbers are deterministic: a mean over the rows has no standard error, only a mean over orbits has one.
-Json history_json(const FewBodyHistory& history) {
-    return {{"mean", number_or_null(history.mean)},
+Data history_data(const FewBodyHistory& history) {
+    return {{"mean", history.mean},
             {"standard_error", nullptr},
-            {"at_start", number_or_null(history.at_start)},
-            {"at_end", number_or_null(history.at_end)},
-            {"largest_deviation", number_or_null(history.largest_deviation)},
+            {"at_start", history.at_start},
+            {"at_end", history.at_end},
+            {"largest_deviation", history.largest_deviation},
             {"unit", "the deck's own"}};
 }
 
-Json finding_json(const Finding& finding) {
-    Json json = {{"value", number_or_null(finding.value)}, {"standard_error", number_or_null(finding.standard_error)}};
+Data finding_data(const Finding& finding) {
+    Data json = {{"value", finding.value}, {"standard_error", finding.standard_error}};
     if (!finding.remark.empty()) {
         json["remark"] = finding.remark;
     }
@@ -37,31 +35,30 @@ Json finding_json(const Finding& finding) {
 }  // namespace
 
 std::string results_json(const Deck& deck, const FewBodyResult& result) {
-    Json observables = Json::object();
+    Data observables = Data::object();
     for (const FewBodyHistory& history : result.histories) {
-        observables[history.name] = history_json(history);
+        observables[history.name] = history_data(history);
     }
-    Json findings = Json::object();
+    Data findings = Data::object();
     for (const auto& [analysis, found] : result.findings) {
-        findings[analysis] = Json::object();
+        findings[analysis] = Data::object();
         for (const Finding& finding : found) {
-            findings[analysis][finding.name] = finding_json(finding);
+            findings[analysis][finding.name] = finding_data(finding);
         }
     }
-    Json stages = Json::array();
+    Data stages = Data::list();
     for (const StageResult& stage : result.stages) {
-        stages.push_back(stage_json(stage));
+        stages.push_back(stage_data(stage));
     }
-    const Json json = {
+    const Data json = {
         {"title", deck.title},
         {"system",
          {{"kind", "few-body"}, {"bodies", result.bodies}, {"dimensions", result.dimensions}, {"force", result.force}}},
         {"observables", observables},
         {"analysis", findings},
         {"stages", stages},
-        {"warnings", Json::array()}};
-    // Strings from a checkpoint may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+        {"warnings", Data::list()}};
+    return to_json(json);
 }
 
 std::string results_table(const Deck& deck, const FewBodyResult& result) {

@@ -9,7 +9,7 @@
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
-#include "ljmd/run/json_file.hpp"
+#include "ljmd/io/tables/json_file.hpp"
 
 namespace ljmd {
 
@@ -32,23 +32,22 @@ Record read_record(const fs::path& path) {
         throw DataError(
             fmt::format("{} is not the directory of a run: it has no run.json", path.parent_path().string()));
     }
-    return read_json(path, "the record of a run", [](const nlohmann::ordered_json& record) -> Record {
+    return read_json(path, "the record of a run", [](const Data& record) -> Record {
         if (record.at("program") != "ljmd") {
-            throw WrongJson("it is that of another program");
+            throw WrongData("it is that of another program");
         }
-        EarlierParts earlier{record.at("began").get<std::string>(),
-                             {},
-                             integer_of(record.at("steps_added"), "steps_added", 0, most_steps)};
-        for (const auto& step : record.at("resumed_at_steps")) {
+        EarlierParts earlier{
+            record.at("began").text(), {}, integer_of(record.at("steps_added"), "steps_added", 0, most_steps)};
+        for (const Data& step : record.at("resumed_at_steps").items()) {
             earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, most_steps));
         }
-        return {record.at("deck_file").get<std::string>(),
-                record.at("deck").get<std::string>(),
+        return {record.at("deck_file").text(),
+                record.at("deck").text(),
                 texts_of(record.at("settings"), "settings", most_settings),
                 std::move(earlier),
-                record.at("simd").is_null() ? "" : record.at("simd").get<std::string>(),
+                record.at("simd").is_null() ? "" : record.at("simd").text(),
                 static_cast<int>(integer_of(record.at("threads"), "threads", 1, most_threads)),
-                record.at("finished").get<bool>()};
+                record.at("finished").flag()};
     });
 }
 

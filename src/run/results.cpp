@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
-#include "ljmd/run/json_number.hpp"
 #include "ljmd/run/run_report.hpp"
 
 namespace ljmd {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The unit of an observable for a substance.
 struct SiUnit {
@@ -50,28 +47,24 @@ std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<Su
     return std::nullopt;
 }
 
-Json estimate_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+Data estimate_data(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
     if (!average.estimate) {
         return {
             {"mean", nullptr}, {"standard_error", nullptr}, {"independent_samples", nullptr}, {"unit", average.unit}};
     }
     const Estimate& e = *average.estimate;
-    Json json = {{"mean", number_or_null(e.mean)},
-                 {"standard_error", number_or_null(e.standard_error)},
-                 {"independent_samples", number_or_null(e.independent_samples)},
-                 {"samples", e.samples},
-                 {"error_is_converged", e.converged},
-                 {"unit", average.unit}};
+    Data json = {
+        {"mean", e.mean},       {"standard_error", e.standard_error}, {"independent_samples", e.independent_samples},
+        {"samples", e.samples}, {"error_is_converged", e.converged},  {"unit", average.unit}};
     if (const auto si = si_unit(average.unit, units)) {
-        json["si"] = {{"mean", number_or_null(e.mean * si->factor)},
-                      {"standard_error", number_or_null(e.standard_error * si->factor)},
-                      {"unit", si->name}};
+        json["si"] = {
+            {"mean", e.mean * si->factor}, {"standard_error", e.standard_error * si->factor}, {"unit", si->name}};
     }
     return json;
 }
 
-Json observable_json(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
-    Json json = estimate_json(average, units);
+Data observable_data(const ObservableAverage& average, const std::optional<SubstanceUnits>& units) {
+    Data json = estimate_data(average, units);
     if (const std::string remark = remark_of(average); !remark.empty()) {
         json["remark"] = remark;
     }
@@ -100,13 +93,13 @@ std::vector<std::string> table_line(const ObservableAverage& average, const std:
     return line;
 }
 
-Json at_asked_json(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
+Data at_asked_data(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
     if (!there) {
         return nullptr;
     }
     return {{"temperature", there->temperature},
             {"equation_of_state", there->equation},
-            {"observables", observables_json(there->observables, units)}};
+            {"observables", observables_data(there->observables, units)}};
 }
 
 /// Lines below the table: results at the asked temperature.
@@ -121,10 +114,10 @@ std::string at_asked_lines(const std::optional<AtAskedTemperature>& there, const
 
 }  // namespace
 
-Json observables_json(const std::vector<ObservableAverage>& averages, const std::optional<SubstanceUnits>& units) {
-    Json observables = Json::object();
+Data observables_data(const std::vector<ObservableAverage>& averages, const std::optional<SubstanceUnits>& units) {
+    Data observables = Data::object();
     for (const ObservableAverage& average : averages) {
-        observables[average.name] = observable_json(average, units);
+        observables[average.name] = observable_data(average, units);
     }
     return observables;
 }
@@ -155,19 +148,19 @@ std::string samples_footnote() {
 }
 
 std::string results_json(const Deck& deck, const RunResult& result) {
-    Json stages = Json::array();
+    Data stages = Data::list();
     for (const StageResult& stage : result.stages) {
-        stages.push_back(stage_json(stage));
+        stages.push_back(stage_data(stage));
     }
-    Json json = {{"title", deck.title},
+    Data json = {{"title", deck.title},
                  {"system",
                   {{"atoms", result.atoms},
                    {"density", result.density},
-                   {"box_edges", {result.edges[0], result.edges[1], result.edges[2]}}}},
-                 {"observables", observables_json(result.averages, deck.units)},
-                 {"asked_temperature", number_or_null(result.asked_temperature)},
-                 {"at_asked_temperature", at_asked_json(result.at_asked, deck.units)},
-                 {"translational_order_at_sampling", number_or_null(result.order_at_sampling)},
+                   {"box_edges", Data::list({result.edges[0], result.edges[1], result.edges[2]})}}},
+                 {"observables", observables_data(result.averages, deck.units)},
+                 {"asked_temperature", result.asked_temperature},
+                 {"at_asked_temperature", at_asked_data(result.at_asked, deck.units)},
+                 {"translational_order_at_sampling", result.order_at_sampling},
                  {"stages", stages},
                  {"neighbor_list_rebuilds", result.search.rebuilds},
                  {"neighbor_list_late_rebuilds", result.search.late_rebuilds},
@@ -175,8 +168,7 @@ std::string results_json(const Deck& deck, const RunResult& result) {
     if (deck.units) {
         json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();
     }
-    // Strings from a checkpoint may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+    return to_json(json);
 }
 
 std::string results_table(const Deck& deck, const RunResult& result) {

@@ -7,12 +7,12 @@
 
 #include <array>
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
 
@@ -85,33 +85,32 @@ void RunRecord::finish(double seconds, const std::optional<PhaseSeconds>& phases
 void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const {
     const BuildInfo& build = build_info();
     const bool few_body = deck_.kind == DeckKind::few_body;
-    nlohmann::ordered_json record = {
-        {"program", "ljmd"},
-        {"version", build.version},
-        {"commit", build.commit},
-        {"compiler", build.compiler + " " + build.compiler_version},
-        {"build_type", build.build_type},
-        {"flags", build.flags},
-        {"simd", few_body ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name(execution_.simd()))},
-        {"precision", name(execution_.precision())},
-        {"threads", execution_.threads()},
-        {"host", host()},
-        {"title", deck_.title},
-        {"deck_file", deck_.path},
-        {"deck", deck_.source},
-        {"settings", deck_.settings},
-        {"deck_hash", deck_hash(deck_)},
-        {"kind", few_body ? "few-body" : "fluid"},
-        {"seed", few_body ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(deck_.system().integer("seed"))},
-        {"units", few_body ? "the deck's own" : "reduced"},
-        {"began", began_},
-        {"ended", finished ? nlohmann::ordered_json(now()) : nlohmann::ordered_json(nullptr)},
-        {"finished", finished},
-        {"seconds_in_time_loop", finished ? nlohmann::ordered_json(seconds) : nlohmann::ordered_json(nullptr)},
-        {"resumed_at_steps", resumed_at_steps_},
-        {"steps_added", steps_added_}};
+    Data record = {{"program", "ljmd"},
+                   {"version", build.version},
+                   {"commit", build.commit},
+                   {"compiler", build.compiler + " " + build.compiler_version},
+                   {"build_type", build.build_type},
+                   {"flags", build.flags},
+                   {"simd", few_body ? Data(nullptr) : Data(name(execution_.simd()))},
+                   {"precision", name(execution_.precision())},
+                   {"threads", execution_.threads()},
+                   {"host", host()},
+                   {"title", deck_.title},
+                   {"deck_file", deck_.path},
+                   {"deck", deck_.source},
+                   {"settings", deck_.settings},
+                   {"deck_hash", deck_hash(deck_)},
+                   {"kind", few_body ? "few-body" : "fluid"},
+                   {"seed", few_body ? Data(nullptr) : Data(deck_.system().integer("seed"))},
+                   {"units", few_body ? "the deck's own" : "reduced"},
+                   {"began", began_},
+                   {"ended", finished ? Data(now()) : Data(nullptr)},
+                   {"finished", finished},
+                   {"seconds_in_time_loop", finished ? Data(seconds) : Data(nullptr)},
+                   {"resumed_at_steps", resumed_at_steps_},
+                   {"steps_added", steps_added_}};
     if (phases) {
-        record["seconds_per_phase"] = phases_json(*phases);
+        record["seconds_per_phase"] = phases_data(*phases);
     }
     record["argon"] = nullptr;
     if (deck_.units) {
@@ -120,8 +119,7 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                            {"mass_u", deck_.units->dalton()},
                            {"tau_ps", deck_.units->picosecond()}};
     }
-    // The path of a deck may not be UTF-8, but JSON must.
-    const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    const std::string text = to_json(record);
     write_file_atomically(deck_.outputs() / "run.json", text + "\n");
 }
 

@@ -4,36 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/core/text.hpp"
 #include "ljmd/integrators/integrator.hpp"
-#include "ljmd/run/json_number.hpp"
 
 namespace ljmd {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t longest_title = 200;
 
 }  // namespace
 
-nlohmann::ordered_json stage_json(const StageResult& stage) {
-    nlohmann::ordered_json json = {{"name", stage.name},
-                                   {"integrator", stage.integrator},
-                                   {"first_step", stage.first_step},
-                                   {"last_step", stage.last_step},
-                                   {"steps", stage.last_step - stage.first_step},
-                                   {"time_step", stage.time_step},
-                                   {"sampled", stage.sampled},
-                                   {"thermostat", stage.thermostatted},
-                                   {"reversed", stage.reversed},
-                                   {"energy_drift", number_or_null(stage.energy_drift)},
-                                   {"time_step_error", number_or_null(stage.time_step_error)},
-                                   {"checksum_at_start", stage.checksum_at_start},
-                                   {"checksum_at_end", stage.checksum_at_end}};
+Data stage_data(const StageResult& stage) {
+    Data json = {{"name", stage.name},
+                 {"integrator", stage.integrator},
+                 {"first_step", stage.first_step},
+                 {"last_step", stage.last_step},
+                 {"steps", stage.last_step - stage.first_step},
+                 {"time_step", stage.time_step},
+                 {"sampled", stage.sampled},
+                 {"thermostat", stage.thermostatted},
+                 {"reversed", stage.reversed},
+                 {"energy_drift", stage.energy_drift},
+                 {"time_step_error", stage.time_step_error},
+                 {"checksum_at_start", stage.checksum_at_start},
+                 {"checksum_at_end", stage.checksum_at_end}};
     if (!stage.drift_remark.empty()) {
         json["energy_drift_remark"] = stage.drift_remark;
     }

@@ -12,7 +12,7 @@
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/potentials/formulas/lennard_jones.hpp"
-#include "ljmd/run/json_file.hpp"
+#include "ljmd/run/recorded_results.hpp"
 
 namespace ljmd {
 
@@ -59,21 +59,14 @@ DataTable read_rdf(const fs::path& path) {
 }
 
 /// The sampled stage of a row.
-struct SampledStage {
-    Index first_step;
-    Index steps;
-};
-
-SampledStage sampled_stage(const fs::path& results) {
-    return read_json(results, "the result of a run", [](const nlohmann::ordered_json& json) -> SampledStage {
-        for (const auto& stage : json.at("stages")) {
-            if (stage.at("sampled").get<bool>()) {
-                return {integer_of(stage.at("first_step"), "first_step", 0, most_steps),
-                        integer_of(stage.at("steps"), "steps", 0, most_steps)};
-            }
-        }
-        throw WrongJson("it tells of no stage that was sampled");
-    });
+RecordedStage sampled_stage(const fs::path& path) {
+    const std::vector<RecordedStage> stages = read_results(path).stages;
+    const auto sampled = std::ranges::find_if(stages, &RecordedStage::sampled);
+    if (sampled == stages.end()) {
+        throw DataError(
+            fmt::format("{} is not the result of a run: it tells of no stage that was sampled", path.string()));
+    }
+    return *sampled;
 }
 
 /// Z and U at the nominal temperature, converted from the measured one.
@@ -171,7 +164,7 @@ ZAndU cutoff_bias(const std::vector<double>& r, const std::vector<double>& g, do
 ReproducedRow evaluate_row(const VerletRow& row, const fs::path& directory) {
     const double rho = row.density;
     const double t = row.temperature;
-    const SampledStage stage = sampled_stage(directory / "results.json");
+    const RecordedStage stage = sampled_stage(directory / "results.json");
     const BlockingAccumulator series = production_series(directory / "thermo.csv", stage.first_step);
     const DataTable rdf = read_rdf(directory / "rdf.csv");
     ReproducedRow result{.verlet = row,

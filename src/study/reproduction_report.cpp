@@ -4,18 +4,16 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/tables/csv_text.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Verlet's numbers are printed with two decimals; their errors are about as large.
 constexpr double printed_error_z = 0.05;
@@ -93,8 +91,8 @@ std::string chi_square_line(const std::vector<ReproducedRow>& rows) {
                        sum.u, sum.u_count);
 }
 
-Json json_of(const std::optional<Printed>& value) {
-    return value ? Json{{"value", value->value}, {"soundness", name_of(value->soundness)}} : Json(nullptr);
+Data data_of(const std::optional<Printed>& value) {
+    return value ? Data{{"value", value->value}, {"soundness", name_of(value->soundness)}} : Data(nullptr);
 }
 
 }  // namespace
@@ -202,7 +200,7 @@ std::string isotherms_csv() {
 }
 
 std::string reproduction_json(const std::vector<ReproducedRow>& rows) {
-    Json list = Json::array();
+    Data list = Data::list();
     for (const ReproducedRow& row : rows) {
         const auto [score_z, score_u] = row.z_scores();
         list.push_back({{"rho", row.verlet.density},
@@ -215,8 +213,8 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows) {
                         {"U_standard_error", row.u.standard_error},
                         {"Z_beyond_cutoff", row.beyond_cutoff.z},
                         {"U_beyond_cutoff", row.beyond_cutoff.u},
-                        {"Z_verlet", json_of(row.verlet.compressibility_factor)},
-                        {"U_verlet", json_of(row.verlet.potential_energy)},
+                        {"Z_verlet", data_of(row.verlet.compressibility_factor)},
+                        {"U_verlet", data_of(row.verlet.potential_energy)},
                         {"Z_thol2016", row.thol.z},
                         {"U_thol2016", row.thol.u},
                         {"Z_kolafa_nezbeda1994", row.kolafa.z},
@@ -227,9 +225,9 @@ std::string reproduction_json(const std::vector<ReproducedRow>& rows) {
                         {"remark", remark_of(row)}});
     }
     const ChiSquare sum = chi_square(rows);
-    const Json json = {{"rows", list},
+    const Data json = {{"rows", list},
                        {"chi_square", {{"Z", sum.z}, {"Z_rows", sum.z_count}, {"U", sum.u}, {"U_rows", sum.u_count}}}};
-    return json.dump(2) + "\n";
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

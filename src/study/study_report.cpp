@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/study/child_run.hpp"
@@ -23,7 +23,6 @@ namespace ljmd {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_words = 1000;  // of text that others have written
 constexpr std::array<const char*, 5> states{"finished", "running", "stopped", "failed", "not begun"};
@@ -132,24 +131,23 @@ std::string study_report(const fs::path& directory) {
 
 std::string study_json(const fs::path& directory) {
     const Study study = study_in(directory);
-    Json json = {{"kind", study.is_sweep ? "sweep" : "reproduction"}, {"running", study.running}};
+    Data json = {{"kind", study.is_sweep ? "sweep" : "reproduction"}, {"running", study.running}};
     if (study.is_sweep) {
         json["deck"] = study.deck;
     }
     for (const char* state : states) {
         json["states"][state] = study.count(state);
     }
-    json["runs"] = Json::array();
+    json["runs"] = Data::list();
     for (const RunState& run : study.runs) {
         json["runs"].push_back({{"name", run.name},
                                 {"directory", run.directory.string()},
                                 {"state", run.state},
-                                {"step", run.step ? Json(*run.step) : Json(nullptr)},
+                                {"step", run.step},
                                 {"total_steps", run.total_steps},
                                 {"words", run.words}});
     }
-    // Names of files and the end of a log may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

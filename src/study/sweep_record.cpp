@@ -10,8 +10,10 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/run/json_file.hpp"
+#include "ljmd/io/tables/json_file.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/output_guard.hpp"
+#include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_directory.hpp"
 
 namespace ljmd {
@@ -21,16 +23,14 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string record_json(const SweepPlan& plan) {
-    using Json = nlohmann::ordered_json;
     const std::vector<std::string> names = point_names(plan.points);
-    Json points = Json::array();
+    Data points = Data::list();
     for (std::size_t k = 0; k < names.size(); ++k) {
         points.push_back({{"name", names[k]}, {"values", plan.points.values[k]}});
     }
-    const Json record = {{"program", "ljmd"},         {"deck_file", plan.deck_file}, {"deck", plan.deck},
+    const Data record = {{"program", "ljmd"},         {"deck_file", plan.deck_file}, {"deck", plan.deck},
                          {"settings", plan.settings}, {"keys", plan.points.keys},    {"points", points}};
-    // The path of a deck may not be UTF-8, but JSON must.
-    return record.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return to_json(record) + "\n";
 }
 
 /// How the recorded sweep differs from this one; empty if they are the same.
@@ -41,24 +41,24 @@ std::string difference(const SweepPlan& recorded, const SweepPlan& plan) {
                                                 : "";
 }
 
-/// @throws WrongJson unless `ljmd sweep` can have written them
+/// @throws WrongData unless `ljmd sweep` can have written them
 void require_sound(const SweepPoints& points, const std::vector<std::string>& settings) {
     Diagnostics mistakes;
     check_keys(points.keys, settings, {}, mistakes);
     if (mistakes.has_errors()) {
-        throw WrongJson(mistakes.entries().front().message);
+        throw WrongData(mistakes.entries().front().message);
     }
     if (points.keys.empty() || points.values.empty() || points.values.size() > most_points) {
-        throw WrongJson(fmt::format("{} keys and {} points, allowed: one key at least, and 1 to {} points",
+        throw WrongData(fmt::format("{} keys and {} points, allowed: one key at least, and 1 to {} points",
                                     points.keys.size(), points.values.size(), most_points));
     }
     std::set<std::vector<std::string>> known;
     for (const std::vector<std::string>& values : points.values) {
         if (values.size() != points.keys.size() || std::ranges::count(values, "") > 0) {
-            throw WrongJson("a point has not a value for each key");
+            throw WrongData("a point has not a value for each key");
         }
         if (!known.insert(values).second) {
-            throw WrongJson("a point stands twice");
+            throw WrongData("a point stands twice");
         }
     }
 }
@@ -151,12 +151,12 @@ std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
     if (!files::is_taken(path)) {
         return std::nullopt;
     }
-    return read_json(path, "the record of a sweep", [](const nlohmann::ordered_json& record) {
-        SweepPlan plan{record.at("deck_file").get<std::string>(),
-                       record.at("deck").get<std::string>(),
+    return read_json(path, "the record of a sweep", [](const Data& record) {
+        SweepPlan plan{record.at("deck_file").text(),
+                       record.at("deck").text(),
                        texts_of(record.at("settings"), "settings", most_settings),
                        {texts_of(record.at("keys"), "keys", most_varied_keys), {}}};
-        for (const auto& point : record.at("points")) {
+        for (const Data& point : record.at("points").items()) {
             plan.points.values.push_back(texts_of(point.at("values"), "values", most_varied_keys));
         }
         require_sound(plan.points, plan.settings);

@@ -4,21 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/tables/csv_text.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
-#include "ljmd/run/json_file.hpp"
-#include "ljmd/run/json_number.hpp"
 #include "ljmd/study/sweep_points.hpp"
 
 namespace ljmd {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A column of the table.
 struct TableColumn {
@@ -65,29 +61,15 @@ std::string remarks_of(const SweptPoint& point) {
     return text;
 }
 
-/// The members of an object; an array is refused.
-auto members_of(const Json& value, std::string_view name) {
-    if (!value.is_object()) {
-        throw WrongJson(fmt::format("'{}' is no object", name));
-    }
-    return value.items();
-}
-
-double number_of(const Json& value) {
-    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-}
-
 std::string number_or_nothing(double value) {
     return std::isnan(value) ? "" : fmt::format("{}", value);
 }
 
-/// A value of --set as JSON: a number, a flag or an array as itself, anything else as a string.
-Json value_json(const std::string& value) {
+/// A value of --set: a number, a flag or an array as itself, anything else as a string.
+Data value_of_setting(const std::string& value) {
     try {
         return parse_json(value);
-    } catch (const Json::exception&) {
-        return value;
-    } catch (const WrongJson&) {
+    } catch (const WrongData&) {
         return value;
     }
 }
@@ -106,27 +88,6 @@ std::vector<std::string> observables_of(const SweptPoints& swept) {
 }
 
 }  // namespace
-
-std::vector<ObservedMean> observed_means(const std::filesystem::path& results) {
-    return read_json(results, "the result of a run", [](const Json& json) {
-        std::vector<ObservedMean> found;
-        for (const auto& [name, entry] : members_of(json.at("observables"), "observables")) {
-            found.push_back(
-                {name, number_of(entry.at("mean")), number_of(entry.at("standard_error")), entry.value("remark", "")});
-        }
-        const Json analyses = json.value("analysis", Json::object());
-        for (const auto& [analysis, findings] : members_of(analyses, "analysis")) {
-            for (const auto& [name, entry] : members_of(findings, analysis)) {
-                found.push_back({fmt::format("{}_{}", analysis, name), number_of(entry.at("value")),
-                                 number_of(entry.at("standard_error"))});
-            }
-        }
-        if (found.size() > most_json_keys) {
-            throw WrongJson(fmt::format("it has more than {} observables", most_json_keys));
-        }
-        return found;
-    });
-}
 
 std::string sweep_table(const SweptPoints& swept) {
     std::vector<TextTable::Column> columns;
@@ -177,15 +138,15 @@ std::string sweep_csv(const SweptPoints& swept) {
 }
 
 std::string sweep_json(const SweptPoints& swept) {
-    Json points = Json::array();
+    Data points = Data::list();
     for (const SweptPoint& point : swept.points) {
-        Json values = Json::object();
+        Data values = Data::object();
         for (std::size_t k = 0; k < swept.keys.size(); ++k) {
-            values[swept.keys[k]] = value_json(point.values[k]);
+            values[swept.keys[k]] = value_of_setting(point.values[k]);
         }
-        Json observables = Json::object();
+        Data observables = Data::object();
         for (const auto& [name, mean, error, remark] : point.found) {
-            observables[name] = {{"mean", number_or_null(mean)}, {"standard_error", number_or_null(error)}};
+            observables[name] = {{"mean", mean}, {"standard_error", error}};
             if (!remark.empty()) {
                 observables[name]["remark"] = remark;
             }
@@ -193,12 +154,11 @@ std::string sweep_json(const SweptPoints& swept) {
         points.push_back({{"name", point.name},
                           {"directory", point.directory.string()},
                           {"values", values},
-                          {"failure", point.failure.empty() ? Json(nullptr) : Json(point.failure)},
+                          {"failure", point.failure.empty() ? Data(nullptr) : Data(point.failure)},
                           {"observables", observables}});
     }
-    const Json json = {{"keys", swept.keys}, {"points", points}};
-    // Names of directories and the end of a log may not be UTF-8, but JSON must.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    const Data json = {{"keys", swept.keys}, {"points", points}};
+    return to_json(json) + "\n";
 }
 
 std::string point_line(const SweptPoint& point) {

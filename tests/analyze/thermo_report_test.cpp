@@ -1,15 +1,13 @@
 #include "ljmd/analyze/thermo_report.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -43,7 +41,7 @@ TEST_CASE("the report looks at the rows of sampled stages, as the averages of a 
     CHECK(report.interval == Approx(0.004));
     CHECK(report.stride == 1);
     REQUIRE(report.columns.size() == 4);
-    const Json results = Json::parse(content_of(run.directory() / "results.json"));
+    const Data results = parse_json(content_of(run.directory() / "results.json"));
     for (const ThermoReport::Column& column : report.columns) {
         CAPTURE(column.name);
         const std::vector<double> all = run.column_of(column.name);
@@ -53,9 +51,9 @@ TEST_CASE("the report looks at the rows of sampled stages, as the averages of a 
         CHECK(column.found.mean == expected.mean);
         CHECK(column.found.standard_error == expected.standard_error);
         CHECK(column.whole_inefficiency == statistical_inefficiency(sampled));
-        const Json& reported = results.at("observables").at(column.name);
-        CHECK(column.by_blocking.mean == Approx(reported.at("mean").get<double>()).epsilon(1e-12));
-        CHECK(column.by_blocking.standard_error == Approx(reported.at("standard_error").get<double>()).epsilon(1e-9));
+        const Data& reported = results.at("observables").at(column.name);
+        CHECK(column.by_blocking.mean == Approx(reported.at("mean").number()).epsilon(1e-12));
+        CHECK(column.by_blocking.standard_error == Approx(reported.at("standard_error").number()).epsilon(1e-9));
     }
 }
 
@@ -81,15 +79,15 @@ TEST_CASE("the report of a run that was stopped is that of its rows") {
 
 TEST_CASE("the report says the same to people and to programs") {
     const ThermoReport report = SmallRun().report();
-    const Json json = Json::parse(thermo_json(report));
+    const Data json = parse_json(thermo_json(report));
     CHECK(json.at("rows") == 40);
     CHECK(json.at("stride") == 1);
-    const Json& pressure = json.at("observables").at("pressure");
+    const Data& pressure = json.at("observables").at("pressure");
     const Equilibration& found = report.columns.back().found;
     CHECK(pressure.at("equilibrated_at_row") == found.start);
     CHECK(pressure.at("equilibrated_at_step") == 21 + found.start);
     CHECK(pressure.at("statistical_inefficiency") == found.inefficiency);
-    CHECK(pressure.at("correlation_time").get<double>() == Approx(0.5 * (found.inefficiency - 1.0) * 0.004));
+    CHECK(pressure.at("correlation_time").number() == Approx(0.5 * (found.inefficiency - 1.0) * 0.004));
     CHECK(pressure.at("mean") == found.mean);
     const std::string table = thermo_table(report);
     CHECK_THAT(table, Contains("40 rows of thermo.csv, steps 21 to 60, 0.004 tau apart"));
@@ -103,7 +101,7 @@ TEST_CASE("a column without numbers is not defined") {
     const std::vector<double> unknown(5, std::nan(""));
     report.columns.push_back({"temperature", detect_equilibration(unknown, 1), std::nan(""), {}});
     CHECK_THAT(thermo_table(report), Contains("temperature                not defined"));
-    CHECK(Json::parse(thermo_json(report)).at("observables").at("temperature").at("mean").is_null());
+    CHECK(parse_json(thermo_json(report)).at("observables").at("temperature").at("mean").is_null());
 }
 
 TEST_CASE("an error bar of few independent rows is marked as a guess") {
@@ -118,7 +116,7 @@ TEST_CASE("an error bar of few independent rows is marked as a guess") {
     report.columns.push_back({"pressure", found, 20.0, {}});
     CHECK_THAT(thermo_table(report), Contains("1.50 +- 0.10  [1]\n") && Contains("1.50 +- 0.10\n") &&
                                          Contains("\n  [1] its error bar is a guess"));
-    const Json observables = Json::parse(thermo_json(report)).at("observables");
+    const Data observables = parse_json(thermo_json(report)).at("observables");
     CHECK(observables.at("temperature").contains("remark"));
     CHECK_FALSE(observables.at("pressure").contains("remark"));
 }
@@ -135,7 +133,7 @@ TEST_CASE("what has hardly begun, or has no equilibrium, is refused") {
 
 TEST_CASE("the heat capacity is that of the run, from all rows, and there is none where no fluctuation tells it") {
     const SmallRun run;
-    const Json observables = Json::parse(content_of(run.directory() / "results.json")).at("observables");
+    const Data observables = parse_json(content_of(run.directory() / "results.json")).at("observables");
     const ThermoReport report = run.report();
     const bool found = observables.contains("heat_capacity_cv");
     REQUIRE(report.heat_capacity.has_value() == found);
@@ -146,7 +144,7 @@ TEST_CASE("the heat capacity is that of the run, from all rows, and there is non
     CHECK(observables["heat_capacity_cv"]["remark"] == report.heat_capacity->remark);
     CHECK_THAT(thermo_table(report), Contains("heat capacity c_v of all rows, from their fluctuations: no value [") &&
                                          Contains("] " + report.heat_capacity->remark + "\n"));
-    CHECK(Json::parse(thermo_json(report))["heat_capacity_cv"] == observables["heat_capacity_cv"]);
+    CHECK(parse_json(thermo_json(report))["heat_capacity_cv"] == observables["heat_capacity_cv"]);
 
     ThermoReport known = report;
     known.heat_capacity = {"heat_capacity_cv", "c_v", "k_B", Estimate{2.5, 0.1, 100.0, 1000, true}};

@@ -1,8 +1,8 @@
 #include "ljmd/cli/bench.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -21,12 +21,12 @@ TEST_CASE("a benchmark runs the deck as it is and tells energies, times and memo
     CHECK(result.bytes_per_atom > 0.0);
     CHECK_FALSE(std::filesystem::exists(deck.directory));  // it runs elsewhere
 
-    const auto json = nlohmann::json::parse(bench_json(result));
+    const auto json = parse_json(bench_json(result));
     CHECK(json.at("precision") == "mixed");
     CHECK(json.at("threads") == 2);
     CHECK(json.at("simd") == name(default_simd_level()));
     CHECK(json.at("lists") == "every 7 steps, pairs may be missed");
-    CHECK(json.at("atom_steps_per_second").get<double>() == Approx(108 * 60 / result.seconds.sum()));
+    CHECK(json.at("atom_steps_per_second").number() == Approx(108 * 60 / result.seconds.sum()));
     CHECK(json.at("seconds_per_phase").size() == 6);
 
     // The same run by the same code gives the same energies.
@@ -34,8 +34,8 @@ TEST_CASE("a benchmark runs the deck as it is and tells energies, times and memo
     prepare_directory(deck.directory);
     test::Recorder nobody;
     const RunResult run = run_deck(deck, simulation, nobody);
-    CHECK(json.at("total_energy_final").get<double>() == run.last.total_energy);
-    CHECK(json.at("potential_energy_initial").get<double>() == run.first.potential_energy);
+    CHECK(json.at("total_energy_final").number() == run.last.total_energy);
+    CHECK(json.at("potential_energy_initial").number() == run.first.potential_energy);
     CHECK(result.last.temperature == run.last.temperature);
 }
 

@@ -1,15 +1,13 @@
 #include "ljmd/cli/commands.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/interruption.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -30,13 +28,13 @@ TEST_CASE("check tells the cost of a deck and writes nothing") {
     CHECK(text.err.empty());
     options.json = true;
     options.deck = odd.string();
-    const Json json = Json::parse(said([&] { check_command(options); }).out);
+    const Data json = parse_json(said([&] { check_command(options); }).out);
     CHECK(json.at("atoms") == 108);
     CHECK(json.at("steps") == 60);
     CHECK(json.at("cutoff") == 2.0);
-    CHECK(json.at("largest_cutoff").get<double>() == Approx(2.56496).epsilon(1e-5));
+    CHECK(json.at("largest_cutoff").number() == Approx(2.56496).epsilon(1e-5));
     for (const char* key : {"memory_bytes", "disk_bytes", "seconds"}) {
-        CHECK(json.at(key).get<double>() > 0.0);
+        CHECK(json.at(key).number() > 0.0);
     }
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
@@ -53,7 +51,7 @@ TEST_CASE("run writes its files and prints its table, or JSON") {
     options.json = true;
     const Said second = said([&] { run_command(options, out); });
     CHECK(second.out == content_of(folder / "out" / "results.json"));
-    CHECK(Json::parse(second.out).at("observables").contains("temperature"));
+    CHECK(parse_json(second.out).at("observables").contains("temperature"));
 }
 
 TEST_CASE("resume goes on with a run that its wall time has stopped, in its directory") {
@@ -68,14 +66,14 @@ TEST_CASE("resume goes on with a run that its wall time has stopped, in its dire
     resumed.quiet = true;
     resumed.json = true;
     const Said words = said([&] { resume_command(resumed); });
-    CHECK(Json::parse(words.out).at("observables").contains("temperature"));
-    CHECK(Json::parse(content_of(folder / "out" / "run.json")).at("resumed_at_steps") == Json{0});
+    CHECK(parse_json(words.out).at("observables").contains("temperature"));
+    CHECK(parse_json(content_of(folder / "out" / "run.json")).at("resumed_at_steps") == Data::list({0}));
 
     resumed.more_steps = 10;
     resumed.json = false;
     static_cast<void>(said([&] { resume_command(resumed); }));
-    CHECK(Json::parse(content_of(folder / "out" / "run.json")).at("steps_added") == 10);
-    CHECK(Json::parse(content_of(folder / "out" / "results.json")).at("stages").at(1).at("steps") == 50);
+    CHECK(parse_json(content_of(folder / "out" / "run.json")).at("steps_added") == 10);
+    CHECK(parse_json(content_of(folder / "out" / "results.json")).at("stages").at(1).at("steps") == 50);
 
     resumed.directory = (folder / "nowhere").string();
     CHECK_THROWS_AS(resume_command(resumed), DataError);

@@ -1,14 +1,13 @@
 #include "ljmd/cli/equation_report.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -20,7 +19,7 @@ EquationOfState thol() {
 
 TEST_CASE("the report of a state has the numbers of the equation, in print and as JSON") {
     const FluidProperties state = properties(thol(), 1.0, 0.7);
-    const Json json = Json::parse(state_json(thol(), 1.0, 0.7));
+    const Data json = parse_json(state_json(thol(), 1.0, 0.7));
     CHECK(json["pressure"] == state.pressure);
     CHECK(json["potential_energy"] == state.potential_energy);
     CHECK(json["compressibility_factor"] == state.compressibility_factor);
@@ -32,14 +31,14 @@ TEST_CASE("the report of a state has the numbers of the equation, in print and a
 }
 
 TEST_CASE("what a state has not is null, and a dash in print") {
-    const Json json = Json::parse(state_json(thol(), 1.0, 0.0));
+    const Data json = parse_json(state_json(thol(), 1.0, 0.0));
     CHECK(json["speed_of_sound"].is_null());
     CHECK_THAT(state_table(thol(), 1.0, 0.0), Contains("  -  sqrt(epsilon/m)"));
 }
 
 TEST_CASE("the report of coexistence has both phases") {
     const auto phases = coexistence(thol(), 0.9);
-    const Json json = Json::parse(coexistence_json(thol(), 0.9));
+    const Data json = parse_json(coexistence_json(thol(), 0.9));
     CHECK(json["liquid"]["density"] == phases->liquid.density);
     CHECK(json["vapour"]["density"] == phases->vapour.density);
     CHECK(json["heat_of_vaporisation"] == phases->heat_of_vaporisation());
@@ -50,17 +49,17 @@ TEST_CASE("the report of coexistence has both phases") {
 }
 
 TEST_CASE("the report of a state tells why not to rely on it") {
-    CHECK(Json::parse(state_json(thol(), 1.0, 0.3))["warnings"] == Json(doubts(thol(), 1.0, 0.3)));
-    CHECK(Json::parse(state_json(thol(), 0.722, 1.0))["warnings"] == Json(doubts(thol(), 0.722, 1.0)));
-    CHECK(Json::parse(state_json(thol(), 1.0, 0.75))["warnings"] == Json::array());
+    CHECK(parse_json(state_json(thol(), 1.0, 0.3))["warnings"] == Data(doubts(thol(), 1.0, 0.3)));
+    CHECK(parse_json(state_json(thol(), 0.722, 1.0))["warnings"] == Data(doubts(thol(), 0.722, 1.0)));
+    CHECK(parse_json(state_json(thol(), 1.0, 0.75))["warnings"] == Data::list());
 }
 
 TEST_CASE("all equations are listed with their critical points") {
-    const Json list = Json::parse(equations_json());
+    const Data list = parse_json(equations_json());
     const std::string table = equations_table();
     REQUIRE(list.size() == all_equations_of_state().size());
-    for (const Json& row : list) {
-        CHECK_THAT(table, Contains(row["model"].get<std::string>()));
-        CHECK(row["critical_temperature"].get<double>() > row["lowest_temperature"].get<double>());
+    for (const Data& row : list.items()) {
+        CHECK_THAT(table, Contains(row["model"].text()));
+        CHECK(row["critical_temperature"].number() > row["lowest_temperature"].number());
     }
 }

@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/cli/commands.hpp"
@@ -9,6 +8,7 @@
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 #include "ljmd/potentials/pair_potential.hpp"
@@ -17,7 +17,6 @@
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 TEST_CASE("info names every plug-in, with keys it is the reference page") {
     const std::string text = said([] { info_command({}); }).out;
@@ -35,22 +34,22 @@ TEST_CASE("info names every plug-in, with keys it is the reference page") {
 }
 
 TEST_CASE("info as JSON has the lists that scripts go through, integrators with what they promise") {
-    const Json json = Json::parse(said([] { info_command({.json = true}); }).out);
+    const Data json = parse_json(said([] { info_command({.json = true}); }).out);
     CHECK(json.at("version") == build_info().version);
     CHECK(json.at("commit") == build_info().commit);
-    CHECK(json.at("potentials") == Json(PairPotential::formula_names()));
-    CHECK(json.at("truncations") == Json(PairPotential::truncation_names()));
-    CHECK(json.at("pair_searches") == Json(pair_search_names()));
-    CHECK(json.at("forces") == Json(plugin_names(all_few_body_forces())));
-    CHECK(json.at("thermostats") == Json(plugin_names(all_thermostats())));
-    CHECK(json.at("barostats") == Json(plugin_names(all_barostats())));
-    CHECK(json.at("analyses") == Json(plugin_names(all_analyses())));
-    CHECK(json.at("few_body_analyses") == Json(plugin_names(all_few_body_analyses())));
-    CHECK(json.at("equations_of_state") == Json(plugin_names(all_equations_of_state())));
+    CHECK(json.at("potentials") == Data(PairPotential::formula_names()));
+    CHECK(json.at("truncations") == Data(PairPotential::truncation_names()));
+    CHECK(json.at("pair_searches") == Data(pair_search_names()));
+    CHECK(json.at("forces") == Data(plugin_names(all_few_body_forces())));
+    CHECK(json.at("thermostats") == Data(plugin_names(all_thermostats())));
+    CHECK(json.at("barostats") == Data(plugin_names(all_barostats())));
+    CHECK(json.at("analyses") == Data(plugin_names(all_analyses())));
+    CHECK(json.at("few_body_analyses") == Data(plugin_names(all_few_body_analyses())));
+    CHECK(json.at("equations_of_state") == Data(plugin_names(all_equations_of_state())));
     const auto methods = all_integrators();
     REQUIRE(json.at("integrators").size() == methods.size());
     for (std::size_t k = 0; k < methods.size(); ++k) {
-        const Json& integrator = json.at("integrators")[k];
+        const Data& integrator = json.at("integrators")[k];
         CHECK(integrator.at("name") == methods[k].name);
         CHECK(integrator.at("meaning") == methods[k].meaning);
         CHECK(integrator.at("order") == methods[k].order);

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -149,15 +148,15 @@ TEST_CASE("a comparison is written as CSV and JSON, into a folder that is made f
     CHECK(column(csv, "reference_error").back() == comparison.rows.back().reference_error);
     const std::string text = content_of(directory / "compare-gsl.json");
     CHECK(text == comparison_json(comparison, deck) + "\n");
-    const Json json = Json::parse(text);
+    const Data json = parse_json(text);
     CHECK(json.at("with") == "gsl");
     CHECK(json.at("passed") == true);
     CHECK(json.at("checks")[0].at("passed") == true);
     CHECK(json.at("checks")[0].at("tolerance") == 1e-9);
     CHECK(json.at("largest_position_error") == comparison.largest_position_error);
     CHECK(json.at("rows").size() == comparison.rows.size());
-    CHECK(json.at("rows").back().at("energy_error") == comparison.rows.back().energy_error);
-    CHECK(json.at("rows").back().at("step") == 95);
+    CHECK(json.at("rows").items().back().at("energy_error") == comparison.rows.back().energy_error);
+    CHECK(json.at("rows").items().back().at("step") == 95);
     std::ofstream(folder / "file") << "mine";
     CHECK_THROWS_AS(write_comparison(comparison, deck, folder / "file"), FileError);
 }

@@ -1,7 +1,6 @@
 #include "ljmd/deck/few_body_check.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
@@ -9,7 +8,6 @@
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -36,11 +34,11 @@ TEST_CASE("the report of a few-body check tells bodies, energy, stages and disk"
 TEST_CASE("a few-body check as JSON") {
     Deck deck = DeckFolder(stars_deck).load();
     deck.path = "d\xff.toml";  // no UTF-8, which JSON must be
-    const Json json = Json::parse(few_body_check_json(deck));
+    const Data json = parse_json(few_body_check_json(deck));
     CHECK(json.at("bodies") == 2);
     CHECK(json.at("dimensions") == 2);
     CHECK(json.at("force") == "newtonian-gravity");
-    CHECK(json.at("total_energy").get<double>() == Approx(-0.205).epsilon(1e-14));
+    CHECK(json.at("total_energy").number() == Approx(-0.205).epsilon(1e-14));
     CHECK(json.at("steps") == 95);
 }
 
@@ -54,7 +52,7 @@ TEST_CASE("the disk that a few-body run was said to need is about what it takes"
         std::vector<std::string> all = settings;
         all.emplace_back("stage.orbits.steps=1000");
         const Deck deck = folder.load(all);
-        const double said = Json::parse(few_body_check_json(deck)).at("disk_bytes").get<double>();
+        const double said = parse_json(few_body_check_json(deck)).at("disk_bytes").number();
         prepare_directory(deck.directory);
         FewBodySystem system = make_few_body_system(deck);
         Recorder listener;

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -250,7 +249,7 @@ TEST_CASE("bit-reversible bodies are back where they began, to the last bit, and
     CHECK(back.checksum_at_end == there.checksum_at_start);
     CHECK_THAT(exact.file("results.txt"), Contains(back.checksum_at_end + " at the start\n") &&
                                               Contains(back.checksum_at_end + " after stage 'back'\n"));
-    CHECK(Json::parse(exact.file("results.json")).at("stages")[1].at("checksum_at_end") == there.checksum_at_start);
+    CHECK(parse_json(exact.file("results.json")).at("stages")[1].at("checksum_at_end") == there.checksum_at_start);
     const Finished rounded(there_and_back(three_stars(), "velocity-verlet"));
     CHECK(rounded.result.stages[1].checksum_at_end != rounded.result.stages[0].checksum_at_start);
     CHECK(rounded.history("potential_energy").at_end ==
@@ -269,7 +268,7 @@ TEST_CASE("an ellipse has its elements and its closest approach") {
     CHECK(run.finding("closest_approach", "distance") == Approx(a * 0.36).epsilon(1e-3));
     CHECK(header(run.file("orbit.csv")) == "apocentre,time,distance,angle");
     CHECK(rows(run.file("orbit.csv")).size() >= 4);
-    CHECK(Json::parse(run.file("results.json")).at("analysis").at("orbit").contains("period"));
+    CHECK(parse_json(run.file("results.json")).at("analysis").at("orbit").contains("period"));
 }
 
 TEST_CASE("analyses look at sampled stages from their beginning, and at no others") {
@@ -322,7 +321,7 @@ TEST_CASE("bodies that collide end the run with step, stage and the configuratio
     CHECK(std::filesystem::exists(failed));
     CHECK_FALSE(std::filesystem::exists(deck.directory / "results.json"));
     CHECK_FALSE(std::filesystem::exists(deck.directory / "final.xyz"));
-    CHECK(Json::parse(content_of(deck.directory / "run.json")).at("finished") == false);
+    CHECK(parse_json(content_of(deck.directory / "run.json")).at("finished") == false);
     CHECK(rows(content_of(deck.directory / "thermo.csv")).size() == 8);  // what was measured until then is there
 }
 
@@ -345,7 +344,7 @@ TEST_CASE("bodies that leave the range of numbers end the run, and the last chec
 
 TEST_CASE("run.json of few bodies tells that the run has ended") {
     const Finished run(stars_deck);
-    const Json record = Json::parse(run.file("run.json"));
+    const Data record = parse_json(run.file("run.json"));
     CHECK(record.at("finished") == true);
     CHECK(record.at("seconds_in_time_loop") == run.result.seconds);
     CHECK(run.result.bodies == 2);
@@ -376,11 +375,11 @@ TEST_CASE("an encounter that fixed steps do not resolve has no closest approach,
     CHECK(fine.finding("closest_approach", "distance") == Approx(0.0097).epsilon(0.01));
     CHECK_THAT(fine.file("results.json"), !Contains("remark"));
     const Finished coarse = run(1e-3);
-    const Json found = Json::parse(coarse.file("results.json")).at("analysis").at("closest_approach");
+    const Data found = parse_json(coarse.file("results.json")).at("analysis").at("closest_approach");
     for (const char* name : {"distance", "time", "first_body", "second_body"}) {
         INFO(name);
         CHECK(found.at(name).at("value").is_null());
-        CHECK_THAT(found.at(name).at("remark").get<std::string>(),
+        CHECK_THAT(found.at(name).at("remark").text(),
                    Contains("meet at time 1.8") && Contains("within a step") && Contains("take smaller steps"));
     }
     CHECK_THAT(coarse.file("results.txt"), Contains("no value  [1]\n") && Contains("\n  [1] bodies "));

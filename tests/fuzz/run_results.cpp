@@ -37,8 +37,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     } catch (const DataError&) {
     }
     try {
-        const std::vector<ObservedMean> found = observed_means(row.results());
-        const SweptPoint point{"T=1", {"1"}, "points", found, ""};
+        const SweptPoint point{"T=1", {"1"}, "points", read_results(row.results()).means, ""};
         const SweptPoints swept{{"system.temperature"}, {point}};
         static_cast<void>(sweep_table(swept) + sweep_csv(swept) + sweep_json(swept) + point_line(point));
         ++fuzz::inputs_accepted;

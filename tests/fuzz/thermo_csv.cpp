@@ -45,7 +45,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const RecordedRun run = run_in(file.directory());
     static const bool prepared = [] {
         std::ofstream(file.directory() / "results.json")
-            << R"({"stages": [{"sampled": true, "first_step": 4, "steps": 6}]})";
+            << R"({"observables": {}, "stages": [{"sampled": true, "first_step": 4, "steps": 6}]})";
         std::filesystem::create_symlink("thermo.csv", file.directory() / "rdf.csv");
         return true;
     }();

@@ -11,6 +11,8 @@ Rules:
 - every header begins with #pragma once (after comments);
 - physics and engine see no file, no process and no terminal, and have no conditional compilation: what is absent is an
   absent.cpp that CMake chooses;
+- nlohmann's headers, which take seconds to compile, are included where JSON is written and read (JSON_SOURCE), and
+  nowhere else;
 - a folder of src/ has at most MOST_SOURCES sources: a fuller one is divided.
 """
 
@@ -43,6 +45,8 @@ GENERATED = {"ljmd/cli/bench_deck.hpp", "ljmd/execution/simd_levels.hpp", "ljmd/
 
 # Headers of files, processes, signals and the terminal.
 OUTSIDE = re.compile(r"fstream|filesystem|iostream|cstdio|stdio\.h|csignal|signal\.h|fcntl\.h|unistd\.h|sys/.*|spawn\.h")
+
+JSON_SOURCE = Path("src/io/tables/json_text.cpp")
 
 MOST_SOURCES = 20
 
@@ -97,6 +101,8 @@ def check_file(root, path):
             continue
         if room in PHYSICS and OUTSIDE.fullmatch(match.group(2)):
             complaints.append(f"{path}:{number}: {room} must not see files, processes or the terminal ({match.group(2)})")
+        if match.group(2).startswith("nlohmann/") and path != JSON_SOURCE:
+            complaints.append(f"{path}:{number}: JSON is made of Data in {JSON_SOURCE} alone ({match.group(2)})")
         included = resolve(root, path, *match.groups())
         if isinstance(included, str):
             complaints.append(f"{path}:{number}: {included}")
@@ -156,6 +162,7 @@ SOUND = {
     "src/core/a.cpp": '#include "ljmd/core/a.hpp"\n#include "ljmd/core/version.hpp"\n#ifdef __linux__\n#endif\n',
     "src/io/private.hpp": "#pragma once\n",
     "src/io/h.cpp": '#include "private.hpp"\n',
+    JSON_SOURCE.as_posix(): "#include <nlohmann/json.hpp>\n",
 }
 
 # what is wrong: (file, its text, what the complaint must say)
@@ -178,6 +185,8 @@ VIOLATIONS = [
     ("src/engine/e.cpp", '#include "../io/private.hpp"\n', "engine must not include io"),
     ("src/engine/e.cpp", "#include <filesystem>\n", "engine must not see files"),
     ("src/model/b.cpp", "#include <unistd.h>\n", "model must not see files"),
+    ("src/run/r.cpp", "#include <nlohmann/json.hpp>\n", "JSON is made of Data"),
+    ("include/ljmd/run/r.hpp", "#pragma once\n#include <nlohmann/json_fwd.hpp>\n", "JSON is made of Data"),
     ("include/ljmd/all.hpp", "#pragma once\n", "in no room"),
     ("include/ljmd/core/a.hpp", '#pragma once\n#include "ljmd/core/a.hpp"\n', "circle of includes"),
 ]

@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/checkpoint_file.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 TEST_CASE("of a run that has ended its directory tells so, and how to make it longer") {
     const DeckFolder folder;
@@ -34,17 +32,18 @@ TEST_CASE("of a run that was stopped its directory tells how far it got, in word
     CHECK_THAT(directory_report(deck.directory),
                Contains("finished      no\n") && Contains("after step 10 of 60, 10 of 20 in stage 'equilibrate'\n") &&
                    Contains("to go on: ljmd resume "));
-    const Json found = Json::parse(directory_json(deck.directory));
+    const Data found = parse_json(directory_json(deck.directory));
     CHECK(found["title"] == "A small liquid");
     CHECK(found["kind"] == "fluid");
     CHECK(found["finished"] == false);
     CHECK(found["total_steps"] == 60);
-    CHECK(found["checkpoint"] == Json{{"step", 10}, {"stage", "equilibrate"}, {"atoms", 108}});
-    CHECK(found["resumed_at_steps"] == Json::array());
-    CHECK(found["damaged"] == Json::array());
-    const auto thermo = std::find_if(found["files"].begin(), found["files"].end(),
-                                     [](const Json& file) { return file["name"] == "thermo.csv"; });
-    REQUIRE(thermo != found["files"].end());
+    CHECK(found["checkpoint"] == Data{{"step", 10}, {"stage", "equilibrate"}, {"atoms", 108}});
+    CHECK(found["resumed_at_steps"] == Data::list());
+    CHECK(found["damaged"] == Data::list());
+    const Data::List& files = found["files"].items();
+    const auto thermo =
+        std::find_if(files.begin(), files.end(), [](const Data& file) { return file["name"] == "thermo.csv"; });
+    REQUIRE(thermo != files.end());
     CHECK((*thermo)["bytes"] == std::filesystem::file_size(deck.directory / "thermo.csv"));
 }
 
@@ -59,7 +58,7 @@ TEST_CASE("damaged checkpoints are told, and a directory without a sound one has
     }
     CHECK_THAT(directory_report(deck.directory),
                Contains("checkpoint    none\n") && Contains("damaged       no checkpoint can be used"));
-    CHECK(Json::parse(directory_json(deck.directory))["checkpoint"].is_null());
+    CHECK(parse_json(directory_json(deck.directory))["checkpoint"].is_null());
 }
 
 TEST_CASE("what is not the directory of a run is refused") {

@@ -1,14 +1,13 @@
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "deck/deck_fixtures.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/results.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -31,30 +30,32 @@ FewBodyResult some_result() {
 }  // namespace
 
 TEST_CASE("results.json of few bodies has the keys that scripts rely on") {
-    const Json json = Json::parse(results_json(DeckFolder(stars_deck).load(), some_result()));
+    const Data json = parse_json(results_json(DeckFolder(stars_deck).load(), some_result()));
     CHECK(json.at("title") == "Two stars");
     CHECK(json.at("system") ==
-          Json({{"kind", "few-body"}, {"bodies", 2}, {"dimensions", 2}, {"force", "newtonian-gravity"}}));
-    CHECK(json.at("observables").at("total_energy") == Json({{"mean", -0.20500005},
-                                                             {"standard_error", nullptr},
-                                                             {"at_start", -0.205},
-                                                             {"at_end", -0.2050001},
-                                                             {"largest_deviation", 1e-7},
-                                                             {"unit", "the deck's own"}}));
-    CHECK(json.at("analysis").at("orbit").at("period") == Json({{"value", 2.9917}, {"standard_error", 0.0012}}));
+          Data::object({{"kind", "few-body"}, {"bodies", 2}, {"dimensions", 2}, {"force", "newtonian-gravity"}}));
+    CHECK(json.at("observables").at("total_energy") == Data::object({{"mean", -0.20500005},
+                                                                     {"standard_error", nullptr},
+                                                                     {"at_start", -0.205},
+                                                                     {"at_end", -0.2050001},
+                                                                     {"largest_deviation", 1e-7},
+                                                                     {"unit", "the deck's own"}}));
+    CHECK(json.at("analysis").at("orbit").at("period") ==
+          Data::object({{"value", 2.9917}, {"standard_error", 0.0012}}));
     CHECK(json.at("analysis").at("orbit").at("semi_major_axis_at_end").at("standard_error").is_null());
-    CHECK(json.at("analysis").at("closest_approach") == Json::object());
+    CHECK(json.at("analysis").at("closest_approach") == Data::object());
     REQUIRE(json.at("stages").size() == 1);
     CHECK(json.at("stages")[0].at("name") == "orbits");
     CHECK(json.at("stages")[0].at("checksum_at_end") == "xxh3:b");
-    CHECK(json.at("warnings") == Json::array());
+    CHECK(json.at("warnings") == Data::list());
 }
 
 TEST_CASE("what is no number is null in results.json of few bodies") {
-    const Json json = Json::parse(results_json(DeckFolder(stars_deck).load(), some_result()));
+    const Data json = parse_json(results_json(DeckFolder(stars_deck).load(), some_result()));
     CHECK(json.at("observables").at("momentum_x").at("at_end").is_null());
     CHECK(json.at("observables").at("momentum_x").at("largest_deviation").is_null());
-    CHECK(json.at("analysis").at("orbit").at("precession") == Json({{"value", 0.1}, {"standard_error", nullptr}}));
+    CHECK(json.at("analysis").at("orbit").at("precession") ==
+          Data::object({{"value", 0.1}, {"standard_error", nullptr}}));
 }
 
 TEST_CASE("the table of a few-body run shows totals, findings and drift") {

@@ -4,10 +4,10 @@
 
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -33,10 +33,10 @@ Deck deck_of(const fs::path& directory, const std::vector<std::string>& settings
     return recorded_deck(directory, settings, diagnostics);
 }
 
-void change_record(const fs::path& directory, const std::string& key, const nlohmann::json& value) {
-    nlohmann::json record = nlohmann::json::parse(content_of(directory / "run.json"));
+void change_record(const fs::path& directory, const std::string& key, const Data& value) {
+    Data record = parse_json(content_of(directory / "run.json"));
     record[key] = value;
-    std::ofstream(directory / "run.json") << record;
+    std::ofstream(directory / "run.json") << to_json(record);
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ TEST_CASE("what is no run, or none that ended, is refused") {
     change_record(directory, "program", "another");
     CHECK_THROWS_WITH(deck_of(directory), Contains("another program"));
     change_record(directory, "program", "ljmd");
-    for (const nlohmann::json& threads : {nlohmann::json(0), nlohmann::json(-5), nlohmann::json(1e300)}) {
+    for (const Data& threads : {Data(0), Data(-5), Data(1e300)}) {
         change_record(directory, "threads", threads);
         CHECK_THROWS_AS(recorded_run(directory), DataError);
         CHECK_THROWS_WITH(recorded_run(directory), Contains("'threads' is ") && Contains("allowed: an integer from 1"));

@@ -2,14 +2,13 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "deck/deck_fixtures.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -66,8 +65,8 @@ std::string shown_with_error(double mean, double error) {
 }  // namespace
 
 TEST_CASE("results.json has the keys that scripts rely on") {
-    const Json json = Json::parse(results_json(deck_with(""), some_result()));
-    const Json& temperature = json.at("observables").at("temperature");
+    const Data json = parse_json(results_json(deck_with(""), some_result()));
+    const Data& temperature = json.at("observables").at("temperature");
     CHECK(temperature.at("mean") == 0.722);
     CHECK(temperature.at("standard_error") == 0.0021);
     CHECK(temperature.at("independent_samples") == 100.0);
@@ -76,7 +75,7 @@ TEST_CASE("results.json has the keys that scripts rely on") {
     CHECK(temperature.at("error_is_converged") == true);
     CHECK_FALSE(temperature.contains("si"));
     REQUIRE(json.at("stages").size() == 2);
-    const Json& production = json.at("stages")[1];
+    const Data& production = json.at("stages")[1];
     CHECK(production.at("name") == "production");
     CHECK(production.at("steps") == 20000);
     CHECK(production.at("first_step") == 5000);
@@ -85,20 +84,20 @@ TEST_CASE("results.json has the keys that scripts rely on") {
     CHECK(json.at("title") == "A small liquid");
     CHECK(json.at("system").at("atoms") == 864);
     CHECK(json.at("system").at("density") == 0.8442);
-    CHECK(json.at("system").at("box_edges") == Json({10.0, 10.5, 11.0}));
+    CHECK(json.at("system").at("box_edges") == Data::list({10.0, 10.5, 11.0}));
     CHECK_FALSE(json.at("system").contains("density_g_per_cm3"));
     CHECK(json.at("translational_order_at_sampling") == 0.0125);
-    CHECK(json.at("warnings") == Json({"a doubt"}));
+    CHECK(json.at("warnings") == Data::list({"a doubt"}));
 }
 
 TEST_CASE("what a run has at the temperature that was asked stands in results.json and below the table") {
     RunResult result = some_result();
-    const Json found = Json::parse(results_json(deck_with(""), result));
+    const Data found = parse_json(results_json(deck_with(""), result));
     CHECK(found.at("asked_temperature") == 0.722);
     CHECK(found.at("at_asked_temperature").is_null());
     CHECK_THAT(results_table(deck_with(""), result), !Contains("brought to"));
     result.at_asked = AtAskedTemperature{0.73, "thol2016", {average("pressure", "epsilon/sigma^3", 0.52, 0.011)}};
-    const Json there = Json::parse(results_json(deck_with(""), result)).at("at_asked_temperature");
+    const Data there = parse_json(results_json(deck_with(""), result)).at("at_asked_temperature");
     CHECK(there.at("temperature") == 0.73);
     CHECK(there.at("equation_of_state") == "thol2016");
     CHECK(there.at("observables").at("pressure").at("mean") == 0.52);
@@ -108,7 +107,7 @@ TEST_CASE("what a run has at the temperature that was asked stands in results.js
     REQUIRE(line != std::string::npos);
     CHECK_THAT(table.substr(line), Contains("pressure") && Contains("0.520 +- 0.011"));
     result.asked_temperature.reset();
-    CHECK(Json::parse(results_json(deck_with(""), result)).at("asked_temperature").is_null());
+    CHECK(parse_json(results_json(deck_with(""), result)).at("asked_temperature").is_null());
 }
 
 TEST_CASE("what is not known is null in results.json") {
@@ -117,7 +116,7 @@ TEST_CASE("what is not known is null in results.json") {
     result.averages.push_back(
         average("total_energy", "epsilon", std::numeric_limits<double>::infinity(), unknown, unknown));
     result.order_at_sampling.reset();
-    const Json json = Json::parse(results_json(deck_with(argon_table), result));
+    const Data json = parse_json(results_json(deck_with(argon_table), result));
     for (const char* key : {"mean", "standard_error", "independent_samples"}) {
         CHECK(json.at("observables").at("virial").at(key).is_null());
         CHECK(json.at("observables").at("total_energy").at(key).is_null());
@@ -126,23 +125,23 @@ TEST_CASE("what is not known is null in results.json") {
     CHECK(json.at("observables").at("compressibility_factor").at("standard_error").is_null());
     CHECK(json.at("observables").at("virial").at("unit") == "epsilon");
     CHECK(json.at("translational_order_at_sampling").is_null());
-    CHECK(Json::parse(results_json(deck_with(""), RunResult{})).at("observables").is_object());
+    CHECK(parse_json(results_json(deck_with(""), RunResult{})).at("observables").is_object());
 }
 
 TEST_CASE("a substance adds kelvin, kJ/mol, bar and g/cm3") {
-    const Json json = Json::parse(results_json(deck_with(argon_table), some_result()));
+    const Data json = parse_json(results_json(deck_with(argon_table), some_result()));
     const auto si = [&](const char* name) { return json.at("observables").at(name).at("si"); };
     CHECK(si("temperature").at("unit") == "K");
-    CHECK(si("temperature").at("mean").get<double>() == Approx(0.722 * 119.8).epsilon(1e-12));
-    CHECK(si("temperature").at("standard_error").get<double>() == Approx(0.0021 * 119.8).epsilon(1e-12));
+    CHECK(si("temperature").at("mean").number() == Approx(0.722 * 119.8).epsilon(1e-12));
+    CHECK(si("temperature").at("standard_error").number() == Approx(0.0021 * 119.8).epsilon(1e-12));
     // epsilon = 119.8 k_B N_A = 0.996072 kJ/mol; epsilon/sigma^3 = 119.8 k_B/(3.405 A)^3 = 418.98 bar
     CHECK(si("potential_energy").at("unit") == "kJ/mol");
-    CHECK(si("potential_energy").at("mean").get<double>() == Approx(-6.08712 * 0.996072).epsilon(1e-5));
+    CHECK(si("potential_energy").at("mean").number() == Approx(-6.08712 * 0.996072).epsilon(1e-5));
     CHECK(si("pressure").at("unit") == "bar");
-    CHECK(si("pressure").at("mean").get<double>() == Approx(0.5 * 418.98).epsilon(1e-4));
+    CHECK(si("pressure").at("mean").number() == Approx(0.5 * 418.98).epsilon(1e-4));
     CHECK_FALSE(json.at("observables").at("compressibility_factor").contains("si"));
     // 39.948 u/(3.405 A)^3 = 1.68033 g/cm3
-    CHECK(json.at("system").at("density_g_per_cm3").get<double>() == Approx(0.8442 * 1.68033).epsilon(1e-5));
+    CHECK(json.at("system").at("density_g_per_cm3").number() == Approx(0.8442 * 1.68033).epsilon(1e-5));
 }
 
 TEST_CASE("an error is told to two digits, its mean to as many decimals") {
@@ -187,7 +186,7 @@ TEST_CASE("a remark stands where its number stands, and is told once") {
     CHECK_THAT(line_of_table(table, "viscosity"), Catch::EndsWith("no value  [3]"));
     CHECK_THAT(line_of_table(table, "compressibility_factor"), !Contains("["));
     CHECK_THAT(table, Contains("\n  [1] asked for 1.0\n  [2] few samples\n  [3] frames too far apart\n"));
-    const Json observables = Json::parse(results_json(deck_with(""), result)).at("observables");
+    const Data observables = parse_json(results_json(deck_with(""), result)).at("observables");
     CHECK(observables.at("pressure").at("remark") == "few samples");
     CHECK(observables.at("viscosity").at("remark") == "frames too far apart");
     CHECK(observables.at("viscosity").at("mean").is_null());
@@ -204,7 +203,7 @@ TEST_CASE("an error bar that is a guess is marked where it stands") {
     CHECK_THAT(line_of_table(table, result.averages[1].name), Contains("[2]"));
     CHECK_THAT(table,
                Contains("  [1] its error bar is a guess") && Contains("  [2] asked for 1.0; its error bar is a guess"));
-    const Json observables = Json::parse(results_json(deck_with(""), result)).at("observables");
+    const Data observables = parse_json(results_json(deck_with(""), result)).at("observables");
     CHECK(observables.at(result.averages[0].name).at("remark") == std::string(guessed_error));
     // Where no error is given there is none to doubt.
     result.averages[0].estimate->standard_error = unknown;
@@ -216,15 +215,15 @@ TEST_CASE("transport, heat capacity and viscosity have the units of a substance,
     result.averages = {average("diffusion", "sigma^2/tau", 0.0313, 0.0004),
                        average("viscosity", "epsilon tau/sigma^3", 3.25, 0.1),
                        average("heat_capacity_cv", "k_B", 2.63, 0.01)};
-    const Json json = Json::parse(results_json(deck_with(argon_table), result));
+    const Data json = parse_json(results_json(deck_with(argon_table), result));
     const auto si = [&](const char* name) { return json.at("observables").at(name).at("si"); };
     // tau = (m sigma^2/epsilon)^(1/2) = 2.1563 ps: sigma^2/tau = 53.768 nm^2/ns, epsilon tau/sigma^3 = 0.090345 mPa s
     CHECK(si("diffusion").at("unit") == "nm^2/ns");
-    CHECK(si("diffusion").at("mean").get<double>() == Approx(0.0313 * 53.768).epsilon(1e-4));
+    CHECK(si("diffusion").at("mean").number() == Approx(0.0313 * 53.768).epsilon(1e-4));
     CHECK(si("viscosity").at("unit") == "mPa s");
-    CHECK(si("viscosity").at("mean").get<double>() == Approx(3.25 * 0.090345).epsilon(1e-4));
+    CHECK(si("viscosity").at("mean").number() == Approx(3.25 * 0.090345).epsilon(1e-4));
     CHECK(si("heat_capacity_cv").at("unit") == "J/(mol K)");
-    CHECK(si("heat_capacity_cv").at("mean").get<double>() == Approx(2.63 * 8.314462618).epsilon(1e-9));
+    CHECK(si("heat_capacity_cv").at("mean").number() == Approx(2.63 * 8.314462618).epsilon(1e-9));
 }
 
 TEST_CASE("lengths, times and wave numbers in tables stand in nanometres and picoseconds too for a substance") {

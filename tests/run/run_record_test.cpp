@@ -1,26 +1,25 @@
 #include "ljmd/run/run_record.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run_directory.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
-Json record_of(const Deck& deck) {
-    return Json::parse(content_of(deck.directory / "run.json"));
+Data record_of(const Deck& deck) {
+    return parse_json(content_of(deck.directory / "run.json"));
 }
 
 /// run.json as it is when a run of this deck begins.
-Json first_record(const std::string& text, const std::vector<std::string>& settings = {}) {
+Data first_record(const std::string& text, const std::vector<std::string>& settings = {}) {
     const DeckFolder folder(text);
     const Deck deck = folder.load(settings);
     prepare_directory(deck.directory);
@@ -35,46 +34,46 @@ TEST_CASE("run.json says what is run by what, and whether it came to its end") {
     const Deck deck = folder.load({"title=\"Another title\""});
     prepare_directory(deck.directory);
     const RunRecord record(deck, Execution());
-    const Json before = record_of(deck);
+    const Data before = record_of(deck);
     CHECK(before.at("program") == "ljmd");
     CHECK(before.at("version") == build_info().version);
     CHECK(before.at("commit") == build_info().commit);
-    CHECK_FALSE(before.at("compiler").get<std::string>().empty());
+    CHECK_FALSE(before.at("compiler").text().empty());
     CHECK(before.at("deck") == content_of(folder.deck_path()));
     CHECK(before.at("deck_file") == folder.deck_path().string());
-    CHECK(before.at("settings") == Json({"title=\"Another title\""}));
+    CHECK(before.at("settings") == Data::list({"title=\"Another title\""}));
     CHECK(before.at("title") == "Another title");
     CHECK(before.at("kind") == "fluid");
     CHECK(before.at("seed") == 7);
     CHECK(before.at("units") == "reduced");
     CHECK(before.at("threads") == 1);
-    CHECK(before.at("resumed_at_steps") == Json::array());
-    CHECK(before.at("argon").at("sigma_nm").get<double>() == Approx(0.3405).epsilon(1e-12));
-    CHECK(before.at("argon").at("tau_ps").get<double>() == Approx(2.1564).epsilon(1e-4));
+    CHECK(before.at("resumed_at_steps") == Data::list());
+    CHECK(before.at("argon").at("sigma_nm").number() == Approx(0.3405).epsilon(1e-12));
+    CHECK(before.at("argon").at("tau_ps").number() == Approx(2.1564).epsilon(1e-4));
     CHECK(before.at("finished") == false);
     CHECK(before.at("ended").is_null());
     CHECK(before.at("seconds_in_time_loop").is_null());
 
     record.finish(1.25);
-    const Json after = record_of(deck);
+    const Data after = record_of(deck);
     CHECK(after.at("finished") == true);
-    CHECK(after.at("ended").get<std::string>() >= after.at("began").get<std::string>());
+    CHECK(after.at("ended").text() >= after.at("began").text());
     CHECK(after.at("seconds_in_time_loop") == 1.25);
-    for (const auto& [key, value] : before.items()) {
+    for (const auto& [key, value] : before.members()) {
         INFO(key);
         CHECK((key == "finished" || key == "ended" || key == "seconds_in_time_loop" || after.at(key) == value));
     }
 }
 
 TEST_CASE("run.json of a few bodies has the same keys, without seed and substance") {
-    const Json fluid = first_record(small_deck);
-    const Json stars = first_record(stars_deck);
+    const Data fluid = first_record(small_deck);
+    const Data stars = first_record(stars_deck);
     CHECK(stars.at("kind") == "few-body");
     CHECK(stars.at("seed").is_null());
     CHECK(stars.at("argon").is_null());
     CHECK(stars.at("units") == "the deck's own");
     CHECK(stars.at("title") == "Two stars");
-    for (const auto& [key, value] : fluid.items()) {
+    for (const auto& [key, value] : fluid.members()) {
         INFO(key);
         CHECK(stars.contains(key));
     }
@@ -83,7 +82,7 @@ TEST_CASE("run.json of a few bodies has the same keys, without seed and substanc
 
 TEST_CASE("the hash tells decks apart by text and by settings") {
     const auto hash = [](const std::string& text, const std::vector<std::string>& settings) {
-        return first_record(text, settings).at("deck_hash").get<std::string>();
+        return first_record(text, settings).at("deck_hash").text();
     };
     const std::string plain = hash(small_deck, {});
     CHECK(plain.size() == std::string("xxh3:0123456789abcdef").size());
@@ -99,7 +98,7 @@ TEST_CASE("the path of a deck need not be UTF-8") {
     deck.path = "d\xff.toml";
     prepare_directory(deck.directory);
     const RunRecord record(deck, Execution());
-    CHECK_THAT(record_of(deck).at("deck_file").get<std::string>(), Contains(".toml"));
+    CHECK_THAT(record_of(deck).at("deck_file").text(), Contains(".toml"));
 }
 
 TEST_CASE("the trajectory that a deck asks for is opened, and none that it does not") {

@@ -1,13 +1,10 @@
 #include "ljmd/run/run_report.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "deck/deck_fixtures.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -29,20 +26,20 @@ TEST_CASE("a title cannot write what it likes to a terminal, and a run without o
 }
 
 TEST_CASE("a stage in results.json has everything that is known of it") {
-    CHECK(Json(stage_json(there)) == Json({{"name", "there"},
-                                           {"integrator", "bit-reversible"},
-                                           {"first_step", 0},
-                                           {"last_step", 40},
-                                           {"steps", 40},
-                                           {"time_step", 0.004},
-                                           {"sampled", true},
-                                           {"thermostat", false},
-                                           {"reversed", false},
-                                           {"energy_drift", -1.5e-7},
-                                           {"time_step_error", nullptr},
-                                           {"checksum_at_start", "xxh3:a"},
-                                           {"checksum_at_end", "xxh3:b"}}));
-    const Json json = stage_json(back);
+    CHECK(stage_data(there) == Data::object({{"name", "there"},
+                                             {"integrator", "bit-reversible"},
+                                             {"first_step", 0},
+                                             {"last_step", 40},
+                                             {"steps", 40},
+                                             {"time_step", 0.004},
+                                             {"sampled", true},
+                                             {"thermostat", false},
+                                             {"reversed", false},
+                                             {"energy_drift", -1.5e-7},
+                                             {"time_step_error", nullptr},
+                                             {"checksum_at_start", "xxh3:a"},
+                                             {"checksum_at_end", "xxh3:b"}}));
+    const Data json = stage_data(back);
     CHECK(json.at("steps") == 60);
     CHECK(json.at("sampled") == false);
     CHECK(json.at("thermostat") == true);
@@ -55,8 +52,8 @@ TEST_CASE("a time step that is too long stands in the table and in results.json"
     stage.time_step_error = 0.016;
     stage.time_step_remark = "too long";
     CHECK_THAT(stage_lines({stage}, "per hour"), Contains("  the time step of stage 'there' is too long:\n    too long"));
-    CHECK(stage_json(stage).at("time_step_error") == 0.016);
-    CHECK(stage_json(stage).at("time_step_remark") == "too long");
+    CHECK(stage_data(stage).at("time_step_error") == 0.016);
+    CHECK(stage_data(stage).at("time_step_remark") == "too long");
 }
 
 TEST_CASE("the table tells of drifts, and of checksums when the motion was turned round") {
@@ -64,7 +61,7 @@ TEST_CASE("the table tells of drifts, and of checksums when the motion was turne
     StageResult hot = there;
     hot.drift_remark = "too much";
     CHECK(stage_lines({hot}, "per hour") == "  energy drift in stage 'there': -1.5e-07 per hour,\n    too much\n");
-    CHECK(stage_json(hot).at("energy_drift_remark") == "too much");
+    CHECK(stage_data(hot).at("energy_drift_remark") == "too much");
     StageResult forth = back;
     forth.reversed = false;
     CHECK(stage_lines({forth}, "per hour").empty());

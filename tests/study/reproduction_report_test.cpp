@@ -1,12 +1,12 @@
 #include "ljmd/study/reproduction_report.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "ljmd/io/tables/json_text.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -84,7 +84,7 @@ TEST_CASE("the CSV has a field for each column, with all digits") {
 TEST_CASE("the JSON has the rows and chi-square, and numbers that Verlet has not are null") {
     ReproducedRow row = a_row();
     row.verlet.potential_energy.reset();
-    const Json json = Json::parse(reproduction_json({row}));
+    const Data json = parse_json(reproduction_json({row}));
     CHECK(json["rows"][0]["Z"] == 0.9571);
     CHECK(json["rows"][0]["Z_verlet"]["value"] == 0.99);
     CHECK(json["rows"][0]["U_verlet"].is_null());

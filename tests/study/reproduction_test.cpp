@@ -22,7 +22,8 @@ class MadeUpRun {
   public:
     MadeUpRun(double temperature, double pressure) {
         write("results.json",
-              R"({"stages": [{"sampled": false, "first_step": 0, "steps": 100},
+              R"({"observables": {},
+                  "stages": [{"sampled": false, "first_step": 0, "steps": 100},
                              {"sampled": true, "first_step": 100, "steps": 80}]})");
         std::string thermo = "step,time,temperature,potential_energy,pressure\n0,0,9,9,9\n100,1,9,9,9\n";
         for (int k = 1; k <= 8; ++k) {
@@ -107,7 +108,7 @@ TEST_CASE("a run that is not there, or whose results are damaged, is refused") {
     const MadeUpRun run(0.8, 0.7);
     run.write("results.json", "{}");
     CHECK_THROWS_WITH(evaluate_row(argon, run.path()), Contains("is not the result of a run"));
-    run.write("results.json", R"({"stages": []})");
+    run.write("results.json", R"({"observables": {}, "stages": []})");
     CHECK_THROWS_WITH(evaluate_row(argon, run.path()), Contains("tells of no stage that was sampled"));
 }
 
@@ -175,6 +176,6 @@ TEST_CASE("a row whose files hold something else than its run has written is ref
     refused("thermo.csv", header + "100,1,1,1\n", "has no row behind step 100");
     refused("thermo.csv", header + "110,1,,1\n", "'potential_energy' is empty");
     refused("thermo.csv", header + ",1,1,1\n", "'step' is empty");
-    refused("results.json", R"({"stages": [{"sampled": true, "first_step": [[]], "steps": 1}]})",
+    refused("results.json", R"({"observables": {}, "stages": [{"sampled": true, "first_step": [[]], "steps": 1}]})",
             "'first_step' is [[]]");
 }

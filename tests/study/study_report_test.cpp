@@ -1,15 +1,13 @@
 #include "ljmd/study/study_report.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/study/sweep_record.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
@@ -44,11 +42,11 @@ TEST_CASE("of a sweep its directory tells how far each run got, in words and as 
                               "  temperature=4  not begun\n"));
     CHECK_THAT(text, Catch::EndsWith("to go on: the command that began it\n"));
 
-    const Json json = Json::parse(study_json(out));
+    const Data json = parse_json(study_json(out));
     CHECK(json["kind"] == "sweep");
     CHECK(json["deck"] == "some.toml");
     CHECK(json["running"] == false);
-    CHECK(json["states"] == Json{{"finished", 1}, {"running", 0}, {"stopped", 1}, {"failed", 1}, {"not begun", 1}});
+    CHECK(json["states"] == Data{{"finished", 1}, {"running", 0}, {"stopped", 1}, {"failed", 1}, {"not begun", 1}});
     REQUIRE(json["runs"].size() == 4);
     CHECK(json["runs"][1]["step"] == 20);
     CHECK(json["runs"][1]["total_steps"] == 60);
@@ -66,7 +64,7 @@ TEST_CASE("a reproduced table is a study, too, a run or an empty directory is no
     REQUIRE(holds_study(out));
     CHECK_THAT(study_report(out),
                Contains("a reproduced table of 2 runs\n") && Contains("  a  not begun\n  b  not begun\n"));
-    CHECK(Json::parse(study_json(out))["kind"] == "reproduction");
+    CHECK(parse_json(study_json(out))["kind"] == "reproduction");
     std::ofstream(out / "run.json") << "{}";
     CHECK_FALSE(holds_study(out));
 }

@@ -1,8 +1,7 @@
 #include "ljmd/study/sweep_record.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -40,7 +39,7 @@ TEST_CASE("a sweep has a run for each point, from a copy of its deck") {
     CHECK(runs[1].directory == out / "points" / "temperature=2");
     CHECK(runs[1].deck == out / "points" / "deck.toml");
     CHECK(runs[1].source == small_deck);
-    const auto record = nlohmann::json::parse(content_of(out / "sweep.json"));
+    const auto record = parse_json(content_of(out / "sweep.json"));
     CHECK(record["program"] == "ljmd");
     CHECK(record["deck"] == small_deck);
     CHECK(record["keys"] == std::vector<std::string>{"system.temperature"});

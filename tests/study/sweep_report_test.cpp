@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "io/output_fixtures.hpp"
-#include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 
 using namespace ljmd;
-using namespace ljmd::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -85,7 +81,7 @@ TEST_CASE("the CSV has every observable of any point, with its error, and empty 
 TEST_CASE("the JSON has values as what they are, and null for what is not known") {
     SweptPoints swept = fluids();
     swept.points[0].values = {"1.2", "[1.0, 0.5]"};
-    const auto json = nlohmann::json::parse(sweep_json(swept));
+    const auto json = parse_json(sweep_json(swept));
     CHECK(json["keys"] == std::vector<std::string>{"system.temperature", "title"});
     const auto& first = json["points"][0];
     CHECK(first["values"]["system.temperature"] == 1.2);
@@ -100,66 +96,10 @@ TEST_CASE("the JSON has values as what they are, and null for what is not known"
     CHECK(json["points"][1]["values"]["title"] == "c");
 }
 
-TEST_CASE("means are read from the results of a run, in their order") {
-    const TemporaryFolder folder;
-    const auto path = folder / "results.json";
-    std::ofstream(path) << R"({"observables": {"temperature": {"mean": 1.5, "standard_error": 0.1, "unit": ""},
-                                               "pressure": {"mean": null, "standard_error": null, "remark": "one atom"}},
-                               "analysis": {"orbit": {"period": {"value": 3, "standard_error": null}}}})";
-    const auto found = observed_means(path);
-    REQUIRE(found.size() == 3);
-    CHECK(found[0].name == "temperature");
-    CHECK(found[0].mean == 1.5);
-    CHECK(found[0].standard_error == 0.1);
-    CHECK(found[1].name == "pressure");
-    CHECK(std::isnan(found[1].mean));
-    CHECK(found[0].remark.empty());
-    CHECK(found[1].remark == "one atom");
-    CHECK(found[2].name == "orbit_period");
-    CHECK(found[2].mean == 3.0);
-    CHECK(std::isnan(found[2].standard_error));
-}
-
-TEST_CASE("results that are not there or damaged are told of") {
-    const TemporaryFolder folder;
-    const auto path = folder / "results.json";
-    CHECK_THROWS_WITH(observed_means(path), Contains("results.json: no such file"));
-    for (const char* text : {"", "[]", "{}", R"({"observables": {"temperature": 1}})",
-                             R"({"observables": {"temperature": {"mean": "x", "standard_error": 1}}})"}) {
-        INFO(text);
-        std::ofstream(path) << text;
-        CHECK_THROWS_AS(observed_means(path), DataError);
-    }
-}
-
 TEST_CASE("a value that is nested too deeply for JSON is a text") {
     SweptPoints swept = fluids();
     swept.points[0].values[1] = std::string(100'000, '[') + std::string(100'000, ']');
-    CHECK(nlohmann::json::parse(sweep_json(swept))["points"][0]["values"]["title"] == swept.points[0].values[1]);
-}
-
-TEST_CASE("results that hold something else than a run writes are refused") {
-    const TemporaryFolder folder;
-    const auto refused = [&](const std::string& text) {
-        std::ofstream(folder / "results.json") << text;
-        CHECK_THROWS_WITH(observed_means(folder / "results.json"),
-                          Contains("results.json is not the result of a run: "));
-    };
-    refused(R"({"observables": [{"mean": 1, "standard_error": 0.1}]})");
-    refused(R"({"observables": {}, "analysis": [[{"value": 1, "standard_error": 0.1}]]})");
-    refused(R"({"observables": {}, "analysis": {"orbit": [{"value": 1, "standard_error": 0.1}]}})");
-    refused(R"({"observables": {"a": 1}})");
-    refused(R"({"observables": {"a": {"mean": "1", "standard_error": null}}})");
-    std::string many = R"({"observables": {}, "analysis": {)";
-    for (int analysis = 0; analysis < 3; ++analysis) {
-        many +=
-            fmt::format(R"({}"a{}": {{"b0": {{"value": 1, "standard_error": 1}})", analysis == 0 ? "" : ", ", analysis);
-        for (int k = 1; k < 500; ++k) {
-            many += fmt::format(R"(, "b{}": {{"value": 1, "standard_error": 1}})", k);
-        }
-        many += "}";
-    }
-    refused(many + "}}");
+    CHECK(parse_json(sweep_json(swept)).at("points").at(0).at("values").at("title") == swept.points[0].values[1]);
 }
 
 TEST_CASE("a name with a comma is one field of the CSV") {

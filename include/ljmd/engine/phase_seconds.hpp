@@ -1,8 +1,7 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "ljmd/core/archive.hpp"
+#include "ljmd/core/data.hpp"
 
 namespace ljmd {
 
@@ -20,6 +19,6 @@ struct PhaseSeconds {
 };
 
 /// {"force": .., "list": .., ...}
-[[nodiscard]] nlohmann::ordered_json phases_json(const PhaseSeconds& seconds);
+[[nodiscard]] Data phases_data(const PhaseSeconds& seconds);
 
 }  // namespace ljmd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "ljmd/run/run_record.hpp"
 
 namespace ljmd {
+
+inline constexpr std::size_t most_settings = 10'000;  ///< --set arguments in a record
 
 /// The deck of a run, from its run.json.
 /// @param directory    of the run

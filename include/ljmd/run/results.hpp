@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
+#include "ljmd/core/data.hpp"
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/engine/few_body_measurement.hpp"
 #include "ljmd/engine/run_result.hpp"
@@ -17,8 +17,8 @@ namespace ljmd {
 
 /// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for
 /// a substance, and remark if there is one.
-[[nodiscard]] nlohmann::ordered_json observables_json(const std::vector<ObservableAverage>& averages,
-                                                      const std::optional<SubstanceUnits>& units);
+[[nodiscard]] Data observables_data(const std::vector<ObservableAverage>& averages,
+                                    const std::optional<SubstanceUnits>& units);
 
 /// A header, one line per observable, and below them the remarks.
 [[nodiscard]] std::string observables_table(const std::vector<ObservableAverage>& averages,

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "ljmd/core/data.hpp"
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/engine/run_result.hpp"
 
@@ -15,7 +15,7 @@ namespace ljmd {
 [[nodiscard]] std::string title_line(const Deck& deck);
 
 /// A stage in results.json.
-[[nodiscard]] nlohmann::ordered_json stage_json(const StageResult& stage);
+[[nodiscard]] Data stage_data(const StageResult& stage);
 
 /// Lines about the stages for the table on the screen: the energy drift where energy should be conserved, time steps
 /// that are too long and, after a reversal, the checksums that show whether the motion came back.

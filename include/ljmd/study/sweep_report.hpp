@@ -1,23 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "ljmd/run/recorded_results.hpp"
+
 namespace ljmd {
-
-/// Mean of an observable in a run; NaN if unknown.
-struct ObservedMean {
-    std::string name;
-    double mean;
-    double standard_error;
-    std::string remark = {};  ///< as in results.json
-};
-
-/// The observables in a run's results.json, in file order; for few bodies also the results of analyses, "orbit_period".
-/// @throws DataError  the file is missing or damaged
-[[nodiscard]] std::vector<ObservedMean> observed_means(const std::filesystem::path& results);
 
 /// A completed point of a sweep.
 struct SweptPoint {

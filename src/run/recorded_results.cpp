@@ -1,0 +1,64 @@
+#include "ljmd/run/recorded_results.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/io/tables/json_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// The members of an object; a list is refused.
+const Data::Object& members_of(const Data& value, std::string_view name) {
+    if (!value.is_object()) {
+        throw WrongData(fmt::format("'{}' is no object", name));
+    }
+    return value.members();
+}
+
+double number_of(const Data& value) {
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.number();
+}
+
+std::vector<ObservedMean> means_of(const Data& results) {
+    std::vector<ObservedMean> found;
+    for (const auto& [name, entry] : members_of(results.at("observables"), "observables")) {
+        const Data* remark = entry.find("remark");
+        found.push_back({name, number_of(entry.at("mean")), number_of(entry.at("standard_error")),
+                         remark == nullptr ? "" : remark->text()});
+    }
+    if (const Data* analyses = results.find("analysis")) {
+        for (const auto& [analysis, findings] : members_of(*analyses, "analysis")) {
+            for (const auto& [name, entry] : members_of(findings, analysis)) {
+                found.push_back({fmt::format("{}_{}", analysis, name), number_of(entry.at("value")),
+                                 number_of(entry.at("standard_error"))});
+            }
+        }
+    }
+    if (found.size() > most_json_keys) {
+        throw WrongData(fmt::format("it has more than {} observables", most_json_keys));
+    }
+    return found;
+}
+
+std::vector<RecordedStage> stages_of(const Data& results) {
+    std::vector<RecordedStage> stages;
+    for (const Data& stage : results.at("stages").items()) {
+        stages.push_back({stage.at("sampled").flag(), integer_of(stage.at("first_step"), "first_step", 0, most_steps),
+                          integer_of(stage.at("steps"), "steps", 0, most_steps)});
+    }
+    return stages;
+}
+
+}  // namespace
+
+RecordedResults read_results(const std::filesystem::path& path) {
+    return read_json(path, "the result of a run", [](const Data& results) -> RecordedResults {
+        return {means_of(results), stages_of(results)};
+    });
+}
+
+}  // namespace ljmd
