@@ -18,10 +18,13 @@ class Rows : public RunOutputs {
     std::vector<ThermoRow> all;
 };
 
-const FluidSpec& checked(const FluidSpec& spec) {
+const FluidSpec& checked(const FluidSpec& spec, const Execution& execution) {
     std::string text;
     for (const std::string& mistake : mistakes(spec)) {
         text += (text.empty() ? "" : "\n") + mistake;
+    }
+    if (execution.precision() == Precision::mixed && spec.neighbors.method != "verlet-list") {
+        text += (text.empty() ? "" : "\n") + std::string("neighbors: mixed precision needs the method verlet-list");
     }
     if (!text.empty()) {
         throw InputError(text);
@@ -35,7 +38,7 @@ const FluidSpec& checked(const FluidSpec& spec) {
 struct Simulation::Parts {
     Parts(FluidSpec wanted, const Execution& execution)
         : spec(std::move(wanted)),
-          fluid(make_fluid(checked(spec), execution, [this](const std::string& text) { warnings.push_back(text); })),
+          fluid(make_fluid(checked(spec, execution), execution, [this](const std::string& text) { warnings.push_back(text); })),
           measurement(std::in_place, spec, fluid, rows) {}
 
     void advance(std::optional<Index> until) {
