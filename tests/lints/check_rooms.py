@@ -195,7 +195,7 @@ VIOLATIONS = [
     ("src/run/r.cpp", "#include <nlohmann/json.hpp>\n", "JSON is made of Data"),
     ("include/ljmd/run/r.hpp", "#pragma once\n#include <nlohmann/json_fwd.hpp>\n", "JSON is made of Data"),
     ("include/ljmd/all.hpp", "#pragma once\n", "in no room"),
-    ("include/ljmd/ljmd.hpp", '#pragma once\n#include "ljmd/io/y.hpp"\n', "front must not include io"),
+    ("include/ljmd/ljmd.hpp", '#pragma once\n#include "../../src/io/private.hpp"\n', "front must not include io"),
     ("include/ljmd/core/a.hpp", '#pragma once\n#include "ljmd/core/a.hpp"\n', "circle of includes"),
 ]
 
