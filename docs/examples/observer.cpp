@@ -39,6 +39,6 @@ int main() {
     simulation.add(speed);
     simulation.run();
     const ljmd::Estimate found = speed.estimate();
-    std::cout << "mean speed = " << found.mean << " +- " << found.standard_error << ", Maxwell: "
-              << std::sqrt(8.0 * temperature / std::numbers::pi) << '\n';
+    std::cout << "mean speed = " << found.mean << " +- " << found.standard_error
+              << ", Maxwell: " << std::sqrt(8.0 * temperature / std::numbers::pi) << '\n';
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// Times may be rounded to single precision.
 constexpr double time_rounding = 2.0 * std::numeric_limits<float>::epsilon();
-constexpr double usual_rounding = 1e-3;  // relative to the spacing
+constexpr double default_rounding = 1e-3;  // relative to the spacing
 
 /// The times of all frames; empty if unknown.
 std::vector<double> times_of(const TrajectorySummary& trajectory, std::optional<double> time_step) {
@@ -69,7 +69,8 @@ void find_spacing(FrameSelection& selection, const std::vector<double>& times, s
     const double apart = times[first] - times[first - 1];
     for (const std::size_t k : pairs) {
         const double here = times[k] - times[k - 1];
-        if (!(apart > 0.0) || !(std::abs(here - apart) < usual_rounding * apart + time_rounding * std::abs(times[k]))) {
+        if (!(apart > 0.0) ||
+            !(std::abs(here - apart) < default_rounding * apart + time_rounding * std::abs(times[k]))) {
             selection.uneven = fmt::format("frames {} and {} are {:.6g} tau apart, frames {} and {} are {:.6g} tau",
                                            first, first + 1, apart, k, k + 1, here);
             return;
@@ -82,7 +83,7 @@ void find_spacing(FrameSelection& selection, const std::vector<double>& times, s
     const double mean = sum / static_cast<double>(pairs.size());
     const double meant =
         time_step && selection.steps_apart ? *time_step * static_cast<double>(*selection.steps_apart) : mean;
-    selection.spacing = std::abs(meant - mean) < usual_rounding * mean ? meant : mean;
+    selection.spacing = std::abs(meant - mean) < default_rounding * mean ? meant : mean;
 }
 
 }  // namespace

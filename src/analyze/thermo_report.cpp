@@ -9,9 +9,9 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/sampled_steps.hpp"
-#include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 using Align = TextTable::Align;
 
-constexpr Index most_starts = 100;  // candidate start rows of a series
+constexpr Index max_starts = 100;  // candidate start rows of a series
 constexpr std::array<const char*, 4> reported{"temperature", "potential_energy", "total_energy", "pressure"};
 
 Estimate blocking(const std::vector<double>& series) {
@@ -114,7 +114,7 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
                         steps.front(),
                         steps.back(),
                         (times.back() - times.front()) / static_cast<double>(rows - 1),
-                        std::max(rows / most_starts, Index{1}),
+                        std::max(rows / max_starts, Index{1}),
                         {},
                         heat_capacity(table, run.deck)};
     for (const char* name : reported) {

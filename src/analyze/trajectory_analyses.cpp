@@ -8,8 +8,8 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/core/text.hpp"
-#include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -126,7 +126,7 @@ std::string obstacle(const AnalysisMethod& method, const SampledRun& run, const 
 
 }  // namespace
 
-std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory, const FrameSelection& selection) {
+std::vector<std::string> default_analyses(const TrajectorySummary& trajectory, const FrameSelection& selection) {
     std::vector<std::string> names{"rdf"};
     if (!trajectory.box_changes) {
         names.emplace_back("structure_factor");

@@ -8,8 +8,8 @@
 
 #include "ljmd/analyze/deck_against_frames.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/io/formats/frame_unwrapper.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -116,8 +116,8 @@ class Pass {
 
     /// With a new force field for each frame, because a neighbour list does not last from frame to frame.
     [[nodiscard]] Evaluation evaluate(State& state, std::size_t k) const {
-        const Evaluation evaluation =
-            make_force_field(fluid_spec(*trajectory_.deck), state.execution()).evaluate(state, Request::forces_and_energy);
+        const Evaluation evaluation = make_force_field(fluid_spec(*trajectory_.deck), state.execution())
+                                          .evaluate(state, Request::forces_and_energy);
         if (!std::isfinite(evaluation.potential_energy)) {
             throw DataError(fmt::format("{}: frame {}: atoms overlap, the forces between them are not finite",
                                         trajectory_.path.string(), k + 1));

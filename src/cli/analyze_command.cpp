@@ -104,7 +104,7 @@ std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const W
     if (trajectory.thermo) {
         check_thermo(deck, trajectory.summary, trajectory.selection);
     } else if (names.empty()) {
-        names = usual_analyses(trajectory.summary, trajectory.selection);
+        names = default_analyses(trajectory.summary, trajectory.selection);
         if (!trajectory.summary.positions.positions) {
             warn(fmt::format("msd is left out: {}", trajectory.summary.positions.reason));
         }

@@ -65,7 +65,7 @@ CheckedFluid checked_fluid(const Deck& deck, const DeckOptions& options, Diagnos
         diagnostics.throw_if_errors();
     }
     if (!options.quiet) {
-        talk_of_warnings(diagnostics);
+        print_warnings(diagnostics);
     }
     return {std::move(start), std::move(execution)};
 }
@@ -176,8 +176,8 @@ void run_fluid(Deck& deck, CheckedFluid fluid, const DeckOptions& options, RunCo
     check_directory(deck, options.force);
     Progress progress(fluid.start.atoms, deck.total_steps(), options.quiet);
     FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution,
-                                            [&](const std::string& text) { progress.warning(text); });
-    heed_signals();  // before this, nothing would be lost
+                                        [&](const std::string& text) { progress.warning(text); });
+    install_stop_handlers();  // before this, nothing would be lost
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
     print_results(deck, run_deck(deck, simulation, progress, control), options.json);
@@ -185,9 +185,9 @@ void run_fluid(Deck& deck, CheckedFluid fluid, const DeckOptions& options, RunCo
 }
 
 /// All warnings about a few-body deck are known when it has been read.
-void talk_of_bodies(const DeckOptions& options, const Diagnostics& diagnostics) {
+void print_body_warnings(const DeckOptions& options, const Diagnostics& diagnostics) {
     if (!options.quiet) {
-        talk_of_warnings(diagnostics);
+        print_warnings(diagnostics);
     }
 }
 
@@ -195,7 +195,7 @@ void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
     check_directory(deck, options.force);
     FewBodySystem system = make_few_body_system(deck);
     Progress progress(std::nullopt, deck.total_steps(), options.quiet);
-    heed_signals();
+    install_stop_handlers();
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
     print_results(deck, run_deck(deck, system, progress, control), options.json);
@@ -219,11 +219,11 @@ void compare_fluid(const Deck& deck, CheckedFluid fluid, const DeckOptions& opti
     Progress progress(fluid.start.atoms, steps_before_crosscheck(deck), options.quiet);
     const auto say = [&](const std::string& text) {
         if (!options.quiet) {
-            talk(text + "\n");
+            print_message(text + "\n");
         }
     };
     FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution,
-                                            [&](const std::string& text) { progress.warning(text); });
+                                        [&](const std::string& text) { progress.warning(text); });
     const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
@@ -264,7 +264,7 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
         deck.directory = out;
     }
     if (deck.kind == DeckKind::few_body) {
-        talk_of_bodies(options, diagnostics);
+        print_body_warnings(options, diagnostics);
         run_bodies(deck, options, control);
     } else {
         run_fluid(deck, checked_fluid(deck, options, diagnostics), options, control);
@@ -273,7 +273,7 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
 
 void resume_command(const ResumeOptions& options) {
     RunControl control{.interruption = until_signal(wall_time(options.walltime))};
-    heed_signals();
+    install_stop_handlers();
     std::optional<RunLock> lock;
     if (files::is_directory(options.directory)) {
         lock.emplace(options.directory, warn);
@@ -299,11 +299,12 @@ void resume_command(const ResumeOptions& options) {
     earlier.resumed_at_steps.push_back(point->head.step);
     if (!options.quiet) {
         const bool nothing_left = run.finished && point->head.step == run.deck.total_steps();
-        talk(nothing_left
-                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
-                               "ljmd resume {} --steps +N\n",
-                               point->head.step, options.directory)
-                 : fmt::format("going on after step {} of {}\n", point->head.step, run.deck.total_steps()));
+        print_message(
+            nothing_left
+                ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
+                              "ljmd resume {} --steps +N\n",
+                              point->head.step, options.directory)
+                : fmt::format("going on after step {} of {}\n", point->head.step, run.deck.total_steps()));
     }
     control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
     if (bodies) {
@@ -320,7 +321,7 @@ void check_command(const DeckOptions& options) {
     Diagnostics diagnostics;
     const Deck deck = load(options, diagnostics);
     if (deck.kind == DeckKind::few_body) {
-        talk_of_bodies(options, diagnostics);
+        print_body_warnings(options, diagnostics);
         print_result(options.json ? few_body_check_json(deck) : few_body_check_report(deck));
         return;
     }

@@ -19,7 +19,7 @@ namespace {
 /// @return the exit code
 int say(const std::string& message, int code) {
     // Diagnostics already have "error:" in front of each line that needs it.
-    talk(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
+    print_message(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
     return code;
 }
 
@@ -47,10 +47,11 @@ int report_current_exception() {
     } catch (const InUseError& e) {
         return say(e.what(), 9);
     } catch (const Interrupted& e) {
-        talk(fmt::format("{}\n", e.what()));
+        print_message(fmt::format("{}\n", e.what()));
         return e.exit_code();
     } catch (const std::exception& e) {
-        talk(fmt::format("internal error: {}\nThis is a bug in ljmd; please report it with the deck.\n", e.what()));
+        print_message(
+            fmt::format("internal error: {}\nThis is a bug in ljmd; please report it with the deck.\n", e.what()));
         return 1;
     }
 }

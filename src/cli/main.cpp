@@ -18,7 +18,7 @@
 
 namespace {
 
-constexpr int most_steps_compared = 1'000'000;
+constexpr int max_steps_compared = 1'000'000;
 
 /// Check of options that take a number in reduced units: says what to write instead of "120 K".
 CLI::Validator reduced(const std::string& unit, ljmd::Dimension dimension) {
@@ -39,7 +39,7 @@ void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_i
         .add_option("--threads", options.threads,
                     "threads to share the work, 1 or OMP_NUM_THREADS by default; no result depends on it")
         ->type_name("N")
-        ->check(CLI::Range(1, ljmd::most_threads));
+        ->check(CLI::Range(1, ljmd::max_threads));
     command.add_option("--precision", options.precision, "double or mixed, instead of the deck's")->type_name("P");
     command.add_option("--simd", options.simd, "instruction set of the kernels, one that `ljmd info` lists")
         ->type_name("LEVEL");
@@ -55,13 +55,13 @@ void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
         ->type_name("NAME");
     command.add_option("--steps", compared.steps, "length of the trajectories, 1000 by default")
         ->type_name("N")
-        ->check(CLI::Range(0, most_steps_compared));
+        ->check(CLI::Range(0, max_steps_compared));
     command
         .add_option("--frames", compared.frames,
                     "steps at which trajectories are judged, 1,10,100,200,500,1000 by default")
         ->type_name("N,...")
         ->delimiter(',')
-        ->check(CLI::Range(1, most_steps_compared));
+        ->check(CLI::Range(1, max_steps_compared));
     command.add_option("--parts", compared.parts, "what to compare of point,trajectory,averages,speed; all by default")
         ->type_name("PART,...")
         ->delimiter(',')
@@ -84,7 +84,7 @@ void add_sweep_options(CLI::App& command, ljmd::SweepOptions& options) {
         ->allow_extra_args(false);
     command.add_option("--jobs", options.jobs, "points at a time; one for each processor by default")
         ->type_name("N")
-        ->check(CLI::Range(1, ljmd::most_threads));
+        ->check(CLI::Range(1, ljmd::max_threads));
     command.add_option("--out", options.out, "directory, runs/DECK-sweep by default")->type_name("DIR");
     command.add_flag("--force", options.force, "accept unlikely values; replace another sweep");
     command.add_flag("--quiet", options.quiet, "no progress, no warnings about the deck");
@@ -163,7 +163,7 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
         }
         message += fmt::format("\n  all options: ljmd {}--help", used.empty() ? "" : used.front()->get_name() + " ");
     }
-    ljmd::talk(fmt::format("error: {}\n", message));
+    ljmd::print_message(fmt::format("error: {}\n", message));
     return usage_error;
 }
 
@@ -202,12 +202,12 @@ int main(int argc, char** argv) {
     resume.add_option("directory", resumed.directory, "directory of the run")->required()->type_name("RUNDIR");
     resume.add_option("--steps", resumed.more_steps, "make the last stage that much longer: +N")
         ->type_name("+N")
-        ->check(CLI::Range(ljmd::Index{1}, ljmd::most_steps));
+        ->check(CLI::Range(ljmd::Index{1}, ljmd::max_steps));
     resume.add_option("--walltime", resumed.walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
         ->type_name("TIME");
     resume.add_option("--threads", resumed.threads, "threads to share the work; as many as before by default")
         ->type_name("N")
-        ->check(CLI::Range(1, ljmd::most_threads));
+        ->check(CLI::Range(1, ljmd::max_threads));
     resume.add_flag("--quiet", resumed.quiet, "no progress");
     resume.add_flag("--json", resumed.json, "print the result as JSON");
     CLI::App& check = *app.add_subcommand("check", "find every mistake in a deck and tell what it would cost");
@@ -250,7 +250,7 @@ int main(int argc, char** argv) {
         ->delimiter(',');
     reproduce.add_option("--jobs", table.jobs, "rows at a time; one for each processor by default")
         ->type_name("N")
-        ->check(CLI::Range(1, ljmd::most_threads));
+        ->check(CLI::Range(1, ljmd::max_threads));
     reproduce.add_option("--out", table.out, "directory, runs/verlet1967 by default")->type_name("DIR");
     reproduce.add_flag("--quick", table.quick, "runs as short as Verlet's own, 1200 steps");
     reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
@@ -277,7 +277,7 @@ int main(int argc, char** argv) {
     info.add_flag("--json", told.json, "print it as JSON")->excludes(page)->excludes(schema);
 
     if (argc < 2) {
-        ljmd::talk(app.help());
+        ljmd::print_message(app.help());
         return usage_error;
     }
     try {

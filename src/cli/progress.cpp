@@ -43,8 +43,8 @@ void Progress::stage_begins(const Stage& stage) {
     stage_ = stage.name;
     if (!quiet_) {
         clear_line();
-        talk(fmt::format("stage '{}': {} steps of {:.6g}{}\n", stage.name, stage.steps, stage.time_step,
-                         atoms_ ? " tau" : ""));
+        print_message(fmt::format("stage '{}': {} steps of {:.6g}{}\n", stage.name, stage.steps, stage.time_step,
+                                  atoms_ ? " tau" : ""));
     }
 }
 
@@ -59,7 +59,7 @@ void Progress::step_done(Index step) {
         talk_over_line(line(step, rate));
         line_is_open_ = true;
     } else if (step >= tenth) {
-        talk(line(step, rate) + '\n');
+        print_message(line(step, rate) + '\n');
     }
     while (step >= step_of_tenth(next_tenth_) && next_tenth_ <= 10) {
         ++next_tenth_;

@@ -129,8 +129,9 @@ void require_usable(const fs::path& out, bool force) {
 
 void tell(const RowRun& run, std::size_t done, std::size_t all) {
     const auto& [verlet, steps, temperature, z, u, beyond, thol, kolafa] = *run.result();
-    talk(fmt::format("[{}/{}] rho {} T {}: Z {:.3f} +- {:.3f}, U {:.4f} +- {:.4f} in {} steps\n", done, all,
-                     verlet.density, verlet.temperature, z.mean, z.standard_error, u.mean, u.standard_error, steps));
+    print_message(fmt::format("[{}/{}] rho {} T {}: Z {:.3f} +- {:.3f}, U {:.4f} +- {:.4f} in {} steps\n", done, all,
+                              verlet.density, verlet.temperature, z.mean, z.standard_error, u.mean, u.standard_error,
+                              steps));
 }
 
 }  // namespace
@@ -139,7 +140,7 @@ void reproduce_command(const ReproduceOptions& options) {
     if (options.what != "verlet1967") {
         throw InputError(fmt::format("unknown table '{}' to reproduce, allowed: verlet1967", options.what));
     }
-    heed_signals();
+    install_stop_handlers();
     const ReproductionLength length = options.quick ? ReproductionLength::quick() : ReproductionLength::full();
     const fs::path out = options.out;
     require_usable(out, options.force);

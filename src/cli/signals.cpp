@@ -53,7 +53,7 @@ void forget_inherited_signals() {
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void heed_signals() {
+void install_stop_handlers() {
     for (const StopSignal& one : stop_signals) {
         struct sigaction now {};
         ::sigaction(one.number, nullptr, &now);

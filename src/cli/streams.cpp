@@ -81,13 +81,13 @@ void print_result(const std::string& text) {
         fmt::format("standard output: the results could not be written: {}", std::generic_category().message(error)));
 }
 
-void talk(const std::string& text) noexcept {
+void print_message(const std::string& text) noexcept {
     static_cast<void>(write_harmless(text, stderr));
     static_cast<void>(std::fflush(stderr));
 }
 
 void warn(const std::string& text) noexcept {
-    talk("warning: " + text + "\n");
+    print_message("warning: " + text + "\n");
 }
 
 void talk_over_line(const std::string& text) noexcept {
@@ -97,10 +97,10 @@ void talk_over_line(const std::string& text) noexcept {
     static_cast<void>(std::fflush(stderr));
 }
 
-void talk_of_warnings(const Diagnostics& diagnostics) {
+void print_warnings(const Diagnostics& diagnostics) {
     for (const Diagnostic& entry : diagnostics.entries()) {
         if (entry.severity == Severity::warning) {
-            talk(format(entry) + '\n');
+            print_message(format(entry) + '\n');
         }
     }
 }

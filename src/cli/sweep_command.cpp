@@ -78,7 +78,7 @@ SweepPlan checked_plan(const SweepOptions& options) {
                  diagnostics);
     diagnostics.throw_if_errors();
     if (!options.quiet) {
-        talk_of_warnings(diagnostics);
+        print_warnings(diagnostics);
     }
     return plan;
 }
@@ -100,7 +100,7 @@ SweptPoints sweep(const SweepPlan& plan, const OpenDirectory& directory, const S
         if (!point.failure.empty()) {
             warn(point.failure);
         } else if (!options.quiet) {
-            talk(fmt::format("[{}/{}] {}: {}\n", done, runs.size(), point.name, point_line(point)));
+            print_message(fmt::format("[{}/{}] {}: {}\n", done, runs.size(), point.name, point_line(point)));
         }
     });
     SweptPoints swept{plan.points.keys, {}};
@@ -129,7 +129,7 @@ void tell_of_failures(const SweptPoints& swept) {
 }  // namespace
 
 void sweep_command(const SweepOptions& options) {
-    heed_signals();
+    install_stop_handlers();
     static_cast<void>(default_simd_level());  // report a wrong LJMD_SIMD before anything is done
     const SweepPlan plan = checked_plan(options);
     const fs::path directory = directory_of(options);

@@ -14,9 +14,9 @@ namespace {
 using Limits = std::vector<Agreement::Limit>;
 
 // The situation for which limits are written down.
-constexpr double usual_time_step = 0.004;  // [tau]
-constexpr double usual_edge = 16.0;        // coordinates below it have one unit in the last place [sigma]
-constexpr double usual_atoms = 864.0;
+constexpr double default_time_step = 0.004;  // [tau]
+constexpr double default_edge = 16.0;        // coordinates below it have one unit in the last place [sigma]
+constexpr double default_atoms = 864.0;
 
 constexpr double hot = 1.0;           // [epsilon/k_B]
 constexpr double cold_growth = 3.75;  // [1/tau]
@@ -27,25 +27,25 @@ constexpr Index late = 500;
 
 /// Factor by which coordinates are less exact than in a box of the usual edge.
 double coarser_coordinates(const Situation& situation) {
-    return std::max(1.0, situation.longest_edge / usual_edge);
+    return std::max(1.0, situation.longest_edge / default_edge);
 }
 
 /// The same as a power of two, for units in the last place.
 double coarser_last_place(const Situation& situation) {
-    return std::exp2(std::max(0.0, std::ceil(std::log2(situation.longest_edge / usual_edge))));
+    return std::exp2(std::max(0.0, std::ceil(std::log2(situation.longest_edge / default_edge))));
 }
 
 /// Factor by which our grid is coarser than in a box below 10.6 sigma. There, two numbers that agree up to rounding,
 /// ours to the grid and theirs to the last place, differ by half a unit of both in each direction: 4.6e-15.
 double coarser_grid(const Situation& situation) {
-    constexpr double usual_resolution = 0x1p-48;
-    return std::max(1.0, Box(Vec3::Constant(situation.longest_edge)).resolution() / usual_resolution);
+    constexpr double default_resolution = 0x1p-48;
+    return std::max(1.0, Box(Vec3::Constant(situation.longest_edge)).resolution() / default_resolution);
 }
 
 /// Extra growth of differences in this many steps, compared with steps of the usual length.
 double later_growth(const Situation& situation, Index steps) {
     const double growth = situation.temperature > hot ? hot_growth : cold_growth;
-    return std::exp(growth * std::max(0.0, static_cast<double>(steps) * (situation.time_step - usual_time_step)));
+    return std::exp(growth * std::max(0.0, static_cast<double>(steps) * (situation.time_step - default_time_step)));
 }
 
 /// Limits for another situation; never below those written down.
@@ -55,7 +55,7 @@ Limits limits_in(const Situation& situation, double coarser, Limits limits) {
         limit.distance *= later_growth(situation, limit.step);
         limit.distance *= coarser;
         if (limit.step >= late) {
-            limit.distance *= std::max(1.0, static_cast<double>(situation.atoms) / usual_atoms);
+            limit.distance *= std::max(1.0, static_cast<double>(situation.atoms) / default_atoms);
         }
     }
     return limits;
@@ -72,14 +72,14 @@ Limits limits_in(const Situation& situation, double coarser, Limits limits) {
 /// which is the same at each step, and larger for shorter steps. At T = 0 there is no limit: infinite.
 /// @param written  the limit in the usual situation
 double kinetic_energy_limit(const Situation& situation, double written) {
-    constexpr double usual_last_place = 0x1p-49;  // of coordinates from 8 to 16 sigma
+    constexpr double default_last_place = 0x1p-49;  // of coordinates from 8 to 16 sigma
     if (!(situation.temperature > 0.0)) {
         return std::numeric_limits<double>::infinity();
     }
-    const double fewer = std::sqrt(usual_atoms / std::min(usual_atoms, static_cast<double>(situation.atoms)));
+    const double fewer = std::sqrt(default_atoms / std::min(default_atoms, static_cast<double>(situation.atoms)));
     const double from_places =
         written * coarser_coordinates(situation) * later_growth(situation, last_step_of_kinetic_energy) * fewer;
-    const double last_place = usual_last_place * coarser_last_place(situation);
+    const double last_place = default_last_place * coarser_last_place(situation);
     return std::max(from_places, 2.0 * last_place / (situation.time_step * std::sqrt(situation.temperature)));
 }
 

@@ -21,7 +21,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr Index most_rows = 1000;
+constexpr Index max_rows = 1000;
 constexpr Index rows_on_screen = 20;
 constexpr double tolerance = 1e-13;
 constexpr double coarser_tolerance = 1e-12;
@@ -44,7 +44,7 @@ class Comparer : private StepObserver {
           forces_(system_.force.options->make()),
           reference_(system_.state, *forces_, tolerance),
           coarser_(system_.state, *forces_, coarser_tolerance),
-          every_(std::max<Index>(1, (deck.total_steps() + most_rows - 1) / most_rows)) {}
+          every_(std::max<Index>(1, (deck.total_steps() + max_rows - 1) / max_rows)) {}
 
     GslComparison run() {
         run_stages(deck_.stages, system_.state, *system_.force_field, *this);

@@ -25,12 +25,12 @@ namespace {
 /// Trajectory rows besides those compared: enough for a curve.
 constexpr Index rows_of_curve = 100;
 /// The coordinates of all rows, of both programs, stay below half a gigabyte.
-constexpr Index most_places = 10'000'000;
+constexpr Index max_places = 10'000'000;
 
-constexpr Index usual_bins = 250;
-constexpr Index usual_frames = 300;
+constexpr Index default_bins = 250;
+constexpr Index default_frames = 300;
 /// Sampling is costly in other programs, and closely spaced samples are strongly correlated.
-constexpr Index most_samples = 2500;
+constexpr Index max_samples = 2500;
 
 constexpr int rounds = 3;
 constexpr double seconds_per_round = 0.5;
@@ -97,7 +97,7 @@ std::vector<Index> steps_of_trajectory(const CrosscheckOptions& options, Index a
         }
     }
     const Index stride = std::max<Index>(1, options.steps / rows_of_curve);
-    if (atoms * rows_of_curve <= most_places) {
+    if (atoms * rows_of_curve <= max_places) {
         for (Index step = stride; step < options.steps; step += stride) {
             steps.push_back(step);
         }
@@ -115,11 +115,11 @@ EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const Sta
                             .steps = stage.steps,
                             .every = deck.thermo_every,
                             .frame_every = 0,
-                            .bins = usual_bins,
+                            .bins = default_bins,
                             .radius = 0.5 * state.box().shortest_edge(),
                             .execution = state.execution()};
-    options.every *= std::max<Index>(1, options.steps / options.every / most_samples);
-    options.frame_every = options.every * std::max<Index>(1, options.steps / options.every / usual_frames);
+    options.every *= std::max<Index>(1, options.steps / options.every / max_samples);
+    options.frame_every = options.every * std::max<Index>(1, options.steps / options.every / default_frames);
     return options;
 }
 
@@ -191,8 +191,8 @@ Index steps_before_crosscheck(const Deck& deck) {
     return steps;
 }
 
-Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const CrosscheckOptions& options, RunListener& listener,
-                      const std::function<void(const std::string&)>& say) {
+Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const CrosscheckOptions& options,
+                      RunListener& listener, const std::function<void(const std::string&)>& say) {
     const FluidSpec spec = fluid_spec(deck);
     const std::size_t compared = compared_stage(deck);
     const Stage& stage = deck.stages[compared];
@@ -200,9 +200,7 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
         say(fmt::format("stage '{}' is compared at constant energy: its {} out", stage.name,
                         stage.barostat ? "thermostat and its barostat are left" : "thermostat is left"));
     }
-    const auto fluid_now = [&] {
-        return fluid_of(simulation.state, simulation.force_field.potential(), spec.tail);
-    };
+    const auto fluid_now = [&] { return fluid_of(simulation.state, simulation.force_field.potential(), spec.tail); };
     const Execution& execution = simulation.state.execution();
     const bool mixed = simulation.force_field.precision() == Precision::mixed;
     // Report a missing program now, not after minutes of equilibration.

@@ -132,7 +132,7 @@ EnsembleComparison compare_ensembles(const EnsembleAverages& ours, const Ensembl
 std::vector<Check> checks_of(const EnsembleComparison& comparison, const Fluid& fluid) {
     std::vector<Check> checks;
     for (const EnsembleComparison::Row& row : comparison.rows) {
-        checks.push_back({"mean " + row.name + ", standard errors apart", row.sigmas(), most_sigmas});
+        checks.push_back({"mean " + row.name + ", standard errors apart", row.sigmas(), max_sigmas});
     }
     if (comparison.frames > 0) {
         const double pairs = static_cast<double>(comparison.frames) * static_cast<double>(fluid.masses.size());

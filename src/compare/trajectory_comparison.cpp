@@ -14,9 +14,9 @@ namespace ljmd {
 namespace {
 
 /// The divergence rate is fitted to distances in this range: below is rounding, above is the size of the cages.
-constexpr double least_distance = 1e-12;
+constexpr double min_distance = 1e-12;
 constexpr double largest_distance_fitted = 1e-2;
-constexpr Index fewest_rows = 8;
+constexpr Index min_rows = 8;
 
 double furthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     double largest = 0.0;
@@ -65,11 +65,11 @@ std::optional<double> TrajectoryComparison::divergence_rate() const {
     LinearTrend trend;
     for (const Row& row : rows) {
         const double distance = row.distances.front();
-        if (distance > least_distance && distance < largest_distance_fitted) {
+        if (distance > min_distance && distance < largest_distance_fitted) {
             trend.add(row.time, std::log(distance));
         }
     }
-    return trend.samples() >= fewest_rows ? trend.slope() : std::nullopt;
+    return trend.samples() >= min_rows ? trend.slope() : std::nullopt;
 }
 
 TrajectoryComparison compare_trajectories(const Fluid& fluid, const MakeForceField& make_force_field, Peer& peer,

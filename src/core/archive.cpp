@@ -27,10 +27,10 @@ void Archive::raw(void* data, std::size_t size) {
     }
 }
 
-std::size_t Archive::length(std::size_t length, std::size_t least_bytes) {
+std::size_t Archive::length(std::size_t length, std::size_t min_bytes) {
     std::uint64_t count = length;
     one(count);
-    if (reading_ && count > rest_.size() / least_bytes) {
+    if (reading_ && count > rest_.size() / min_bytes) {
         refuse("a list is longer than the rest of the file");
     }
     return static_cast<std::size_t>(count);

@@ -85,7 +85,7 @@ PlainValue fallback_value(const Key& key) {
         case Kind::choice:
             return key.choices.front();
         case Kind::vector:
-            return std::vector<double>(static_cast<std::size_t>(key.least_components), plain_number(key));
+            return std::vector<double>(static_cast<std::size_t>(key.min_components), plain_number(key));
         default:
             return std::string{};
     }
@@ -180,7 +180,7 @@ PlainValue integer(const KeyContext& context, const Value& value, std::int64_t n
 PlainValue vector(const KeyContext& context, const Value& value, const Array& array) {
     const Key& key = context.key;
     const auto count = static_cast<Index>(array.size());
-    if (count < key.least_components || count > key.most_components) {
+    if (count < key.min_components || count > key.max_components) {
         context.diagnostics.error(value.location, fmt::format("{} has {} component{}, allowed: {}", context.subject(),
                                                               count, count == 1 ? "" : "s", key.allowed_components()));
     }
@@ -193,7 +193,7 @@ PlainValue vector(const KeyContext& context, const Value& value, const Array& ar
         numbers.push_back(std::get<double>(
             checked_value({one, context.title, context.units, context.diagnostics, component}, element)));
     }
-    const Index allowed_count = std::clamp(count, key.least_components, key.most_components);
+    const Index allowed_count = std::clamp(count, key.min_components, key.max_components);
     numbers.resize(static_cast<std::size_t>(allowed_count), plain_number(key));
     return numbers;
 }

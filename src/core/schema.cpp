@@ -100,8 +100,8 @@ Key& Key::below(double bound) {
 
 Key& Key::components(Index least, Index most) {
     if (least < 1 || most < least) throw ContractViolation("Key::components: '" + name + "' allows no array");
-    least_components = least;
-    most_components = most;
+    min_components = least;
+    max_components = most;
     return *this;
 }
 
@@ -145,7 +145,7 @@ std::string Key::type() const {
         case Kind::interval:
             return "integer, or wall time in quotes";
         case Kind::vector:
-            return fmt::format("array of {} number{}", allowed_components(), most_components == 1 ? "" : "s");
+            return fmt::format("array of {} number{}", allowed_components(), max_components == 1 ? "" : "s");
         case Kind::table:
             return "table";
         case Kind::tables:
@@ -155,8 +155,8 @@ std::string Key::type() const {
 }
 
 std::string Key::allowed_components() const {
-    if (least_components == most_components) return fmt::format("{}", least_components);
-    return fmt::format("{} to {}", least_components, most_components);
+    if (min_components == max_components) return fmt::format("{}", min_components);
+    return fmt::format("{} to {}", min_components, max_components);
 }
 
 std::string Key::allowed() const {

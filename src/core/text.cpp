@@ -62,16 +62,16 @@ std::string printable(std::string_view text, std::size_t limit) {
 }
 
 std::string in_quotes(std::string_view text) {
-    constexpr std::size_t most_characters = 60;
-    return "'" + printable(text, most_characters) + "'";
+    constexpr std::size_t max_characters = 60;
+    return "'" + printable(text, max_characters) + "'";
 }
 
 std::string with_error(double mean, double error) {
     if (!(error > 0.0) || !std::isfinite(error)) {
         return fmt::format("{:.6g}", mean);
     }
-    constexpr int most_decimals = 12;
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, most_decimals);
+    constexpr int max_decimals = 12;
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, max_decimals);
     return fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals);
 }
 

@@ -14,9 +14,9 @@ namespace ljmd {
 
 namespace {
 
-constexpr double least_density = 1e-12;  // one atom in a box of 10^4 sigma
-constexpr double least_cutoff = 0.01;    // r^-12 there is 10^24
-constexpr double largest_skin = 10.0;    // a longer list has all pairs, many times over in a small box
+constexpr double min_density = 1e-12;  // one atom in a box of 10^4 sigma
+constexpr double min_cutoff = 0.01;    // r^-12 there is 10^24
+constexpr double largest_skin = 10.0;  // a longer list has all pairs, many times over in a small box
 
 Schema argon_schema() {
     return Schema(
@@ -59,7 +59,7 @@ Schema system_schema() {
          Key::number("density")
              .dimension(Dimension::density)
              .unit("sigma^-3")
-             .at_least(least_density)
+             .at_least(min_density)
              .optional("that of `file`")
              .meaning("number density N/V; with `file`, box and positions are scaled to it"),
          Key::number("temperature")
@@ -97,7 +97,7 @@ Schema potential_schema() {
          Key::number("cutoff")
              .dimension(Dimension::length)
              .unit("sigma")
-             .at_least(least_cutoff)
+             .at_least(min_cutoff)
              .meaning("pairs closer than this interact; at most L/2"),
          Key::choice("truncation", PairPotential::truncation_names()).meaning("what happens at the cutoff"),
          Key::flag("tail")
@@ -121,7 +121,7 @@ Schema neighbors_schema() {
                                 "within the cutoff"),
                    Key::integer("every")
                        .at_least(1)
-                       .at_most(static_cast<double>(most_steps))
+                       .at_most(static_cast<double>(max_steps))
                        .optional("whenever a pair could be missed")
                        .meaning("rebuild the list every so many steps, whatever the atoms do, as other programs may: "
                                 "pairs can be missed; verlet-list only")});
@@ -236,7 +236,7 @@ Schema stage_schema(DeckKind kind, const Key& time_step) {
                    Key::choice("integrator", names).defaults_to("velocity-verlet").meaning(integrators), time_step,
                    Key::integer("steps")
                        .at_least(0)
-                       .at_most(static_cast<double>(most_steps))
+                       .at_most(static_cast<double>(max_steps))
                        .meaning("number of steps; a run of 0 steps in all evaluates the start once"),
                    Key::flag("reverse").defaults_to(false).meaning(
                        "turn the motion round before the first step: a reversible integrator then goes back the way "
@@ -247,7 +247,7 @@ Schema stage_schema(DeckKind kind, const Key& time_step) {
 Schema output_schema(const Schema& thermo, const Schema& trajectory, const std::string& thermo_default) {
     const Schema checkpoint("checkpoint", {Key::interval("every")
                                                .at_least(1)
-                                               .at_most(static_cast<double>(most_steps))
+                                               .at_most(static_cast<double>(max_steps))
                                                .defaults_to(std::string("5 min"))
                                                .meaning("steps, or wall time"),
                                            Key::integer("keep")

@@ -15,11 +15,11 @@ namespace ljmd {
 
 namespace {
 
-constexpr double unlikely_time_step = 0.02;   // [tau]; slightly above, Lennard-Jones is unstable
-constexpr double unlikely_density = 1.5;      // [sigma^-3]; 1.5 times the density of the crystal at its melting point
-constexpr double unlikely_temperature = 50;   // [epsilon/k_B]; 6000 K for argon
-constexpr double unlikely_cutoff = 6;         // [sigma]; 2.5 to 5 are usual
-constexpr Index most_atoms = Index{1} << 30;  // a process indexes atoms and images with 32 bits
+constexpr double unlikely_time_step = 0.02;  // [tau]; slightly above, Lennard-Jones is unstable
+constexpr double unlikely_density = 1.5;     // [sigma^-3]; 1.5 times the density of the crystal at its melting point
+constexpr double unlikely_temperature = 50;  // [epsilon/k_B]; 6000 K for argon
+constexpr double unlikely_cutoff = 6;        // [sigma]; 2.5 to 5 are usual
+constexpr Index max_atoms = Index{1} << 30;  // a process indexes atoms and images with 32 bits
 
 // Values that validation found wrong are skipped: their stand-ins say nothing about the deck, and each mistake is
 // reported once.
@@ -75,10 +75,10 @@ void check_lattice(const Section& lattice, Diagnostics& diagnostics) {
                               fmt::format("nearest: {} or {}", lattice_atoms(lattice_of(type), near.below),
                                           lattice_atoms(lattice_of(type), near.above)));
         }
-    } else if (given(lattice, "cells") && lattice_atoms(lattice_of(type), lattice.integer("cells")) > most_atoms) {
+    } else if (given(lattice, "cells") && lattice_atoms(lattice_of(type), lattice.integer("cells")) > max_atoms) {
         diagnostics.error(lattice.location("cells"),
                           fmt::format("'cells' in lattice makes {} atoms, more than {}",
-                                      lattice_atoms(lattice_of(type), lattice.integer("cells")), most_atoms));
+                                      lattice_atoms(lattice_of(type), lattice.integer("cells")), max_atoms));
     }
 }
 

@@ -45,13 +45,13 @@ std::optional<int> check_dimensions(const std::vector<Section>& bodies, Diagnost
 
 bool check_force_dimensions(const Section& root, const FewBodyForceMethod& force, int dimensions,
                             Diagnostics& diagnostics) {
-    if (dimensions >= force.least_dimensions && dimensions <= force.most_dimensions) {
+    if (dimensions >= force.min_dimensions && dimensions <= force.max_dimensions) {
         return true;
     }
     diagnostics.error(root.sections("body").front().location("position"),
                       fmt::format("'position' has {}, but force '{}' moves a coordinate of {}",
                                   count(static_cast<std::size_t>(dimensions)), force.name,
-                                  count(static_cast<std::size_t>(force.most_dimensions))));
+                                  count(static_cast<std::size_t>(force.max_dimensions))));
     return false;
 }
 

@@ -103,15 +103,15 @@ FluidSpec fluid_spec(const Deck& deck) {
     const Section& system = deck.system();
     const Section& potential = deck.potential();
     const Section& neighbors = deck.neighbors();
-    FluidSpec spec{.potential = pair_potential_of(potential),
-                   .tail = potential.has("tail") && potential.flag("tail"),
-                   .neighbors = {neighbors.text("method"), neighbors.number("skin"),
-                                 neighbors.has("every") ? std::optional<Index>(neighbors.integer("every"))
-                                                        : std::nullopt},
-                   .stages = deck.stages,
-                   .sample_every = deck.thermo_every,
-                   .analyses = chosen_analyses(deck.root.section("analysis")),
-                   .units = deck.units};
+    FluidSpec spec{
+        .potential = pair_potential_of(potential),
+        .tail = potential.has("tail") && potential.flag("tail"),
+        .neighbors = {neighbors.text("method"), neighbors.number("skin"),
+                      neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt},
+        .stages = deck.stages,
+        .sample_every = deck.thermo_every,
+        .analyses = chosen_analyses(deck.root.section("analysis")),
+        .units = deck.units};
     if (!system.has("lattice")) {
         spec.start = Configuration{};
     } else if (const Section& lattice = system.section("lattice"); is_random(lattice)) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double trial_seconds = 0.3;
 constexpr Index stand_in_atoms = 4000;
-constexpr double usual_time_step = 0.004;
+constexpr double default_time_step = 0.004;
 constexpr double hottest_trial = 2.0;  // [epsilon/k_B]; stable with the usual time step
 
 double density_of(const Start& start) {
@@ -29,7 +29,7 @@ double density_of(const Start& start) {
 
 /// Measured seconds per step, pair search and integration included.
 double seconds_per_step(const std::string& method, State& state, PairForceField& force_field) {
-    const Integrator integrator(find_integrator(method), usual_time_step);
+    const Integrator integrator(find_integrator(method), default_time_step);
     force_field.evaluate(state, Request::forces);
     const auto began = std::chrono::steady_clock::now();
     std::chrono::duration<double> took{};

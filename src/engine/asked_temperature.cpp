@@ -14,10 +14,10 @@ namespace ljmd {
 namespace {
 
 constexpr double noticeable_errors = 3.0;
-constexpr double rounding = 1e-9;       // of the temperature: a value that is held exactly has no error
-constexpr double farthest_shift = 0.1;  // of the temperature: the range in which the slope of an equation is reliable
-constexpr double least_full_cutoff = 2.5;  // [sigma]: beyond it, a tail with g = 1 gives the full fluid
-constexpr double thol2015_cutoff = 2.5;    // [sigma]
+constexpr double rounding = 1e-9;        // of the temperature: a value that is held exactly has no error
+constexpr double farthest_shift = 0.1;   // of the temperature: the range in which the slope of an equation is reliable
+constexpr double min_full_cutoff = 2.5;  // [sigma]: beyond it, a tail with g = 1 gives the full fluid
+constexpr double thol2015_cutoff = 2.5;  // [sigma]
 
 bool is_off(double asked, const Estimate& found) {
     return std::abs(found.mean - asked) > std::max(noticeable_errors * found.standard_error, rounding * asked);
@@ -80,7 +80,7 @@ std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
     if (potential.formula() != "lennard-jones") {
         return std::nullopt;
     }
-    if (potential.truncation() == "cut" && spec.tail && radius >= least_full_cutoff) {
+    if (potential.truncation() == "cut" && spec.tail && radius >= min_full_cutoff) {
         return equation_of_state("thol2016");
     }
     if (potential.truncation() == "shifted" && std::abs(radius - thol2015_cutoff) < rounding) {
@@ -89,7 +89,8 @@ std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
     return std::nullopt;
 }
 
-std::optional<AtAskedTemperature> at_asked_temperature(const FluidSpec& spec, double density, const RunAverages& averages) {
+std::optional<AtAskedTemperature> at_asked_temperature(const FluidSpec& spec, double density,
+                                                       const RunAverages& averages) {
     if (sampled_ensemble(spec.stages) != Ensemble::constant_energy) {
         return std::nullopt;
     }

@@ -189,8 +189,7 @@ void FewBodyMeasurement::record(const Evaluation& evaluation) {
         FewBodyHistory& history = histories_[k];
         history.at_end = values[k].second;
         history.mean += (values[k].second - history.mean) / static_cast<double>(rows_);
-        history.largest_deviation =
-            std::max(history.largest_deviation, std::abs(values[k].second - history.at_start));
+        history.largest_deviation = std::max(history.largest_deviation, std::abs(values[k].second - history.at_start));
     }
 }
 

@@ -33,7 +33,8 @@ class Complaints {
 void judge_stage(const Stage& stage, Complaints& complaints) {
     const std::string where = fmt::format("stage '{}'", stage.name);
     complaints.add(stage.name.empty(), where, "it needs a name");
-    complaints.add(!(stage.time_step > 0.0), where, fmt::format("the time step is {}, it must be above 0", stage.time_step));
+    complaints.add(!(stage.time_step > 0.0), where,
+                   fmt::format("the time step is {}, it must be above 0", stage.time_step));
     complaints.add(stage.steps < 0, where, fmt::format("{} steps: allowed are 0 and more", stage.steps));
     const auto& method = stage.integrator.plugin;
     complaints.add(method.unbounded_only, where, fmt::format("the integrator {} is for few bodies only", method.name));
@@ -53,8 +54,7 @@ void judge_stage(const Stage& stage, Complaints& complaints) {
 
 void judge_start(const FluidSpec& spec, Complaints& complaints) {
     const auto* configuration = std::get_if<Configuration>(&spec.start);
-    const bool has_velocities =
-        configuration != nullptr && spec.keep_velocities && !configuration->velocities.empty();
+    const bool has_velocities = configuration != nullptr && spec.keep_velocities && !configuration->velocities.empty();
     complaints.add(!spec.temperature && !has_velocities, "start",
                    "a temperature is needed, from which velocities are drawn");
     complaints.add(spec.temperature && !(*spec.temperature >= 0.0), "start", "the temperature is below 0");
@@ -81,13 +81,13 @@ void judge_analyses(const FluidSpec& spec, Complaints& complaints) {
     complaints.add(std::any_of(first, spec.stages.end(), [](const Stage& stage) { return stage.barostat.has_value(); }),
                    "analyses", "they need a box that stays as it is from the first sampled stage on");
     const double time_step = sampled_stage(spec.stages).time_step;
-    const bool follows_time = std::ranges::any_of(
-        spec.analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.follows_time; });
-    complaints.add(follows_time && std::ranges::any_of(spec.stages,
-                                                       [&](const Stage& stage) {
-                                                           return stage.sample && stage.time_step != time_step;
-                                                       }),
-                   "analyses", "they compare configurations at equal times apart, so sampled stages need one time step");
+    const bool follows_time =
+        std::ranges::any_of(spec.analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.follows_time; });
+    complaints.add(
+        follows_time &&
+            std::ranges::any_of(spec.stages,
+                                [&](const Stage& stage) { return stage.sample && stage.time_step != time_step; }),
+        "analyses", "they compare configurations at equal times apart, so sampled stages need one time step");
 }
 
 }  // namespace
@@ -127,12 +127,8 @@ const Stage& sampled_stage(const std::vector<Stage>& stages) {
 
 SampledRun sampled_run(const std::vector<Stage>& stages, std::uint64_t seed, Index atoms, const Box& box) {
     const Stage& stage = sampled_stage(stages);
-    SampledRun run{atoms,
-                   box,
-                   stage.time_step,
-                   stage.steps,
-                   seed,
-                   stage.thermostat ? std::optional(stage.temperature) : std::nullopt,
+    SampledRun run{atoms,       box,  stage.time_step,
+                   stage.steps, seed, stage.thermostat ? std::optional(stage.temperature) : std::nullopt,
                    std::nullopt};
     for (const Stage& other : stages) {
         if (other.sample) {

@@ -30,7 +30,6 @@ constexpr double small_time_step_error = 0.001;
 constexpr double large_time_step_error = 0.01;
 constexpr int highest_order = 2;  ///< of integrators for which TimeStepError is meaningful
 
-
 void judge_stages(RunResult& result) {
     const auto kinetic = std::ranges::find(result.averages, "kinetic_energy", &ObservableAverage::name);
     for (StageResult& stage : result.stages) {
@@ -57,11 +56,11 @@ std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
                         100.0 * *result.order_at_sampling, *result.order_at_sampling));
     }
     if (const Index late = result.search.late_rebuilds; late > 0) {
-        doubts.push_back(fmt::format(
-            "{} of {} neighbor lists were kept too long: an atom had moved by more than half the skin, "
-            "and pairs within the cutoff may have been missed. Take a larger skin or a smaller `every`, "
-            "or leave `every` out",
-            late, result.search.rebuilds));
+        doubts.push_back(
+            fmt::format("{} of {} neighbor lists were kept too long: an atom had moved by more than half the skin, "
+                        "and pairs within the cutoff may have been missed. Take a larger skin or a smaller `every`, "
+                        "or leave `every` out",
+                        late, result.search.rebuilds));
     }
     for (const StageResult& stage : result.stages) {
         if (!stage.drift_remark.empty()) {

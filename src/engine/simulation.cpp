@@ -38,11 +38,13 @@ const FluidSpec& checked(const FluidSpec& spec, const Execution& execution) {
 struct Simulation::Parts {
     Parts(FluidSpec wanted, const Execution& execution)
         : spec(std::move(wanted)),
-          fluid(make_fluid(checked(spec, execution), execution, [this](const std::string& text) { warnings.push_back(text); })),
+          fluid(make_fluid(checked(spec, execution), execution,
+                           [this](const std::string& text) { warnings.push_back(text); })),
           measurement(std::in_place, spec, fluid, rows) {}
 
     void advance(std::optional<Index> until) {
-        position = run_stages(spec.stages, fluid.state, fluid.force_field, *measurement, position, spec.interaction(), until);
+        position =
+            run_stages(spec.stages, fluid.state, fluid.force_field, *measurement, position, spec.interaction(), until);
     }
 
     void read(Archive& a) {

@@ -45,10 +45,10 @@ std::unique_ptr<Barostat> barostat_of(const Stage& stage, const std::optional<In
 
 Integrator integrator_of(const Stage& stage, const Thermostat* thermostat) {
     Integrator integrator(stage.integrator, stage.time_step);
-    if (thermostat == nullptr || !thermostat->acts_half_way()) {
+    if (thermostat == nullptr || !thermostat->acts_mid_drift()) {
         return integrator;
     }
-    return integrator.with_half_way([thermostat](State& state) { thermostat->half_way(state); });
+    return integrator.with_mid_drift([thermostat](State& state) { thermostat->mid_drift(state); });
 }
 
 bool conserves_momentum(const Stage& stage) {
@@ -191,9 +191,9 @@ class TimeLoop {
 
 }  // namespace
 
-LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field,
-                        StepObserver& observer, const std::optional<LoopPosition>& from,
-                        const std::optional<Interaction>& interaction, std::optional<Index> until) {
+LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
+                        const std::optional<LoopPosition>& from, const std::optional<Interaction>& interaction,
+                        std::optional<Index> until) {
     std::optional<TimeLoop> loop;
     try {
         if (!from) {

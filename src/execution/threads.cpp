@@ -34,9 +34,9 @@ int default_thread_count() {
     const std::string_view first = text.substr(0, text.find(','));  // the other numbers are for nested loops
     int count = 0;
     const auto [rest, error] = std::from_chars(first.data(), first.data() + first.size(), count);
-    if (error != std::errc() || rest != first.data() + first.size() || count < 1 || count > most_threads) {
+    if (error != std::errc() || rest != first.data() + first.size() || count < 1 || count > max_threads) {
         throw InputError(
-            fmt::format("OMP_NUM_THREADS is '{}': allowed is a number of threads from 1 to {}", text, most_threads));
+            fmt::format("OMP_NUM_THREADS is '{}': allowed is a number of threads from 1 to {}", text, max_threads));
     }
     return count;
 }

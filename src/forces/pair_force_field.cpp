@@ -7,9 +7,9 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/execution/flush_subnormals.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/execution/thread_team.hpp"
-#include "ljmd/execution/tiny_is_zero.hpp"
 #include "ljmd/forces/pair_sum.hpp"
 #include "simd/pair_kernel.hpp"
 
@@ -97,17 +97,17 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
         const ClusterGrid::Run own = grid.tiles()[t];
         if (mixed) {
             workspace.fixed_positions.update(
-                grid, own, tile.guests, tile.cluster_count, atoms, fixed_point,
+                grid, own, tile.ghosts, tile.cluster_count, atoms, fixed_point,
                 [&](double dx) { return fixed_point.distance(dx); }, FixedPoint::far_away);
         } else {
             workspace.positions.update(
-                grid, own, tile.guests, tile.cluster_count, atoms, [](double x, int) { return x; },
+                grid, own, tile.ghosts, tile.cluster_count, atoms, [](double x, int) { return x; },
                 [](double dx) { return dx; }, far_away);
         }
         const auto numbers = per_cluster * static_cast<std::size_t>(tile.cluster_count);
         const auto partial = numbers * static_cast<std::size_t>(list.row_shape().atoms);
         workspace.partial_forces.resize(std::max(workspace.partial_forces.size(), partial));
-        guest_forces_[t].resize(per_cluster * static_cast<std::size_t>(tile.cluster_count - own.length()) + 1);
+        ghost_forces_[t].resize(per_cluster * static_cast<std::size_t>(tile.cluster_count - own.length()) + 1);
         const PairKernelTask task{
             mixed ? static_cast<const void*>(workspace.fixed_positions.data()) : workspace.positions.data(),
             fixed_point.unit(),
@@ -119,17 +119,17 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
             cutoff * cutoff,
             workspace.partial_forces.data(),
             forces,
-            guest_forces_[t].data()};
+            ghost_forces_[t].data()};
         kernel(pair, task, energy ? &sums[t] : nullptr);
     };
     const auto count = static_cast<Index>(tiles.size());
     workspaces_.resize(static_cast<std::size_t>(state.execution().threads()));
-    guest_forces_.resize(tiles.size());
+    ghost_forces_.resize(tiles.size());
     for_each_block(state.execution(), count, 1, [&](Index tile, Index) {
-        const TinyIsZero tiny_is_zero;
+        const FlushSubnormals flush_subnormals;
         sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(number_in_team())]);
     });
-    add_guest_forces(list, state);
+    add_ghost_forces(list, state);
     Evaluation total;
     for (const PairKernelSums& tile : sums) {
         const auto& w = tile.virial;
@@ -142,16 +142,16 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
 }
 
 /// Add the forces on a tile's clusters where these are ghosts of other tiles, in the order of those tiles.
-void PairForceField::add_guest_forces(const VerletList& list, State& state) const {
+void PairForceField::add_ghost_forces(const VerletList& list, State& state) const {
     double* forces = state.write_forces().data();
     for_each_block(state.execution(), static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
-        for (const VerletList::Away& away : list.away(tile)) {
-            const auto& all = list.tiles()[away.tile].guests;
-            const ClusterGrid::Guests& guests = all[away.guests];
-            const double* from =
-                guest_forces_[away.tile].data() + Index{3} * ClusterGrid::slots * (guests.first - all.front().first);
+        for (const VerletList::ExportedGhosts& exported : list.exported_ghosts(tile)) {
+            const auto& all = list.tiles()[exported.tile].ghosts;
+            const ClusterGrid::GhostClusters& ghosts = all[exported.ghosts];
+            const double* from = ghost_forces_[exported.tile].data() +
+                                 Index{3} * ClusterGrid::slots * (ghosts.first - all.front().first);
             // Only the last cluster of a column may have slots without an atom, so atoms and slots run in step.
-            const AtomRange atoms = list.clusters().atoms_of(guests.of);
+            const AtomRange atoms = list.clusters().atoms_of(ghosts.of);
             for (Index i = atoms.first; i < atoms.last; ++i, from += 3) {
                 Eigen::Map<Vec3>(forces + 4 * i) += Eigen::Map<const Vec3>(from);
             }

@@ -11,7 +11,7 @@ namespace ljmd {
 namespace {
 
 constexpr std::size_t max_bytes = std::size_t{1} << 20;
-constexpr std::size_t usual_beginning = 4096;
+constexpr std::size_t default_beginning = 4096;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ DeckFile read_deck(const std::filesystem::path& path, Diagnostics& diagnostics) 
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (file.bad()) return fail(why_reading_failed());
     text.resize(static_cast<std::size_t>(file.gcount()));
-    if (const std::string why = why_no_text(std::string_view(text).substr(0, usual_beginning)); !why.empty()) {
+    if (const std::string why = why_no_text(std::string_view(text).substr(0, default_beginning)); !why.empty()) {
         return fail(why);
     }
     return parse_deck(path.string(), std::move(text), diagnostics);

@@ -46,8 +46,8 @@ Data of_value(const Key& key) {
         case Kind::vector:
             return {{"type", "array"},
                     {"items", with_range({{"type", "number"}}, key)},
-                    {"minItems", key.least_components},
-                    {"maxItems", key.most_components}};
+                    {"minItems", key.min_components},
+                    {"maxItems", key.max_components}};
         case Kind::table:
             return of_table(key.inner.front());
         case Kind::tables:

@@ -35,7 +35,7 @@ Integrator::Integrator(const ChosenIntegrator& chosen, double time_step)
     : identity_(fmt::format("{} {} {}", chosen.plugin.name, time_step, chosen.values)),
       scheme_(chosen.options->scheme(time_step)) {}
 
-Integrator Integrator::with_half_way(const std::function<void(State&)>& change) const {
+Integrator Integrator::with_mid_drift(const std::function<void(State&)>& change) const {
     Integrator changed = *this;
     for (std::vector<Operator>& operators : changed.scheme_.cycle) {
         std::vector<Operator> split;

@@ -71,7 +71,7 @@ void move(State& state, double step) {
 
 }  // namespace
 
-Relaxation relax(State& state, ForceField& force_field, double force_tolerance, Index most_iterations) {
+Relaxation relax(State& state, ForceField& force_field, double force_tolerance, Index max_iterations) {
     const FireConstants fire;
     double step = fire.first_step;
     double mixing = fire.first_mixing;
@@ -80,7 +80,7 @@ Relaxation relax(State& state, ForceField& force_field, double force_tolerance, 
     Evaluation evaluation = force_field.evaluate(state, Request::forces_and_energy);
     Index iteration = 0;
     while (!(largest_force(state) <= force_tolerance)) {
-        if (iteration == most_iterations) {
+        if (iteration == max_iterations) {
             throw PhysicsError(
                 fmt::format("{} iterations did not relax the overlaps of the start: the largest force is "
                             "{:.3g}. Is the density too high?",

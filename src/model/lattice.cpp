@@ -27,8 +27,8 @@ Index sites_per_cell(Lattice lattice) {
 }
 
 Index lattice_atoms(Lattice lattice, Index cells) {
-    constexpr Index most_cells = Index{1} << 20;  // 4 * 2^60 sites fit into an Index
-    if (cells < 0 || cells > most_cells) {
+    constexpr Index max_cells = Index{1} << 20;  // 4 * 2^60 sites fit into an Index
+    if (cells < 0 || cells > max_cells) {
         throw ContractViolation(fmt::format("a crystal of {} cells along each edge", cells));
     }
     return sites_per_cell(lattice) * cells * cells * cells;

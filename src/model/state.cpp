@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t stride = 4;
 
 /// An atom does not diffuse this many edges away from its box.
-constexpr double most_crossings = 1e6;
+constexpr double max_crossings = 1e6;
 
 VectorView view(AlignedVector<double>& data, Index first, Index count) {
     return {data.data() + stride * static_cast<std::size_t>(first), 3, count};
@@ -168,7 +168,7 @@ void State::wrap() {
             return;  // nearly always
         }
         const Vec3 n = box().crossings(r.col(i));
-        if (!(n.array().abs() < most_crossings).all()) {  // true for NaN as well; maxCoeff may ignore NaN
+        if (!(n.array().abs() < max_crossings).all()) {  // true for NaN as well; maxCoeff may ignore NaN
             const Vec3 outside = (r.col(i).array() - 0.5 * box().edges().array()).abs() - 0.5 * box().edges().array();
             const std::string how = r.col(i).allFinite()
                                         ? fmt::format("has left its box by {:.3g} sigma", outside.maxCoeff())
@@ -268,8 +268,8 @@ void State::archive(Archive& a) {
     refuse_unless(!bounded || edges == box_->edges(), "its box is another");
     require_count(step);
     require_count(phase_.steps);
-    constexpr int most_edges = 1 << 30;  // no run takes an atom so far, and further counting does not overflow
-    refuse_unless(std::all_of(images.begin(), images.end(), [](int n) { return n > -most_edges && n < most_edges; }),
+    constexpr int max_edges = 1 << 30;  // no run takes an atom so far, and further counting does not overflow
+    refuse_unless(std::all_of(images.begin(), images.end(), [](int n) { return n > -max_edges && n < max_edges; }),
                   "an atom is too far from its box");
     for (std::size_t i = 0; i < count; ++i) {
         images_[i] = Eigen::Vector3i(images[3 * i], images[3 * i + 1], images[3 * i + 2]);

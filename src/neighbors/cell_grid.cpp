@@ -23,10 +23,10 @@ constexpr double safety = 1.0 + 0x1p-40;
 constexpr double cells_per_range = 2.0;
 
 /// More cells per atom cost more memory than they save tests.
-constexpr double most_cells_per_atom = 3.0;
+constexpr double max_cells_per_atom = 3.0;
 
 /// Cells and places are counted with 32 bits.
-constexpr Index most_points = Index{1} << 30;
+constexpr Index max_points = Index{1} << 30;
 
 /// The largest integer not above x. @pre -2^31 < x < 2^31
 int floor_of(double x) {
@@ -53,7 +53,7 @@ void sort_by(const std::vector<std::uint32_t>& keys, std::size_t bins, std::vect
 }
 
 void require_countable(Index points) {
-    if (points > most_points) {
+    if (points > max_points) {
         throw InputError(fmt::format("{} atoms and images are more than one process can hold", points));
     }
 }
@@ -70,8 +70,8 @@ void append_range(std::vector<std::int32_t>& numbers, Index first, Index count) 
 
 void CellGrid::configure(const Box& box, double range, Index atoms) {
     const Vec3 fitting = box.edges() * (cells_per_range / (range * safety));
-    const double most_cells = most_cells_per_atom * static_cast<double>(std::max<Index>(atoms, 1));
-    const double coarser = std::max(1.0, std::cbrt(fitting.cwiseMax(1.0).prod() / most_cells));
+    const double max_cells = max_cells_per_atom * static_cast<double>(std::max<Index>(atoms, 1));
+    const double coarser = std::max(1.0, std::cbrt(fitting.cwiseMax(1.0).prod() / max_cells));
     for (int a = 0; a < 3; ++a) {
         const auto k = static_cast<std::size_t>(a);
         inner_[k] = static_cast<int>(std::max(1.0, std::floor(fitting[a] / coarser)));

@@ -19,11 +19,11 @@ namespace {
 constexpr double safety = 1.0 + 0x1p-36;
 
 /// Positions, forces and lists of a tile should fit into the caches next to a core. A small tile has many ghost
-/// clusters (guests in names) for its own clusters, which cost copies and a second sum. A small system still gets two
+/// clusters for its own clusters, which cost copies and a second sum. A small system still gets two
 /// tiles, so that two threads can share it.
-constexpr double most_atoms_per_tile = 4000.0;
-constexpr double fewest_tiles = 2.0;
-constexpr double fewest_atoms_per_tile = 200.0;
+constexpr double max_atoms_per_tile = 4000.0;
+constexpr double min_tiles = 2.0;
+constexpr double min_atoms_per_tile = 200.0;
 
 /// Width of a column relative to the edge of a cubic cluster.
 constexpr double slimness = 0.93;
@@ -32,7 +32,7 @@ constexpr double slimness = 0.93;
 constexpr double slices_per_cluster = 2.0;
 
 /// Atoms are counted with 32 bits.
-constexpr Index most_atoms = Index{1} << 30;
+constexpr Index max_atoms = Index{1} << 30;
 
 int floor_of(double x) {
     return static_cast<int>(std::floor(x));
@@ -62,7 +62,7 @@ int columns_along(double edge, double cube, double range) {
 void ClusterGrid::configure(const Box& box, double range, Index atoms) {
     range_ = range * safety;
     const double count = std::max(1.0, static_cast<double>(atoms));
-    const double atoms_per_tile = std::clamp(count / fewest_tiles, fewest_atoms_per_tile, most_atoms_per_tile);
+    const double atoms_per_tile = std::clamp(count / min_tiles, min_atoms_per_tile, max_atoms_per_tile);
     const double density = count / box.volume();
     // Cut the longest edge of the tiles until they are small enough.
     tiles_along_ = {1, 1, 1};
@@ -145,7 +145,7 @@ ClusterGrid::Run ClusterGrid::clusters_of_column(std::int32_t column) const {
 }
 
 void ClusterGrid::sort(State& state) {
-    if (state.count() > most_atoms) {
+    if (state.count() > max_atoms) {
         throw InputError(fmt::format("{} atoms are more than one process can hold", state.count()));
     }
     state.wrap();
@@ -253,7 +253,7 @@ double ClusterGrid::gap2(int cells, std::size_t axis) const {
 }
 
 /// Clusters of a column that, shifted, lie at least in part between two heights.
-ClusterGrid::Run ClusterGrid::guests_of_column(std::int32_t column, double shift, double low, double high) const {
+ClusterGrid::Run ClusterGrid::ghosts_of_column(std::int32_t column, double shift, double low, double high) const {
     Run run = clusters_of_column(column);
     while (run.length() > 0 && extent(run.first).high + shift < low) {
         ++run.first;
@@ -296,16 +296,16 @@ ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
                 column.floor = cell[2] * height_;
                 column.slices =
                     static_cast<std::size_t>(column.column) * 2 * static_cast<std::size_t>(slice_count_ + 2);
-                column.guest = side != 0;
+                column.ghost = side != 0;
                 if (side == 0) {
                     column.run = clusters_of_column(column.column);
                     column.offset = -around.own_.first;
                 } else if (side > 0 && left2 >= 0.0) {
                     const double floor = first[2] * height_;
-                    column.run = guests_of_column(column.column, shift[2], floor - range_, floor + height_ + range_);
+                    column.run = ghosts_of_column(column.column, shift[2], floor - range_, floor + height_ + range_);
                     column.offset = around.count_ - column.run.first;
                     if (column.run.length() > 0) {
-                        around.guests_.push_back({column.run, around.count_, shift});
+                        around.ghosts_.push_back({column.run, around.count_, shift});
                         around.count_ += column.run.length();
                     }
                 }
@@ -332,7 +332,7 @@ void ClusterGrid::find_near(const Neighborhood& neighborhood, std::int32_t colum
                 const Index z = center[2] + dz - corner[2];
                 const Column& other =
                     neighborhood.columns_[static_cast<std::size_t>((z * cells[1] + y) * cells[0] + x)];
-                if (other.run.length() > 0 && (other.guest || other.column >= column)) {
+                if (other.run.length() > 0 && (other.ghost || other.column >= column)) {
                     near.push_back({other, std::sqrt(left2)});
                 }
             }

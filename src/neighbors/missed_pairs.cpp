@@ -16,7 +16,7 @@ namespace {
 constexpr double wider = 1.0 + 0x1p-21;
 
 /// With fewer atoms per fast atom, a rebuild costs less than a search around all fast atoms.
-constexpr Index fewest_atoms_a_fast_one = 64;
+constexpr Index min_atoms_per_fast_atom = 64;
 
 constexpr Index fast_atoms_per_block = 16;
 
@@ -82,7 +82,7 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
     const double harmless = std::max(0.0, range - reach);  // total displacement of a pair that cannot have been missed
     const Moves moves = find_moves(grid, before, state, 0.5 * harmless);
 
-    if (static_cast<Index>(moves.fast.size()) * fewest_atoms_a_fast_one > state.count()) {
+    if (static_cast<Index>(moves.fast.size()) * min_atoms_per_fast_atom > state.count()) {
         return true;
     }
     double longest = 0.0;

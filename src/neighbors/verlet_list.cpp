@@ -45,7 +45,7 @@ class CandidatesOfCluster {
                 break;  // for most clusters at the first column of the next layer along z
             }
             const ClusterGrid::Run window = grid_.window(other, extent);
-            const std::int32_t least = other.column.guest ? 0 : static_cast<std::int32_t>(cluster) + 1;
+            const std::int32_t least = other.column.ghost ? 0 : static_cast<std::int32_t>(cluster) + 1;
             const ClusterGrid::Run run{(std::max(window.first, least) + other.column.offset) * slots,
                                        (window.last + other.column.offset) * slots};
             const bool any = run.first < run.last;
@@ -71,7 +71,7 @@ class CandidatesOfCluster {
     int count_ = 0;
 };
 
-/// All slots of a tile and its ghost clusters (guests in names), for the kernel. @param part  slots of a part, see
+/// All slots of a tile and its ghost clusters, for the kernel. @param part  slots of a part, see
 /// RowShape
 CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighborhood& neighborhood,
                               const State& state, const FixedPoint& fixed_point, Index part) {
@@ -100,8 +100,8 @@ CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighb
         }
     };
     place(neighborhood.own(), 0, Vec3::Zero());
-    for (const ClusterGrid::Guests& guests : neighborhood.guests()) {
-        place(guests.of, guests.first, guests.shift);
+    for (const ClusterGrid::GhostClusters& ghosts : neighborhood.ghosts()) {
+        place(ghosts.of, ghosts.first, ghosts.shift);
     }
     return candidates;
 }
@@ -210,7 +210,7 @@ void VerletList::build(const State& state, double cutoff) {
         state.execution(), static_cast<Index>(tiles_.size()), 1, Index{0},
         [&](Index tile, Index) { return fill(static_cast<std::size_t>(tile), state, range); },
         [](Index& sum, Index tests) { sum += tests; });
-    find_guests_owners();
+    find_ghost_owners();
 
     reference_.resize(4 * static_cast<std::size_t>(state.count()));
     for_each_block(state.execution(), state.count(), loop_block,
@@ -235,7 +235,7 @@ Index VerletList::fill(std::size_t number, const State& state, double range) {
     const CandidateArrays arrays = candidates_of(grid_, neighborhood, state, fixed_point_, shape_.others);
     const ConstCandidates all = arrays.read();
     Tile& tile = tiles_[number];
-    tile.guests = neighborhood.guests();
+    tile.ghosts = neighborhood.ghosts();
     tile.cluster_count = neighborhood.cluster_count();
     tile.starts.clear();
     std::size_t end = 0;
@@ -272,27 +272,28 @@ Index VerletList::fill(std::size_t number, const State& state, double range) {
     return tests;
 }
 
-void VerletList::find_guests_owners() {
+void VerletList::find_ghost_owners() {
     std::vector<std::uint32_t> tile_of(static_cast<std::size_t>(grid_.cluster_count()));
     const auto tiles = grid_.tiles();
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         std::fill(tile_of.begin() + tiles[t].first, tile_of.begin() + tiles[t].last, static_cast<std::uint32_t>(t));
     }
-    const auto owner = [&](const ClusterGrid::Guests& guests) {
-        return tile_of[static_cast<std::size_t>(guests.of.first)];  // a Guests is of one column, so of one tile
+    const auto owner = [&](const ClusterGrid::GhostClusters& ghosts) {
+        return tile_of[static_cast<std::size_t>(ghosts.of.first)];  // a GhostClusters is of one column, so of one tile
     };
-    // Counting sort, as in ClusterGrid: away_starts_[t + 1] is the next free place of tile t while away_ is filled.
+    // Counting sort, as in ClusterGrid: away_starts_[t + 1] is the next free place of tile t while exported_ghosts_ is
+    // filled.
     away_starts_.assign(tiles.size() + 2, 0);
     for (const Tile& tile : tiles_) {
-        for (const ClusterGrid::Guests& guests : tile.guests) {
-            ++away_starts_[owner(guests) + 2];
+        for (const ClusterGrid::GhostClusters& ghosts : tile.ghosts) {
+            ++away_starts_[owner(ghosts) + 2];
         }
     }
     std::partial_sum(away_starts_.begin(), away_starts_.end(), away_starts_.begin());
-    away_.resize(away_starts_.back());
+    exported_ghosts_.resize(away_starts_.back());
     for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
-        for (std::uint32_t n = 0; n < tiles_[t].guests.size(); ++n) {
-            away_[away_starts_[owner(tiles_[t].guests[n]) + 1]++] = {t, n};
+        for (std::uint32_t n = 0; n < tiles_[t].ghosts.size(); ++n) {
+            exported_ghosts_[away_starts_[owner(tiles_[t].ghosts[n]) + 1]++] = {t, n};
         }
     }
     away_starts_.pop_back();

@@ -26,7 +26,7 @@ constexpr int scan_steps = 200;
 /// The point of an isotherm with the smallest slope, among densities that can be critical. Formulas with many terms
 /// have several inflections between the spinodals, and a root of d2p/drho2 may be any of them. So the whole range is
 /// scanned.
-FluidProperties least_steep(const EquationOfState& equation, double temperature) {
+FluidProperties min_steep(const EquationOfState& equation, double temperature) {
     constexpr double step = (thickest_critical_density - thinnest_critical_density) / scan_steps;
     FluidProperties least = properties(equation, temperature, thinnest_critical_density);
     for (int i = 1; i <= scan_steps; ++i) {
@@ -83,9 +83,9 @@ double chemical_potential(const FluidProperties& phase) {
 }  // namespace
 
 CriticalPoint critical_point(const EquationOfState& equation) {
-    const double temperature = find_root([&](double t) { return least_steep(equation, t).pressure_density_slope; },
+    const double temperature = find_root([&](double t) { return min_steep(equation, t).pressure_density_slope; },
                                          lowest_critical_temperature, highest_critical_temperature);
-    const FluidProperties point = least_steep(equation, temperature);
+    const FluidProperties point = min_steep(equation, temperature);
     return {temperature, point.density, point.pressure};
 }
 
@@ -94,7 +94,7 @@ double Coexistence::heat_of_vaporisation() const {
 }
 
 std::optional<Coexistence> coexistence(const EquationOfState& equation, double temperature) {
-    const FluidProperties unstable = least_steep(equation, temperature);
+    const FluidProperties unstable = min_steep(equation, temperature);
     if (unstable.pressure_density_slope >= 0.0) {
         return std::nullopt;
     }

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "ljmd/core/text_table.hpp"
-#include "ljmd/run/results.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
+#include "ljmd/run/results.hpp"
 #include "ljmd/run/run_report.hpp"
 
 namespace ljmd {

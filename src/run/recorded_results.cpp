@@ -38,8 +38,8 @@ std::vector<ObservedMean> means_of(const Data& results) {
             }
         }
     }
-    if (found.size() > most_json_keys) {
-        throw WrongData(fmt::format("it has more than {} observables", most_json_keys));
+    if (found.size() > max_json_keys) {
+        throw WrongData(fmt::format("it has more than {} observables", max_json_keys));
     }
     return found;
 }
@@ -47,8 +47,8 @@ std::vector<ObservedMean> means_of(const Data& results) {
 std::vector<RecordedStage> stages_of(const Data& results) {
     std::vector<RecordedStage> stages;
     for (const Data& stage : results.at("stages").items()) {
-        stages.push_back({stage.at("sampled").flag(), integer_of(stage.at("first_step"), "first_step", 0, most_steps),
-                          integer_of(stage.at("steps"), "steps", 0, most_steps)});
+        stages.push_back({stage.at("sampled").flag(), integer_of(stage.at("first_step"), "first_step", 0, max_steps),
+                          integer_of(stage.at("steps"), "steps", 0, max_steps)});
     }
     return stages;
 }

@@ -37,16 +37,16 @@ Record read_record(const fs::path& path) {
             throw WrongData("it is that of another program");
         }
         EarlierParts earlier{
-            record.at("began").text(), {}, integer_of(record.at("steps_added"), "steps_added", 0, most_steps)};
+            record.at("began").text(), {}, integer_of(record.at("steps_added"), "steps_added", 0, max_steps)};
         for (const Data& step : record.at("resumed_at_steps").items()) {
-            earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, most_steps));
+            earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, max_steps));
         }
         return {record.at("deck_file").text(),
                 record.at("deck").text(),
-                texts_of(record.at("settings"), "settings", most_settings),
+                texts_of(record.at("settings"), "settings", max_settings),
                 std::move(earlier),
                 record.at("simd").is_null() ? "" : record.at("simd").text(),
-                static_cast<int>(integer_of(record.at("threads"), "threads", 1, most_threads)),
+                static_cast<int>(integer_of(record.at("threads"), "threads", 1, max_threads)),
                 record.at("finished").flag()};
     });
 }
@@ -75,7 +75,7 @@ RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
     diagnostics.throw_if_errors();
     deck->path = record.deck_file;
     deck->directory = directory;
-    const Index room = most_steps - deck->total_steps() - record.earlier.steps_added;
+    const Index room = max_steps - deck->total_steps() - record.earlier.steps_added;
     if (more_steps > room) {
         throw InputError(
             fmt::format("{} steps more are too many, at most {} can be added", more_steps, std::max<Index>(0, room)));

@@ -131,7 +131,7 @@ RunCheckpoints::RunCheckpoints(const Deck& deck, const Interruption& interruptio
       store_(deck.outputs(), deck.checkpoint.keep),
       interruption_(interruption),
       has_begun_(std::move(has_begun)) {
-    store_.go_on_after(generation);
+    store_.continue_after(generation);
 }
 
 bool RunCheckpoints::due(Index step, bool last_of_stage) {
@@ -151,8 +151,8 @@ bool RunCheckpoints::due(Index step, bool last_of_stage) {
 void RunCheckpoints::write(const State& state, const LoopPosition& position, const CommittedOutputs& outputs,
                            const std::function<void(Archive&)>& archive) {
     Archive a;
-    constexpr Index usual_bytes_per_atom = 200;
-    a.reserve(static_cast<std::size_t>(usual_bytes_per_atom * state.count()));
+    constexpr Index default_bytes_per_atom = 200;
+    a.reserve(static_cast<std::size_t>(default_bytes_per_atom * state.count()));
     const Vec3 edges = state.has_box() ? state.box().edges() : Vec3::Zero();
     CheckpointHead head{deck_hash(deck_), build_info().version, state.step, state.count(), edges, position, outputs};
     a(head);

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/engine/at_temperature.hpp"
 #include "ljmd/deck/deck.hpp"
+#include "ljmd/engine/at_temperature.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/potentials/formulas/lennard_jones.hpp"
 #include "ljmd/run/recorded_results.hpp"
@@ -140,7 +140,7 @@ ZAndU ReproducedRow::z_scores() const {
 }
 
 bool ReproducedRow::precise(const ReproductionLength& length) const {
-    return steps >= length.production * length.most_parts ||
+    return steps >= length.production * length.max_parts ||
            (z.converged && u.converged && z.standard_error <= length.largest_error_z &&
             u.standard_error <= length.largest_error_u);
 }

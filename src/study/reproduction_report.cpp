@@ -24,9 +24,9 @@ std::string with_error_of_digits(const Estimate& found) {
     if (!(found.standard_error > 0.0) || !std::isfinite(found.standard_error)) {
         return fmt::format("{:.4f}", found.mean);
     }
-    constexpr int most_digits = 9;
+    constexpr int max_digits = 9;
     constexpr double three_digits = 99.5;  // values from here on would be rounded to 100
-    int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(found.standard_error))), 0, most_digits);
+    int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(found.standard_error))), 0, max_digits);
     if (digits > 0 && found.standard_error * std::pow(10.0, digits) >= three_digits) {
         --digits;
     }

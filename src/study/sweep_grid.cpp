@@ -83,9 +83,9 @@ std::vector<std::string> range(const std::vector<std::string>& parts, const Loca
     Index count = 0;
     const char* all = parts[2].data() + parts[2].size();
     const auto [end, error] = std::from_chars(parts[2].data(), all, count);
-    if (error != std::errc() || end != all || count < 2 || count > static_cast<Index>(most_points)) {
+    if (error != std::errc() || end != all || count < 2 || count > static_cast<Index>(max_points)) {
         diagnostics.error(
-            where, fmt::format("COUNT is {}, must be a whole number from 2 to {}", in_quotes(parts[2]), most_points),
+            where, fmt::format("COUNT is {}, must be a whole number from 2 to {}", in_quotes(parts[2]), max_points),
             form);
         return {};
     }
@@ -153,7 +153,7 @@ SweepPoints grid_points(const std::vector<std::string>& grids, const std::vector
         const Location where{std::make_shared<const Source>(Source{"--grid " + grid, grid})};
         for (const std::string& text : parts_of(grid, ',')) {
             axes.push_back(read_axis(text, where, diagnostics));
-            count = std::min(count * axes.back().values.size(), most_points + 1);
+            count = std::min(count * axes.back().values.size(), max_points + 1);
         }
     }
     const Location whole{std::make_shared<const Source>(Source{"--grid", ""})};
@@ -165,8 +165,8 @@ SweepPoints grid_points(const std::vector<std::string>& grids, const std::vector
     if (!diagnostics.has_errors()) {
         check_keys(keys, settings, whole, diagnostics);
     }
-    if (count > most_points) {
-        diagnostics.error(whole, fmt::format("too many points, at most {} are allowed", most_points));
+    if (count > max_points) {
+        diagnostics.error(whole, fmt::format("too many points, at most {} are allowed", max_points));
     }
     return diagnostics.has_errors() ? SweepPoints{} : combinations(axes);
 }

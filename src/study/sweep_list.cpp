@@ -11,13 +11,13 @@ namespace ljmd {
 
 namespace {
 
-constexpr Index most_bytes = Index{1} << 24;
+constexpr Index max_bytes = Index{1} << 24;
 
 /// Reads the whole text, so that messages can show its lines.
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
     TextFile file(path);
-    if (file.bytes_left() > most_bytes) {
-        file.fail_at(0, fmt::format("larger than {} MiB, which no list of points is", most_bytes >> 20U));
+    if (file.bytes_left() > max_bytes) {
+        file.fail_at(0, fmt::format("larger than {} MiB, which no list of points is", max_bytes >> 20U));
     }
     Source source{path.string(), ""};
     while (file.next_line()) {
@@ -44,9 +44,9 @@ class ListReader {
         if (points_.values.empty() && !diagnostics_.has_errors()) {
             diagnostics_.error({source_}, "no points", "the first line holds keys, every other one their values");
         }
-        if (points_.values.size() > most_points) {
+        if (points_.values.size() > max_points) {
             diagnostics_.error({source_},
-                               fmt::format("{} points, at most {} are allowed", points_.values.size(), most_points));
+                               fmt::format("{} points, at most {} are allowed", points_.values.size(), max_points));
         }
         return diagnostics_.has_errors() ? SweepPoints{} : std::move(points_);
     }

@@ -30,8 +30,8 @@ std::string as_name(const std::string& text) {
 
 void check_keys(const std::vector<std::string>& keys, const std::vector<std::string>& settings, const Location& from,
                 Diagnostics& diagnostics) {
-    if (keys.size() > most_varied_keys) {
-        diagnostics.error(from, fmt::format("{} keys, at most {} are allowed", keys.size(), most_varied_keys));
+    if (keys.size() > max_varied_keys) {
+        diagnostics.error(from, fmt::format("{} keys, at most {} are allowed", keys.size(), max_varied_keys));
         return;
     }
     std::set<std::vector<std::string>> given;

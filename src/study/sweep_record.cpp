@@ -48,9 +48,9 @@ void require_sound(const SweepPoints& points, const std::vector<std::string>& se
     if (mistakes.has_errors()) {
         throw WrongData(mistakes.entries().front().message);
     }
-    if (points.keys.empty() || points.values.empty() || points.values.size() > most_points) {
+    if (points.keys.empty() || points.values.empty() || points.values.size() > max_points) {
         throw WrongData(fmt::format("{} keys and {} points, allowed: one key at least, and 1 to {} points",
-                                    points.keys.size(), points.values.size(), most_points));
+                                    points.keys.size(), points.values.size(), max_points));
     }
     std::set<std::vector<std::string>> known;
     for (const std::vector<std::string>& values : points.values) {
@@ -154,10 +154,10 @@ std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
     return read_json(path, "the record of a sweep", [](const Data& record) {
         SweepPlan plan{record.at("deck_file").text(),
                        record.at("deck").text(),
-                       texts_of(record.at("settings"), "settings", most_settings),
-                       {texts_of(record.at("keys"), "keys", most_varied_keys), {}}};
+                       texts_of(record.at("settings"), "settings", max_settings),
+                       {texts_of(record.at("keys"), "keys", max_varied_keys), {}}};
         for (const Data& point : record.at("points").items()) {
-            plan.points.values.push_back(texts_of(point.at("values"), "values", most_varied_keys));
+            plan.points.values.push_back(texts_of(point.at("values"), "values", max_varied_keys));
         }
         require_sound(plan.points, plan.settings);
         return plan;

@@ -14,7 +14,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr std::size_t most_named = 3;  // number of points named in a mistake
+constexpr std::size_t max_named = 3;  // number of points named in a mistake
 
 /// The diagnostics of one point, as `ljmd check` would report them.
 Diagnostics look_at(const Source& deck, const std::vector<std::string>& settings, bool force) {
@@ -56,7 +56,7 @@ std::string points_in_words(const std::vector<std::size_t>& points, const std::v
         return points.size() == 1 ? "" : fmt::format(" (all {} points)", points.size());
     }
     std::vector<std::string> named;
-    for (std::size_t k = 0; k < std::min(points.size(), most_named); ++k) {
+    for (std::size_t k = 0; k < std::min(points.size(), max_named); ++k) {
         named.push_back(names[points[k]]);
     }
     const std::size_t others = points.size() - named.size();

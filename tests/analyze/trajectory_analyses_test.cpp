@@ -80,7 +80,7 @@ TEST_CASE("what a deck asks for every so many steps becomes frames") {
 TEST_CASE("usual analyses are those that the trajectory is good for") {
     TrajectorySummary summary = fifty_frames();
     const auto usual = [&] {
-        return usual_analyses(summary, select_frames(summary, std::nullopt, nullptr, std::nullopt));
+        return default_analyses(summary, select_frames(summary, std::nullopt, nullptr, std::nullopt));
     };
     CHECK(usual() == std::vector<std::string>{"rdf", "structure_factor", "msd"});
     summary.times[7] = 0.29;

@@ -29,7 +29,7 @@ int end_of(const std::function<bool()>& body) {
 TEST_CASE("a signal asks to stop, and says with what exit code") {
     const int number = GENERATE(SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU);
     CHECK(end_of([number] {
-              heed_signals();
+              install_stop_handlers();
               const Interruption interruption = until_signal();
               const bool before = interruption.wanted();
               std::raise(number);
@@ -46,7 +46,7 @@ TEST_CASE("a signal asks to stop, and says with what exit code") {
 TEST_CASE("the second signal of a kind that a person sends ends the program at once") {
     const int number = GENERATE(SIGINT, SIGTERM, SIGHUP);
     CHECK(end_of([number] {
-              heed_signals();
+              install_stop_handlers();
               std::raise(number);
               std::raise(number);
               return true;
@@ -56,7 +56,7 @@ TEST_CASE("the second signal of a kind that a person sends ends the program at o
 TEST_CASE("warnings of a queue and of the system may be repeated") {
     const int number = GENERATE(SIGUSR1, SIGXCPU);
     CHECK(end_of([number] {
-              heed_signals();
+              install_stop_handlers();
               std::raise(number);
               std::raise(number);
               return stop_signal()->signal == number;
@@ -66,7 +66,7 @@ TEST_CASE("warnings of a queue and of the system may be repeated") {
 TEST_CASE("a signal that was ignored before stays so") {
     CHECK(end_of([] {
               std::signal(SIGHUP, SIG_IGN);
-              heed_signals();
+              install_stop_handlers();
               std::raise(SIGHUP);
               return !stop_signal().has_value();
           }) == 0);
@@ -83,7 +83,7 @@ TEST_CASE("what a parent has blocked is seen again, and what it ignored but for 
                   std::signal(number, SIG_IGN);
               }
               forget_inherited_signals();
-              heed_signals();
+              install_stop_handlers();
               std::raise(number);
               return stop_signal()->signal == number;
           }) == 0);
@@ -94,7 +94,7 @@ TEST_CASE("children can be waited for, though a parent ignored their ends, and a
               std::signal(SIGCHLD, SIG_IGN);
               std::signal(SIGHUP, SIG_IGN);
               forget_inherited_signals();
-              heed_signals();
+              install_stop_handlers();
               std::raise(SIGHUP);
               const pid_t child = ::fork();
               if (child == 0) {

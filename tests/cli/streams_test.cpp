@@ -64,7 +64,7 @@ TEST_CASE("results go to stdout, talk to stderr, at once") {
         const Redirected out(stdout, results.ends[1]);
         const Redirected err(stderr, said.ends[1]);
         print_result("42\n");
-        talk("step 1\n");
+        print_message("step 1\n");
     }
     CHECK(results.read() == "42\n");
     CHECK(said.read() == "step 1\n");
@@ -76,7 +76,7 @@ TEST_CASE("results that cannot be written are an error, talk is not") {
     {
         const Redirected out(stdout, read_only);
         const Redirected err(stderr, read_only);
-        talk("nobody hears this\n");
+        print_message("nobody hears this\n");
         try {
             print_result("42\n");
         } catch (const FileError& error) {
@@ -92,7 +92,7 @@ TEST_CASE("a reader that goes away does not end a run") {
     const Pipe said;
     ::close(said.ends[0]);
     const Redirected err(stderr, said.ends[1]);
-    talk("nobody hears this\n");  // would end the tests by SIGPIPE
+    print_message("nobody hears this\n");  // would end the tests by SIGPIPE
     SUCCEED();
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("warnings are said, errors are not: those are thrown") {
     diagnostics.error({}, "wrong");
     {
         const Redirected redirected(stderr, pipe.ends[1]);
-        talk_of_warnings(diagnostics);
+        print_warnings(diagnostics);
     }
     CHECK(pipe.read() == "warning: unlikely\n");
 }
@@ -115,7 +115,7 @@ TEST_CASE("control characters of what others have written reach neither stream")
         const Redirected out(stdout, results.ends[1]);
         const Redirected err(stderr, said.ends[1]);
         print_result("a\tb\x1B]0;title\a\r\n\xC2\x9B\xFF\xC3\x85\x7F");
-        talk("error: \x1B[2J\n");
+        print_message("error: \x1B[2J\n");
         talk_over_line("50 % \x1B[31m\n");
     }
     CHECK(results.read() == "a\tb?]0;title??\n??\xC3\x85?");

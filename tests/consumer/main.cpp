@@ -11,16 +11,18 @@ int main() {
     std::filesystem::create_directory(folder);
     std::filesystem::current_path(folder);
 
-    ljmd::FluidSpec crystal{.start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 5},
-                            .density = 1.0,
-                            .temperature = 0.1,
-                            .potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 2.5, .switch_start = 0.0})};
+    ljmd::FluidSpec crystal{
+        .start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 5},
+        .density = 1.0,
+        .temperature = 0.1,
+        .potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 2.5, .switch_start = 0.0})};
     crystal.stages = {{.name = "production", .time_step = 0.004, .steps = 100, .sample = true}};
     ljmd::Simulation simulation(crystal);
     const ljmd::RunResult result = simulation.run();
     const double energy = simulation.samples().front().values.potential_energy;
-    std::cout << "ljmd " << ljmd::build_info().version << ": " << energy << " epsilon an atom at the start, temperature "
-              << result.observable("temperature").estimate->mean << '\n';
+    std::cout << "ljmd " << ljmd::build_info().version << ": " << energy
+              << " epsilon an atom at the start, temperature " << result.observable("temperature").estimate->mean
+              << '\n';
     const bool wrote = !std::filesystem::is_empty(folder);
     // Shell n of fcc lies at r^2 = n a^2/2, a = 4^(1/3); those within the cutoff hold 12, 6, 24 and 12 atoms:
     // u = sum over n of 2 m_n (r^-12 - r^-6) = -7.76159.

@@ -48,7 +48,7 @@ TEST_CASE("a key is built fluently") {
     CHECK(Key::flag("tail").required);
     CHECK(Key::table("lattice", Schema("lattice")).inner.front().title() == "lattice");
     CHECK(Key::tables("stage", Schema("[[stage]]")).inner.front().title() == "[[stage]]");
-    CHECK(Key::vector("position").components(2, 7).most_components == 7);
+    CHECK(Key::vector("position").components(2, 7).max_components == 7);
     CHECK_THROWS_AS(Key::choice("empty", {}), ContractViolation);
     CHECK_THROWS_AS(Key::vector("empty").components(0, 3), ContractViolation);
     CHECK_THROWS_AS(Key::vector("empty").components(3, 2), ContractViolation);

@@ -54,7 +54,7 @@ TEST_CASE("what a few-body deck leaves out has its default") {
 TEST_CASE("every force, integrator and analysis of few bodies can be selected by its name") {
     for (const FewBodyForceMethod& method : all_few_body_forces()) {
         Replacements replacements{{gravity, "type = \"" + method.name + "\"" + with_ones(keys_of(method), "\n")}};
-        if (method.most_dimensions == 1) {
+        if (method.max_dimensions == 1) {
             replacements.insert(
                 replacements.end(),
                 {{"[-0.5, 0.0]", "[0.5]"}, {"[0.0, -0.3]", "[0.3]"}, {"[0.5, 0.0]", "[0.5]"}, {"[0.0, 0.3]", "[0.3]"}});

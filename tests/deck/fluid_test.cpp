@@ -199,7 +199,7 @@ TEST_CASE("a moving centre of mass is stopped, and the user told") {
     const Deck deck = start.load();
     std::vector<std::string> warnings;
     const FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), Execution(),
-                                                  [&](const std::string& text) { warnings.push_back(text); });
+                                              [&](const std::string& text) { warnings.push_back(text); });
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], Contains("0.25 sigma/tau"));
     CHECK(total_momentum(simulation.state).norm() < 1e-14);

@@ -112,7 +112,7 @@ TEST_CASE("thermostats that are said to be deterministic do not depend on the se
             const auto thermostat = choose(method).options->make({1.3, 0.1, seed, degrees_of_freedom(state.count())});
             state.bath = thermostat->beginning();
             thermostat->before_step(state);
-            thermostat->half_way(state);
+            thermostat->mid_drift(state);
             thermostat->after_step(state, 20);
             return Eigen::Matrix3Xd(state.velocities().matrix());
         };

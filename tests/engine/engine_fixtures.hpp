@@ -12,13 +12,14 @@ inline FluidSpec small_spec() {
                    .temperature = 1.0,
                    .seed = 7,
                    .potential = PairPotential::lennard_jones("force-shifted", {.radius = 2.0, .switch_start = 0.0})};
-    spec.stages = {{.name = "equilibrate",
-                    .time_step = 0.004,
-                    .steps = 20,
-                    .temperature = 1.0,
-                    .thermostat = thermostat("rescale", {{"every", 5}}),
-                    .seed = 7},
-                   {.name = "production", .time_step = 0.004, .steps = 40, .temperature = 1.0, .sample = true, .seed = 7}};
+    spec.stages = {
+        {.name = "equilibrate",
+         .time_step = 0.004,
+         .steps = 20,
+         .temperature = 1.0,
+         .thermostat = thermostat("rescale", {{"every", 5}}),
+         .seed = 7},
+        {.name = "production", .time_step = 0.004, .steps = 40, .temperature = 1.0, .sample = true, .seed = 7}};
     return spec;
 }
 

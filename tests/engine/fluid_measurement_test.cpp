@@ -77,7 +77,7 @@ TEST_CASE("analyses that do not fit into the box that a barostat has made end th
     FluidSystem fluid = make_fluid(spec, Execution(), [](const std::string&) {});
     Noted outputs;
     FluidMeasurement measurement(spec, fluid, outputs);
-    CHECK_THROWS_WITH(run_stages(spec.stages, fluid.state, fluid.force_field, measurement, std::nullopt,
-                                 spec.interaction()),
-                      Catch::Contains("in the box that the barostat has made: analysis rdf"));
+    CHECK_THROWS_WITH(
+        run_stages(spec.stages, fluid.state, fluid.force_field, measurement, std::nullopt, spec.interaction()),
+        Catch::Contains("in the box that the barostat has made: analysis rdf"));
 }

@@ -62,7 +62,9 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].steps = -1; }), Contains("-1 steps"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].integrator = integrator("prince-dormand"); }),
                Contains("for few bodies only"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 1.0}}); }),
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.stages[1].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 1.0}});
+               }),
                Contains("a barostat needs a canonical thermostat"));
     CHECK_THAT(complaint([](FluidSpec& s) {
                    s.stages[1].thermostat = thermostat("langevin");
@@ -74,9 +76,13 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
                    s.stages[1].integrator = integrator("leapfrog");
                }),
                Contains("a part of the steps of velocity-verlet"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.analyses = {analysis("rdf"), analysis("rdf")}; }),
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.analyses = {analysis("rdf"), analysis("rdf")};
+               }),
                Contains("analysis rdf: it is there twice"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.analyses = {analysis("rdf", {{"max_radius", 100.0}})}; }),
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.analyses = {analysis("rdf", {{"max_radius", 100.0}})};
+               }),
                Contains("analysis rdf: "));
     CHECK_THAT(complaint([](FluidSpec& s) {
                    s.stages[1].thermostat = thermostat("langevin");
@@ -102,8 +108,9 @@ TEST_CASE("mistakes are reported together") {
 TEST_CASE("velocities of a configuration need no temperature, unless they are not kept") {
     FluidSpec spec = small_spec();
     spec.temperature.reset();
-    spec.start = Configuration{
-        .edges = Vec3::Constant(5.0), .positions = {Vec3::Zero(), Vec3::Ones()}, .velocities = {Vec3::Ones(), -Vec3::Ones()}};
+    spec.start = Configuration{.edges = Vec3::Constant(5.0),
+                               .positions = {Vec3::Zero(), Vec3::Ones()},
+                               .velocities = {Vec3::Ones(), -Vec3::Ones()}};
     CHECK(mistakes(spec).empty());
     spec.keep_velocities = false;
     CHECK(mistakes(spec).size() == 1);

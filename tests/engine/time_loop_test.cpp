@@ -284,7 +284,8 @@ TEST_CASE("a barostat changes the box when its steps come, between two steps, an
         std::vector<double> edges;
     };
     Edges log(simulation.state, 1000);
-    run_stages(deck.stages, simulation.state, simulation.force_field, log, std::nullopt, fluid_spec(deck).interaction());
+    run_stages(deck.stages, simulation.state, simulation.force_field, log, std::nullopt,
+               fluid_spec(deck).interaction());
     REQUIRE(log.edges.size() == 60);
     for (std::size_t step = 2; step <= 60; ++step) {
         INFO(step);

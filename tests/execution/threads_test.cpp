@@ -23,7 +23,7 @@ TEST_CASE("OMP_NUM_THREADS says how many threads there are by default") {
     CHECK(count_for("1") == 1);
     CHECK(count_for("3") == 3);
     CHECK(count_for("4,2") == 4);
-    CHECK(count_for("4096") == most_threads);
+    CHECK(count_for("4096") == max_threads);
     for (const char* wrong : {"0", "-2", "4097", "100000", "99999999999", "two", "2 threads", ",2"}) {
         const test::EnvironmentGuard variable("OMP_NUM_THREADS", wrong);
         CHECK_THROWS_WITH(default_thread_count(),

@@ -6,14 +6,14 @@
 
 namespace ljmd::test {
 
-inline constexpr Cutoff usual_cutoff{2.5, 2.0};
+inline constexpr Cutoff default_cutoff{2.5, 2.0};
 
 /// Every formula with every truncation.
 inline std::vector<PairPotential> every_potential() {
     std::vector<PairPotential> potentials;
     for (const std::string& formula : PairPotential::formula_names()) {
         for (const std::string& truncation : PairPotential::truncation_names()) {
-            potentials.push_back(made_potential(formula, truncation, usual_cutoff));
+            potentials.push_back(made_potential(formula, truncation, default_cutoff));
         }
     }
     return potentials;

@@ -29,7 +29,7 @@ test::Numbers numbers_for(const FewBodyForceMethod& method, bool with_defaulted)
 State scattered(const FewBodyForceMethod& method) {
     std::vector<Vec3> positions = {{0.8, 0.3, -0.4}, {1.7, -0.9, 0.2}, {0.5, 1.1, 0.9}, {2.6, 0.4, -1.3}};
     for (Vec3& r : positions) {
-        r.tail(3 - method.most_dimensions).setZero();
+        r.tail(3 - method.max_dimensions).setZero();
     }
     return test::bodies_at(positions, {1.0, 2.5, 0.3, 4.0});
 }
@@ -60,8 +60,8 @@ TEST_CASE("few-body forces are listed by name, in alphabetical order, with what 
         CAPTURE(method.name);
         CHECK_FALSE(method.meaning.empty());
         CHECK(find_few_body_force(method.name).name == method.name);
-        CHECK(method.least_dimensions == 1);
-        CHECK((method.most_dimensions == 1 || method.most_dimensions == 3));
+        CHECK(method.min_dimensions == 1);
+        CHECK((method.max_dimensions == 1 || method.max_dimensions == 3));
         for (const Key& key : keys_of(method)) {
             CAPTURE(key.name);
             CHECK_FALSE(key.meaning_text.empty());
@@ -80,7 +80,7 @@ TEST_CASE("every few-body force is minus the gradient of its energy") {
         const Eigen::Matrix3Xd f = static_cast<const State&>(state).forces();
         const double h = 1e-5;
         for (Index i = 0; i < state.count(); ++i) {
-            for (int a = 0; a < method.most_dimensions; ++a) {
+            for (int a = 0; a < method.max_dimensions; ++a) {
                 CAPTURE(i, a);
                 const double here = static_cast<const State&>(state).positions()(a, i);
                 state.write_positions()(a, i) = here + h;
@@ -92,7 +92,7 @@ TEST_CASE("every few-body force is minus the gradient of its energy") {
                 CHECK(f(a, i) != 0.0);
             }
         }
-        CHECK(f.bottomRows(3 - method.most_dimensions).isZero(0.0));
+        CHECK(f.bottomRows(3 - method.max_dimensions).isZero(0.0));
     });
 }
 

@@ -12,7 +12,7 @@ using namespace ljmd;
 namespace {
 
 using test::every_potential;
-constexpr Cutoff usual = test::usual_cutoff;
+constexpr Cutoff usual = test::default_cutoff;
 
 PairForceField lennard_jones(const std::string& truncation, const std::string& search, const Cutoff& cutoff = usual) {
     return {PairPotential::lennard_jones(truncation, cutoff), make_pair_search(search, 0.3)};

@@ -14,8 +14,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         RunControl control;
         control.resumed = fuzz::found_again(folder, content);
         const CheckpointHead& head = control.resumed->point.head;
-        FluidSystem simulation =
-            empty_fluid(fluid_spec(folder.deck()), head.atoms, Box(head.edges), Execution(execution_options(folder.deck())));
+        FluidSystem simulation = empty_fluid(fluid_spec(folder.deck()), head.atoms, Box(head.edges),
+                                             Execution(execution_options(folder.deck())));
         fuzz::Quiet listener;
         static_cast<void>(run_deck(folder.deck(), simulation, listener, control));
         ++fuzz::inputs_accepted;

@@ -9,7 +9,7 @@ namespace ljmd::fuzz {
 
 /// What holds of the points of a sweep, whatever they were read from.
 inline void check_points(const SweepPoints& points) {
-    require(!points.values.empty() && points.values.size() <= most_points, "no more points than are allowed");
+    require(!points.values.empty() && points.values.size() <= max_points, "no more points than are allowed");
     ++inputs_accepted;
     for (std::size_t point = 0; point < points.values.size(); ++point) {
         require(points.values[point].size() == points.keys.size(), "a value for each key");

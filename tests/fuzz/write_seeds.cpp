@@ -44,8 +44,8 @@ void run(const Deck& deck, RunListener& listener) {
         FewBodySystem system = make_few_body_system(deck);
         static_cast<void>(run_deck(deck, system, listener));
     } else {
-        FluidSystem simulation =
-            make_fluid(fluid_spec(deck, find_start(deck)), Execution(execution_options(deck)), [](const std::string&) {});
+        FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), Execution(execution_options(deck)),
+                                            [](const std::string&) {});
         static_cast<void>(run_deck(deck, simulation, listener));
     }
 }

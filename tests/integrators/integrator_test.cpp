@@ -199,10 +199,10 @@ TEST_CASE("what is to be done half-way of a drift is done there, and a drift in 
     State halves = whole;
     State watched = whole;
     const Integrator integrator(find_integrator("velocity-verlet"), 0.1);
-    const Integrator idle = integrator.with_half_way([](State&) {});
+    const Integrator idle = integrator.with_mid_drift([](State&) {});
     std::vector<Eigen::Matrix3Xd> seen;
     const Integrator watching =
-        integrator.with_half_way([&](State& state) { seen.emplace_back(test::positions(state)); });
+        integrator.with_mid_drift([&](State& state) { seen.emplace_back(test::positions(state)); });
     for (int n = 0; n < 10; ++n) {
         const Eigen::Matrix3Xd before = test::positions(watched);
         integrator.step(whole, springs, Request::forces);

@@ -53,16 +53,16 @@ std::map<Meeting, int> meetings(const ClusterGrid& grid, const Box& box) {
                     }
                     const ClusterGrid::Run window = grid.window(other, grid.extent(c));
                     for (Index n = window.first; n < window.last; ++n) {
-                        if (!other.column.guest) {
+                        if (!other.column.ghost) {
                             if (n > c) {
                                 ++met[meeting(c, n, {0, 0, 0})];
                             }
                             continue;
                         }
-                        for (const ClusterGrid::Guests& guests : tile.guests()) {
-                            const Index number = n + other.column.offset - guests.first;
-                            if (number >= 0 && number < guests.of.length()) {
-                                ++met[meeting(c, guests.of.first + number, in_edges(guests.shift, box))];
+                        for (const ClusterGrid::GhostClusters& ghosts : tile.ghosts()) {
+                            const Index number = n + other.column.offset - ghosts.first;
+                            if (number >= 0 && number < ghosts.of.length()) {
+                                ++met[meeting(c, ghosts.of.first + number, in_edges(ghosts.shift, box))];
                             }
                         }
                     }
@@ -177,7 +177,7 @@ TEST_CASE("any two clusters within range of each other meet, images included, an
     CHECK(std::all_of(met.begin(), met.end(), [](const auto& entry) { return entry.second == 1; }));
 }
 
-TEST_CASE("guests are numbered behind a tile's own clusters, and those that stand together are of one column") {
+TEST_CASE("ghosts are numbered behind a tile's own clusters, and those that stand together are of one column") {
     State state = test::random_state(900, Box(Vec3(7.0, 9.0, 16.0)), 13);
     const ClusterGrid grid = sorted(state, 2.8);
     REQUIRE(grid.tiles().size() > 1);
@@ -187,10 +187,10 @@ TEST_CASE("guests are numbered behind a tile's own clusters, and those that stan
         CHECK(tile.own().last == grid.tiles()[t].last);
         std::int32_t next = tile.own().length();
         bool together = true;
-        for (const ClusterGrid::Guests& guests : tile.guests()) {
-            CHECK(guests.first == next);
-            next += guests.of.length();
-            for (Index c = guests.of.first + 1; c < guests.of.last; ++c) {
+        for (const ClusterGrid::GhostClusters& ghosts : tile.ghosts()) {
+            CHECK(ghosts.first == next);
+            next += ghosts.of.length();
+            for (Index c = ghosts.of.first + 1; c < ghosts.of.last; ++c) {
                 together = together && grid.extent(c).low >= grid.extent(c - 1).high;
             }
         }

@@ -17,7 +17,7 @@ struct Sample {
         grid.configure(state.box(), 2.8, state.count());
         grid.sort(state);
     }
-    /// check(place, i, axis, shift) for every slot with an atom of a tile and its guests, empty(place) for the others.
+    /// check(place, i, axis, shift) for every slot with an atom of a tile and its ghosts, empty(place) for the others.
     template <class Check, class Empty>
     void for_each(const ClusterGrid::Neighborhood& tile, Check&& check, Empty&& empty) const {
         const auto visit = [&](const ClusterGrid::Run& clusters, Index first, const Vec3& shift) {
@@ -32,15 +32,15 @@ struct Sample {
             }
         };
         visit(tile.own(), 0, Vec3::Zero());
-        for (const ClusterGrid::Guests& guests : tile.guests()) {
-            visit(guests.of, guests.first, guests.shift);
+        for (const ClusterGrid::GhostClusters& ghosts : tile.ghosts()) {
+            visit(ghosts.of, ghosts.first, ghosts.shift);
         }
     }
 };
 
 }  // namespace
 
-TEST_CASE("positions of a tile are those of its atoms and guests, images a shift away, to the last bit") {
+TEST_CASE("positions of a tile are those of its atoms and ghosts, images a shift away, to the last bit") {
     const Sample sample;
     TilePositions<double> positions;  // the same for all tiles: nothing is left of the one before
     bool right = true;
@@ -49,7 +49,7 @@ TEST_CASE("positions of a tile are those of its atoms and guests, images a shift
     for (std::size_t t = 0; t < sample.grid.tiles().size(); ++t) {
         const ClusterGrid::Neighborhood tile = sample.grid.neighborhood(t);
         positions.update(
-            sample.grid, tile.own(), tile.guests(), tile.cluster_count(), sample.state, [](double x, int) { return x; },
+            sample.grid, tile.own(), tile.ghosts(), tile.cluster_count(), sample.state, [](double x, int) { return x; },
             [](double dx) { return dx; }, -1e9);
         sample.for_each(
             tile,
@@ -73,7 +73,7 @@ TEST_CASE("in fixed point an image lies the same number of units away on either 
     TilePositions<std::int32_t> positions;
     const ClusterGrid::Neighborhood tile = sample.grid.neighborhood(0);
     positions.update(
-        sample.grid, tile.own(), tile.guests(), tile.cluster_count(), sample.state, fixed_point,
+        sample.grid, tile.own(), tile.ghosts(), tile.cluster_count(), sample.state, fixed_point,
         [&](double dx) { return fixed_point.distance(dx); }, FixedPoint::far_away);
     bool right = true;
     sample.for_each(

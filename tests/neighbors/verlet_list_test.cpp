@@ -214,7 +214,7 @@ TEST_CASE("separations are those of all-pairs, to the last bit, whichever of the
     }
 }
 
-TEST_CASE("every guest of a tile is known to the tile of its owner") {
+TEST_CASE("every ghost of a tile is known to the tile of its owner") {
     State state = test::shaken_crystal(16, 0.8442, 0.1, 7);
     VerletList list(0.3);
     list.prepare(state, 2.5);
@@ -222,17 +222,17 @@ TEST_CASE("every guest of a tile is known to the tile of its owner") {
     REQUIRE(grid.tiles().size() > 2);
     std::vector<std::vector<int>> known;
     for (const VerletList::Tile& tile : list.tiles()) {
-        known.emplace_back(tile.guests.size());
+        known.emplace_back(tile.ghosts.size());
     }
     bool right = true;
     for (Index owner = 0; owner < static_cast<Index>(grid.tiles().size()); ++owner) {
         const ClusterGrid::Run own = grid.tiles()[static_cast<std::size_t>(owner)];
         std::uint32_t last = 0;
-        for (const VerletList::Away& away : list.away(owner)) {
-            ++known[away.tile][away.guests];
-            const ClusterGrid::Run& of = list.tiles()[away.tile].guests[away.guests].of;
-            right = right && of.first >= own.first && of.last <= own.last && away.tile >= last;
-            last = away.tile;
+        for (const VerletList::ExportedGhosts& exported : list.exported_ghosts(owner)) {
+            ++known[exported.tile][exported.ghosts];
+            const ClusterGrid::Run& of = list.tiles()[exported.tile].ghosts[exported.ghosts].of;
+            right = right && of.first >= own.first && of.last <= own.last && exported.tile >= last;
+            last = exported.tile;
         }
     }
     CHECK(right);

@@ -156,7 +156,7 @@ TEST_CASE("our leapfrog goes with LAMMPS, too") {
     if (!lammps_is_here()) {
         return;
     }
-    const Fluid fluid = melt_with(PairPotential::lennard_jones("cut", usual_cutoff));
+    const Fluid fluid = melt_with(PairPotential::lennard_jones("cut", default_cutoff));
     const PeerFrame theirs = make_lammps_peer(fluid, 1)->follow("fix nve", time_step, {steps}).at(0);
     const Separation apart = separation(fluid, theirs, "verlet-list", "leapfrog");
     INFO(shown(apart));
@@ -183,7 +183,7 @@ TEST_CASE("a time step that is 1e-9 longer is seen") {
     if (!lammps_is_here()) {
         return;
     }
-    const Fluid fluid = melt_with(PairPotential::lennard_jones("cut", usual_cutoff));
+    const Fluid fluid = melt_with(PairPotential::lennard_jones("cut", default_cutoff));
     const auto peer = make_lammps_peer(fluid, 1);
     const PeerFrame theirs = peer->follow("fix nve", time_step * (1.0 + 1e-9), {steps}).at(0);
     CHECK(separation(fluid, theirs, "verlet-list", "velocity-verlet").position > 10.0 * trajectory_tolerance);

@@ -27,8 +27,8 @@ class Bathed {
         : state_(std::move(start)),
           force_(std::move(force)),
           thermostat_(std::move(thermostat)),
-          integrator_(Integrator(find_integrator("velocity-verlet"), dt).with_half_way([this](State& state) {
-              thermostat_->half_way(state);
+          integrator_(Integrator(find_integrator("velocity-verlet"), dt).with_mid_drift([this](State& state) {
+              thermostat_->mid_drift(state);
               half_way_kinetic_energy_ = ljmd::kinetic_energy(state);
           })) {
         state_.bath = thermostat_->beginning();
@@ -54,7 +54,7 @@ class Bathed {
 
     /// Of velocities half-way of the drift, which thermostats that act there make right.
     [[nodiscard]] double sound_kinetic_energy() const {
-        return thermostat_->acts_half_way() ? half_way_kinetic_energy_ : kinetic_energy();
+        return thermostat_->acts_mid_drift() ? half_way_kinetic_energy_ : kinetic_energy();
     }
 
   private:
@@ -202,14 +202,14 @@ TEST_CASE("thermostats that keep the motion conserve energy and heat together", 
         Bathed<PairForceField> fluid(start, test::lennard_jones("force-shifted"),
                                      test::made_thermostat(name, test::bath_of(start, 0.75, 0.004)), 0.004);
         LinearTrend energy;
-        double most_heat = 0.0;  // it comes and goes
+        double max_heat = 0.0;  // it comes and goes
         for (int n = 0; n < 2000; ++n) {
             fluid.run(10);
             energy.add(0.04 * n, fluid.conserved_energy() / static_cast<double>(start.count()));
-            most_heat = std::max(most_heat, std::abs(fluid.state().heat()));
+            max_heat = std::max(max_heat, std::abs(fluid.state().heat()));
         }
         CHECK(std::abs(energy.slope().value()) < 1e-6);
-        CHECK(most_heat > 1.0);
+        CHECK(max_heat > 1.0);
     }
 }
 
@@ -223,16 +223,16 @@ TEST_CASE("Langevin's oscillators are right in position, and half-way in velocit
     oscillators.run(200);
     double x2 = 0.0;
     double v2 = 0.0;
-    double half_way = 0.0;
+    double mid_drift = 0.0;
     constexpr int rounds = 10000;
     for (int n = 0; n < rounds; ++n) {
         oscillators.run(1);
         x2 += oscillators.state().positions().squaredNorm() / (600.0 * rounds);
         v2 += 2.0 * oscillators.kinetic_energy() / (600.0 * rounds);
-        half_way += 2.0 * oscillators.sound_kinetic_energy() / (600.0 * rounds);
+        mid_drift += 2.0 * oscillators.sound_kinetic_energy() / (600.0 * rounds);
     }
     // 6e6 numbers, each remembered for a few steps: the means are known to 0.002.
     CHECK(x2 == Approx(1.0).margin(0.008));
-    CHECK(half_way == Approx(1.0).margin(0.008));
+    CHECK(mid_drift == Approx(1.0).margin(0.008));
     CHECK(v2 == Approx(1.0 - 0.25 / 4.0).margin(0.008));
 }

@@ -8,7 +8,7 @@
 namespace ljmd::test {
 
 /// Values for the parameters that formulas demand, for tests to which they do not matter.
-inline const std::map<std::string, double> usual_parameters{
+inline const std::map<std::string, double> default_parameters{
     {"well_depth", 1.0}, {"steepness", 6.0}, {"minimum", 1.122462048309373}};
 
 /// A potential by its name. Parameters that are not given take usual values.
@@ -18,7 +18,7 @@ inline PairPotential made_potential(const std::string& formula, const std::strin
     PairPotential::Parameters parameters;
     for (const Key& key : PairPotential::formula_keys(formula)) {
         const auto given = numbers.find(key.name);
-        parameters.emplace_back(key.name, given != numbers.end() ? given->second : usual_parameters.at(key.name));
+        parameters.emplace_back(key.name, given != numbers.end() ? given->second : default_parameters.at(key.name));
     }
     return PairPotential::make(formula, truncation, cutoff, parameters);
 }

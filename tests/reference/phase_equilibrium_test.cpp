@@ -32,15 +32,15 @@ TEST_CASE("critical points are those that the papers give") {
 TEST_CASE("above the critical temperature of Thol 2016 every isotherm rises, below it none does") {
     const EquationOfState thol = equation_of_state("thol2016");
     const double critical = critical_point(thol).temperature;
-    const auto least_slope = [&](double temperature) {
+    const auto min_slope = [&](double temperature) {
         double least = 1.0;
         for (double density = 0.01; density < 0.9; density += 0.001) {
             least = std::min(least, properties(thol, temperature, density).pressure_density_slope);
         }
         return least;
     };
-    CHECK(least_slope(critical + 1e-4) > 0.0);
-    CHECK(least_slope(critical - 1e-4) < 0.0);
+    CHECK(min_slope(critical + 1e-4) > 0.0);
+    CHECK(min_slope(critical - 1e-4) < 0.0);
 }
 
 TEST_CASE("coexisting phases have one pressure and one chemical potential, and are stable") {

@@ -103,8 +103,8 @@ TEST_CASE("what is no run, or none that ended, is refused") {
     change_record(directory, "steps_added", std::numeric_limits<Index>::max());
     CHECK_THROWS_WITH(recorded_run(directory), Contains("'steps_added' is 9223372036854775807"));
     change_record(directory, "steps_added", 0);
-    CHECK_THROWS_AS(recorded_run(directory, most_steps), InputError);
-    CHECK_THROWS_WITH(recorded_run(directory, most_steps), Contains("at most 999999999"));
+    CHECK_THROWS_AS(recorded_run(directory, max_steps), InputError);
+    CHECK_THROWS_WITH(recorded_run(directory, max_steps), Contains("at most 999999999"));
     change_record(directory, "deck", 7);
     CHECK_THROWS_WITH(deck_of(directory), Contains("run.json is not the record of a run"));
     std::ofstream(directory / "run.json") << "{";

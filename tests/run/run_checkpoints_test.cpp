@@ -267,7 +267,7 @@ TEST_CASE("a checkpoint that no run of its deck can have written is refused, tho
         std::vector<std::byte> content(a.bytes().begin(), a.bytes().end());
         content.insert(content.end(), rest.begin(), rest.end());
         CheckpointStore store(deck.directory, 2);
-        store.go_on_after(sound.file.generation);
+        store.continue_after(sound.file.generation);
         store.write(content);
     };
     std::string why;

@@ -9,7 +9,6 @@
 #include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/run.hpp"
-#include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 
 namespace ljmd::test {
@@ -43,8 +42,8 @@ inline void run_in(const Deck& deck, RunListener& listener, const RunControl& co
         return;
     }
     FluidSystem simulation = control.resumed ? empty_fluid(fluid_spec(deck), control.resumed->point.head.atoms,
-                                                               Box(control.resumed->point.head.edges), execution)
-                                            : make_fluid(fluid_spec(deck, find_start(deck)), execution, no_warnings);
+                                                           Box(control.resumed->point.head.edges), execution)
+                                             : make_fluid(fluid_spec(deck, find_start(deck)), execution, no_warnings);
     static_cast<void>(run_deck(deck, simulation, listener, control));
 }
 

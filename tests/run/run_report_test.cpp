@@ -51,7 +51,8 @@ TEST_CASE("a time step that is too long stands in the table and in results.json"
     StageResult stage = there;
     stage.time_step_error = 0.016;
     stage.time_step_remark = "too long";
-    CHECK_THAT(stage_lines({stage}, "per hour"), Contains("  the time step of stage 'there' is too long:\n    too long"));
+    CHECK_THAT(stage_lines({stage}, "per hour"),
+               Contains("  the time step of stage 'there' is too long:\n    too long"));
     CHECK(stage_data(stage).at("time_step_error") == 0.016);
     CHECK(stage_data(stage).at("time_step_remark") == "too long");
 }

@@ -147,7 +147,7 @@ TEST_CASE("rows are made longer until their errors are small, but not for ever")
     CHECK_FALSE(row.precise(length));
     row.u.standard_error = std::nan("");
     CHECK_FALSE(row.precise(length));
-    row.steps = length.production * length.most_parts;
+    row.steps = length.production * length.max_parts;
     CHECK(row.precise(length));
     row.steps = ReproductionLength::quick().production;
     CHECK(row.precise(ReproductionLength::quick()));

@@ -123,7 +123,7 @@ TEST_CASE("keys that are none, stand twice or are given as well are told of") {
 }
 
 TEST_CASE("too many points are refused before they are made") {
-    CHECK(points_of({"a=1:2:100,b=1:2:100"}).values.size() == most_points);
+    CHECK(points_of({"a=1:2:100,b=1:2:100"}).values.size() == max_points);
     CHECK_THAT(complaint({"a=1:2:100,b=1:2:101"}), Contains("too many points, at most 10000 are allowed"));
     std::string huge = "k0=1:2:10000";
     for (int k = 1; k < 20; ++k) {

@@ -67,7 +67,7 @@ TEST_CASE("a list without points, or with too many, is refused") {
         CHECK_THAT(complaints(text).at(0), Contains("points.csv: no points"));
     }
     std::string text = "a\n";
-    for (std::size_t k = 0; k <= most_points; ++k) {
+    for (std::size_t k = 0; k <= max_points; ++k) {
         text += std::to_string(k) + "\n";
     }
     CHECK_THAT(complaints(text).at(0), Contains("points.csv: 10001 points, at most 10000 are allowed"));

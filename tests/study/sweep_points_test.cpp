@@ -15,7 +15,7 @@ TEST_CASE("keys are told by their last parts where that is enough") {
 
 TEST_CASE("so many keys can be varied, and no more") {
     Values keys;
-    for (std::size_t k = 0; k <= most_varied_keys; ++k) {
+    for (std::size_t k = 0; k <= max_varied_keys; ++k) {
         keys.push_back("k" + std::to_string(k));
     }
     Diagnostics diagnostics;
@@ -51,9 +51,9 @@ TEST_CASE("a point is made by the settings of its keys") {
 
 TEST_CASE("names of many points that look alike are found one after the other") {
     SweepPoints alike{{"k"}, {}};
-    for (std::size_t point = 0; point < most_points; ++point) {
+    for (std::size_t point = 0; point < max_points; ++point) {
         alike.values.push_back({std::string(300, 'a') + std::to_string(point)});
     }
     const Values names = point_names(alike);
-    CHECK(names.back() == names.front() + "-" + std::to_string(most_points));
+    CHECK(names.back() == names.front() + "-" + std::to_string(max_points));
 }

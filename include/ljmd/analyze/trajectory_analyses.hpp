@@ -18,8 +18,8 @@ struct FrameAnalysis {
 
 /// The default analyses of a trajectory: rdf; structure_factor if the box is constant; msd if also the frames are
 /// equally spaced and it is known whether positions are wrapped.
-[[nodiscard]] std::vector<std::string> usual_analyses(const TrajectorySummary& trajectory,
-                                                      const FrameSelection& selection);
+[[nodiscard]] std::vector<std::string> default_analyses(const TrajectorySummary& trajectory,
+                                                        const FrameSelection& selection);
 
 /// Refuse names that are neither analyses nor "thermo". @throws InputError
 void check_analysis_names(const std::vector<std::string>& names);

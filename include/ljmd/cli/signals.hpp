@@ -13,7 +13,7 @@ void forget_inherited_signals();
 
 /// From now on SIGINT, SIGHUP, SIGTERM, SIGUSR1 and SIGXCPU ask the program to stop, unless they are ignored. A second
 /// SIGINT, SIGHUP or SIGTERM ends it at once. The other two do not, because queues and the system repeat them.
-void heed_signals();
+void install_stop_handlers();
 
 /// The signal that asked to stop, if any.
 [[nodiscard]] std::optional<StopRequest> stop_signal();

@@ -22,7 +22,7 @@ void prepare_standard_streams();
 void print_result(const std::string& text);
 
 /// Print a message to stderr. Errors are ignored.
-void talk(const std::string& text) noexcept;
+void print_message(const std::string& text) noexcept;
 
 /// Print a warning of one line to stderr.
 void warn(const std::string& text) noexcept;
@@ -31,6 +31,6 @@ void warn(const std::string& text) noexcept;
 void talk_over_line(const std::string& text) noexcept;
 
 /// Print the warnings among the diagnostics.
-void talk_of_warnings(const Diagnostics& diagnostics);
+void print_warnings(const Diagnostics& diagnostics);
 
 }  // namespace ljmd

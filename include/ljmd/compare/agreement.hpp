@@ -71,7 +71,7 @@ struct Agreement {
 [[nodiscard]] std::optional<double> limit_at(const std::vector<Agreement::Limit>& limits, Index step);
 
 /// Largest accepted difference of two means, in standard errors of the difference.
-inline constexpr double most_sigmas = 3.0;
+inline constexpr double max_sigmas = 3.0;
 
 /// Largest difference between two g(r) of 300 independent configurations of 864 atoms each, in bins of 0.01 sigma.
 inline constexpr double rdf_difference = 0.08;

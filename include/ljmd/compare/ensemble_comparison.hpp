@@ -63,7 +63,7 @@ struct EnsembleComparison {
 
 [[nodiscard]] EnsembleComparison compare_ensembles(const EnsembleAverages& ours, const EnsembleAverages& theirs);
 
-/// Checks of means, against most_sigmas, and of g(r), against rdf_difference. The latter is scaled up by the noise of a
+/// Checks of means, against max_sigmas, and of g(r), against rdf_difference. The latter is scaled up by the noise of a
 /// histogram for fewer than 300 configurations of 864 atoms.
 [[nodiscard]] std::vector<Check> checks_of(const EnsembleComparison& comparison, const Fluid& fluid);
 

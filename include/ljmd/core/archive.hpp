@@ -58,8 +58,8 @@ class Archive {
     void raw(void* data, std::size_t size);
     [[noreturn]] static void refuse(const char* why);
 
-    /// Write or read a number of elements, each of at least `least_bytes` bytes.
-    std::size_t length(std::size_t length, std::size_t least_bytes);
+    /// Write or read a number of elements, each of at least `min_bytes` bytes.
+    std::size_t length(std::size_t length, std::size_t min_bytes);
 
     template <class T>
     void one(T& value);

@@ -68,8 +68,8 @@ class Key {
     double high = std::numeric_limits<double>::infinity();
     bool low_open = false;   ///< `low` itself is not allowed
     bool high_open = false;  ///< `high` itself is not allowed
-    Index least_components = 1;
-    Index most_components = 3;
+    Index min_components = 1;
+    Index max_components = 3;
     std::vector<std::string> choices;
     bool required = true;
     std::string absent_text;  ///< for optional keys without a default

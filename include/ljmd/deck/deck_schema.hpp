@@ -7,7 +7,7 @@
 namespace ljmd {
 
 /// Maximum number of steps of a stage, and of a resumed run.
-inline constexpr Index most_steps = 1'000'000'000'000'000;
+inline constexpr Index max_steps = 1'000'000'000'000'000;
 
 /// What a deck describes.
 enum class DeckKind {

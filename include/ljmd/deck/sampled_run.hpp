@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ljmd/core/section.hpp"
 #include "ljmd/core/diagnostics.hpp"
+#include "ljmd/core/section.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
 
 namespace ljmd {

@@ -32,13 +32,13 @@ struct RandomStart {
 
 /// How pairs of atoms are found, see PairSearch in neighbors/pair_search.hpp.
 struct NeighborSpec {
-    std::string method = "verlet-list";    ///< one of pair_search_names()
-    double skin = 0.3;                     ///< [sigma]
-    std::optional<Index> every = {};       ///< steps between rebuilds of the list; none: when a pair could be missed
+    std::string method = "verlet-list";  ///< one of pair_search_names()
+    double skin = 0.3;                   ///< [sigma]
+    std::optional<Index> every = {};     ///< steps between rebuilds of the list; none: when a pair could be missed
 };
 
-/// What a run of a fluid is, as plain values in reduced units: where the atoms are at the start, how they interact, what
-/// is done with them, and what is measured.
+/// What a run of a fluid is, as plain values in reduced units: where the atoms are at the start, how they interact,
+/// what is done with them, and what is measured.
 struct FluidSpec {
     /// Where the atoms are at the start. A configuration brings its own box, and its velocities if it has any.
     std::variant<LatticeStart, RandomStart, Configuration> start = LatticeStart{};

@@ -23,7 +23,8 @@ namespace ljmd {
 ///     const RunResult result = simulation.run();
 ///     const Estimate pressure = result.observable("pressure").estimate.value();
 ///
-/// Several simulations may run at the same time, each in a thread of its own. The same specification gives the same trajectory, to the last bit, as a deck that says the same.
+/// Several simulations may run at the same time, each in a thread of its own. The same specification gives the same
+/// trajectory, to the last bit, as a deck that says the same.
 class Simulation {
   public:
     /// Place the atoms and draw their velocities.

@@ -83,8 +83,8 @@ class StepObserver {
 /// @return the position after the last step that was taken; its stage is stages.size() when all is done
 /// @throws PhysicsError naming the step and the stage
 /// @throws CheckpointError if the state lacks the variables of the thermostat
-LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field,
-                        StepObserver& observer, const std::optional<LoopPosition>& from = std::nullopt,
+LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
+                        const std::optional<LoopPosition>& from = std::nullopt,
                         const std::optional<Interaction>& interaction = std::nullopt,
                         std::optional<Index> until = std::nullopt);
 

@@ -65,8 +65,8 @@ class FewBodyForceOptions {
 struct FewBodyForceMethod {
     std::string name;
     std::string meaning;
-    int least_dimensions;          ///< smallest dimension of space
-    int most_dimensions;           ///< largest dimension of space
+    int min_dimensions;            ///< smallest dimension of space
+    int max_dimensions;            ///< largest dimension of space
     bool attracts = false;         ///< bodies have a gravitational_parameter(), unless the options soften it
     bool has_polar_angle = false;  ///< the coordinate is a distance, with an angular_velocity()
     std::function<std::unique_ptr<FewBodyForceOptions>()> options;  ///< at their defaults

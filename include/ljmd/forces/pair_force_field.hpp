@@ -41,7 +41,7 @@ class PairForceField : public ForceField {
 
     [[nodiscard]] Evaluation sum(State& state, Request request);
     [[nodiscard]] Evaluation sum_by_kernel(const VerletList& list, State& state, bool energy);
-    void add_guest_forces(const VerletList& list, State& state) const;
+    void add_ghost_forces(const VerletList& list, State& state) const;
 
     /// Arrays of a thread for the tile that it works on, so that they stay in the cache next to a core.
     struct Workspace {
@@ -55,7 +55,7 @@ class PairForceField : public ForceField {
     SimdLevel simd_;
     Precision precision_;
     std::vector<Workspace> workspaces_;
-    std::vector<AlignedVector<double>> guest_forces_;  ///< forces on each tile's ghost clusters (guests in names)
+    std::vector<AlignedVector<double>> ghost_forces_;  ///< forces on each tile's ghost clusters
     double seconds_summing_ = 0.0;
 };
 

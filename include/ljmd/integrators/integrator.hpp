@@ -71,7 +71,7 @@ class Integrator {
     Integrator(const ChosenIntegrator& chosen, double time_step);
 
     /// The same integrator with a change of the velocities in the middle of each drift.
-    [[nodiscard]] Integrator with_half_way(const std::function<void(State&)>& change) const;
+    [[nodiscard]] Integrator with_mid_drift(const std::function<void(State&)>& change) const;
 
     /// Start-up of the method, unless the state continues from its last step. step() and reverse() do it themselves.
     /// Call it before them to see where the motion really begins: bit-reversible puts bodies without a box on its grid.

@@ -16,8 +16,8 @@ struct Relaxation {
 /// minimisation in which no atom moves by more than 0.1 sigma per iteration.
 ///
 /// @post velocities zero, images zero, atoms in the box, forces current
-/// @throws PhysicsError if `most_iterations` do not suffice
+/// @throws PhysicsError if `max_iterations` do not suffice
 /// Source: Bitzek, Koskinen, Gaehler, Moseler and Gumbsch (2006), doi:10.1103/PhysRevLett.97.170201
-Relaxation relax(State& state, ForceField& force_field, double force_tolerance = 10.0, Index most_iterations = 20000);
+Relaxation relax(State& state, ForceField& force_field, double force_tolerance = 10.0, Index max_iterations = 20000);
 
 }  // namespace ljmd

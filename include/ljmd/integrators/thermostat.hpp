@@ -30,9 +30,9 @@ class Thermostat {
     /// Called before every step of its stage.
     virtual void before_step(State& /*state*/) const {}
 
-    /// Called in the middle of each drift if acts_half_way(). Forces may be stale.
-    virtual void half_way(State& /*state*/) const {}
-    [[nodiscard]] virtual bool acts_half_way() const { return false; }
+    /// Called in the middle of each drift if acts_mid_drift(). Forces may be stale.
+    virtual void mid_drift(State& /*state*/) const {}
+    [[nodiscard]] virtual bool acts_mid_drift() const { return false; }
 
     /// Called after every step of its stage.
     /// @param step_of_stage  1 after the first step

@@ -11,11 +11,11 @@ namespace ljmd {
 /// A configuration read from a file, before it becomes a State: atoms in the order of their ids, numbers checked to be
 /// finite, in reduced units.
 struct Configuration {
-    Vec3 edges = Vec3::Zero();     ///< box edges [sigma]
+    Vec3 edges = Vec3::Zero();          ///< box edges [sigma]
     std::vector<Vec3> positions = {};   ///< [sigma], as in the file; may lie outside the box
     std::vector<Vec3> velocities = {};  ///< [sigma/tau]; empty if the file has none
     std::vector<double> masses = {};    ///< [m]; empty if the file has none
-    double time = 0.0;             ///< [tau]
+    double time = 0.0;                  ///< [tau]
     Index step = 0;
 };
 

@@ -22,7 +22,7 @@ namespace ljmd {
 /// tile by tile and column by column, and clusters are numbered in it.
 ///
 /// Tiles are the parts that threads share; one thread sums a tile. They depend on the box and the number of atoms
-/// alone. A tile also holds ghost clusters (guests in names): clusters of other tiles, or of periodic images, that may
+/// alone. A tile also holds ghost clusters: clusters of other tiles, or of periodic images, that may
 /// be within `range` of its own. Of two tiles only one holds the other's clusters as ghosts: the one from which the
 /// other lies towards higher z, or at the same z towards higher y, or else towards higher x. So each pair of atoms
 /// belongs to one tile.
@@ -84,7 +84,7 @@ class ClusterGrid {
     [[nodiscard]] const Extent& extent(Index cluster) const { return extents_[static_cast<std::size_t>(cluster)]; }
 
     /// Consecutive clusters of one column, or images of them, that are ghost clusters of a tile.
-    struct Guests {
+    struct GhostClusters {
         Run of;              ///< clusters of which these are images or copies
         std::int32_t first;  ///< number of the first one within the tile
         Vec3 shift;          ///< displacement of the images: whole box edges [sigma]
@@ -100,7 +100,7 @@ class ClusterGrid {
         double floor = 0.0;       ///< lowest z [sigma]
         std::size_t slices = 0;   ///< index of its first slice in slices_
         std::int32_t column = 0;
-        bool guest = false;
+        bool ghost = false;
     };
     /// A column that may have atoms within range of those of another one.
     struct Near {
@@ -141,7 +141,7 @@ class ClusterGrid {
     void put_in_order(State& state);
     void make_clusters(const State& state);
     [[nodiscard]] double gap2(int cells, std::size_t axis) const;
-    [[nodiscard]] Run guests_of_column(std::int32_t column, double shift, double low, double high) const;
+    [[nodiscard]] Run ghosts_of_column(std::int32_t column, double shift, double low, double high) const;
 
     double range_ = 0.0;
     Cell tiles_along_{1, 1, 1};
@@ -167,7 +167,7 @@ class ClusterGrid {
 class ClusterGrid::Neighborhood {
   public:
     [[nodiscard]] const Run& own() const { return own_; }
-    [[nodiscard]] const std::vector<Guests>& guests() const { return guests_; }
+    [[nodiscard]] const std::vector<GhostClusters>& ghosts() const { return ghosts_; }
     /// Number of clusters, ghosts included.
     [[nodiscard]] std::int32_t cluster_count() const { return count_; }
 
@@ -177,7 +177,7 @@ class ClusterGrid::Neighborhood {
     Cell corner_{};  ///< lowest corner of the columns below: the tile's own and all in their reach
     Cell cells_{};
     std::vector<Column> columns_;  ///< empty if they lie on the side where the tile has no ghosts
-    std::vector<Guests> guests_;
+    std::vector<GhostClusters> ghosts_;
     std::int32_t count_ = 0;
 };
 

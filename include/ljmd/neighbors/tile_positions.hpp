@@ -10,7 +10,7 @@
 
 namespace ljmd {
 
-/// Positions of a tile's own and ghost clusters (guests in names), as kernels load them: cluster c begins at index 12 c
+/// Positions of a tile's own and ghost clusters, as kernels load them: cluster c begins at index 12 c
 /// with the x of its four slots, then y, then z.
 /// @tparam T  double, or std::int32_t for units of FixedPoint
 template <class T>
@@ -21,8 +21,9 @@ class TilePositions {
     /// @param distance  T(dx): converts the shift of an image, whole box edges
     /// @param far       coordinate for slots without an atom
     template <class Place, class Distance>
-    void update(const ClusterGrid& grid, const ClusterGrid::Run& own, std::span<const ClusterGrid::Guests> guests,
-                Index count, const State& state, Place&& place, Distance&& distance, T far);
+    void update(const ClusterGrid& grid, const ClusterGrid::Run& own,
+                std::span<const ClusterGrid::GhostClusters> ghosts, Index count, const State& state, Place&& place,
+                Distance&& distance, T far);
 
     [[nodiscard]] const T* data() const { return positions_.data(); }
 
@@ -43,7 +44,7 @@ class TilePositions {
 template <class T>
 template <class Place, class Distance>
 void TilePositions<T>::update(const ClusterGrid& grid, const ClusterGrid::Run& own,
-                              std::span<const ClusterGrid::Guests> guests, Index count, const State& state,
+                              std::span<const ClusterGrid::GhostClusters> ghosts, Index count, const State& state,
                               Place&& place, Distance&& distance, T far) {
     constexpr Index slots = ClusterGrid::slots;
     constexpr Index stride = 3 * slots;
@@ -75,7 +76,7 @@ void TilePositions<T>::update(const ClusterGrid& grid, const ClusterGrid::Run& o
         }
     };
     copy(own, positions_.data(), T{}, T{}, T{});
-    for (const ClusterGrid::Guests& run : guests) {
+    for (const ClusterGrid::GhostClusters& run : ghosts) {
         copy(run.of, positions_.data() + run.first * stride, distance(run.shift[0]), distance(run.shift[1]),
              distance(run.shift[2]));
     }

@@ -31,7 +31,7 @@ namespace ljmd {
 ///
 /// The list holds clusters (see ClusterGrid): for each atom, all that have a member within cutoff + skin, each pair of
 /// atoms once. One thread sums the pairs of a tile, in an order that the configuration decides. Forces on its ghost
-/// clusters (guests in names) are added to their owners afterwards, see Away. See PairSearch for the contract.
+/// clusters are added to their owners afterwards, see ExportedGhosts. See PairSearch for the contract.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98; Chialvo and Debenedetti (1990), doi:10.1016/0010-4655(90)90007-N.
 class VerletList {
   public:
@@ -65,18 +65,18 @@ class VerletList {
         std::vector<std::int32_t> entries;
         /// Index of each row's first entry, followed by the number of entries.
         std::vector<std::uint32_t> starts;
-        std::vector<ClusterGrid::Guests> guests;
+        std::vector<ClusterGrid::GhostClusters> ghosts;
         std::int32_t cluster_count = 0;  ///< ghosts included
     };
     /// Ghost clusters of another tile that are copies or images of a tile's own clusters.
-    struct Away {
+    struct ExportedGhosts {
         std::uint32_t tile;
-        std::uint32_t guests;  ///< index into that tile's guests
+        std::uint32_t ghosts;  ///< index into that tile's ghosts
     };
     /// All ghosts that other tiles, or the tile itself, hold of a tile's clusters, in the order of the holding tiles.
-    [[nodiscard]] std::span<const Away> away(Index tile) const {
+    [[nodiscard]] std::span<const ExportedGhosts> exported_ghosts(Index tile) const {
         const auto t = static_cast<std::size_t>(tile);
-        return std::span(away_).subspan(away_starts_[t], away_starts_[t + 1] - away_starts_[t]);
+        return std::span(exported_ghosts_).subspan(away_starts_[t], away_starts_[t + 1] - away_starts_[t]);
     }
     [[nodiscard]] const RowShape& row_shape() const { return built_for_shape_; }
     [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
@@ -103,7 +103,7 @@ class VerletList {
     void build(const State& state, double cutoff);
     /// Build the lists of a tile. @return number of distance tests
     [[nodiscard]] Index fill(std::size_t tile, const State& state, double range);
-    void find_guests_owners();
+    void find_ghost_owners();
 
     double skin_;
     std::optional<Index> every_;
@@ -118,8 +118,8 @@ class VerletList {
     FixedPoint fixed_point_;
     AlignedVector<double> reference_;  ///< positions at the rebuild, 4 numbers per atom
     std::vector<Tile> tiles_;
-    std::vector<Away> away_;                ///< tile by tile
-    std::vector<std::size_t> away_starts_;  ///< index of each tile's first in away_, followed by the size
+    std::vector<ExportedGhosts> exported_ghosts_;  ///< tile by tile
+    std::vector<std::size_t> away_starts_;  ///< index of each tile's first in exported_ghosts_, followed by the size
     SearchStatistics statistics_;
 };
 
@@ -150,11 +150,13 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
                 if (other < clusters.length()) {
                     meet(i, part_of(clusters.first + other), Vec3::Zero());
                 } else {
-                    const auto behind = std::upper_bound(
-                        tile.guests.begin(), tile.guests.end(), other,
-                        [](std::int32_t number, const ClusterGrid::Guests& guests) { return number < guests.first; });
-                    const ClusterGrid::Guests& guests = *std::prev(behind);
-                    meet(i, part_of(guests.of.first + other - guests.first), guests.shift);
+                    const auto behind =
+                        std::upper_bound(tile.ghosts.begin(), tile.ghosts.end(), other,
+                                         [](std::int32_t number, const ClusterGrid::GhostClusters& ghosts) {
+                                             return number < ghosts.first;
+                                         });
+                    const ClusterGrid::GhostClusters& ghosts = *std::prev(behind);
+                    meet(i, part_of(ghosts.of.first + other - ghosts.first), ghosts.shift);
                 }
             }
         }

@@ -11,7 +11,7 @@
 
 namespace ljmd {
 
-inline constexpr std::size_t most_settings = 10'000;  ///< --set arguments in a record
+inline constexpr std::size_t max_settings = 10'000;  ///< --set arguments in a record
 
 /// The deck of a run, from its run.json.
 /// @param directory    of the run

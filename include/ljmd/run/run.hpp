@@ -50,7 +50,6 @@ struct RunControl {
 /// @pre  the output directory exists and has no earlier outputs, or it is that of the resumed run
 /// @throws PhysicsError, FileError, CheckpointError, Interrupted; files written until then stay
 RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control = {});
-FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& listener,
-                       const RunControl& control = {});
+FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control = {});
 
 }  // namespace ljmd

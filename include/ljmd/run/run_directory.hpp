@@ -58,8 +58,8 @@ struct FinalOutputs {
     std::string results_json = {};
     std::string results_text = {};
     std::vector<DataTable> tables = {};
-    double seconds = 0.0;                       ///< wall time of the time loop
-    std::optional<PhaseSeconds> phases = {};    ///< its parts, if measured
+    double seconds = 0.0;                     ///< wall time of the time loop
+    std::optional<PhaseSeconds> phases = {};  ///< its parts, if measured
 };
 
 /// The output files of a running run; docs/files.md describes them.

@@ -18,7 +18,7 @@ struct ReproductionLength {
     Index melt;
     Index equilibrate;
     Index production;  ///< steps of the first part, and of each part that is added while the errors are too large
-    int most_parts;
+    int max_parts;
     double largest_error_z;  ///< parts are added until the standard error of Z is at most this
     double largest_error_u;  ///< the same for U/N
 

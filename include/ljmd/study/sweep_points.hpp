@@ -17,8 +17,8 @@ struct SweepPoints {
 };
 
 // Larger numbers count as mistakes.
-inline constexpr std::size_t most_points = 10'000;
-inline constexpr std::size_t most_varied_keys = 32;
+inline constexpr std::size_t max_points = 10'000;
+inline constexpr std::size_t max_varied_keys = 32;
 
 /// Report too many keys, invalid keys, duplicates, and keys that are also given by --set: a varied key has no fixed
 /// value.

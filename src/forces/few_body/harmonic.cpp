@@ -34,8 +34,8 @@ struct Options : FewBodyForceOptions {
 FewBodyForceMethod harmonic() {
     return {.name = "harmonic",
             .meaning = "every body on a spring to the origin, f = -k r",
-            .least_dimensions = 1,
-            .most_dimensions = 3,
+            .min_dimensions = 1,
+            .max_dimensions = 3,
             .options = [] { return std::make_unique<Options>(); }};
 }
 

@@ -157,8 +157,8 @@ struct Options : FewBodyForceOptions {
 FewBodyForceMethod newtonian_gravity() {
     return {.name = "newtonian-gravity",
             .meaning = "gravity between all bodies, and towards a mass held at the origin",
-            .least_dimensions = 1,
-            .most_dimensions = 3,
+            .min_dimensions = 1,
+            .max_dimensions = 3,
             .attracts = true,
             .options = [] { return std::make_unique<Options>(); }};
 }

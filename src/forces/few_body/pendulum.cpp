@@ -61,8 +61,8 @@ struct Options : FewBodyForceOptions {
 FewBodyForceMethod pendulum() {
     return {.name = "pendulum",
             .meaning = "plane pendulum, the coordinate is its angle in radians, theta'' = -(g/l) sin theta",
-            .least_dimensions = 1,
-            .most_dimensions = 1,
+            .min_dimensions = 1,
+            .max_dimensions = 1,
             .options = [] { return std::make_unique<Options>(); }};
 }
 

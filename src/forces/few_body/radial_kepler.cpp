@@ -78,8 +78,8 @@ struct Options : FewBodyForceOptions {
 FewBodyForceMethod radial_kepler() {
     return {.name = "radial-kepler",
             .meaning = "distance of two bodies under gravity, rho'' = h^2/rho^3 - mu/rho^2",
-            .least_dimensions = 1,
-            .most_dimensions = 1,
+            .min_dimensions = 1,
+            .max_dimensions = 1,
             .has_polar_angle = true,
             .options = [] { return std::make_unique<Options>(); }};
 }

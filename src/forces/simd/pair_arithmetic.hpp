@@ -62,12 +62,12 @@ struct Separation {
 
 /// Quantities of pair distances with a long latency (division, root), so that they can be begun ahead.
 template <class Arithmetic, bool takes_root>
-class Begun {
+class PendingDistance {
   public:
     using V = typename Arithmetic::V;
 
-    Begun() = default;
-    LJMD_INLINE Begun(const Arithmetic& arithmetic, V square) {
+    PendingDistance() = default;
+    LJMD_INLINE PendingDistance(const Arithmetic& arithmetic, V square) {
         if constexpr (by_inverse_root) {
             inverse_r_ = inverse_root(arithmetic.in_sigma2(square));
         } else {
@@ -79,10 +79,10 @@ class Begun {
     }
 
     /// For two parts at a time.
-    LJMD_INLINE static void begin(const Arithmetic& arithmetic, V square, V other_square, Begun (&two)[2]) {
+    LJMD_INLINE static void begin(const Arithmetic& arithmetic, V square, V other_square, PendingDistance (&two)[2]) {
         if constexpr (takes_root) {
-            two[0] = Begun(arithmetic, square);
-            two[1] = Begun(arithmetic, other_square);
+            two[0] = PendingDistance(arithmetic, square);
+            two[1] = PendingDistance(arithmetic, other_square);
         } else {
             arithmetic.inverses_of(square, other_square, two[0].inverse_r2_, two[1].inverse_r2_);
         }

@@ -28,7 +28,7 @@ class Sums {
     /// @param others  partial forces: x, y and z of minus the forces on the part; the row's contribution is added
     template <class Pair>
     LJMD_INLINE void add(const Arithmetic& arithmetic, const Pair& pair, V cutoff2, const Separation<V>& d,
-                         const Begun<Arithmetic, Pair::takes_root>& begun, typename V::Value* others) {
+                         const PendingDistance<Arithmetic, Pair::takes_root>& begun, typename V::Value* others) {
         const auto term = pair(begun.distance(arithmetic, d.square));
         const V w = where_less(d.square, cutoff2, term.w);
         // All are loaded before any is stored. One by one takes a tenth longer.
@@ -52,9 +52,9 @@ class Sums {
 /// atoms of a cluster only the earlier one meets the later one, and none meets itself. The number is larger than any
 /// squared cutoff, in units of FixedPoint, too.
 template <class V>
-struct Aside {
+struct SelfPairMask {
     typename V::Value of_row[rows_per_cluster<V>][parts_per_cluster<V>][V::lanes] = {};
-    constexpr Aside() {
+    constexpr SelfPairMask() {
         constexpr std::size_t atoms = atoms_per_row<V>;
         constexpr std::size_t others = others_per_row<V>;
         for (std::size_t atom = 0; atom < slots; ++atom) {
@@ -65,7 +65,7 @@ struct Aside {
     }
 };
 
-/// Energy and virial of a tile. Each atom of its own and ghost clusters (guests in names) has one position in the tile,
+/// Energy and virial of a tile. Each atom of its own and ghost clusters has one position in the tile,
 /// so the virial, the sum over pairs of (r_i - r_j)_a f_b, equals the sum over atoms of r_a f_b.
 template <class V>
 class EnergyAndVirial {
@@ -109,7 +109,7 @@ class Row {
     /// Meet the row's own cluster, then the entries of its list.
     /// @param own    entry of the cluster, as a whole
     /// @param first  first part of it that has a slot after the row's first atom
-    /// @param aside  see Aside; for that part and the following ones
+    /// @param aside  see SelfPairMask; for that part and the following ones
     /// @param end    end of the list
     LJMD_INLINE void meet_all(std::size_t own, std::size_t first, const Real (*aside)[V::lanes],
                               const std::int32_t* end) {
@@ -127,7 +127,7 @@ class Row {
     static constexpr std::size_t width = atoms_per_row<V>;
     static constexpr std::size_t others = others_per_row<V>;
     static constexpr std::size_t parts = parts_per_cluster<V>;
-    using Started = Begun<Arithmetic, Pair::takes_root>;
+    using Started = PendingDistance<Arithmetic, Pair::takes_root>;
 
     /// Two parts in progress. No PairDistance here: gcc 12 would need more registers for a second copy of r^2.
     struct Two {
@@ -221,7 +221,7 @@ template <class Arithmetic, bool with_energy, class Pair>
 [[gnu::flatten]] void sum_tile(const void* potential, const PairKernelTask& task, PairKernelSums* sums) {
     using V = typename Arithmetic::V;
     using Real = typename V::Value;
-    static constexpr Aside<V> aside;
+    static constexpr SelfPairMask<V> aside;
     constexpr std::size_t width = atoms_per_row<V>;
     constexpr std::size_t stride = std::size_t{3} * slots;
     const Pair pair = *static_cast<const Pair*>(potential);
@@ -278,14 +278,14 @@ template <class Arithmetic, bool with_energy, class Pair>
         write_forces<4>(force, atoms, task.forces + 4 * first_atom);
     }
     for (std::size_t cluster = own_clusters; cluster < clusters; ++cluster) {
-        const std::size_t guest = cluster * stride;
+        const std::size_t ghost = cluster * stride;
         Four force[3];
         for (std::size_t a = 0; a < 3; ++a) {
-            force[a] = take_from_others<V>(partial + guest * width + a * axis) * -arithmetic.unit();
+            force[a] = take_from_others<V>(partial + ghost * width + a * axis) * -arithmetic.unit();
         }
-        write_forces<3>(force, slots, task.guest_forces + (guest - own_clusters * stride));
+        write_forces<3>(force, slots, task.ghost_forces + (ghost - own_clusters * stride));
         if constexpr (with_energy) {
-            total.add_cluster(arithmetic.places(guest, 0), arithmetic.places(guest, 1), arithmetic.places(guest, 2),
+            total.add_cluster(arithmetic.places(ghost, 0), arithmetic.places(ghost, 1), arithmetic.places(ghost, 2),
                               force);
         }
     }

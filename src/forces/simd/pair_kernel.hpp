@@ -13,7 +13,7 @@
 
 namespace ljmd {
 
-/// The pairs of a tile: those among its own atoms, and those of its own atoms with its ghost clusters (guests in
+/// The pairs of a tile: those among its own atoms, and those of its own atoms with its ghost clusters (ghosts in
 /// names).
 struct PairKernelTask {
     const void* positions;  ///< see TilePositions: double [sigma], or std::int32_t in units of FixedPoint (mixed)
@@ -27,7 +27,7 @@ struct PairKernelTask {
     void* partial_forces;              ///< 12 numbers per cluster and atom of a row, zero before and after the call;
                                        ///< double, float if mixed
     double* forces;                    ///< x y z 0 of every atom; those of the tile's own are written [epsilon/sigma]
-    double* guest_forces;              ///< x y z of every slot of its ghosts, and one more number [epsilon/sigma]
+    double* ghost_forces;              ///< x y z of every slot of its ghosts, and one more number [epsilon/sigma]
 };
 
 /// Sums over the pairs of a task, each counted once.

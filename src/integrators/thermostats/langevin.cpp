@@ -16,9 +16,9 @@ class Langevin : public Thermostat {
           gained2_(-std::expm1(-2.0 * bath.time_step / time) * bath.temperature),
           random_(bath.seed, RandomStream::thermostat) {}
 
-    [[nodiscard]] bool acts_half_way() const override { return true; }
+    [[nodiscard]] bool acts_mid_drift() const override { return true; }
 
-    void half_way(State& state) const override {
+    void mid_drift(State& state) const override {
         change_velocities(state, [&](const Vec3& v, double mass, Index id) -> Vec3 {
             return kept_ * v + std::sqrt(gained2_ / mass) * random_.normal(state.step, id);
         });

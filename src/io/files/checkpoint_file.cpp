@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view magic = "LJMDCKPT";
 constexpr std::string_view end_mark = "LJMDEND\n";
 constexpr std::uint32_t format_version = 1;
-constexpr int most_generations = 9;
+constexpr int max_generations = 9;
 
 /// The header of a file, before the content.
 struct Head {
@@ -143,7 +143,7 @@ CheckpointFile parse(const fs::path& path) {
 }  // namespace
 
 CheckpointStore::CheckpointStore(OpenDirectory directory, int keep) : directory_(std::move(directory)), keep_(keep) {
-    if (keep < 1 || keep > most_generations) {
+    if (keep < 1 || keep > max_generations) {
         throw ContractViolation(fmt::format("{} generations of checkpoints cannot be kept", keep));
     }
 }
@@ -171,7 +171,7 @@ void CheckpointStore::write(std::span<const std::byte> content) {
 
 std::vector<std::string> checkpoint_names() {
     std::vector<std::string> names;
-    for (std::uint64_t slot = 0; slot < most_generations; ++slot) {
+    for (std::uint64_t slot = 0; slot < max_generations; ++slot) {
         names.push_back(name_of(slot));
     }
     return names;

@@ -62,7 +62,7 @@ std::vector<std::string> environment_of(const Process& process) {
 
 /// Reset all signals to their default actions and unblock them. Signals that the parent was told to ignore stay
 /// ignored; SIGPIPE and SIGXFSZ do not, because this program itself ignores them.
-void usual_signals() {
+void default_signals() {
     for (int number = 1; number < NSIG; ++number) {
         struct sigaction action {};
         if (::sigaction(number, nullptr, &action) == 0 &&
@@ -103,7 +103,7 @@ void become(const Process& process, char* const* arguments, char* const* environ
         ::dup2(output, STDERR_FILENO) < 0) {
         return;
     }
-    usual_signals();
+    default_signals();
     ::execve(process.program.c_str(), arguments, environment);
 }
 

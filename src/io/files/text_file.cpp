@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr Index largest_compression = 100;  // of text; deflate itself reaches 1032
-constexpr Index usual_text = Index{1} << 24;
+constexpr Index default_text = Index{1} << 24;
 
 bool separates(char c) {
     return c == ' ' || c == '\t';
@@ -76,7 +76,7 @@ TextFile::TextFile(const fs::path& path) : name_(path.string()), buffer_(longest
     file_.clear();
     file_.seekg(0);
     if (is_packed) {
-        size_ = largest_compression * size_ + usual_text;
+        size_ = largest_compression * size_ + default_text;
         gzip_ = std::make_unique<GzipInput>(file_, size_);
     }
     stream_.rdbuf(is_packed ? static_cast<std::streambuf*>(gzip_.get()) : file_.rdbuf());

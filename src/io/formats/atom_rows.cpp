@@ -17,8 +17,8 @@ Index read_atom_count(TextFile& file, std::string_view field, Index wanted) {
 }
 
 std::size_t expected_atoms(const TextFile& file, Index count) {
-    constexpr Index usual_shortest_line = 8;  // "1 0 0 0" and the line end
-    return static_cast<std::size_t>(std::min(count, file.bytes_left() / usual_shortest_line + 1));
+    constexpr Index default_shortest_line = 8;  // "1 0 0 0" and the line end
+    return static_cast<std::size_t>(std::min(count, file.bytes_left() / default_shortest_line + 1));
 }
 
 void next_atom_line(TextFile& file, Index row, Index count) {

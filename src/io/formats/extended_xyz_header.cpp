@@ -166,11 +166,11 @@ std::vector<Property> split_properties(const TextFile& file, std::string_view te
     if (parts.size() % 3 != 0) {
         file.fail(fmt::format("Properties must be a list of name:type:columns, found {}", shown(text)));
     }
-    constexpr Index most_columns = TextFile::longest_line;
+    constexpr Index max_columns = TextFile::longest_line;
     std::vector<Property> properties;
     for (std::size_t k = 0; k < parts.size(); k += 3) {
         const Index columns = file.integer(parts[k + 2], fmt::format("the columns of property {}", shown(parts[k])));
-        if (columns < 1 || columns > most_columns) {
+        if (columns < 1 || columns > max_columns) {
             file.fail(fmt::format("property {} cannot have {} columns", shown(parts[k]), columns));
         }
         properties.push_back({parts[k], parts[k + 1], columns});

@@ -15,7 +15,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr Index most_atoms = Index{1} << 30;
+constexpr Index max_atoms = Index{1} << 30;
 constexpr Index numbers_at_once = Index{1} << 16;
 constexpr double largest_step = 1e15;  // up to here, integers are exact in doubles
 
@@ -109,7 +109,7 @@ H5mdReader::Element H5mdReader::vectors(const std::string& name) {
     if (atom_count_ == 0) {
         atom_count_ = extent[0];
     }
-    if (extent[0] != atom_count_ || atom_count_ < 1 || atom_count_ > most_atoms) {
+    if (extent[0] != atom_count_ || atom_count_ < 1 || atom_count_ > max_atoms) {
         file_.fail(fmt::format("{} is of {} atoms, the positions are of {}", found.value, extent[0], atom_count_));
     }
     return found;

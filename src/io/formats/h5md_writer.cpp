@@ -19,22 +19,22 @@ namespace {
 const std::string particles = "particles/trajectory";
 
 /// Chunk length of arrays with one small entry per frame; no chunk holds more frames.
-constexpr hsize_t most_frames_per_chunk = 64;
+constexpr hsize_t max_frames_per_chunk = 64;
 
 /// A frame above 1 MiB is divided into equal pieces below that.
 Index atoms_per_chunk(Index atoms) {
     constexpr Index bytes_per_atom = 3 * sizeof(double);
-    constexpr Index most_bytes = Index{1} << 20;
-    const Index pieces = std::max<Index>(1, (atoms * bytes_per_atom + most_bytes - 1) / most_bytes);
+    constexpr Index max_bytes = Index{1} << 20;
+    const Index pieces = std::max<Index>(1, (atoms * bytes_per_atom + max_bytes - 1) / max_bytes);
     return std::max<Index>(1, (atoms + pieces - 1) / pieces);
 }
 
 /// Frames per chunk of vectors: a power of two, so that it divides the chunk length of small entries.
 hsize_t frames_per_chunk(Index atoms) {
     constexpr Index bytes_per_atom = 3 * sizeof(double);
-    constexpr Index most_bytes = Index{64} << 10;
-    hsize_t frames = most_frames_per_chunk;
-    while (frames > 1 && static_cast<Index>(frames) * atoms * bytes_per_atom > most_bytes) {
+    constexpr Index max_bytes = Index{64} << 10;
+    hsize_t frames = max_frames_per_chunk;
+    while (frames > 1 && static_cast<Index>(frames) * atoms * bytes_per_atom > max_bytes) {
         frames /= 2;
     }
     return frames;
@@ -165,8 +165,8 @@ void H5mdWriter::create_particles(const State& first, bool si) {
     file_.create_group("particles");
     file_.create_group(particles);
     file_.create_group(particles + "/position");
-    file_.create_series(step_, {most_frames_per_chunk});
-    file_.create_series(time_, {most_frames_per_chunk});
+    file_.create_series(step_, {max_frames_per_chunk});
+    file_.create_series(time_, {max_frames_per_chunk});
     file_.create_series(position_, vector_chunk(count_));
     if (has_velocities_) {
         file_.create_group(particles + "/velocity");
@@ -201,7 +201,7 @@ void H5mdWriter::create_box(bool si) {
     file_.set_fixed_texts(box, "boundary", std::vector<std::string>(3, has_box_ ? "periodic" : "none"));
     if (has_box_) {
         file_.create_group(box + "/edges");
-        file_.create_series(edges_, {most_frames_per_chunk, 3, 3});
+        file_.create_series(edges_, {max_frames_per_chunk, 3, 3});
         file_.link(step_.name, box + "/edges/step");
         file_.link(time_.name, box + "/edges/time");
         if (si) {
@@ -263,7 +263,7 @@ double h5md_bytes(Index atoms, Index frames, bool velocities) {
         return static_cast<double>(chunks * length);
     };
     const double frame = (velocities ? 2.0 : 1.0) * 3.0 * sizeof(double) * static_cast<double>(atoms);
-    return metadata + of_atom * static_cast<double>(atoms) + small_entries * allotted(most_frames_per_chunk) +
+    return metadata + of_atom * static_cast<double>(atoms) + small_entries * allotted(max_frames_per_chunk) +
            frame * allotted(frames_per_chunk(atoms));
 }
 

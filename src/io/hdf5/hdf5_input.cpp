@@ -19,15 +19,15 @@ namespace {
 constexpr double largest_compression = 1100.0;
 /// HDF5 unpacks a compressed chunk as a whole. Its unpacked size must not exceed this, or this multiple of the stored
 /// size of all chunks, whichever is larger.
-constexpr double usual_chunk_bytes = 16 << 20;
+constexpr double default_chunk_bytes = 16 << 20;
 constexpr double chunk_compression = 100.0;
 /// HDF5's default chunk cache of a dataset.
-constexpr std::size_t usual_cache = std::size_t{1} << 20;
-constexpr int most_axes = 8;
+constexpr std::size_t default_cache = std::size_t{1} << 20;
+constexpr int max_axes = 8;
 /// Attempts to read metadata that another program is writing. HDF5 doubles the wait before each: milliseconds in all,
 /// and no endless loop for a damaged file.
 constexpr unsigned read_attempts = 20;
-constexpr Index most_attribute_elements = 64;
+constexpr Index max_attribute_elements = 64;
 
 template <class T>
 hid_t native_type() {
@@ -133,7 +133,7 @@ hid_t Hdf5Input::open_dataset(const std::string& dataset) const {
         const Hdf5Handle access(checked(H5Pcreate(H5P_DATASET_ACCESS), doing), H5Pclose);
         checked(H5Pset_elink_cb(access.get(), refuse_to_follow, nullptr), doing);
         checked(H5Pset_chunk_cache(access.get(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT,
-                                   std::max<std::size_t>(usual_cache, static_cast<std::size_t>(bytes)),
+                                   std::max<std::size_t>(default_cache, static_cast<std::size_t>(bytes)),
                                    H5D_CHUNK_CACHE_W0_DEFAULT),
                 doing);
         handle = Hdf5Handle(checked(H5Dopen2(file_.get(), dataset.c_str(), access.get()), doing), H5Dclose);
@@ -160,7 +160,7 @@ std::vector<std::string> Hdf5Input::members(const std::string& group) const {
 
 std::vector<Index> Hdf5Input::extent_of(hid_t space, const std::string& what) const {
     const auto axes = static_cast<int>(checked(H5Sget_simple_extent_ndims(space), "asking for the extent of " + what));
-    if (axes > most_axes || H5Sget_simple_extent_type(space) == H5S_NULL) {
+    if (axes > max_axes || H5Sget_simple_extent_type(space) == H5S_NULL) {
         fail(fmt::format("{} is no array of numbers", what));
     }
     std::vector<hsize_t> lengths(static_cast<std::size_t>(axes));
@@ -197,15 +197,15 @@ double Hdf5Input::packed_chunk_bytes(hid_t dataset, const std::string& name) con
     if (H5Pget_layout(creation.get()) != H5D_CHUNKED || H5Pget_nfilters(creation.get()) == 0) {
         return 0.0;
     }
-    std::array<hsize_t, most_axes> chunk{};
-    const int axes = H5Pget_chunk(creation.get(), most_axes, chunk.data());
+    std::array<hsize_t, max_axes> chunk{};
+    const int axes = H5Pget_chunk(creation.get(), max_axes, chunk.data());
     const Hdf5Handle type(checked(H5Dget_type(dataset), "reading " + name), H5Tclose);
     auto bytes = static_cast<double>(H5Tget_size(type.get()));
     for (int axis = 0; axis < axes; ++axis) {
         bytes *= static_cast<double>(chunk[static_cast<std::size_t>(axis)]);
     }
     const auto stored = static_cast<double>(H5Dget_storage_size(dataset));
-    if (bytes > std::max(usual_chunk_bytes, chunk_compression * stored)) {
+    if (bytes > std::max(default_chunk_bytes, chunk_compression * stored)) {
         fail(fmt::format("a chunk of {} unpacks to {:.3g} MB, and {:.3g} MB are stored of all of it", name, bytes / 1e6,
                          stored / 1e6));
     }
@@ -287,8 +287,8 @@ std::optional<Hdf5Input::Attribute> Hdf5Input::open_attribute(const std::string&
     Hdf5Handle type(checked(H5Aget_type(handle.get()), reading), H5Tclose);
     Hdf5Handle space(checked(H5Aget_space(handle.get()), reading), H5Sclose);
     const double count = product(extent_of(space.get(), what));
-    if (count > most_attribute_elements) {
-        fail(fmt::format("{} has more than {} elements", what, most_attribute_elements));
+    if (count > max_attribute_elements) {
+        fail(fmt::format("{} has more than {} elements", what, max_attribute_elements));
     }
     return Attribute{what, std::move(handle), std::move(type), std::move(space), static_cast<std::size_t>(count)};
 }

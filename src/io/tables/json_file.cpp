@@ -36,8 +36,8 @@ std::string json_text(const std::filesystem::path& path) {
         text.resize(begin + piece);
         file.read(text.data() + begin, static_cast<std::streamsize>(piece));
         text.resize(begin + static_cast<std::size_t>(file.gcount()));
-        if (text.size() > most_json_bytes) {
-            throw WrongData(fmt::format("it has more than {} MiB", most_json_bytes >> 20U));
+        if (text.size() > max_json_bytes) {
+            throw WrongData(fmt::format("it has more than {} MiB", max_json_bytes >> 20U));
         }
     }
     if (file.bad()) {

@@ -63,8 +63,8 @@ class DataBuilder : public nlohmann::json_sax<Json> {
 
     bool key(string_t& key) override {
         count();
-        if (++keys_.at(open_.size()) > most_json_keys) {
-            throw WrongData(fmt::format("an object has more than {} keys", most_json_keys));
+        if (++keys_.at(open_.size()) > max_json_keys) {
+            throw WrongData(fmt::format("an object has more than {} keys", max_json_keys));
         }
         key_ = std::move(key);
         return true;
@@ -78,8 +78,8 @@ class DataBuilder : public nlohmann::json_sax<Json> {
 
   private:
     void count() {
-        if (++values_ > most_json_values) {
-            throw WrongData(fmt::format("it has more than {} values", most_json_values));
+        if (++values_ > max_json_values) {
+            throw WrongData(fmt::format("it has more than {} values", max_json_values));
         }
     }
 

@@ -7,7 +7,7 @@ namespace ljmd {
 namespace {
 
 constexpr UsualLags usual{.every = 50, .max_time = 10.0, .share = 0.2};
-constexpr double usual_fit_start = 0.2;  // fraction of the largest time: beyond the motion of an atom in its cage
+constexpr double default_fit_start = 0.2;  // fraction of the largest time: beyond the motion of an atom in its cage
 
 struct Options : AnalysisOptions {
     LagOptions lags{usual};
@@ -24,7 +24,7 @@ struct Options : AnalysisOptions {
             .dimension(Dimension::time)
             .unit("tau")
             .at_least(0.0)
-            .optional(fmt::format("{} of `max_time`", usual_fit_start))
+            .optional(fmt::format("{} of `max_time`", default_fit_start))
             .meaning("diffusion is the slope from this time to `max_time`");
     }
     [[nodiscard]] Misfits check(const SampledRun& run) const override {
@@ -40,8 +40,8 @@ struct Options : AnalysisOptions {
     }
     [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
         const LagTimes times = times_of(run);
-        return std::make_unique<MeanSquareDisplacement>(run.atoms, times, origins,
-                                                        fit_start.value_or(usual_fit_start * times.time(times.count)));
+        return std::make_unique<MeanSquareDisplacement>(
+            run.atoms, times, origins, fit_start.value_or(default_fit_start * times.time(times.count)));
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         const LagTimes times = times_of(run);

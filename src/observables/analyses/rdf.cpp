@@ -8,7 +8,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double usual_radius = 5.0;  // [sigma]: four shells of the liquid, and affordable in large systems
+constexpr double default_radius = 5.0;  // [sigma]: four shells of the liquid, and affordable in large systems
 
 double largest_radius(const Box& box) {
     return 0.5 * box.shortest_edge();
@@ -52,7 +52,7 @@ struct Options : AnalysisOptions {
 
   private:
     [[nodiscard]] double radius_in(const Box& box) const {
-        return radius.value_or(std::min(usual_radius, largest_radius(box)));
+        return radius.value_or(std::min(default_radius, largest_radius(box)));
     }
 };
 

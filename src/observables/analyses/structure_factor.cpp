@@ -9,7 +9,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr double most_points = 5e8;  // of 16 bytes each
+constexpr double max_points = 5e8;  // of 16 bytes each
 
 double grid_points(const Box& box, double k_max) {
     constexpr double per_length = 1.5 / std::numbers::pi;  // see grid_density_modes
@@ -44,11 +44,11 @@ struct Options : AnalysisOptions {
                                                       k_max, least));
         }
         const double points = grid_points(run.box, k_max);
-        if (method == "grid" && points > most_points) {
+        if (method == "grid" && points > max_points) {
             misfits.emplace_back("k_max",
                                  fmt::format("'k_max' in structure_factor is {:.6g}: its grid would have {:.2g} "
                                              "points, of at most {:.2g}; choose a smaller one, or method = \"direct\"",
-                                             k_max, points, most_points));
+                                             k_max, points, max_points));
         }
         return misfits;
     }

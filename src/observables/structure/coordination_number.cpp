@@ -144,8 +144,8 @@ CoordinationNumber::Division CoordinationNumber::division(Index bins, double rad
     const double part = bin / static_cast<double>(parts);
     const auto in_a_shell = std::max(static_cast<Index>(widest_shell / part + rounding), Index{1});
     const double width = static_cast<double>(in_a_shell) * part;
-    const auto most_shells = std::max(static_cast<Index>(farthest_shell / width + rounding), Index{1});
-    return {parts, in_a_shell, std::min(parts * bins / in_a_shell, most_shells), width};
+    const auto max_shells = std::max(static_cast<Index>(farthest_shell / width + rounding), Index{1});
+    return {parts, in_a_shell, std::min(parts * bins / in_a_shell, max_shells), width};
 }
 
 CoordinationNumber::CoordinationNumber(const Division& division)

@@ -12,7 +12,7 @@ namespace ljmd {
 namespace {
 
 /// Each block has its own histogram: enough blocks for many threads, few enough for long histograms.
-constexpr Index most_blocks = 64;
+constexpr Index max_blocks = 64;
 
 /// Cells to search on each side; they are at least half the radius wide.
 constexpr Index reach = 2;
@@ -162,7 +162,7 @@ std::vector<Index> pair_histogram(const State& state, double radius, Index bins)
         return counts;
     };
     const Index atoms = cells.atoms();
-    return join_blocks(state.execution(), atoms, std::max((atoms + most_blocks - 1) / most_blocks, Index{1}),
+    return join_blocks(state.execution(), atoms, std::max((atoms + max_blocks - 1) / max_blocks, Index{1}),
                        Counts(static_cast<std::size_t>(bins)), count_block, [](Counts& sum, const Counts& block) {
                            std::transform(sum.begin(), sum.end(), block.begin(), sum.begin(), std::plus<>());
                        });

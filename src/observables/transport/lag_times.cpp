@@ -31,8 +31,9 @@ void LagOptions::describe(Description& description) {
 
 LagTimes LagOptions::times(const SampledRun& run) const {
     const double spacing = static_cast<double>(every) * run.time_step;
-    const double usual_time = std::min(usual_.max_time, usual_.share * static_cast<double>(run.steps) * run.time_step);
-    return {every, std::max(whole_spacings(max_time.value_or(usual_time), spacing), Index{1}), spacing};
+    const double default_time =
+        std::min(usual_.max_time, usual_.share * static_cast<double>(run.steps) * run.time_step);
+    return {every, std::max(whole_spacings(max_time.value_or(default_time), spacing), Index{1}), spacing};
 }
 
 Index correlation_window(const LagTimes& lags, const SampledRun& run) {

@@ -80,10 +80,10 @@ TEST_CASE("kernels give the same forces to the last bit with and without energy,
     }
 }
 
-TEST_CASE("kernels give the forces on guests to their owners, whatever tiles the box is cut into") {
+TEST_CASE("kernels give the forces on ghosts to their owners, whatever tiles the box is cut into") {
     const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
     const State large = test::shaken_crystal(16, 0.8442, 0.1, 7);  // 16384 atoms, three tiles and more
-    const State small = test::shaken_crystal(3, 0.6, 0.1, 9);      // edges of 5.6, atoms that are guests of themselves
+    const State small = test::shaken_crystal(3, 0.6, 0.1, 9);      // edges of 5.6, atoms that are ghosts of themselves
     for (const State& fluid : {large, small}) {
         const Evaluated expected = evaluated(potential, "cells", {}, fluid);
         for (const SimdLevel level : usable_simd_levels()) {

@@ -10,13 +10,13 @@ TEST_CASE("Langevin's thermostat acts half-way of the drift: v = c v + sqrt((1 -
     State state = test::moving_atoms(1.3);
     state.write_masses()[4] = 9.0;
     const auto thermostat = test::made_thermostat("langevin", {0.7, 0.05, 3, 297}, {{"time", 0.1}});
-    CHECK(thermostat->acts_half_way());
+    CHECK(thermostat->acts_mid_drift());
     const Eigen::Matrix3Xd before = static_cast<const State&>(state).velocities();
     state.step = 12;
     thermostat->before_step(state);
     thermostat->after_step(state, 12);
     CHECK(static_cast<const State&>(state).velocities() == before);
-    thermostat->half_way(state);
+    thermostat->mid_drift(state);
     const double c = std::exp(-0.5);
     const Random random(3, RandomStream::thermostat);
     for (const Index i : {0, 4, 99}) {

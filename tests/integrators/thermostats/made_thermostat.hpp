@@ -38,8 +38,8 @@ inline HeatBath bath_of(const State& state, double temperature, double time_step
 inline void act(const Thermostat& thermostat, State& state, Index step) {
     state.step = step - 1;
     thermostat.before_step(state);
-    if (thermostat.acts_half_way()) {
-        thermostat.half_way(state);
+    if (thermostat.acts_mid_drift()) {
+        thermostat.mid_drift(state);
     }
     state.step = step;
     thermostat.after_step(state, step);

@@ -53,7 +53,7 @@ TEST_CASE("the newest generations are kept, and found newest first") {
     CHECK(found.whole[0].generation == 3);
 
     CheckpointStore later(folder.path(), 2);
-    later.go_on_after(3);
+    later.continue_after(3);
     later.write(bytes_of("fourth"));
     CHECK(contents(find_checkpoints(folder.path())) == Contents{bytes_of("fourth"), bytes_of("third")});
 }
@@ -66,7 +66,7 @@ TEST_CASE("after going on from the older of two generations, that one is not wha
     const auto newest = find_checkpoints(folder.path()).whole[0].path;
     overwrite(newest, "damaged");
     CheckpointStore later(folder.path(), 2);
-    later.go_on_after(1);
+    later.continue_after(1);
     later.write(bytes_of("another second"));
     CHECK(contents(find_checkpoints(folder.path())) == Contents{bytes_of("another second"), bytes_of("first")});
 }

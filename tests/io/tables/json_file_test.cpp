@@ -45,7 +45,7 @@ TEST_CASE("what is no JSON, or has not what is wanted, is refused in the words o
 
 TEST_CASE("a file larger than any record is not read to its end") {
     const WrittenFile file("", "n.json");
-    std::filesystem::resize_file(file.path(), most_json_bytes + 1);  // takes no disk
+    std::filesystem::resize_file(file.path(), max_json_bytes + 1);  // takes no disk
     CHECK_THAT(data_error([&] { static_cast<void>(read_n(file.path())); }),
                Contains("n.json is not a number in a file: it has more than 64 MiB"));
 }

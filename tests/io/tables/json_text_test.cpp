@@ -97,11 +97,11 @@ TEST_CASE("depth, values and keys of JSON have bounds, before anything takes muc
         }
         return text + "}";
     };
-    CHECK(parse_json("[" + keys(most_json_keys) + ", " + keys(most_json_keys) + "]").size() == 2);
-    CHECK_THROWS_WITH(parse_json(keys(most_json_keys + 1)), "an object has more than 1000 keys");
+    CHECK(parse_json("[" + keys(max_json_keys) + ", " + keys(max_json_keys) + "]").size() == 2);
+    CHECK_THROWS_WITH(parse_json(keys(max_json_keys + 1)), "an object has more than 1000 keys");
 
     std::string values = "[0";
-    while (values.size() < 2 * most_json_values) {
+    while (values.size() < 2 * max_json_values) {
         values += ",0";
     }
     CHECK_THROWS_WITH(parse_json(values + "]"), "it has more than 1000000 values");

@@ -22,7 +22,7 @@ TEST_CASE("list kernels of every SIMD level find the pairs of all-pairs, for any
     }
 }
 
-TEST_CASE("on a list stands every part of guests and later clusters of the tile with an atom in range, and no other") {
+TEST_CASE("on a list stands every part of ghosts and later clusters of the tile with an atom in range, and no other") {
     constexpr Index part = 2;
     State state = test::random_state(900, cubic_box(900, 0.8442), 23);
     VerletList list(0.3);
@@ -43,9 +43,9 @@ TEST_CASE("on a list stands every part of guests and later clusters of the tile 
             clusters.push_back({grid.atoms_of_cluster(own), Vec3::Zero()});
         }
         const auto own_count = static_cast<Index>(clusters.size());
-        for (const ClusterGrid::Guests& guests : tile.guests) {
-            for (Index guest = guests.of.first; guest < guests.of.last; ++guest) {
-                clusters.push_back({grid.atoms_of_cluster(guest), guests.shift});
+        for (const ClusterGrid::GhostClusters& ghosts : tile.ghosts) {
+            for (Index ghost = ghosts.of.first; ghost < ghosts.of.last; ++ghost) {
+                clusters.push_back({grid.atoms_of_cluster(ghost), ghosts.shift});
             }
         }
         REQUIRE(static_cast<std::int32_t>(clusters.size()) == tile.cluster_count);

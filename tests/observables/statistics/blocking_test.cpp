@@ -148,8 +148,8 @@ TEST_CASE("An error is said to be a guess where it is one, and nowhere else") {
     struct Case {
         double phi;
         Index samples;
-        double least_converged;
-        double most_converged;
+        double min_converged;
+        double max_converged;
     };
     const auto c = GENERATE(Case{0.0, 64, 0.9, 1.0}, Case{0.0, 124, 0.97, 1.0},     // all independent
                             Case{0.5, 100, 0.9, 1.0}, Case{0.9, 1000, 0.93, 1.0},   // 33, 53
@@ -157,9 +157,9 @@ TEST_CASE("An error is said to be a guess where it is one, and nowhere else") {
                             Case{0.0, 12, 0.0, 0.0});
     CAPTURE(c.phi, c.samples);
     const Calibration seen = calibrate(400, c.samples, c.phi, 0.0, 9);
-    CHECK(seen.converged >= c.least_converged);
-    CHECK(seen.converged <= c.most_converged);
-    if (c.least_converged > 0.0) {
+    CHECK(seen.converged >= c.min_converged);
+    CHECK(seen.converged <= c.max_converged);
+    if (c.min_converged > 0.0) {
         CHECK(seen.scatter / seen.reported_error > 0.7);
         CHECK(seen.scatter / seen.reported_error < 1.32);
     }

@@ -104,17 +104,17 @@ TEST_CASE("a decay at the beginning is found and left out") {
 }
 
 TEST_CASE("a series in equilibrium is used nearly whole, and its error is that of independent samples") {
-    Index most_left_out = 0;
+    Index max_left_out = 0;
     double sum = 0.0;
     double reported = 0.0;
     constexpr int runs = 100;
     for (unsigned seed = 0; seed < runs; ++seed) {
         const Equilibration found = detect_equilibration(autoregressive(2000, 0.8, seed), 40);
-        most_left_out = std::max(most_left_out, found.start);
+        max_left_out = std::max(max_left_out, found.start);
         sum += found.mean * found.mean;
         reported += found.standard_error * found.standard_error;
     }
-    CHECK(most_left_out < 1200);
+    CHECK(max_left_out < 1200);
     CHECK(std::sqrt(sum / reported) == Approx(1.0).margin(0.25));
 }
 

@@ -289,8 +289,8 @@ TEST_CASE("the error of the heat capacity of a short run covers what it has not 
     const double energy_width = std::sqrt(1.0 * 0.49 / 100.0);
     struct Case {
         double kept;
-        int least_with_value;
-        int most_with_value;
+        int min_with_value;
+        int max_with_value;
     };
     const auto c = GENERATE(Case{0.999, 0, 20}, Case{0.97, 100, 200});
     const int runs = 200;
@@ -315,9 +315,9 @@ TEST_CASE("the error of the heat capacity of a short run covers what it has not 
         }
     }
     CAPTURE(c.kept, with_value, squares, reported);
-    CHECK(with_value >= c.least_with_value);
-    CHECK(with_value <= c.most_with_value);
-    if (c.least_with_value > 0) {
+    CHECK(with_value >= c.min_with_value);
+    CHECK(with_value <= c.max_with_value);
+    if (c.min_with_value > 0) {
         CHECK(std::sqrt(squares / reported) < 1.32);
         CHECK(std::sqrt(squares / reported) > 0.7);
     }

@@ -28,7 +28,7 @@ class CheckpointStore {
     void write(std::span<const std::byte> content);
 
     /// Continue after this generation even if newer ones exist: with keep > 1 the next write does not replace it.
-    void go_on_after(std::uint64_t generation) { generation_ = generation; }
+    void continue_after(std::uint64_t generation) { generation_ = generation; }
 
   private:
     OpenDirectory directory_;

@@ -15,7 +15,7 @@
 
 namespace ljmd {
 
-inline constexpr std::size_t most_json_bytes = std::size_t{64} << 20U;  ///< size of a file
+inline constexpr std::size_t max_json_bytes = std::size_t{64} << 20U;  ///< size of a file
 
 /// @param name  of the value, for messages
 /// @throws WrongData when it is not an integer from `least` to `most`
@@ -26,7 +26,7 @@ inline constexpr std::size_t most_json_bytes = std::size_t{64} << 20U;  ///< siz
 
 /// The text of a JSON file.
 /// @throws DataError  it is not a regular file, or cannot be opened  @throws WrongData  it cannot be read, or has more
-/// than `most_json_bytes`
+/// than `max_json_bytes`
 [[nodiscard]] std::string json_text(const std::filesystem::path& path);
 
 /// Parse a JSON file, whose objects keep their order, and convert it with `read`.

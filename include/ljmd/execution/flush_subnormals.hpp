@@ -11,16 +11,16 @@ namespace ljmd {
 ///
 /// On Intel's processors each instruction that meets a subnormal number takes some 150 cycles, and sums over vectors of
 /// pairs meet many: r^-12 of pairs far out of range. Without effect on processors other than x86-64.
-class TinyIsZero {
+class FlushSubnormals {
   public:
-    TinyIsZero(const TinyIsZero&) = delete;
-    TinyIsZero& operator=(const TinyIsZero&) = delete;
+    FlushSubnormals(const FlushSubnormals&) = delete;
+    FlushSubnormals& operator=(const FlushSubnormals&) = delete;
 
 #if defined(__x86_64__)
-    TinyIsZero() : before_(_mm_getcsr()) {
+    FlushSubnormals() : before_(_mm_getcsr()) {
         _mm_setcsr(before_ | _MM_FLUSH_ZERO_ON | denormals_are_zero);
     }
-    ~TinyIsZero() {
+    ~FlushSubnormals() {
         _mm_setcsr(before_);
     }
 
@@ -28,8 +28,8 @@ class TinyIsZero {
     static constexpr unsigned denormals_are_zero = 0x0040;
     unsigned before_;  ///< control and status register; exception flags set in between are dropped
 #else
-    TinyIsZero() {}
-    ~TinyIsZero() {}
+    FlushSubnormals() {}
+    ~FlushSubnormals() {}
 #endif
 };
 
