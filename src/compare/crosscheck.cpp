@@ -43,6 +43,7 @@ class Quiet : public StepObserver {
     void started(const Evaluation&) override {}
     void stage_begins(const Stage& stage) override { listener_.stage_begins(stage); }
     [[nodiscard]] bool wants_energy(Index) const override { return false; }
+    [[nodiscard]] bool reads_velocities(Index) const override { return false; }
     void moved(Index) override {}
     void step_done(const Stage&, const Evaluation&) override { listener_.step_done(state_.step); }
     void stage_ends(const Stage&) override {}

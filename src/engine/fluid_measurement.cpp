@@ -184,6 +184,16 @@ bool FluidMeasurement::wants_energy(Index step) const {
                          }));
 }
 
+bool FluidMeasurement::reads_velocities(Index step_of_stage) const {
+    const State& state = fluid_.state;
+    if (step_of_stage % steps_between_looks == 0 || sample_every_.due(state.step) || outputs_.frame_is_due(state)) {
+        return true;
+    }
+    const auto due = [&state](const auto& analysis) { return analysis->due(state.step); };
+    const auto needs = [&state](const Observer* observer) { return observer->needs(state.step); };
+    return sampling_ && (std::ranges::any_of(fluid_.analyses, due) || std::ranges::any_of(observers_, needs));
+}
+
 void FluidMeasurement::moved(Index step_of_stage) {
     if (step_of_stage % steps_between_looks == 0) {
         watch_->check_speeds(fluid_.state);

@@ -75,6 +75,7 @@ class TimeLoop {
                 ++position_.stage;
             }
         }
+        state_.finish_kick();
         note_seconds();
         return position_;
     }
@@ -83,6 +84,7 @@ class TimeLoop {
     void offer_checkpoint(bool last_of_stage) {
         if (observer_.wants_checkpoint(last_of_stage)) {
             note_seconds();
+            state_.finish_kick();
             observer_.checkpoint(position_);
         }
     }
@@ -122,6 +124,7 @@ class TimeLoop {
     }
 
     void begin(const Stage& stage, const Integrator& integrator) {
+        state_.finish_kick();
         position_.begun = true;
         position_.steps = 0;
         position_.first_time = state_.time;
@@ -144,13 +147,16 @@ class TimeLoop {
             parts.thermostat->before_step(state_);
         }
         const double end = position_.first_time + static_cast<double>(n) * stage.time_step;
-        const Evaluation evaluation = parts.integrator.step(
+        const Evaluation evaluation = parts.integrator.step_with_pending_kick(
             state_, force_field_,
             {.energy = pressure_wanted || observer_.wants_energy(step_), .order_independent = false},
             watch_within(stage, end));
         state_.step = step_;
         state_.time = end;
         position_.seconds.steps += watch.lap();
+        if (observer_.reads_velocities(n)) {
+            state_.finish_kick();
+        }
         observer_.moved(n);
         watch.lap();
         if (parts.thermostat) {

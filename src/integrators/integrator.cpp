@@ -64,6 +64,13 @@ void Integrator::prepare(State& state, ForceField& force_field) const {
 }
 
 Evaluation Integrator::step(State& state, ForceField& force_field, Request request, const StateWatch& within) const {
+    const Evaluation evaluation = step_with_pending_kick(state, force_field, request, within);
+    state.finish_kick();
+    return evaluation;
+}
+
+Evaluation Integrator::step_with_pending_kick(State& state, ForceField& force_field, Request request,
+                                              const StateWatch& within) const {
     prepare(state, force_field);
     const Index steps = state.phase().steps;
     const auto& operators = scheme_.cycle[static_cast<std::size_t>(steps) % scheme_.cycle.size()];

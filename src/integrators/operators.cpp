@@ -16,16 +16,13 @@ void require_current_forces(const State& state) {
     }
 }
 
-/// Four numbers per atom; the fourth of positions, velocities and forces is zero and stays zero (see VectorView).
-using Atom = Eigen::Map<Eigen::Array4d>;
-using ConstAtom = Eigen::Map<const Eigen::Array4d>;
-
 void drift(State& state, double dt) {
-    double* r = state.write_positions().data();
-    const double* v = static_cast<const State&>(state).velocities().data();
+    state.finish_kick();
+    PaddedView r = padded(state.write_positions());
+    const ConstPaddedView v = padded(state.velocities());
     const double rounding = state.rounding();
-    for_each_index(state.execution(), state.count(), [=](Index i) {
-        Atom(r + 4 * i) = (Atom(r + 4 * i) + dt * ConstAtom(v + 4 * i) + rounding) - rounding;
+    for_each_index(state.execution(), state.count(), [=](Index i) mutable {
+        r.col(i) = (r.col(i) + dt * v.col(i) + rounding) - rounding;
     });
 }
 
@@ -34,22 +31,22 @@ void drift(State& state, double dt) {
 void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     require_current_forces(state);
     const double dt_due = state.take_kick();
-    double* v = state.write_velocities().data();
-    double* r = state.write_positions().data();
-    const double* f = static_cast<const State&>(state).forces().data();
+    PaddedView v = padded(state.write_velocities());
+    PaddedView r = padded(state.write_positions());
+    const ConstPaddedView f = padded(state.forces());
     const double* m = state.masses().data();
     const double rounding = state.rounding();
-    for_each_block(state.execution(), state.count(), loop_block, [=](Index first, Index last) {
+    for_each_block(state.execution(), state.count(), loop_block, [=](Index first, Index last) mutable {
         TimeOverMass due(dt_due);
         TimeOverMass factor(dt_kick);
         for (Index i = first; i < last; ++i) {
-            Eigen::Array4d velocity = ConstAtom(v + 4 * i);
+            Eigen::Array4d velocity = v.col(i);
             if (dt_due != 0.0) {
-                velocity += due(m[i]) * ConstAtom(f + 4 * i);
+                velocity += due(m[i]) * f.col(i);
             }
-            velocity += factor(m[i]) * ConstAtom(f + 4 * i);
-            Atom(v + 4 * i) = velocity;
-            Atom(r + 4 * i) = (Atom(r + 4 * i) + dt_drift * velocity + rounding) - rounding;
+            velocity += factor(m[i]) * f.col(i);
+            v.col(i) = velocity;
+            r.col(i) = (r.col(i) + dt_drift * velocity + rounding) - rounding;
         }
     });
 }
@@ -78,10 +75,12 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
                 state, {.energy = request.energy && op + 1 == after_last, .order_independent = e->order_independent});
         } else if (const auto* u = std::get_if<Update>(&*op)) {
             require_current_forces(state);
+            state.finish_kick();
             u->apply(state);
         } else if (const auto* t = std::get_if<Thermalise>(&*op)) {
             t->apply(state);
         } else {
+            state.finish_kick();
             std::get<Solve>(*op).advance(state, force_field, within);
         }
     }

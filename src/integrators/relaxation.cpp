@@ -58,7 +58,7 @@ bool steer(State& state, double mixing) {
 
 void move(State& state, double step) {
     auto r = state.write_positions();
-    const auto v = static_cast<const State&>(state).velocities();
+    const auto v = state.velocities();
     for (Index i = 0; i < state.count(); ++i) {
         Vec3 d = step * v.col(i);
         const double length = d.norm();

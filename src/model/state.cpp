@@ -18,7 +18,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr std::size_t stride = 4;
+constexpr auto stride = static_cast<std::size_t>(vector_stride);
 
 /// An atom does not diffuse this many edges away from its box.
 constexpr double max_crossings = 1e6;
@@ -107,7 +107,9 @@ ConstVectorView State::positions_and_ghosts() const {
     return view(positions_, count_ + ghost_count_);
 }
 ConstVectorView State::velocities() const {
-    do_kick();
+    if (kick_due_ != 0.0) {
+        throw ContractViolation("velocities were asked for while a kick is pending");
+    }
     return view(velocities_, count_);
 }
 ConstVectorView State::forces() const {
@@ -120,21 +122,21 @@ VectorView State::write_positions() {
     return view(positions_, 0, count_);
 }
 VectorView State::write_velocities() {
-    do_kick();
+    finish_kick();
     phase_ = {};
     return view(velocities_, 0, count_);
 }
 VectorView State::write_forces() {
-    do_kick();
+    finish_kick();
     return view(forces_, 0, count_);
 }
 std::vector<double>& State::write_masses() {
-    do_kick();
+    finish_kick();
     return masses_;
 }
 
 void State::kick(double dt) {
-    do_kick();
+    finish_kick();
     phase_ = {};
     kick_due_ = dt;
 }
@@ -143,7 +145,7 @@ double State::take_kick() {
     return std::exchange(kick_due_, 0.0);
 }
 
-void State::do_kick() const {
+void State::finish_kick() {
     if (kick_due_ == 0.0) {
         return;
     }
@@ -191,7 +193,7 @@ void State::reorder(const std::vector<Index>& order) {
     if (static_cast<Index>(order.size()) != count_) {
         throw ContractViolation("a new order must name every atom once");
     }
-    do_kick();
+    finish_kick();
     ++order_version_;
     const auto spare = std::make_unique_for_overwrite<std::byte[]>(stride * sizeof(double) * order.size());
     permute<stride>(execution_, positions_, order, spare.get());
@@ -224,7 +226,7 @@ void State::Registered::archive(Archive& a) {
 }
 
 void State::archive(Archive& a) {
-    do_kick();
+    finish_kick();
     a.mark("state");
     const std::size_t length = stride * checked(count_);
     bool bounded = box_.has_value();

@@ -64,12 +64,14 @@ void remove_momentum(State& state) {
     if (state.count() == 0) {
         return;
     }
+    state.finish_kick();
     const Vec3 drift = total_momentum(state) / total_mass(state);
     auto v = state.write_velocities();
     for_each_index(state.execution(), state.count(), [&](Index i) { v.col(i) -= drift; });
 }
 
 void rescale_velocities(State& state, double target) {
+    state.finish_kick();
     const auto now = temperature(state);
     if (!now || !(*now > 0.0)) {
         return;

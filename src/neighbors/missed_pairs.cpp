@@ -94,8 +94,8 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
     }
 
     const auto missed_around = [&](ColumnsAround& around, const Move& move) {
-        const double* here = now + 4 * move.atom;
-        const double* there = before + 4 * move.atom;
+        const double* here = now + vector_stride * move.atom;
+        const double* there = before + vector_stride * move.atom;
         const double enough = harmless - move.length;  // displacement that a partner needs to have been missed
         return around.any(Vec3(here[0], here[1], here[2]), reach + longest,
                           [&](std::int32_t column, const Vec3& shift) {
@@ -109,8 +109,8 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
                                   }
                                   const AtomRange atoms = grid.atoms_of_cluster(cluster);
                                   for (Index j = atoms.first; j < atoms.last; ++j) {
-                                      if (squared_distance(here, now + 4 * j, shift) < reach * reach &&
-                                          squared_distance(there, before + 4 * j, shift) >= range * range) {
+                                      if (squared_distance(here, now + vector_stride * j, shift) < reach * reach &&
+                                          squared_distance(there, before + vector_stride * j, shift) >= range * range) {
                                           return true;
                                       }
                                   }

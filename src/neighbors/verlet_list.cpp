@@ -186,7 +186,7 @@ void VerletList::archive(Archive& a, const State& state, double cutoff) {
     if (built) {
         State then = state;
         auto r = then.write_positions();
-        if (reference.size() != 4 * static_cast<std::size_t>(then.count())) {
+        if (static_cast<Index>(reference.size()) != vector_stride * then.count()) {
             throw CheckpointError("its list is one of another number of atoms");
         }
         for (Index i = 0; i < then.count(); ++i) {
@@ -212,10 +212,11 @@ void VerletList::build(const State& state, double cutoff) {
         [](Index& sum, Index tests) { sum += tests; });
     find_ghost_owners();
 
-    reference_.resize(4 * static_cast<std::size_t>(state.count()));
+    reference_.resize(static_cast<std::size_t>(vector_stride * state.count()));
     for_each_block(state.execution(), state.count(), loop_block,
                    [&, r = state.positions().data()](Index first, Index last) {
-                       std::copy(r + 4 * first, r + 4 * last, reference_.data() + 4 * first);
+                       std::copy(r + vector_stride * first, r + vector_stride * last,
+                                 reference_.data() + vector_stride * first);
                    });
     built_for_cutoff_ = cutoff;
     built_for_edges_ = state.box().edges();

@@ -12,10 +12,11 @@ namespace {
 
 /// Call `work`, and save the configuration if the run fails.
 template <class Work>
-auto saving_failure(const Deck& deck, const State& state, const Work& work) {
+auto saving_failure(const Deck& deck, State& state, const Work& work) {
     try {
         return work();
     } catch (const PhysicsError& error) {
+        state.finish_kick();
         throw PhysicsError(error.what() + save_failure(deck, state));
     }
 }

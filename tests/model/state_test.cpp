@@ -366,7 +366,7 @@ TEST_CASE("a state takes no image or number of steps that cannot be, and no four
     CHECK_THROWS_WITH(state.archive(again), Catch::Contains(why));
 }
 
-TEST_CASE("a kick is done with the forces and masses that were there, whoever asks or changes them first") {
+TEST_CASE("a kick is done with the forces and masses that were there, whoever changes them first") {
     const Box box(Vec3(3.0, 4.0, 5.0));
     const State start = scattered(300, box);
     constexpr double dt = 0.25;
@@ -379,6 +379,7 @@ TEST_CASE("a kick is done with the forces and masses that were there, whoever as
         state.mark_forces_current();
         state.kick(dt);
         change(state);
+        state.finish_kick();
         Eigen::Matrix3Xd v(3, state.count());
         for (Index i = 0; i < state.count(); ++i) {
             v.col(state.ids()[static_cast<std::size_t>(i)]) = static_cast<const State&>(state).velocities().col(i);
@@ -408,6 +409,19 @@ TEST_CASE("a kick is done with the forces and masses that were there, whoever as
               state = copy;
           }) == expected);
     CHECK(after([&](State& state) { state.kick(-dt); }).isApprox(start.velocities(), 1e-15));
+}
+
+TEST_CASE("velocities are not shown while a kick is pending") {
+    State state = scattered(5, Box(Vec3(3.0, 4.0, 5.0)));
+    state.mark_forces_current();
+    state.kick(0.25);
+    CHECK_THROWS_AS(static_cast<const State&>(state).velocities(), ContractViolation);
+    const State copy = state;
+    CHECK_THROWS_AS(copy.velocities(), ContractViolation);
+    state.finish_kick();
+    CHECK_NOTHROW(static_cast<const State&>(state).velocities());
+    state.kick(0.0);
+    CHECK_NOTHROW(static_cast<const State&>(state).velocities());
 }
 
 TEST_CASE("a kick that is taken over is not done") {

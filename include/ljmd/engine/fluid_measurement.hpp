@@ -40,6 +40,7 @@ class FluidMeasurement : public RunMeasurement {
     void started(const Evaluation& evaluation) override;
     void stage_begins(const Stage& stage) override;
     [[nodiscard]] bool wants_energy(Index step) const override;
+    [[nodiscard]] bool reads_velocities(Index step_of_stage) const override;
     void moved(Index step_of_stage) override;
     void step_done(const Stage& stage, const Evaluation& evaluation) override;
     [[nodiscard]] bool wants_checkpoint(bool last_of_stage) override;

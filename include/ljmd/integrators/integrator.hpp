@@ -83,6 +83,11 @@ class Integrator {
     /// @post forces are current
     Evaluation step(State& state, ForceField& force_field, Request request, const StateWatch& within = {}) const;
 
+    /// The same, but a kick at the end of the step may be pending (see State::kick): faster, if velocities are not read
+    /// after every step.
+    Evaluation step_with_pending_kick(State& state, ForceField& force_field, Request request,
+                                      const StateWatch& within = {}) const;
+
     /// Reverse the motion: velocities change sign, and the following steps lead back.
     void reverse(State& state, ForceField& force_field) const;
 

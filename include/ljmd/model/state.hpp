@@ -14,13 +14,20 @@ namespace ljmd {
 
 class Archive;
 
-/// Views of per-atom vectors: column i is atom i. The memory layout is private to State and may change, so use
-/// `view.col(i)`. A view is valid until the next call that may reorder atoms or change their number
-/// (ForceField::evaluate, State::reorder, State::set_ghost_count).
-/// Each column begins at a multiple of 32 bytes. The number after its three is zero. Whole vectors of four may be used
-/// in computations that keep it zero.
-using VectorView = Eigen::Map<Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
-using ConstVectorView = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
+/// Views of per-atom vectors: column i is atom i. A view is valid until the next call that may reorder atoms or change
+/// their number (ForceField::evaluate, State::reorder, State::set_ghost_count).
+using VectorView = Eigen::Map<Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<vector_stride>>;
+using ConstVectorView = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<vector_stride>>;
+
+/// The same with the zero after the three numbers of each column: whole vectors, for computations that keep it zero.
+using PaddedView = Eigen::Map<Eigen::Array<double, vector_stride, Eigen::Dynamic>>;
+using ConstPaddedView = Eigen::Map<const Eigen::Array<double, vector_stride, Eigen::Dynamic>>;
+[[nodiscard]] inline PaddedView padded(VectorView view) {
+    return {view.data(), vector_stride, view.cols()};
+}
+[[nodiscard]] inline ConstPaddedView padded(const ConstVectorView& view) {
+    return {view.data(), vector_stride, view.cols()};
+}
 
 /// Particles: positions, velocities, forces, masses, ids, and registered per-atom vectors.
 ///
@@ -53,7 +60,8 @@ class State {
     // Read access by index. Shape (3, N) unless said otherwise.
     [[nodiscard]] ConstVectorView positions() const;             ///< [sigma], near the box, see unwrapped()
     [[nodiscard]] ConstVectorView positions_and_ghosts() const;  ///< (3, N + ghosts)
-    [[nodiscard]] ConstVectorView velocities() const;            ///< [sigma/tau], see kick()
+    /// [sigma/tau] @throws ContractViolation while a kick is pending, see kick()
+    [[nodiscard]] ConstVectorView velocities() const;
     [[nodiscard]] ConstVectorView forces() const;                ///< [epsilon/sigma]
     [[nodiscard]] const std::vector<double>& masses() const { return masses_; }
     [[nodiscard]] const std::vector<Index>& ids() const { return ids_; }
@@ -65,12 +73,13 @@ class State {
     [[nodiscard]] VectorView write_forces();
     [[nodiscard]] std::vector<double>& write_masses();
 
-    /// v += dt f/m with the present forces. The kick stays pending until velocities are asked for, or forces, masses or
-    /// order are about to change, so that a kick that ends a step and the one that begins the next become one pass over
-    /// the atoms (take_kick()). velocities() may therefore write: after a kick its first call must not come from
-    /// several threads at once. Ends the integrator's phase, as writing velocities does.
+    /// v += dt f/m with the present forces. The kick stays pending until finish_kick(), or until velocities are
+    /// written or forces, masses or order are about to change, so that a kick that ends a step and the one that begins
+    /// the next become one pass over the atoms (take_kick()). Ends the integrator's phase, as writing velocities does.
     /// @pre forces are current
     void kick(double dt);
+    /// Apply a pending kick, if there is one.
+    void finish_kick();
     /// Take over a pending kick. @return its dt, which the caller has to apply; 0 if no kick is pending
     [[nodiscard]] double take_kick();
 
@@ -145,8 +154,6 @@ class State {
     [[nodiscard]] double heat() const { return bath.empty() ? 0.0 : bath.front(); }
 
   private:
-    void do_kick() const;
-
     struct Registered {
         std::string name;
         AlignedVector<double> data;
@@ -159,9 +166,9 @@ class State {
     Index ghost_count_ = 0;
     Index order_version_ = 0;
     std::optional<Box> box_;
-    AlignedVector<double> positions_;           // x y z and padding of each atom
-    mutable AlignedVector<double> velocities_;  // a pending kick is part of the logical value
-    mutable double kick_due_ = 0.0;
+    AlignedVector<double> positions_;  // x y z and zero of each atom, see vector_stride
+    AlignedVector<double> velocities_;
+    double kick_due_ = 0.0;
     AlignedVector<double> forces_;
     std::vector<double> masses_;
     std::vector<Index> ids_;

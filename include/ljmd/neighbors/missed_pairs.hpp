@@ -6,10 +6,10 @@
 namespace ljmd {
 
 /// Square of an atom's displacement [sigma^2].
-/// @param now, before  x y z of each atom, followed by the zero of VectorView, so that whole vectors can be used
+/// @param now, before  the vectors of all atoms, vector_stride apart
 [[nodiscard]] inline double squared_displacement(const double* now, const double* before, Index atom) {
     using Atom = Eigen::Map<const Eigen::Vector4d>;
-    return (Atom(now + 4 * atom) - Atom(before + 4 * atom)).squaredNorm();
+    return (Atom(now + vector_stride * atom) - Atom(before + vector_stride * atom)).squaredNorm();
 }
 
 /// Whether two atoms that were at least cutoff + skin apart when the atoms were sorted, and so may be absent from the

@@ -54,11 +54,11 @@ void TilePositions<T>::update(const ClusterGrid& grid, const ClusterGrid::Run& o
     const auto copy = [&](const ClusterGrid::Run& clusters, T* to, T dx, T dy, T dz) {
         for (auto c = static_cast<std::size_t>(clusters.first); c < static_cast<std::size_t>(clusters.last);
              ++c, to += stride) {
-            const double* from = r + 4 * Index{first_atoms[c]};
+            const double* from = r + vector_stride * Index{first_atoms[c]};
             const auto copy_atom = [&](Index k) {
-                to[k] = sum(place(from[4 * k], 0), dx);
-                to[slots + k] = sum(place(from[4 * k + 1], 1), dy);
-                to[2 * slots + k] = sum(place(from[4 * k + 2], 2), dz);
+                to[k] = sum(place(from[vector_stride * k], 0), dx);
+                to[slots + k] = sum(place(from[vector_stride * k + 1], 1), dy);
+                to[2 * slots + k] = sum(place(from[vector_stride * k + 2], 2), dz);
             };
             const auto atoms = static_cast<Index>(first_atoms[c + 1] - first_atoms[c]);
             if (atoms == slots) {  // nearly always; lets the compiler unroll the loop

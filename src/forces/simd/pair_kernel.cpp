@@ -275,7 +275,7 @@ template <class Arithmetic, bool with_energy, class Pair>
         if constexpr (with_energy) {
             total.add_cluster(arithmetic.places(own, 0), arithmetic.places(own, 1), arithmetic.places(own, 2), force);
         }
-        write_forces<4>(force, atoms, task.forces + 4 * first_atom);
+        write_forces<vector_stride>(force, atoms, task.forces + vector_stride * first_atom);
     }
     for (std::size_t cluster = own_clusters; cluster < clusters; ++cluster) {
         const std::size_t ghost = cluster * stride;

@@ -30,7 +30,7 @@ Vec3 increment(const State& state, Index i, double dt) {
 /// Verlet's Taylor start, with the displacement rounded to the grid.
 void begin(State& state, double dt) {
     auto d = state.registered(state.register_vectors(last_displacement));
-    const auto v = static_cast<const State&>(state).velocities();
+    const auto v = state.velocities();
     for_each_index(state.execution(), state.count(), [&](Index i) {
         const Vec3 half_increment = 0.5 * dt * dt / state.masses()[static_cast<std::size_t>(i)] *
                                     static_cast<const State&>(state).forces().col(i);

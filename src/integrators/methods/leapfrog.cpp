@@ -18,7 +18,7 @@ void kicked(const State& state, double dt, const In& in, Out&& out) {
 /// v(-dt/2) = v(0) - (dt/2m) f(0)
 void begin(State& state, double dt) {
     auto u = state.registered(state.register_vectors(half_step_velocities));
-    kicked(state, -0.5 * dt, static_cast<const State&>(state).velocities(), u);
+    kicked(state, -0.5 * dt, state.velocities(), u);
 }
 
 void leap(State& state, double dt) {

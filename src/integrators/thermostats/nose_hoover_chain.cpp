@@ -51,6 +51,7 @@ class NoseHooverChain : public Thermostat {
 
     /// Half a step of the chain, including the velocities that it damps.
     void advance(State& state) const {
+        state.finish_kick();
         const double at_first = kinetic_energy(state);
         if (!(at_first > 0.0) || freedom_ < 1.0) {
             return;

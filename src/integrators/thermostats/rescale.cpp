@@ -12,6 +12,7 @@ class Rescale : public Thermostat {
 
     void after_step(State& state, Index step_of_stage) const override {
         if (every_.due(step_of_stage)) {
+            state.finish_kick();
             const double before = kinetic_energy(state);
             rescale_velocities(state, temperature_);
             state.bath.front() += kinetic_energy(state) - before;

@@ -20,6 +20,7 @@ class StochasticRescaling : public Thermostat {
           random_(bath.seed, RandomStream::thermostat) {}
 
     void after_step(State& state, Index /*step_of_stage*/) const override {
+        state.finish_kick();
         const double now = kinetic_energy(state);
         if (!(now > 0.0) || freedom_ < 1.0) {
             return;

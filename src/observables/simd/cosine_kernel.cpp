@@ -29,7 +29,7 @@ void sums_of_cosines(const double* r, Index count, const double* turns, double* 
     __builtin_memcpy(&turns_of_axes, turns, sizeof turns_of_axes);
     Four sum{};
     for (Index i = 0; i < count; ++i) {
-        sum += cos_of_turns(turns_of_axes * simd::load_aligned<double, 4>(r + 4 * i));
+        sum += cos_of_turns(turns_of_axes * simd::load_aligned<double, 4>(r + vector_stride * i));
     }
     __builtin_memcpy(sums, &sum, sizeof sum);
 }

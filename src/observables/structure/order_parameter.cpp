@@ -17,7 +17,7 @@ double TranslationalOrder::operator()(const State& state) const {
         state.execution(), state.count(), sum_block, Eigen::Vector4d(Eigen::Vector4d::Zero()),
         [&](Index first, Index last) {
             Eigen::Vector4d of_block;
-            kernel.sums_of_cosines(r + 4 * first, last - first, turns.data(), of_block.data());
+            kernel.sums_of_cosines(r + vector_stride * first, last - first, turns.data(), of_block.data());
             return of_block;
         },
         [](Eigen::Vector4d& sum, const Eigen::Vector4d& of_block) { sum += of_block; });
