@@ -21,9 +21,8 @@ void drift(State& state, double dt) {
     PaddedView r = padded(state.write_positions());
     const ConstPaddedView v = padded(state.velocities());
     const double rounding = state.rounding();
-    for_each_index(state.execution(), state.count(), [=](Index i) mutable {
-        r.col(i) = (r.col(i) + dt * v.col(i) + rounding) - rounding;
-    });
+    for_each_index(state.execution(), state.count(),
+                   [=](Index i) mutable { r.col(i) = (r.col(i) + dt * v.col(i) + rounding) - rounding; });
 }
 
 /// A kick and the drift after it in one pass over the atoms, together with the pending kick of the last step unless

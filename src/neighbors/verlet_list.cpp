@@ -213,11 +213,10 @@ void VerletList::build(const State& state, double cutoff) {
     find_ghost_owners();
 
     reference_.resize(static_cast<std::size_t>(vector_stride * state.count()));
-    for_each_block(state.execution(), state.count(), loop_block,
-                   [&, r = state.positions().data()](Index first, Index last) {
-                       std::copy(r + vector_stride * first, r + vector_stride * last,
-                                 reference_.data() + vector_stride * first);
-                   });
+    for_each_block(
+        state.execution(), state.count(), loop_block, [&, r = state.positions().data()](Index first, Index last) {
+            std::copy(r + vector_stride * first, r + vector_stride * last, reference_.data() + vector_stride * first);
+        });
     built_for_cutoff_ = cutoff;
     built_for_edges_ = state.box().edges();
     built_for_order_ = state.order_version();

@@ -52,8 +52,8 @@ class StepObserver {
     /// adaptive integrators produce such states.
     virtual void within_step(const Stage& /*stage*/, const State& /*moment*/) {}
 
-    /// Whether moved() or step_done() read velocities after the step that was just taken. Reading them costs a pass over
-    /// the atoms, see State::kick. @param step_of_stage  1 after the first step
+    /// Whether moved() or step_done() read velocities after the step that was just taken. Reading them costs a pass
+    /// over the atoms, see State::kick. @param step_of_stage  1 after the first step
     [[nodiscard]] virtual bool reads_velocities(Index /*step_of_stage*/) const { return true; }
 
     /// The integrator has moved the particles. The thermostat may still act.

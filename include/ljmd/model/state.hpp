@@ -62,7 +62,7 @@ class State {
     [[nodiscard]] ConstVectorView positions_and_ghosts() const;  ///< (3, N + ghosts)
     /// [sigma/tau] @throws ContractViolation while a kick is pending, see kick()
     [[nodiscard]] ConstVectorView velocities() const;
-    [[nodiscard]] ConstVectorView forces() const;                ///< [epsilon/sigma]
+    [[nodiscard]] ConstVectorView forces() const;  ///< [epsilon/sigma]
     [[nodiscard]] const std::vector<double>& masses() const { return masses_; }
     [[nodiscard]] const std::vector<Index>& ids() const { return ids_; }
 
