@@ -13,7 +13,6 @@
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/sampled_steps.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
 #include "ljmd/run/results.hpp"
 
@@ -87,6 +86,38 @@ Index step_of_row(const ThermoReport& report, Index row) {
     return report.first_step + row * ((report.last_step - report.first_step) / std::max(report.rows - 1, Index{1}));
 }
 
+std::vector<std::string> table_line(const ThermoReport& report, const ThermoReport::Column& column,
+                                    Footnotes& footnotes) {
+    const Equilibration& found = column.found;
+    if (!std::isfinite(found.inefficiency)) {
+        return {column.name, "not defined"};
+    }
+    return {column.name,
+            fmt::format("{}", step_of_row(report, found.start)),
+            fmt::format("{:.3g} tau", correlation_time(report, found)),
+            fmt::format("{:.0f}", found.independent_samples),
+            with_error(found.mean, found.standard_error),
+            footnotes.mark(remark_on(found))};
+}
+
+Data column_data(const ThermoReport& report, const ThermoReport::Column& column) {
+    const Equilibration& found = column.found;
+    Data data = {{"equilibrated_at_row", found.start},
+                 {"equilibrated_at_step", step_of_row(report, found.start)},
+                 {"statistical_inefficiency", found.inefficiency},
+                 {"correlation_time", correlation_time(report, found)},
+                 {"independent_samples", found.independent_samples},
+                 {"mean", found.mean},
+                 {"standard_error", found.standard_error},
+                 {"statistical_inefficiency_of_all", column.whole_inefficiency},
+                 {"mean_of_all", column.by_blocking.mean},
+                 {"blocking_standard_error_of_all", column.by_blocking.standard_error}};
+    if (const std::string remark = remark_on(found); !remark.empty()) {
+        data["remark"] = remark;
+    }
+    return data;
+}
+
 }  // namespace
 
 ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
@@ -125,10 +156,8 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
     return report;
 }
 
-std::string thermo_table(const ThermoReport& report) {
+Document thermo_document(const ThermoReport& report) {
     Footnotes footnotes;
-    std::string text = fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n", report.rows,
-                                   report.first_step, report.last_step, report.interval);
     TextTable table({{"observable", Align::left, 16},
                      {"equilibrated at step", Align::right, 20},
                      {"correlation time", Align::right, 16},
@@ -136,52 +165,29 @@ std::string thermo_table(const ThermoReport& report) {
                      {"mean +- standard error", Align::right, 24},
                      {"", Align::left}},
                     2);
+    Data observables = Data::object();
     for (const ThermoReport::Column& column : report.columns) {
-        const Equilibration& found = column.found;
-        if (!std::isfinite(found.inefficiency)) {
-            table.add({column.name, "not defined"});
-            continue;
-        }
-        table.add({column.name, fmt::format("{}", step_of_row(report, found.start)),
-                   fmt::format("{:.3g} tau", correlation_time(report, found)),
-                   fmt::format("{:.0f}", found.independent_samples), with_error(found.mean, found.standard_error),
-                   footnotes.mark(remark_on(found))});
+        table.add(table_line(report, column, footnotes));
+        observables[column.name] = column_data(report, column);
     }
-    text += table.text();
+    Document document{{{"rows", report.rows},
+                       {"first_step", report.first_step},
+                       {"last_step", report.last_step},
+                       {"interval", report.interval},
+                       {"stride", report.stride},
+                       {"observables", observables}},
+                      fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n{}", report.rows,
+                                  report.first_step, report.last_step, report.interval, table.text())};
     if (report.heat_capacity) {
         const auto& [name, symbol, unit, estimate, remark] = *report.heat_capacity;
         const std::string value =
             estimate ? with_error(estimate->mean, estimate->standard_error) + " " + unit : "no value";
-        text += fmt::format("  heat capacity {} of all rows, from their fluctuations: {}{}\n", symbol, value,
-                            spaced(footnotes.mark(remark)));
+        document.text += fmt::format("  heat capacity {} of all rows, from their fluctuations: {}{}\n", symbol, value,
+                                     spaced(footnotes.mark(remark)));
+        document.data[name] = observables_data({*report.heat_capacity}, std::nullopt).at(name);
     }
-    return text + footnotes.text();
-}
-
-std::string thermo_json(const ThermoReport& report) {
-    Data observables = Data::object();
-    for (const ThermoReport::Column& column : report.columns) {
-        const Equilibration& found = column.found;
-        Data& json = observables[column.name] = {{"equilibrated_at_row", found.start},
-                                                 {"equilibrated_at_step", step_of_row(report, found.start)},
-                                                 {"statistical_inefficiency", found.inefficiency},
-                                                 {"correlation_time", correlation_time(report, found)},
-                                                 {"independent_samples", found.independent_samples},
-                                                 {"mean", found.mean},
-                                                 {"standard_error", found.standard_error},
-                                                 {"statistical_inefficiency_of_all", column.whole_inefficiency},
-                                                 {"mean_of_all", column.by_blocking.mean},
-                                                 {"blocking_standard_error_of_all", column.by_blocking.standard_error}};
-        if (const std::string remark = remark_on(found); !remark.empty()) {
-            json["remark"] = remark;
-        }
-    }
-    Data json = {{"rows", report.rows},         {"first_step", report.first_step}, {"last_step", report.last_step},
-                 {"interval", report.interval}, {"stride", report.stride},         {"observables", observables}};
-    if (report.heat_capacity) {
-        json["heat_capacity_cv"] = observables_data({*report.heat_capacity}, std::nullopt).at("heat_capacity_cv");
-    }
-    return to_json(json) + "\n";
+    document.text += footnotes.text();
+    return document;
 }
 
 }  // namespace ljmd

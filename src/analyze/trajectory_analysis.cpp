@@ -11,7 +11,6 @@
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/io/formats/frame_unwrapper.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
@@ -187,7 +186,7 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
     return result;
 }
 
-std::string trajectory_table(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
+Document trajectory_document(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
     const TrajectorySummary& summary = trajectory.summary;
     const Vec3& edges = summary.edges;
     std::string text = fmt::format("{}\n{} frames of {} atoms, box {:.6g} x {:.6g} x {:.6g} sigma^3{}{}\n{} measured",
@@ -205,21 +204,16 @@ std::string trajectory_table(const AnalyzedTrajectory& trajectory, const Traject
         text += observables_table(result.averages, trajectory.units());
         text += samples_footnote();
     }
-    return text;
-}
-
-std::string trajectory_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result) {
-    const TrajectorySummary& summary = trajectory.summary;
-    const Data json = {{"trajectory", trajectory.path.string()},
-                       {"atoms", summary.atoms},
-                       {"box_edges", Data::list({summary.edges[0], summary.edges[1], summary.edges[2]})},
-                       {"frames", summary.frames},
-                       {"frames_used", trajectory.selection.used},
-                       {"spacing", trajectory.selection.spacing},
-                       {"positions", positions_data(trajectory, result)},
-                       {"observables", observables_data(result.averages, trajectory.units())},
-                       {"warnings", result.warnings}};
-    return to_json(json) + "\n";
+    return {{{"trajectory", trajectory.path.string()},
+             {"atoms", summary.atoms},
+             {"box_edges", Data::list({edges[0], edges[1], edges[2]})},
+             {"frames", summary.frames},
+             {"frames_used", trajectory.selection.used},
+             {"spacing", trajectory.selection.spacing},
+             {"positions", positions_data(trajectory, result)},
+             {"observables", observables_data(result.averages, trajectory.units())},
+             {"warnings", result.warnings}},
+            text};
 }
 
 }  // namespace ljmd

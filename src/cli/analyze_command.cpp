@@ -14,7 +14,6 @@
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/results.hpp"
@@ -80,9 +79,8 @@ std::optional<Positions> said_positions(const AnalyzeOptions& options) {
 
 /// Analyse a trajectory and write the tables.
 /// @param is_run  the deck is that of the run that wrote the trajectory
-/// @return the text to print
-std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
-                    const AnalyzeOptions& options, const fs::path& directory) {
+Document analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
+                 const AnalyzeOptions& options, const fs::path& directory) {
     const Execution execution(deck != nullptr ? execution_options(*deck)
                                               : ExecutionOptions{.threads = default_thread_count()});
     AnalyzedTrajectory trajectory{.path = path,
@@ -123,11 +121,11 @@ std::string analyze(const fs::path& path, const Deck* deck, bool is_run, const W
     for (const DataTable& table : result.tables) {
         write_file_atomically(directory / (table.name + ".csv"), to_csv(with_si_columns(table, trajectory.units())));
     }
-    if (options.json) {
-        return trajectory_json(trajectory, result);
+    Document document = trajectory_document(trajectory, result);
+    if (!result.tables.empty()) {
+        document.text += fmt::format("\nfiles: {}\n", directory.string());
     }
-    return trajectory_table(trajectory, result) +
-           (result.tables.empty() ? "" : fmt::format("\nfiles: {}\n", directory.string()));
+    return document;
 }
 
 void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
@@ -144,7 +142,7 @@ void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
     const fs::path path(options.path);
     const fs::path directory =
         options.out.empty() ? path.parent_path() / (path.stem().string() + "-analysis") : fs::path(options.out);
-    print_result(analyze(path, deck ? &*deck : nullptr, false, wanted, options, directory));
+    print_document(analyze(path, deck ? &*deck : nullptr, false, wanted, options, directory), options.json);
 }
 
 /// The trajectory written by a run.
@@ -177,19 +175,17 @@ void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
         report = thermo_report(run, options.from);
     }
     if (wanted.analyses.empty()) {
-        print_result(options.json ? thermo_json(*report) : thermo_table(*report));
+        print_document(thermo_document(*report), options.json);
         return;
     }
     const fs::path directory = options.out.empty() ? fs::path(options.path) / "analysis" : fs::path(options.out);
-    std::string text = analyze(trajectory_of(run.deck), &run.deck, true, wanted, options, directory);
-    if (report && options.json) {
-        Data json = parse_json(text);
-        json[thermo] = parse_json(thermo_json(*report));
-        text = to_json(json) + "\n";
-    } else if (report) {
-        text = fmt::format("{}\n{}", thermo_table(*report), text);
+    Document document = analyze(trajectory_of(run.deck), &run.deck, true, wanted, options, directory);
+    if (report) {
+        const Document before = thermo_document(*report);
+        document.data[thermo] = before.data;
+        document.text = fmt::format("{}\n{}", before.text, document.text);
     }
-    print_result(text);
+    print_document(document, options.json);
 }
 
 }  // namespace

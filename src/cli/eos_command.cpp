@@ -30,27 +30,25 @@ void eos_command(const EosOptions& options) {
         if (options.density) {
             throw InputError("--density wants a --temperature");
         }
-        print_result(options.json ? equations_json() : equations_table());
+        print_document(equations_document(), options.json);
         return;
     }
     require_number("--temperature", *options.temperature, false);
     if (!options.density) {
-        const std::string found = options.json ? coexistence_json(equation, *options.temperature)
-                                               : coexistence_table(equation, *options.temperature);
+        const Document found = coexistence_document(equation, *options.temperature);
         const FluidProperties liquid = coexistence(equation, *options.temperature)->liquid;
         if (const std::string outside = outside_of_range(equation, liquid); !outside.empty()) {
             warn(outside);
         }
-        print_result(found);
+        print_document(found, options.json);
         return;
     }
     require_number("--density", *options.density, true);
-    const std::string found = options.json ? state_json(equation, *options.temperature, *options.density)
-                                           : state_table(equation, *options.temperature, *options.density);
+    const Document found = state_document(equation, *options.temperature, *options.density);
     for (const std::string& doubt : doubts(equation, *options.temperature, *options.density)) {
         warn(doubt);
     }
-    print_result(found);
+    print_document(found, options.json);
 }
 
 }  // namespace ljmd

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
 
 namespace ljmd {
@@ -33,14 +32,6 @@ std::vector<Line> lines_of(const EquationOfState& equation, const FluidPropertie
             {"pressure_density_slope", "epsilon", state.pressure_density_slope},
             {"pressure_temperature_slope", "k_B/sigma^3", state.pressure_temperature_slope},
             {"second_virial_coefficient", "sigma^3", second_virial_coefficient(equation, state.temperature)}};
-}
-
-Data data_of(const EquationOfState& equation, const FluidProperties& state) {
-    Data json = {{"temperature", state.temperature}, {"density", state.density}};
-    for (const auto& [key, unit, value] : lines_of(equation, state)) {
-        json[key] = value;
-    }
-    return json;
 }
 
 std::string number(std::optional<double> value) {
@@ -75,79 +66,70 @@ std::string range_of(const ValidRange& valid) {
 
 }  // namespace
 
-std::string equations_table() {
-    std::string text =
-        fmt::format("{:<20}{:>10}{:>10}{:>10}   {:<32}{}\n", "model", "T_c", "rho_c", "p_c", "fitted to", "of");
+Document equations_document() {
+    Document document{Data::list(), fmt::format("{:<20}{:>10}{:>10}{:>10}   {:<32}{}\n", "model", "T_c", "rho_c", "p_c",
+                                                "fitted to", "of")};
     for (const EquationOfState& equation : all_equations_of_state()) {
         const CriticalPoint point = critical_point(equation);
-        text += fmt::format("{:<20}{:>10.4f}{:>10.4f}{:>10.5f}   {:<32}{}\n", equation.name, point.temperature,
-                            point.density, point.pressure, range_of(equation.valid), equation.meaning);
+        document.text += fmt::format("{:<20}{:>10.4f}{:>10.4f}{:>10.5f}   {:<32}{}\n", equation.name, point.temperature,
+                                     point.density, point.pressure, range_of(equation.valid), equation.meaning);
+        document.data.push_back({{"model", equation.name},
+                                 {"meaning", equation.meaning},
+                                 {"source", equation.source},
+                                 {"lowest_temperature", equation.valid.lowest_temperature},
+                                 {"highest_temperature", equation.valid.highest_temperature},
+                                 {"highest_density", equation.valid.highest_density},
+                                 {"highest_pressure", equation.valid.highest_pressure},
+                                 {"critical_temperature", point.temperature},
+                                 {"critical_density", point.density},
+                                 {"critical_pressure", point.pressure}});
     }
-    return text;
+    return document;
 }
 
-std::string equations_json() {
-    Data list = Data::list();
-    for (const EquationOfState& equation : all_equations_of_state()) {
-        const CriticalPoint point = critical_point(equation);
-        list.push_back({{"model", equation.name},
-                        {"meaning", equation.meaning},
-                        {"source", equation.source},
-                        {"lowest_temperature", equation.valid.lowest_temperature},
-                        {"highest_temperature", equation.valid.highest_temperature},
-                        {"highest_density", equation.valid.highest_density},
-                        {"highest_pressure", equation.valid.highest_pressure},
-                        {"critical_temperature", point.temperature},
-                        {"critical_density", point.density},
-                        {"critical_pressure", point.pressure}});
-    }
-    return to_json(list) + "\n";
-}
-
-std::string state_table(const EquationOfState& equation, double temperature, double density) {
+Document state_document(const EquationOfState& equation, double temperature, double density) {
     const FluidProperties state = properties(equation, temperature, density);
-    std::string text = heading(equation);
-    text += fmt::format("  {:<28}{}  epsilon/k_B\n", "temperature", number(temperature));
-    text += fmt::format("  {:<28}{}  sigma^-3\n", "density", number(density));
+    Document document{{{"model", equation.name},
+                       {"source", equation.source},
+                       {"temperature", state.temperature},
+                       {"density", state.density}},
+                      heading(equation)};
+    document.text += fmt::format("  {:<28}{}  epsilon/k_B\n", "temperature", number(temperature));
+    document.text += fmt::format("  {:<28}{}  sigma^-3\n", "density", number(density));
     for (const auto& [key, unit, value] : lines_of(equation, state)) {
-        text += fmt::format("  {:<28}{}  {}\n", key, number(value), unit);
+        document.data[key] = value;
+        document.text += fmt::format("  {:<28}{}  {}\n", key, number(value), unit);
     }
-    return text;
+    document.data["warnings"] = doubts(equation, temperature, density);
+    return document;
 }
 
-std::string state_json(const EquationOfState& equation, double temperature, double density) {
-    Data json = {{"model", equation.name}, {"source", equation.source}};
-    json.update(data_of(equation, properties(equation, temperature, density)));
-    json["warnings"] = doubts(equation, temperature, density);
-    return to_json(json) + "\n";
-}
-
-std::string coexistence_table(const EquationOfState& equation, double temperature) {
+Document coexistence_document(const EquationOfState& equation, double temperature) {
     const Coexistence phases = coexistence_or_refusal(equation, temperature);
+    Data liquid = {{"temperature", phases.liquid.temperature}, {"density", phases.liquid.density}};
+    Data vapour = {{"temperature", phases.vapour.temperature}, {"density", phases.vapour.density}};
     std::string text = heading(equation);
     text += fmt::format("  {:<28}{:>16}{:>18}\n", "coexistence", "liquid", "vapour");
     text += fmt::format("  {:<28}{}{:>2}{}  sigma^-3\n", "density", number(phases.liquid.density), "",
                         number(phases.vapour.density));
-    const std::vector<Line> liquid = lines_of(equation, phases.liquid);
-    const std::vector<Line> vapour = lines_of(equation, phases.vapour);
-    for (std::size_t i = 0; i < liquid.size(); ++i) {
-        text += fmt::format("  {:<28}{}{:>2}{}  {}\n", liquid[i].key, number(liquid[i].value), "",
-                            number(vapour[i].value), liquid[i].unit);
+    const std::vector<Line> of_vapour = lines_of(equation, phases.vapour);
+    std::size_t k = 0;
+    for (const auto& [key, unit, value] : lines_of(equation, phases.liquid)) {
+        const std::optional<double> other = of_vapour[k++].value;
+        liquid[key] = value;
+        vapour[key] = other;
+        text += fmt::format("  {:<28}{}{:>2}{}  {}\n", key, number(value), "", number(other), unit);
     }
-    return text + fmt::format("\n  {:<28}{}  epsilon/k_B\n  {:<28}{}  epsilon\n", "temperature", number(temperature),
-                              "heat_of_vaporisation", number(phases.heat_of_vaporisation()));
-}
-
-std::string coexistence_json(const EquationOfState& equation, double temperature) {
-    const Coexistence phases = coexistence_or_refusal(equation, temperature);
-    const Data json = {{"model", equation.name},
-                       {"source", equation.source},
-                       {"temperature", temperature},
-                       {"pressure", phases.pressure},
-                       {"liquid", data_of(equation, phases.liquid)},
-                       {"vapour", data_of(equation, phases.vapour)},
-                       {"heat_of_vaporisation", phases.heat_of_vaporisation()}};
-    return to_json(json) + "\n";
+    text += fmt::format("\n  {:<28}{}  epsilon/k_B\n  {:<28}{}  epsilon\n", "temperature", number(temperature),
+                        "heat_of_vaporisation", number(phases.heat_of_vaporisation()));
+    return {{{"model", equation.name},
+             {"source", equation.source},
+             {"temperature", temperature},
+             {"pressure", phases.pressure},
+             {"liquid", liquid},
+             {"vapour", vapour},
+             {"heat_of_vaporisation", phases.heat_of_vaporisation()}},
+            text};
 }
 
 }  // namespace ljmd

@@ -14,6 +14,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/terminal_text.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
 
@@ -79,6 +80,10 @@ void print_result(const std::string& text) {
     }
     throw FileError(
         fmt::format("standard output: the results could not be written: {}", std::generic_category().message(error)));
+}
+
+void print_document(const Document& document, bool as_json) {
+    print_result(as_json ? to_json(document.data) + "\n" : document.text);
 }
 
 void print_message(const std::string& text) noexcept {

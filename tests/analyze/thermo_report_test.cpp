@@ -79,7 +79,7 @@ TEST_CASE("the report of a run that was stopped is that of its rows") {
 
 TEST_CASE("the report says the same to people and to programs") {
     const ThermoReport report = SmallRun().report();
-    const Data json = parse_json(thermo_json(report));
+    const Data json = thermo_document(report).data;
     CHECK(json.at("rows") == 40);
     CHECK(json.at("stride") == 1);
     const Data& pressure = json.at("observables").at("pressure");
@@ -89,7 +89,7 @@ TEST_CASE("the report says the same to people and to programs") {
     CHECK(pressure.at("statistical_inefficiency") == found.inefficiency);
     CHECK(pressure.at("correlation_time").number() == Approx(0.5 * (found.inefficiency - 1.0) * 0.004));
     CHECK(pressure.at("mean") == found.mean);
-    const std::string table = thermo_table(report);
+    const std::string table = thermo_document(report).text;
     CHECK_THAT(table, Contains("40 rows of thermo.csv, steps 21 to 60, 0.004 tau apart"));
     for (const char* name : {"temperature", "potential_energy", "total_energy", "pressure"}) {
         CHECK_THAT(table, Contains(name));
@@ -100,8 +100,8 @@ TEST_CASE("a column without numbers is not defined") {
     ThermoReport report{5, 1, 5, 0.1, 1, {}};
     const std::vector<double> unknown(5, std::nan(""));
     report.columns.push_back({"temperature", detect_equilibration(unknown, 1), std::nan(""), {}});
-    CHECK_THAT(thermo_table(report), Contains("temperature                not defined"));
-    CHECK(parse_json(thermo_json(report)).at("observables").at("temperature").at("mean").is_null());
+    CHECK_THAT(thermo_document(report).text, Contains("temperature                not defined"));
+    CHECK(thermo_document(report).data.at("observables").at("temperature").at("mean").is_null());
 }
 
 TEST_CASE("an error bar of few independent rows is marked as a guess") {
@@ -114,9 +114,9 @@ TEST_CASE("an error bar of few independent rows is marked as a guess") {
     report.columns.push_back({"temperature", found, 20.0, {}});
     found.independent_samples = 17.0;
     report.columns.push_back({"pressure", found, 20.0, {}});
-    CHECK_THAT(thermo_table(report), Contains("1.50 +- 0.10  [1]\n") && Contains("1.50 +- 0.10\n") &&
-                                         Contains("\n  [1] its error bar is a guess"));
-    const Data observables = parse_json(thermo_json(report)).at("observables");
+    CHECK_THAT(thermo_document(report).text, Contains("1.50 +- 0.10  [1]\n") && Contains("1.50 +- 0.10\n") &&
+                                                 Contains("\n  [1] its error bar is a guess"));
+    const Data observables = thermo_document(report).data.at("observables");
     CHECK(observables.at("temperature").contains("remark"));
     CHECK_FALSE(observables.at("pressure").contains("remark"));
 }
@@ -142,17 +142,18 @@ TEST_CASE("the heat capacity is that of the run, from all rows, and there is non
     CHECK_FALSE(report.heat_capacity->estimate.has_value());
     CHECK(observables["heat_capacity_cv"]["mean"].is_null());
     CHECK(observables["heat_capacity_cv"]["remark"] == report.heat_capacity->remark);
-    CHECK_THAT(thermo_table(report), Contains("heat capacity c_v of all rows, from their fluctuations: no value [") &&
-                                         Contains("] " + report.heat_capacity->remark + "\n"));
-    CHECK(parse_json(thermo_json(report))["heat_capacity_cv"] == observables["heat_capacity_cv"]);
+    CHECK_THAT(thermo_document(report).text,
+               Contains("heat capacity c_v of all rows, from their fluctuations: no value [") &&
+                   Contains("] " + report.heat_capacity->remark + "\n"));
+    CHECK(thermo_document(report).data["heat_capacity_cv"] == observables["heat_capacity_cv"]);
 
     ThermoReport known = report;
     known.heat_capacity = {"heat_capacity_cv", "c_v", "k_B", Estimate{2.5, 0.1, 100.0, 1000, true}};
-    CHECK_THAT(thermo_table(known), Contains("from their fluctuations: 2.50 +- 0.10 k_B\n"));
+    CHECK_THAT(thermo_document(known).text, Contains("from their fluctuations: 2.50 +- 0.10 k_B\n"));
 
     const SmallRun several({"stage.equilibrate.sample=true"});
     CHECK_FALSE(several.report().heat_capacity.has_value());
-    CHECK_THAT(thermo_table(several.report()), !Contains("heat capacity"));
+    CHECK_THAT(thermo_document(several.report()).text, !Contains("heat capacity"));
 }
 
 TEST_CASE("rows without a step or a time, or with one that is none, are refused with their line") {

@@ -4,7 +4,6 @@
 
 #include "io/written_file.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -62,11 +61,11 @@ TEST_CASE("displacements go on through the walls, however the file wraps positio
         }
         CHECK(result.used_displacements);
         const bool unwrapped = how == Written::unwrapped;
-        CHECK_THAT(trajectory_table(trajectory, result),
+        CHECK_THAT(trajectory_document(trajectory, result).text,
                    Contains(unwrapped ? "\npositions: unwrapped (no atom moves by more than half an edge"
                                       : "\npositions: wrapped, atoms followed by their nearest images, at most 0.19 "
                                         "edges away (told by displacements)\n"));
-        const auto json = parse_json(trajectory_json(trajectory, result));
+        const auto json = trajectory_document(trajectory, result).data;
         CHECK(json.at("positions").at("taken_as") == (unwrapped ? "unwrapped" : "wrapped"));
         CHECK(json.at("positions").at("told_by") == "displacements");
         CHECK(json.at("positions").at("largest_step").number() == Approx(0.75 / 4.0));
@@ -113,10 +112,10 @@ TEST_CASE("a trajectory is reported to people and to programs") {
     const WrittenFile file(drifting(Written::unwrapped, 30));
     AnalyzedTrajectory trajectory;
     const TrajectoryResult result = analyze(file.path(), {"msd"}, &trajectory);
-    const std::string table = trajectory_table(trajectory, result);
+    const std::string table = trajectory_document(trajectory, result).text;
     CHECK_THAT(table, Contains("30 frames of 2 atoms, box 4 x 4 x 4 sigma^3\n30 measured, 0.5 tau apart\n"));
     CHECK_THAT(table, Contains("  diffusion   D  "));
-    const auto json = parse_json(trajectory_json(trajectory, result));
+    const auto json = trajectory_document(trajectory, result).data;
     CHECK(json.at("frames") == 30);
     CHECK(json.at("frames_used") == 30);
     CHECK(json.at("atoms") == 2);

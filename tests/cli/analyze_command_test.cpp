@@ -1,6 +1,7 @@
 #include "ljmd/analyze/thermo_report.hpp"
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -13,10 +14,11 @@ TEST_CASE("analyze prints the report of a run, in words or as JSON") {
     run_until(deck, deck.total_steps());
     const RecordedRun run = recorded_run(deck.directory);
     const std::string path = deck.directory.string();
-    CHECK(said([&] { analyze_command({.path = path}); }).out == thermo_table(thermo_report(run)));
-    CHECK(said([&] { analyze_command({.path = path, .json = true}); }).out == thermo_json(thermo_report(run)));
+    CHECK(said([&] { analyze_command({.path = path}); }).out == thermo_document(thermo_report(run)).text);
+    CHECK(said([&] { analyze_command({.path = path, .json = true}); }).out ==
+          to_json(thermo_document(thermo_report(run)).data) + "\n");
     CHECK(said([&] { analyze_command({.path = path, .names = {"thermo"}, .from = 0.12}); }).out ==
-          thermo_table(thermo_report(run, 0.12)));
+          thermo_document(thermo_report(run, 0.12)).text);
     CHECK_THROWS_AS(analyze_command({.path = path + "-nowhere"}), DataError);
 }
 

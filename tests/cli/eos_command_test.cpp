@@ -4,6 +4,7 @@
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/equation_report.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -11,15 +12,16 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
 TEST_CASE("eos prints the equations, coexistence, or a state, by what it is given") {
-    CHECK(said([] { eos_command({}); }).out == equations_table());
-    CHECK(said([] { eos_command({.json = true}); }).out == equations_json());
-    CHECK(said([] { eos_command({.temperature = 0.9}); }).out == coexistence_table(equation_of_state("thol2016"), 0.9));
+    CHECK(said([] { eos_command({}); }).out == equations_document().text);
+    CHECK(said([] { eos_command({.json = true}); }).out == to_json(equations_document().data) + "\n");
+    CHECK(said([] { eos_command({.temperature = 0.9}); }).out ==
+          coexistence_document(equation_of_state("thol2016"), 0.9).text);
     CHECK(said([] { eos_command({.temperature = 0.9, .json = true}); }).out ==
-          coexistence_json(equation_of_state("thol2016"), 0.9));
+          to_json(coexistence_document(equation_of_state("thol2016"), 0.9).data) + "\n");
     CHECK(said([] { eos_command({.temperature = 1.5, .density = 0.5}); }).out ==
-          state_table(equation_of_state("thol2016"), 1.5, 0.5));
+          state_document(equation_of_state("thol2016"), 1.5, 0.5).text);
     CHECK(said([] { eos_command({.model = "thol2015", .temperature = 1.5, .density = 0.5, .json = true}); }).out ==
-          state_json(equation_of_state("thol2015"), 1.5, 0.5));
+          to_json(state_document(equation_of_state("thol2015"), 1.5, 0.5).data) + "\n");
 }
 
 TEST_CASE("eos warns of doubtful numbers, and only of these") {

@@ -2,6 +2,7 @@
 #include "fuzzed_decks.hpp"
 #include "ljmd/analyze/thermo_report.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/study/reproduction.hpp"
 
@@ -22,7 +23,7 @@ void report(const RecordedRun& run) {
         const ThermoReport found = thermo_report(run);
         fuzz::require(found.first_step < found.last_step && found.last_step <= run.deck.total_steps(),
                       "rows of the run's steps, in their order");
-        static_cast<void>(thermo_table(found) + thermo_json(found));
+        static_cast<void>(to_json(thermo_document(found).data));
         ++fuzz::inputs_accepted;
     } catch (const DataError&) {
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/core/document.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
 #include "ljmd/observables/statistics/equilibration.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
@@ -35,13 +36,11 @@ struct ThermoReport {
 /// @throws DataError   its thermo.csv cannot be used, or fewer than two rows are left
 [[nodiscard]] ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from = std::nullopt);
 
-/// Table for the user: one line per column, with the step from which it is in equilibrium; below it the remarks.
-[[nodiscard]] std::string thermo_table(const ThermoReport& report);
-
-/// rows, first_step, last_step, interval, stride; observables, by name: equilibrated_at_row, equilibrated_at_step,
-/// statistical_inefficiency, correlation_time, independent_samples, mean, standard_error, and for all rows
-/// statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all. If the ensemble has one,
+/// The report as a document. Text: one line per column, with the step from which it is in equilibrium; below it the
+/// remarks. Data: rows, first_step, last_step, interval, stride; observables, by name: equilibrated_at_row,
+/// equilibrated_at_step, statistical_inefficiency, correlation_time, independent_samples, mean, standard_error, and for
+/// all rows statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all. If the ensemble has one,
 /// heat_capacity_cv: mean, standard_error. Remarks, if there are any.
-[[nodiscard]] std::string thermo_json(const ThermoReport& report);
+[[nodiscard]] Document thermo_document(const ThermoReport& report);
 
 }  // namespace ljmd

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ljmd/analyze/trajectory_analyses.hpp"
+#include "ljmd/core/document.hpp"
 #include "ljmd/execution/execution.hpp"
 
 namespace ljmd {
@@ -40,10 +41,8 @@ struct TrajectoryResult {
 [[nodiscard]] TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory,
                                                   const std::vector<FrameAnalysis>& analyses);
 
-/// Table for the user: the trajectory, and one line per observable.
-[[nodiscard]] std::string trajectory_table(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result);
-
-/// trajectory, atoms, box_edges, frames, frames_used, spacing, positions; observables as in results.json; warnings.
-[[nodiscard]] std::string trajectory_json(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result);
+/// The result as a document. Text: the trajectory, and one line per observable. Data: trajectory, atoms, box_edges,
+/// frames, frames_used, spacing, positions; observables as in results.json; warnings.
+[[nodiscard]] Document trajectory_document(const AnalyzedTrajectory& trajectory, const TrajectoryResult& result);
 
 }  // namespace ljmd

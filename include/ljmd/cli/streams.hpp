@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ljmd/core/diagnostics.hpp"
+#include "ljmd/core/document.hpp"
 
 namespace ljmd {
 
@@ -20,6 +21,9 @@ void prepare_standard_streams();
 /// SIGPIPE, as filters do.
 /// @throws FileError when the results cannot be written
 void print_result(const std::string& text);
+
+/// Print a report as text or as JSON, as print_result().
+void print_document(const Document& document, bool as_json);
 
 /// Print a message to stderr. Errors are ignored.
 void print_message(const std::string& text) noexcept;
