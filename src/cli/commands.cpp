@@ -322,7 +322,7 @@ void check_command(const DeckOptions& options) {
     const Deck deck = load(options, diagnostics);
     if (deck.kind == DeckKind::few_body) {
         print_body_warnings(options, diagnostics);
-        print_result(options.json ? few_body_check_json(deck) : few_body_check_report(deck));
+        print_document(few_body_check_report(deck), options.json);
         return;
     }
     const auto [start, execution] = checked_fluid(deck, options, diagnostics);

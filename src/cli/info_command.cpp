@@ -113,9 +113,9 @@ void info_command(const InfoOptions& options) {
     } else if (options.directory.empty()) {
         print_result(options.json ? info_json() : info_text());
     } else if (holds_study(options.directory)) {
-        print_result(options.json ? study_json(options.directory) : study_report(options.directory));
+        print_document(study_report(options.directory), options.json);
     } else {
-        print_result(options.json ? directory_json(options.directory) : directory_report(options.directory));
+        print_document(directory_report(options.directory), options.json);
     }
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "ljmd/deck/few_body.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/velocities.hpp"
 
 namespace ljmd {
@@ -31,32 +30,29 @@ double energy_at_start(FewBodySystem& system) {
 
 }  // namespace
 
-std::string few_body_check_report(const Deck& deck) {
+Document few_body_check_report(const Deck& deck) {
     FewBodySystem system = make_few_body_system(deck);
+    const double energy = energy_at_start(system);
+    const double disk = disk_bytes(deck, system);
     std::string text = fmt::format("{}: the deck is good. Nothing was run.\n", deck.path);
     text += fmt::format("  bodies    {}, in {} dimension{}\n", system.state.count(), system.dimensions,
                         system.dimensions == 1 ? "" : "s");
     text += fmt::format("  force     {}\n", system.force.plugin.name);
-    text += fmt::format("  energy    {:.12g} at the start\n", energy_at_start(system));
+    text += fmt::format("  energy    {:.12g} at the start\n", energy);
     for (const Stage& stage : deck.stages) {
         text += fmt::format("  stage     '{}': {} steps of {:.6g} = {:.6g}, {}{}\n", stage.name, stage.steps,
                             stage.time_step, static_cast<double>(stage.steps) * stage.time_step,
                             stage.integrator.plugin.name, stage.reverse ? ", backwards" : "");
     }
-    return text +
-           fmt::format("  disk      about {:.3g} MB in {}\n", disk_bytes(deck, system) / 1e6, deck.directory.string());
-}
-
-std::string few_body_check_json(const Deck& deck) {
-    FewBodySystem system = make_few_body_system(deck);
-    const Data json = {{"deck", deck.path},
-                       {"bodies", system.state.count()},
-                       {"dimensions", system.dimensions},
-                       {"force", system.force.plugin.name},
-                       {"total_energy", energy_at_start(system)},
-                       {"steps", deck.total_steps()},
-                       {"disk_bytes", disk_bytes(deck, system)}};
-    return to_json(json) + "\n";
+    text += fmt::format("  disk      about {:.3g} MB in {}\n", disk / 1e6, deck.directory.string());
+    return {{{"deck", deck.path},
+             {"bodies", system.state.count()},
+             {"dimensions", system.dimensions},
+             {"force", system.force.plugin.name},
+             {"total_energy", energy},
+             {"steps", deck.total_steps()},
+             {"disk_bytes", disk}},
+            text};
 }
 
 }  // namespace ljmd

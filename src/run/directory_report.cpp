@@ -13,7 +13,6 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/run/run_report.hpp"
@@ -64,10 +63,7 @@ std::string size_in_words(std::uintmax_t bytes) {
                : fmt::format("{:.1f} MB", kilobytes / static_cast<double>(thousand));
 }
 
-}  // namespace
-
-std::string directory_report(const fs::path& directory) {
-    const Contents contents = contents_of(directory);
+std::string text_of(const Contents& contents, const fs::path& directory) {
     const Deck& deck = contents.run.deck;
     std::string text = fmt::format("{}: {}\n", directory.string(), title_line(deck));
     text += fmt::format("deck          {}\nbegan         {}\n", printable(deck.path, longest_words),
@@ -101,8 +97,7 @@ std::string directory_report(const fs::path& directory) {
     return text;
 }
 
-std::string directory_json(const fs::path& directory) {
-    const Contents contents = contents_of(directory);
+Data data_of(const Contents& contents) {
     const Deck& deck = contents.run.deck;
     Data checkpoint = nullptr;
     if (contents.point) {
@@ -113,18 +108,24 @@ std::string directory_json(const fs::path& directory) {
     for (const auto& [name, bytes] : contents.files) {
         files.push_back({{"name", name}, {"bytes", bytes}});
     }
-    const Data json = {{"deck", deck.path},
-                       {"title", deck.title},
-                       {"kind", deck.kind == DeckKind::few_body ? "few-body" : "fluid"},
-                       {"finished", contents.run.finished},
-                       {"running", contents.running},
-                       {"began", contents.run.earlier.began},
-                       {"resumed_at_steps", contents.run.earlier.resumed_at_steps},
-                       {"total_steps", deck.total_steps()},
-                       {"checkpoint", checkpoint},
-                       {"damaged", contents.damaged},
-                       {"files", files}};
-    return to_json(json) + "\n";
+    return {{"deck", deck.path},
+            {"title", deck.title},
+            {"kind", deck.kind == DeckKind::few_body ? "few-body" : "fluid"},
+            {"finished", contents.run.finished},
+            {"running", contents.running},
+            {"began", contents.run.earlier.began},
+            {"resumed_at_steps", contents.run.earlier.resumed_at_steps},
+            {"total_steps", deck.total_steps()},
+            {"checkpoint", checkpoint},
+            {"damaged", contents.damaged},
+            {"files", files}};
+}
+
+}  // namespace
+
+Document directory_report(const fs::path& directory) {
+    const Contents contents = contents_of(directory);
+    return {data_of(contents), text_of(contents, directory)};
 }
 
 }  // namespace ljmd

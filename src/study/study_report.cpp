@@ -12,7 +12,6 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/study/child_run.hpp"
@@ -100,15 +99,7 @@ std::string progress_of(const RunState& run) {
                : fmt::format("{} at step {} of {}", run.state, *run.step, run.total_steps);
 }
 
-}  // namespace
-
-bool holds_study(const fs::path& directory) {
-    return files::exists(directory / "sweep.json") ||
-           (files::is_directory(directory / "rows") && !files::exists(directory / "run.json"));
-}
-
-std::string study_report(const fs::path& directory) {
-    const Study study = study_in(directory);
+std::string text_of(const Study& study, const fs::path& directory) {
     std::string text =
         fmt::format("{}: {} of {} runs{}\n", directory.string(), study.is_sweep ? "a sweep" : "a reproduced table",
                     study.runs.size(), study.running ? ", under way" : "");
@@ -129,8 +120,7 @@ std::string study_report(const fs::path& directory) {
     return text + (whole || study.running ? "" : "to go on: the command that began it\n");
 }
 
-std::string study_json(const fs::path& directory) {
-    const Study study = study_in(directory);
+Data data_of(const Study& study) {
     Data json = {{"kind", study.is_sweep ? "sweep" : "reproduction"}, {"running", study.running}};
     if (study.is_sweep) {
         json["deck"] = study.deck;
@@ -147,7 +137,19 @@ std::string study_json(const fs::path& directory) {
                                 {"total_steps", run.total_steps},
                                 {"words", run.words}});
     }
-    return to_json(json) + "\n";
+    return json;
+}
+
+}  // namespace
+
+bool holds_study(const fs::path& directory) {
+    return files::exists(directory / "sweep.json") ||
+           (files::is_directory(directory / "rows") && !files::exists(directory / "run.json"));
+}
+
+Document study_report(const fs::path& directory) {
+    const Study study = study_in(directory);
+    return {data_of(study), text_of(study, directory)};
 }
 
 }  // namespace ljmd

@@ -20,7 +20,7 @@ TEST_CASE("the report of a few-body check tells bodies, energy, stages and disk"
     Deck deck = DeckFolder(changed(stars_deck, {{"\n[output]", way_back + "\n[output]"}})).load();
     deck.path = "stars.toml";
     deck.directory = "runs/stars";
-    const std::string report = few_body_check_report(deck);
+    const std::string report = few_body_check_report(deck).text;
     // E = 0.09 / 2 - 0.25
     CHECK_THAT(report, Catch::StartsWith("stars.toml: the deck is good. Nothing was run.\n") &&
                            Contains("2, in 2 dimensions\n") && Contains("newtonian-gravity\n") &&
@@ -28,13 +28,13 @@ TEST_CASE("the report of a few-body check tells bodies, energy, stages and disk"
                            Contains("'orbits': 95 steps of 0.01 = 0.95, velocity-verlet\n") &&
                            Contains("'back': 50 steps of 0.02 = 1, velocity-verlet, backwards\n") &&
                            Contains("runs/stars\n"));
-    CHECK_THAT(few_body_check_report(DeckFolder(radial_deck).load()), Contains("1, in 1 dimension\n"));
+    CHECK_THAT(few_body_check_report(DeckFolder(radial_deck).load()).text, Contains("1, in 1 dimension\n"));
 }
 
 TEST_CASE("a few-body check as JSON") {
     Deck deck = DeckFolder(stars_deck).load();
     deck.path = "d\xff.toml";  // no UTF-8, which JSON must be
-    const Data json = parse_json(few_body_check_json(deck));
+    const Data json = parse_json(to_json(few_body_check_report(deck).data));
     CHECK(json.at("bodies") == 2);
     CHECK(json.at("dimensions") == 2);
     CHECK(json.at("force") == "newtonian-gravity");
@@ -52,7 +52,7 @@ TEST_CASE("the disk that a few-body run was said to need is about what it takes"
         std::vector<std::string> all = settings;
         all.emplace_back("stage.orbits.steps=1000");
         const Deck deck = folder.load(all);
-        const double said = parse_json(few_body_check_json(deck)).at("disk_bytes").number();
+        const double said = few_body_check_report(deck).data.at("disk_bytes").number();
         prepare_directory(deck.directory);
         FewBodySystem system = make_few_body_system(deck);
         Recorder listener;

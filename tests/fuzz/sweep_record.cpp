@@ -1,5 +1,6 @@
 #include "ljmd/study/sweep_record.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/study/study_report.hpp"
 #include "sweep_promises.hpp"
 
@@ -14,8 +15,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         fuzz::require(plan.has_value(), "a sweep where there is a record");
         fuzz::check_points(plan->points);
         fuzz::require(sweep_runs(*plan, file.directory()).size() == plan->points.values.size(), "a run for each point");
-        static_cast<void>(study_report(file.directory()));
-        static_cast<void>(study_json(file.directory()));
+        static_cast<void>(to_json(study_report(file.directory()).data));
     } catch (const DataError&) {
     }
     return 0;

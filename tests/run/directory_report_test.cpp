@@ -4,7 +4,6 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/checkpoint_file.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -15,7 +14,7 @@ TEST_CASE("of a run that has ended its directory tells so, and how to make it lo
     const DeckFolder folder;
     const Deck deck = folder.load();
     run_until(deck, deck.total_steps());
-    const std::string text = directory_report(deck.directory);
+    const std::string text = directory_report(deck.directory).text;
     CHECK_THAT(text, Contains("A small liquid\n"));
     CHECK_THAT(text, Contains("finished      yes\n"));
     CHECK_THAT(text, Contains("checkpoint    after step 60 of 60, 40 of 40 in stage 'production'\n"));
@@ -29,10 +28,10 @@ TEST_CASE("of a run that was stopped its directory tells how far it got, in word
     const DeckFolder folder;
     const Deck deck = folder.load({"output.checkpoint.every=10"});
     run_until(deck, 15);
-    CHECK_THAT(directory_report(deck.directory),
+    CHECK_THAT(directory_report(deck.directory).text,
                Contains("finished      no\n") && Contains("after step 10 of 60, 10 of 20 in stage 'equilibrate'\n") &&
                    Contains("to go on: ljmd resume "));
-    const Data found = parse_json(directory_json(deck.directory));
+    const Data found = directory_report(deck.directory).data;
     CHECK(found["title"] == "A small liquid");
     CHECK(found["kind"] == "fluid");
     CHECK(found["finished"] == false);
@@ -56,13 +55,12 @@ TEST_CASE("damaged checkpoints are told, and a directory without a sound one has
             std::ofstream(deck.directory / name) << "nonsense";
         }
     }
-    CHECK_THAT(directory_report(deck.directory),
+    CHECK_THAT(directory_report(deck.directory).text,
                Contains("checkpoint    none\n") && Contains("damaged       no checkpoint can be used"));
-    CHECK(parse_json(directory_json(deck.directory))["checkpoint"].is_null());
+    CHECK(directory_report(deck.directory).data["checkpoint"].is_null());
 }
 
 TEST_CASE("what is not the directory of a run is refused") {
     const TemporaryFolder folder;
     CHECK_THROWS_AS(directory_report(folder / "nowhere"), DataError);
-    CHECK_THROWS_AS(directory_json(folder / "nowhere"), DataError);
 }

@@ -1,7 +1,6 @@
 #include "ljmd/study/study_report.hpp"
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/study/sweep_record.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -34,7 +33,7 @@ TEST_CASE("of a sweep its directory tells how far each run got, in words and as 
     leave_run(runs[1], 30);
     std::ofstream(runs[2].log) << "error: blown up\n";
 
-    const std::string text = study_report(out);
+    const std::string text = study_report(out).text;
     CHECK_THAT(text, Contains("a sweep of 4 runs\n") && Contains("deck          some.toml\n"));
     CHECK_THAT(text, Contains("finished      1\nstopped       1\nfailed        1\nnot begun     1\n"));
     CHECK_THAT(text, Contains("  temperature=1  finished\n  temperature=2  stopped at step 20 of 60\n"
@@ -42,7 +41,7 @@ TEST_CASE("of a sweep its directory tells how far each run got, in words and as 
                               "  temperature=4  not begun\n"));
     CHECK_THAT(text, Catch::EndsWith("to go on: the command that began it\n"));
 
-    const Data json = parse_json(study_json(out));
+    const Data json = study_report(out).data;
     CHECK(json["kind"] == "sweep");
     CHECK(json["deck"] == "some.toml");
     CHECK(json["running"] == false);
@@ -62,9 +61,9 @@ TEST_CASE("a reproduced table is a study, too, a run or an empty directory is no
     std::ofstream(out / "rows" / "b.toml") << small_deck;
     std::ofstream(out / "rows" / "a.toml") << small_deck;
     REQUIRE(holds_study(out));
-    CHECK_THAT(study_report(out),
+    CHECK_THAT(study_report(out).text,
                Contains("a reproduced table of 2 runs\n") && Contains("  a  not begun\n  b  not begun\n"));
-    CHECK(parse_json(study_json(out))["kind"] == "reproduction");
+    CHECK(study_report(out).data["kind"] == "reproduction");
     std::ofstream(out / "run.json") << "{}";
     CHECK_FALSE(holds_study(out));
 }

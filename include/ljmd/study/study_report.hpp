@@ -1,7 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+
+#include "ljmd/core/document.hpp"
 
 namespace ljmd {
 
@@ -10,11 +11,9 @@ namespace ljmd {
 
 /// Progress of the runs of a study: `ljmd info DIR`. A run is finished, running, stopped after a step, failed, or not
 /// begun; for a failed one, the last error in its log is shown.
-/// @pre holds_study(directory)  @throws DataError  its sweep.json, or the run.json of one of its runs, is damaged
-[[nodiscard]] std::string study_report(const std::filesystem::path& directory);
-
-/// The same as JSON: kind ("sweep" or "reproduction"), deck (of a sweep), running, states with the number of runs in
+/// Data: kind ("sweep" or "reproduction"), deck (of a sweep), running, states with the number of runs in
 /// each, and runs, a list of name, directory, state, step (null before the first checkpoint), total_steps and words.
-[[nodiscard]] std::string study_json(const std::filesystem::path& directory);
+/// @pre holds_study(directory)  @throws DataError  its sweep.json, or the run.json of one of its runs, is damaged
+[[nodiscard]] Document study_report(const std::filesystem::path& directory);
 
 }  // namespace ljmd
