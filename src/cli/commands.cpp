@@ -165,12 +165,6 @@ std::optional<double> wall_time(const std::string& text) {
     return seconds;
 }
 
-/// @param result  of a fluid or of few bodies
-template <class Result>
-void print_results(const Deck& deck, const Result& result, bool json) {
-    print_result(json ? results_json(deck, result) + "\n" : results_table(deck, result));
-}
-
 void run_fluid(Deck& deck, CheckedFluid fluid, const DeckOptions& options, RunControl& control) {
     // Create the start before any file is touched: if it fails, an earlier run must not be lost.
     check_directory(deck, options.force);
@@ -180,7 +174,7 @@ void run_fluid(Deck& deck, CheckedFluid fluid, const DeckOptions& options, RunCo
     install_stop_handlers();  // before this, nothing would be lost
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
-    print_results(deck, run_deck(deck, simulation, progress, control), options.json);
+    print_document(results_report(deck, run_deck(deck, simulation, progress, control)), options.json);
     lock.warn_if_moved();
 }
 
@@ -198,7 +192,7 @@ void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
     install_stop_handlers();
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
-    print_results(deck, run_deck(deck, system, progress, control), options.json);
+    print_document(results_report(deck, run_deck(deck, system, progress, control)), options.json);
     lock.warn_if_moved();
 }
 
@@ -309,10 +303,10 @@ void resume_command(const ResumeOptions& options) {
     control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
     if (bodies) {
         FewBodySystem system = make_few_body_system(run.deck, execution);
-        print_results(run.deck, run_deck(run.deck, system, progress, control), options.json);
+        print_document(results_report(run.deck, run_deck(run.deck, system, progress, control)), options.json);
     } else {
         FluidSystem fluid = empty_fluid(fluid_spec(run.deck), atoms, Box(edges), execution);
-        print_results(run.deck, run_deck(run.deck, fluid, progress, control), options.json);
+        print_document(results_report(run.deck, run_deck(run.deck, fluid, progress, control)), options.json);
     }
     lock->warn_if_moved();
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "ljmd/core/text_table.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
 #include "ljmd/run/results.hpp"
 #include "ljmd/run/run_report.hpp"
@@ -34,51 +33,29 @@ Data finding_data(const Finding& finding) {
 
 }  // namespace
 
-std::string results_json(const Deck& deck, const FewBodyResult& result) {
-    Data observables = Data::object();
-    for (const FewBodyHistory& history : result.histories) {
-        observables[history.name] = history_data(history);
-    }
-    Data findings = Data::object();
-    for (const auto& [analysis, found] : result.findings) {
-        findings[analysis] = Data::object();
-        for (const Finding& finding : found) {
-            findings[analysis][finding.name] = finding_data(finding);
-        }
-    }
-    Data stages = Data::list();
-    for (const StageResult& stage : result.stages) {
-        stages.push_back(stage_data(stage));
-    }
-    const Data json = {
-        {"title", deck.title},
-        {"system",
-         {{"kind", "few-body"}, {"bodies", result.bodies}, {"dimensions", result.dimensions}, {"force", result.force}}},
-        {"observables", observables},
-        {"analysis", findings},
-        {"stages", stages},
-        {"warnings", Data::list()}};
-    return to_json(json);
-}
-
-std::string results_table(const Deck& deck, const FewBodyResult& result) {
+Document results_report(const Deck& deck, const FewBodyResult& result) {
     std::string text = fmt::format("{}\n{} {} in {} dimension{}, force {}\n\n", title_line(deck), result.bodies,
                                    result.bodies == 1 ? "body" : "bodies", result.dimensions,
                                    result.dimensions == 1 ? "" : "s", result.force);
+    Data observables = Data::object();
     TextTable totals({{"total", Align::left, 20},
                       {"at the start", Align::right, 22},
                       {"at the end", Align::right, 22},
                       {"largest deviation", Align::right, 20}},
                      2);
     for (const FewBodyHistory& history : result.histories) {
+        observables[history.name] = history_data(history);
         totals.add({history.name, fmt::format("{:.15g}", history.at_start), fmt::format("{:.15g}", history.at_end),
                     fmt::format("{:.6g}", history.largest_deviation)});
     }
     text += totals.text();
+    Data all_findings = Data::object();
     for (const auto& [analysis, found] : result.findings) {
+        Data& of_analysis = all_findings[analysis] = Data::object();
         Footnotes footnotes;
         TextTable findings({{"", Align::left, 30}, {"", Align::right, 22}, {"", Align::left}}, 4);
         for (const Finding& finding : found) {
+            of_analysis[finding.name] = finding_data(finding);
             const double deviation = finding.standard_error.value_or(std::nan(""));  // NaN for a single interval too
             findings.add(
                 {finding.name, std::isfinite(finding.value) ? fmt::format("{:.13g}", finding.value) : "no value",
@@ -87,7 +64,22 @@ std::string results_table(const Deck& deck, const FewBodyResult& result) {
         text += fmt::format("\n  {}\n{}{}", analysis, findings.text(), footnotes.text());
     }
     text += '\n' + stage_lines(result.stages, "per unit of time");
-    return text + fmt::format("\nfiles: {}\n", deck.directory.string());
+    text += fmt::format("\nfiles: {}\n", deck.directory.string());
+    Data stages = Data::list();
+    for (const StageResult& stage : result.stages) {
+        stages.push_back(stage_data(stage));
+    }
+    return {{{"title", deck.title},
+             {"system",
+              {{"kind", "few-body"},
+               {"bodies", result.bodies},
+               {"dimensions", result.dimensions},
+               {"force", result.force}}},
+             {"observables", observables},
+             {"analysis", all_findings},
+             {"stages", stages},
+             {"warnings", Data::list()}},
+            text};
 }
 
 }  // namespace ljmd

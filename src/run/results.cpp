@@ -8,7 +8,6 @@
 
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
 #include "ljmd/run/run_report.hpp"
 
@@ -147,35 +146,16 @@ std::string samples_footnote() {
     return "  * independent samples: variance of the series over the squared standard error\n";
 }
 
-std::string results_json(const Deck& deck, const RunResult& result) {
-    Data stages = Data::list();
-    for (const StageResult& stage : result.stages) {
-        stages.push_back(stage_data(stage));
-    }
-    Data json = {{"title", deck.title},
-                 {"system",
-                  {{"atoms", result.atoms},
+Document results_report(const Deck& deck, const RunResult& result) {
+    Data system = {{"atoms", result.atoms},
                    {"density", result.density},
-                   {"box_edges", Data::list({result.edges[0], result.edges[1], result.edges[2]})}}},
-                 {"observables", observables_data(result.averages, deck.units)},
-                 {"asked_temperature", result.asked_temperature},
-                 {"at_asked_temperature", at_asked_data(result.at_asked, deck.units)},
-                 {"translational_order_at_sampling", result.order_at_sampling},
-                 {"stages", stages},
-                 {"neighbor_list_rebuilds", result.search.rebuilds},
-                 {"neighbor_list_late_rebuilds", result.search.late_rebuilds},
-                 {"warnings", result.warnings}};
-    if (deck.units) {
-        json["system"]["density_g_per_cm3"] = result.density * deck.units->gram_per_cm3();
-    }
-    return to_json(json);
-}
-
-std::string results_table(const Deck& deck, const RunResult& result) {
+                   {"box_edges", Data::list({result.edges[0], result.edges[1], result.edges[2]})}};
     std::string text =
         fmt::format("{}\n{} atoms, density {:.6g} sigma^-3", title_line(deck), result.atoms, result.density);
     if (deck.units) {
-        text += fmt::format(" ({:.4f} g/cm3)", result.density * deck.units->gram_per_cm3());
+        const double density = result.density * deck.units->gram_per_cm3();
+        system["density_g_per_cm3"] = density;
+        text += fmt::format(" ({:.4f} g/cm3)", density);
     }
     text +=
         fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
@@ -184,7 +164,21 @@ std::string results_table(const Deck& deck, const RunResult& result) {
     text += stage_lines(result.stages, "epsilon per atom and tau");
     text += samples_footnote();
     text += fmt::format("\nfiles: {}\n", deck.directory.string());
-    return text;
+    Data stages = Data::list();
+    for (const StageResult& stage : result.stages) {
+        stages.push_back(stage_data(stage));
+    }
+    return {{{"title", deck.title},
+             {"system", system},
+             {"observables", observables_data(result.averages, deck.units)},
+             {"asked_temperature", result.asked_temperature},
+             {"at_asked_temperature", at_asked_data(result.at_asked, deck.units)},
+             {"translational_order_at_sampling", result.order_at_sampling},
+             {"stages", stages},
+             {"neighbor_list_rebuilds", result.search.rebuilds},
+             {"neighbor_list_late_rebuilds", result.search.late_rebuilds},
+             {"warnings", result.warnings}},
+            text};
 }
 
 DataTable with_si_columns(DataTable table, const std::optional<SubstanceUnits>& units) {

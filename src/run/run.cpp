@@ -35,8 +35,7 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
     for (const std::string& warning : result.warnings) {
         listener.warning(warning);
     }
-    outputs.files().finish(fluid.state, {.results_json = results_json(deck, result),
-                                         .results_text = results_table(deck, result),
+    outputs.files().finish(fluid.state, {.report = results_report(deck, result),
                                          .tables = result.tables,
                                          .seconds = result.seconds.sum(),
                                          .phases = result.seconds});
@@ -53,8 +52,7 @@ FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& lis
         return last;
     });
     FewBodyResult result = measurement.result(end.seconds);
-    outputs.files().finish(system.state, {.results_json = results_json(deck, result),
-                                          .results_text = results_table(deck, result),
+    outputs.files().finish(system.state, {.report = results_report(deck, result),
                                           .tables = result.tables,
                                           .seconds = result.seconds});
     return result;

@@ -11,6 +11,7 @@
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/results.hpp"
@@ -198,8 +199,8 @@ void RunDirectory::finish(const State& state, const FinalOutputs& outputs) {
     for (const DataTable& table : outputs.tables) {
         write_file_atomically(deck_.outputs() / (table.name + ".csv"), to_csv(with_si_columns(table, deck_.units)));
     }
-    write_file_atomically(deck_.outputs() / "results.json", outputs.results_json + "\n");
-    write_file_atomically(deck_.outputs() / "results.txt", outputs.results_text);
+    write_file_atomically(deck_.outputs() / "results.json", to_json(outputs.report.data) + "\n");
+    write_file_atomically(deck_.outputs() / "results.txt", outputs.report.text);
     record_.finish(outputs.seconds, outputs.phases);
 }
 

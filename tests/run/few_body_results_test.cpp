@@ -30,7 +30,7 @@ FewBodyResult some_result() {
 }  // namespace
 
 TEST_CASE("results.json of few bodies has the keys that scripts rely on") {
-    const Data json = parse_json(results_json(DeckFolder(stars_deck).load(), some_result()));
+    const Data json = parse_json(to_json(results_report(DeckFolder(stars_deck).load(), some_result()).data));
     CHECK(json.at("title") == "Two stars");
     CHECK(json.at("system") ==
           Data::object({{"kind", "few-body"}, {"bodies", 2}, {"dimensions", 2}, {"force", "newtonian-gravity"}}));
@@ -51,7 +51,7 @@ TEST_CASE("results.json of few bodies has the keys that scripts rely on") {
 }
 
 TEST_CASE("what is no number is null in results.json of few bodies") {
-    const Data json = parse_json(results_json(DeckFolder(stars_deck).load(), some_result()));
+    const Data json = parse_json(to_json(results_report(DeckFolder(stars_deck).load(), some_result()).data));
     CHECK(json.at("observables").at("momentum_x").at("at_end").is_null());
     CHECK(json.at("observables").at("momentum_x").at("largest_deviation").is_null());
     CHECK(json.at("analysis").at("orbit").at("precession") ==
@@ -62,7 +62,7 @@ TEST_CASE("the table of a few-body run shows totals, findings and drift") {
     const Deck deck = DeckFolder(stars_deck).load();
     FewBodyResult result = some_result();
     result.histories.pop_back();
-    const std::string table = results_table(deck, result);
+    const std::string table = results_report(deck, result).text;
     CHECK_THAT(table, Catch::StartsWith("Two stars\n2 bodies in 2 dimensions, force newtonian-gravity\n\n") &&
                           Contains("  total_energy                          -0.205              -0.2050001"
                                    "                 1e-07\n") &&
@@ -72,5 +72,5 @@ TEST_CASE("the table of a few-body run shows totals, findings and drift") {
                           Catch::EndsWith("files: " + deck.directory.string() + "\n"));
     result.bodies = 1;
     result.dimensions = 1;
-    CHECK_THAT(results_table(deck, result), Contains("1 body in 1 dimension,"));
+    CHECK_THAT(results_report(deck, result).text, Contains("1 body in 1 dimension,"));
 }

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -57,7 +56,7 @@ std::string line_of_table(const std::string& table, const std::string& beginning
 std::string shown_with_error(double mean, double error) {
     RunResult result = some_result();
     result.averages = {average("pressure", "unit", mean, error)};
-    const std::string line = line_of_table(results_table(deck_with(""), result), "pressure");
+    const std::string line = line_of_table(results_report(deck_with(""), result).text, "pressure");
     const std::string text = line.substr(line.find_first_not_of(' ', line.find(" X ") + 3));
     return text.substr(0, text.find("  "));
 }
@@ -65,7 +64,7 @@ std::string shown_with_error(double mean, double error) {
 }  // namespace
 
 TEST_CASE("results.json has the keys that scripts rely on") {
-    const Data json = parse_json(results_json(deck_with(""), some_result()));
+    const Data json = results_report(deck_with(""), some_result()).data;
     const Data& temperature = json.at("observables").at("temperature");
     CHECK(temperature.at("mean") == 0.722);
     CHECK(temperature.at("standard_error") == 0.0021);
@@ -92,22 +91,22 @@ TEST_CASE("results.json has the keys that scripts rely on") {
 
 TEST_CASE("what a run has at the temperature that was asked stands in results.json and below the table") {
     RunResult result = some_result();
-    const Data found = parse_json(results_json(deck_with(""), result));
+    const Data found = results_report(deck_with(""), result).data;
     CHECK(found.at("asked_temperature") == 0.722);
     CHECK(found.at("at_asked_temperature").is_null());
-    CHECK_THAT(results_table(deck_with(""), result), !Contains("brought to"));
+    CHECK_THAT(results_report(deck_with(""), result).text, !Contains("brought to"));
     result.at_asked = AtAskedTemperature{0.73, "thol2016", {average("pressure", "epsilon/sigma^3", 0.52, 0.011)}};
-    const Data there = parse_json(results_json(deck_with(""), result)).at("at_asked_temperature");
+    const Data there = results_report(deck_with(""), result).data.at("at_asked_temperature");
     CHECK(there.at("temperature") == 0.73);
     CHECK(there.at("equation_of_state") == "thol2016");
     CHECK(there.at("observables").at("pressure").at("mean") == 0.52);
     CHECK(there.at("observables").at("pressure").at("standard_error") == 0.011);
-    const std::string table = results_table(deck_with(""), result);
+    const std::string table = results_report(deck_with(""), result).text;
     const std::size_t line = table.find("  brought to T = 0.73, which was asked, by the equation of state thol2016:\n");
     REQUIRE(line != std::string::npos);
     CHECK_THAT(table.substr(line), Contains("pressure") && Contains("0.520 +- 0.011"));
     result.asked_temperature.reset();
-    CHECK(parse_json(results_json(deck_with(""), result)).at("asked_temperature").is_null());
+    CHECK(results_report(deck_with(""), result).data.at("asked_temperature").is_null());
 }
 
 TEST_CASE("what is not known is null in results.json") {
@@ -116,7 +115,7 @@ TEST_CASE("what is not known is null in results.json") {
     result.averages.push_back(
         average("total_energy", "epsilon", std::numeric_limits<double>::infinity(), unknown, unknown));
     result.order_at_sampling.reset();
-    const Data json = parse_json(results_json(deck_with(argon_table), result));
+    const Data json = results_report(deck_with(argon_table), result).data;
     for (const char* key : {"mean", "standard_error", "independent_samples"}) {
         CHECK(json.at("observables").at("virial").at(key).is_null());
         CHECK(json.at("observables").at("total_energy").at(key).is_null());
@@ -125,11 +124,11 @@ TEST_CASE("what is not known is null in results.json") {
     CHECK(json.at("observables").at("compressibility_factor").at("standard_error").is_null());
     CHECK(json.at("observables").at("virial").at("unit") == "epsilon");
     CHECK(json.at("translational_order_at_sampling").is_null());
-    CHECK(parse_json(results_json(deck_with(""), RunResult{})).at("observables").is_object());
+    CHECK(results_report(deck_with(""), RunResult{}).data.at("observables").is_object());
 }
 
 TEST_CASE("a substance adds kelvin, kJ/mol, bar and g/cm3") {
-    const Data json = parse_json(results_json(deck_with(argon_table), some_result()));
+    const Data json = results_report(deck_with(argon_table), some_result()).data;
     const auto si = [&](const char* name) { return json.at("observables").at(name).at("si"); };
     CHECK(si("temperature").at("unit") == "K");
     CHECK(si("temperature").at("mean").number() == Approx(0.722 * 119.8).epsilon(1e-12));
@@ -158,7 +157,7 @@ TEST_CASE("the table of a run shows what people look for, in SI too for a substa
     RunResult result = some_result();
     result.averages.push_back({"kinetic_energy", "K", "epsilon", std::nullopt});
     result.averages.push_back(average("pressure_xy", "epsilon/sigma^3", 0.0, 0.1));
-    const std::string reduced = results_table(deck_with(""), result);
+    const std::string reduced = results_report(deck_with(""), result).text;
     CHECK_THAT(reduced,
                Catch::StartsWith("A small liquid\n864 atoms, density 0.8442 sigma^-3, box 10 x 10.5 x 11 sigma^3\n"));
     CHECK_THAT(line_of_table(reduced, "temperature"),
@@ -167,7 +166,7 @@ TEST_CASE("the table of a run shows what people look for, in SI too for a substa
     CHECK_THAT(line_of_table(reduced, "kinetic_energy"), Contains("no value"));
     CHECK_THAT(line_of_table(reduced, "energy drift"), Contains("'production': -1.5e-07 epsilon per atom and tau"));
     CHECK_THAT(reduced, !Contains("pressure_xy") && !Contains("equilibrate"));
-    const std::string argon = results_table(deck_with(argon_table), result);
+    const std::string argon = results_report(deck_with(argon_table), result).text;
     CHECK_THAT(line_of_table(argon, "temperature"), Catch::EndsWith(" 86.50 +- 0.25  K"));
     CHECK_THAT(line_of_table(argon, "potential_energy"), Catch::EndsWith(" -6.0632 +- 0.0012  kJ/mol"));
     CHECK_THAT(argon, Contains("density 0.8442 sigma^-3 (1.4185 g/cm3)"));
@@ -179,14 +178,14 @@ TEST_CASE("a remark stands where its number stands, and is told once") {
     result.averages[1].remark = "few samples";
     result.averages[2].remark = "few samples";
     result.averages.push_back({"viscosity", "eta", "epsilon tau/sigma^3", std::nullopt, "frames too far apart"});
-    const std::string table = results_table(deck_with(""), result);
+    const std::string table = results_report(deck_with(""), result).text;
     CHECK_THAT(line_of_table(table, "temperature"), Contains("0.7220 +- 0.0021  [1]  epsilon/k_B"));
     CHECK_THAT(line_of_table(table, "potential_energy"), Contains("-6.0871 +- 0.0012  [2]  epsilon"));
     CHECK_THAT(line_of_table(table, "pressure"), Contains("0.50 +- 0.25  [2]  epsilon/sigma^3"));
     CHECK_THAT(line_of_table(table, "viscosity"), Catch::EndsWith("no value  [3]"));
     CHECK_THAT(line_of_table(table, "compressibility_factor"), !Contains("["));
     CHECK_THAT(table, Contains("\n  [1] asked for 1.0\n  [2] few samples\n  [3] frames too far apart\n"));
-    const Data observables = parse_json(results_json(deck_with(""), result)).at("observables");
+    const Data observables = results_report(deck_with(""), result).data.at("observables");
     CHECK(observables.at("pressure").at("remark") == "few samples");
     CHECK(observables.at("viscosity").at("remark") == "frames too far apart");
     CHECK(observables.at("viscosity").at("mean").is_null());
@@ -198,12 +197,12 @@ TEST_CASE("an error bar that is a guess is marked where it stands") {
     result.averages[0].estimate->converged = false;
     result.averages[1].estimate->converged = false;
     result.averages[1].remark = "asked for 1.0";
-    const std::string table = results_table(deck_with(""), result);
+    const std::string table = results_report(deck_with(""), result).text;
     CHECK_THAT(line_of_table(table, result.averages[0].name), Contains("[1]"));
     CHECK_THAT(line_of_table(table, result.averages[1].name), Contains("[2]"));
     CHECK_THAT(table,
                Contains("  [1] its error bar is a guess") && Contains("  [2] asked for 1.0; its error bar is a guess"));
-    const Data observables = parse_json(results_json(deck_with(""), result)).at("observables");
+    const Data observables = results_report(deck_with(""), result).data.at("observables");
     CHECK(observables.at(result.averages[0].name).at("remark") == std::string(guessed_error));
     // Where no error is given there is none to doubt.
     result.averages[0].estimate->standard_error = unknown;
@@ -215,7 +214,7 @@ TEST_CASE("transport, heat capacity and viscosity have the units of a substance,
     result.averages = {average("diffusion", "sigma^2/tau", 0.0313, 0.0004),
                        average("viscosity", "epsilon tau/sigma^3", 3.25, 0.1),
                        average("heat_capacity_cv", "k_B", 2.63, 0.01)};
-    const Data json = parse_json(results_json(deck_with(argon_table), result));
+    const Data json = results_report(deck_with(argon_table), result).data;
     const auto si = [&](const char* name) { return json.at("observables").at(name).at("si"); };
     // tau = (m sigma^2/epsilon)^(1/2) = 2.1563 ps: sigma^2/tau = 53.768 nm^2/ns, epsilon tau/sigma^3 = 0.090345 mPa s
     CHECK(si("diffusion").at("unit") == "nm^2/ns");

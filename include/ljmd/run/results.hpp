@@ -4,16 +4,22 @@
 #include <string>
 
 #include "ljmd/core/data.hpp"
+#include "ljmd/core/document.hpp"
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/engine/few_body_measurement.hpp"
 #include "ljmd/engine/run_result.hpp"
 
 namespace ljmd {
 
-/// results.json: every observable with mean, standard error, number of independent samples and unit, in reduced units
-/// and, for a substance, in SI; the stages with their energy drift; warnings. Undefined numbers are null.
-[[nodiscard]] std::string results_json(const Deck& deck, const RunResult& result);
-[[nodiscard]] std::string results_json(const Deck& deck, const FewBodyResult& result);
+/// The report at the end of a run. Data, in results.json: every observable with mean, standard error, number of
+/// independent samples and unit, in reduced units and, for a substance, in SI; the stages with their energy drift;
+/// warnings. Undefined numbers are null. Text, on the screen and in results.txt: a table with one line per observable,
+/// in reduced units and, for a substance, in SI units; the stages.
+[[nodiscard]] Document results_report(const Deck& deck, const RunResult& result);
+
+/// The same for few bodies: every total with its history, what the analyses found, the stages.
+[[nodiscard]] Document results_report(const Deck& deck, const FewBodyResult& result);
+
 
 /// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for
 /// a substance, and remark if there is one.
@@ -27,9 +33,6 @@ namespace ljmd {
 /// The line below such a table that explains its samples.
 [[nodiscard]] std::string samples_footnote();
 
-/// The table at the end of a run: one line per observable, in reduced units and, for a substance, in SI units.
-[[nodiscard]] std::string results_table(const Deck& deck, const RunResult& result);
-[[nodiscard]] std::string results_table(const Deck& deck, const FewBodyResult& result);
 
 /// Add SI columns after the reduced ones: r_nm for r, time_ps for time, k_per_nm for k, msd_nm2 for msd.
 [[nodiscard]] DataTable with_si_columns(DataTable table, const std::optional<SubstanceUnits>& units);

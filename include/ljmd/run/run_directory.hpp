@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "ljmd/core/document.hpp"
 #include "ljmd/engine/few_body_system.hpp"
 #include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/engine/phase_seconds.hpp"
@@ -55,8 +56,7 @@ void check_outputs(const Deck& deck, const ResumedOutputs& resumed);
 
 /// What a run writes at its end.
 struct FinalOutputs {
-    std::string results_json = {};
-    std::string results_text = {};
+    Document report = {};  ///< results.json and results.txt
     std::vector<DataTable> tables = {};
     double seconds = 0.0;                     ///< wall time of the time loop
     std::optional<PhaseSeconds> phases = {};  ///< its parts, if measured
