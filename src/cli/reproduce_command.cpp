@@ -11,6 +11,7 @@
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "ljmd/study/child_run.hpp"
@@ -177,11 +178,10 @@ void reproduce_command(const ReproduceOptions& options) {
     write_file_atomically(directory / "rows.csv", reproduction_csv(rows));
     write_file_atomically(directory / "isotherms.csv", isotherms_csv());
     write_file_atomically(directory / "rows.md", reproduction_markdown(rows));
-    write_file_atomically(directory / "results.json", reproduction_json(rows));
-    print_result(options.json ? reproduction_json(rows)
-                              : reproduction_table(rows) +
-                                    fmt::format("\nfiles: {0}\nto draw them: analysis/plot_reproduction.py {0}\n",
-                                                out.string()));
+    Document report = reproduction_report(rows);
+    write_file_atomically(directory / "results.json", to_json(report.data) + "\n");
+    report.text += fmt::format("\nfiles: {0}\nto draw them: analysis/plot_reproduction.py {0}\n", out.string());
+    print_document(report, options.json);
     if (rows.size() < runs.size()) {
         throw PhysicsError(fmt::format("{} of {} rows failed; the same command tries them again",
                                        runs.size() - rows.size(), runs.size()));

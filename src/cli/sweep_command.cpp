@@ -140,10 +140,9 @@ void sweep_command(const SweepOptions& options) {
     const SweptPoints swept = sweep(plan, lock.directory(), options);
     lock.directory().require_at_its_path();
     write_file_atomically(lock.directory() / "sweep.csv", sweep_csv(swept));
-    print_result(options.json
-                     ? sweep_json(swept)
-                     : sweep_table(swept) +
-                           fmt::format("\nfiles: {0}\nto draw them: analysis/plot_sweep.py {0}\n", directory.string()));
+    Document report = sweep_report(swept);
+    report.text += fmt::format("\nfiles: {0}\nto draw them: analysis/plot_sweep.py {0}\n", directory.string());
+    print_document(report, options.json);
     tell_of_failures(swept);
 }
 

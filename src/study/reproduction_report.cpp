@@ -9,7 +9,6 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/tables/csv_text.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_text.hpp"
 
 namespace ljmd {
 
@@ -95,23 +94,7 @@ Data data_of(const std::optional<Printed>& value) {
     return value ? Data{{"value", value->value}, {"soundness", name_of(value->soundness)}} : Data(nullptr);
 }
 
-}  // namespace
-
-std::string remark_of(const ReproducedRow& row) {
-    std::string text = row.verlet.remark;
-    const auto judge = [&](const char* name, const std::optional<Printed>& value, double found, double thol,
-                           double limit) {
-        if (text.empty() && value && std::abs(value->value - found) > limit && std::abs(thol - found) < limit) {
-            text = fmt::format("{} as printed is {:+.2f} off, equations of state agree with what was found", name,
-                               value->value - found);
-        }
-    };
-    judge("Z", row.verlet.compressibility_factor, row.z.mean, row.thol.z, printed_error_z);
-    judge("U", row.verlet.potential_energy, row.u.mean, row.thol.u, printed_error_u);
-    return text;
-}
-
-std::string reproduction_table(const std::vector<ReproducedRow>& rows) {
+std::string text_of(const std::vector<ReproducedRow>& rows) {
     std::vector<TextTable::Column> headings;
     for (const auto& column : columns()) {
         headings.push_back({column.name, TextTable::Align::right, headings.size() < 2 ? 6u : 10u});
@@ -132,6 +115,56 @@ std::string reproduction_table(const std::vector<ReproducedRow>& rows) {
         }
     }
     return text;
+}
+
+Data data_of(const std::vector<ReproducedRow>& rows) {
+    Data list = Data::list();
+    for (const ReproducedRow& row : rows) {
+        const auto [score_z, score_u] = row.z_scores();
+        list.push_back({{"rho", row.verlet.density},
+                        {"T", row.verlet.temperature},
+                        {"T_measured", row.temperature.mean},
+                        {"T_standard_error", row.temperature.standard_error},
+                        {"Z", row.z.mean},
+                        {"Z_standard_error", row.z.standard_error},
+                        {"U", row.u.mean},
+                        {"U_standard_error", row.u.standard_error},
+                        {"Z_beyond_cutoff", row.beyond_cutoff.z},
+                        {"U_beyond_cutoff", row.beyond_cutoff.u},
+                        {"Z_verlet", data_of(row.verlet.compressibility_factor)},
+                        {"U_verlet", data_of(row.verlet.potential_energy)},
+                        {"Z_thol2016", row.thol.z},
+                        {"U_thol2016", row.thol.u},
+                        {"Z_kolafa_nezbeda1994", row.kolafa.z},
+                        {"U_kolafa_nezbeda1994", row.kolafa.u},
+                        {"z_score_Z", score_z},
+                        {"z_score_U", score_u},
+                        {"steps", row.steps},
+                        {"remark", remark_of(row)}});
+    }
+    const ChiSquare sum = chi_square(rows);
+    return {{"rows", list},
+            {"chi_square", {{"Z", sum.z}, {"Z_rows", sum.z_count}, {"U", sum.u}, {"U_rows", sum.u_count}}}};
+}
+
+}  // namespace
+
+std::string remark_of(const ReproducedRow& row) {
+    std::string text = row.verlet.remark;
+    const auto judge = [&](const char* name, const std::optional<Printed>& value, double found, double thol,
+                           double limit) {
+        if (text.empty() && value && std::abs(value->value - found) > limit && std::abs(thol - found) < limit) {
+            text = fmt::format("{} as printed is {:+.2f} off, equations of state agree with what was found", name,
+                               value->value - found);
+        }
+    };
+    judge("Z", row.verlet.compressibility_factor, row.z.mean, row.thol.z, printed_error_z);
+    judge("U", row.verlet.potential_energy, row.u.mean, row.thol.u, printed_error_u);
+    return text;
+}
+
+Document reproduction_report(const std::vector<ReproducedRow>& rows) {
+    return {data_of(rows), text_of(rows)};
 }
 
 std::string reproduction_markdown(const std::vector<ReproducedRow>& rows) {
@@ -197,37 +230,6 @@ std::string isotherms_csv() {
         table.rows.insert(table.rows.end(), isotherm.rbegin(), isotherm.rend());
     }
     return to_csv(table);
-}
-
-std::string reproduction_json(const std::vector<ReproducedRow>& rows) {
-    Data list = Data::list();
-    for (const ReproducedRow& row : rows) {
-        const auto [score_z, score_u] = row.z_scores();
-        list.push_back({{"rho", row.verlet.density},
-                        {"T", row.verlet.temperature},
-                        {"T_measured", row.temperature.mean},
-                        {"T_standard_error", row.temperature.standard_error},
-                        {"Z", row.z.mean},
-                        {"Z_standard_error", row.z.standard_error},
-                        {"U", row.u.mean},
-                        {"U_standard_error", row.u.standard_error},
-                        {"Z_beyond_cutoff", row.beyond_cutoff.z},
-                        {"U_beyond_cutoff", row.beyond_cutoff.u},
-                        {"Z_verlet", data_of(row.verlet.compressibility_factor)},
-                        {"U_verlet", data_of(row.verlet.potential_energy)},
-                        {"Z_thol2016", row.thol.z},
-                        {"U_thol2016", row.thol.u},
-                        {"Z_kolafa_nezbeda1994", row.kolafa.z},
-                        {"U_kolafa_nezbeda1994", row.kolafa.u},
-                        {"z_score_Z", score_z},
-                        {"z_score_U", score_u},
-                        {"steps", row.steps},
-                        {"remark", remark_of(row)}});
-    }
-    const ChiSquare sum = chi_square(rows);
-    const Data json = {{"rows", list},
-                       {"chi_square", {{"Z", sum.z}, {"Z_rows", sum.z_count}, {"U", sum.u}, {"U_rows", sum.u_count}}}};
-    return to_json(json) + "\n";
 }
 
 }  // namespace ljmd

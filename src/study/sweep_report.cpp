@@ -87,9 +87,7 @@ std::vector<std::string> observables_of(const SweptPoints& swept) {
     return names;
 }
 
-}  // namespace
-
-std::string sweep_table(const SweptPoints& swept) {
+std::string text_of(const SweptPoints& swept) {
     std::vector<TextTable::Column> columns;
     for (const std::string& heading : short_keys(swept.keys)) {
         columns.push_back({heading});
@@ -109,6 +107,35 @@ std::string sweep_table(const SweptPoints& swept) {
         table.add(entries);
     }
     return table.text() + footnotes.text();
+}
+
+Data data_of(const SweptPoints& swept) {
+    Data points = Data::list();
+    for (const SweptPoint& point : swept.points) {
+        Data values = Data::object();
+        for (std::size_t k = 0; k < swept.keys.size(); ++k) {
+            values[swept.keys[k]] = value_of_setting(point.values[k]);
+        }
+        Data observables = Data::object();
+        for (const auto& [name, mean, error, remark] : point.found) {
+            observables[name] = {{"mean", mean}, {"standard_error", error}};
+            if (!remark.empty()) {
+                observables[name]["remark"] = remark;
+            }
+        }
+        points.push_back({{"name", point.name},
+                          {"directory", point.directory.string()},
+                          {"values", values},
+                          {"failure", point.failure.empty() ? Data(nullptr) : Data(point.failure)},
+                          {"observables", observables}});
+    }
+    return {{"keys", swept.keys}, {"points", points}};
+}
+
+}  // namespace
+
+Document sweep_report(const SweptPoints& swept) {
+    return {data_of(swept), text_of(swept)};
 }
 
 std::string sweep_csv(const SweptPoints& swept) {
@@ -135,30 +162,6 @@ std::string sweep_csv(const SweptPoints& swept) {
         text += '\n' + line + ',' + csv_field(remarks_of(point));
     }
     return text + '\n';
-}
-
-std::string sweep_json(const SweptPoints& swept) {
-    Data points = Data::list();
-    for (const SweptPoint& point : swept.points) {
-        Data values = Data::object();
-        for (std::size_t k = 0; k < swept.keys.size(); ++k) {
-            values[swept.keys[k]] = value_of_setting(point.values[k]);
-        }
-        Data observables = Data::object();
-        for (const auto& [name, mean, error, remark] : point.found) {
-            observables[name] = {{"mean", mean}, {"standard_error", error}};
-            if (!remark.empty()) {
-                observables[name]["remark"] = remark;
-            }
-        }
-        points.push_back({{"name", point.name},
-                          {"directory", point.directory.string()},
-                          {"values", values},
-                          {"failure", point.failure.empty() ? Data(nullptr) : Data(point.failure)},
-                          {"observables", observables}});
-    }
-    const Data json = {{"keys", swept.keys}, {"points", points}};
-    return to_json(json) + "\n";
 }
 
 std::string point_line(const SweptPoint& point) {

@@ -1,5 +1,6 @@
 #include "fuzz_target.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/study/reproduction.hpp"
 #include "ljmd/study/sweep_report.hpp"
 
@@ -39,7 +40,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         const SweptPoint point{"T=1", {"1"}, "points", read_results(row.results()).means, ""};
         const SweptPoints swept{{"system.temperature"}, {point}};
-        static_cast<void>(sweep_table(swept) + sweep_csv(swept) + sweep_json(swept) + point_line(point));
+        static_cast<void>(to_json(sweep_report(swept).data) + sweep_csv(swept) + point_line(point));
         ++fuzz::inputs_accepted;
     } catch (const DataError&) {
     }

@@ -3,8 +3,6 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "ljmd/io/tables/json_text.hpp"
-
 using namespace ljmd;
 using Catch::Matchers::Contains;
 
@@ -35,7 +33,7 @@ std::vector<std::string> fields(const std::string& line) {
 }  // namespace
 
 TEST_CASE("the table shows values with their errors, and marks what is suspect") {
-    const std::string table = reproduction_table({a_row()});
+    const std::string table = reproduction_report({a_row()}).text;
     CHECK_THAT(table, Contains("0.957(14)") && Contains("-6.0547(17)") && Contains("-6.05?") && Contains("0.999"));
     CHECK_THAT(table, Contains("chi-square of the rows that are sound: Z 3.4 of 1, U 0.0 of 0"));
     const std::string markdown = reproduction_markdown({a_row(), a_row()});
@@ -47,7 +45,7 @@ TEST_CASE("errors have two digits, also where rounding would make it three") {
     const auto z = [](double error) {
         ReproducedRow row = a_row();
         row.z.standard_error = error;
-        return reproduction_table({row});
+        return reproduction_report({row}).text;
     };
     CHECK_THAT(z(0.0994), Contains("0.957(99)"));
     CHECK_THAT(z(0.0996), Contains("0.96(10)"));
@@ -84,7 +82,7 @@ TEST_CASE("the CSV has a field for each column, with all digits") {
 TEST_CASE("the JSON has the rows and chi-square, and numbers that Verlet has not are null") {
     ReproducedRow row = a_row();
     row.verlet.potential_energy.reset();
-    const Data json = parse_json(reproduction_json({row}));
+    const Data json = reproduction_report({row}).data;
     CHECK(json["rows"][0]["Z"] == 0.9571);
     CHECK(json["rows"][0]["Z_verlet"]["value"] == 0.99);
     CHECK(json["rows"][0]["U_verlet"].is_null());

@@ -5,8 +5,6 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "ljmd/io/tables/json_text.hpp"
-
 using namespace ljmd;
 using Catch::Matchers::Contains;
 
@@ -44,27 +42,27 @@ TEST_CASE("the table has keys and main observables in columns, and says what has
         table += fmt::format("{:>13}{:>7}{:>23}{:>23}{:>23}{:>23}\n", row[0], row[1], row[2], row[3], row[4], row[5]);
     }
     table += "  [1] a guess\n  [2] one atom\n";
-    CHECK(sweep_table(fluids()) == table);
+    CHECK(sweep_report(fluids()).text == table);
     CHECK(point_line(fluids().points[0]) == "T 1.250 +- 0.012, U/N -6, p 0.100 +- 0.020, Z -");
 }
 
 TEST_CASE("numbers that are long do not run together") {
     SweptPoints swept = fluids();
     swept.points[0].found = {{"temperature", -6.626360956, 1.23e-7, "a guess"}, {"potential_energy", 1.0, 0.1}};
-    CHECK_THAT(sweep_table(swept), Contains("a,b  -6.62636096 +- 0.00000012 [1]  "));
+    CHECK_THAT(sweep_report(swept).text, Contains("a,b  -6.62636096 +- 0.00000012 [1]  "));
 }
 
 TEST_CASE("a table of few bodies has their energies") {
     const SweptPoints swept{{"stage.orbits.time_step"},
                             {{"time_step=0.1", {"0.1"}, "runs/x", {{"total_energy", -0.375, unknown}}, ""}}};
-    CHECK_THAT(sweep_table(swept), Contains("total energy\n") && Contains("-0.375\n"));
-    CHECK_THAT(sweep_table(swept), !Contains("U/N"));
+    CHECK_THAT(sweep_report(swept).text, Contains("total energy\n") && Contains("-0.375\n"));
+    CHECK_THAT(sweep_report(swept).text, !Contains("U/N"));
 }
 
 TEST_CASE("values that no terminal should show do not reach it") {
     SweptPoints swept = fluids();
     swept.points[0].values[1] = "\x1B[31m";
-    CHECK_THAT(sweep_table(swept), Contains("?[31m") && !Contains("\x1B"));
+    CHECK_THAT(sweep_report(swept).text, Contains("?[31m") && !Contains("\x1B"));
 }
 
 TEST_CASE("the CSV has every observable of any point, with its error, and empty fields for the rest") {
@@ -81,7 +79,7 @@ TEST_CASE("the CSV has every observable of any point, with its error, and empty 
 TEST_CASE("the JSON has values as what they are, and null for what is not known") {
     SweptPoints swept = fluids();
     swept.points[0].values = {"1.2", "[1.0, 0.5]"};
-    const auto json = parse_json(sweep_json(swept));
+    const auto json = sweep_report(swept).data;
     CHECK(json["keys"] == std::vector<std::string>{"system.temperature", "title"});
     const auto& first = json["points"][0];
     CHECK(first["values"]["system.temperature"] == 1.2);
@@ -99,7 +97,7 @@ TEST_CASE("the JSON has values as what they are, and null for what is not known"
 TEST_CASE("a value that is nested too deeply for JSON is a text") {
     SweptPoints swept = fluids();
     swept.points[0].values[1] = std::string(100'000, '[') + std::string(100'000, ']');
-    CHECK(parse_json(sweep_json(swept)).at("points").at(0).at("values").at("title") == swept.points[0].values[1]);
+    CHECK(sweep_report(swept).data.at("points").at(0).at("values").at("title") == swept.points[0].values[1]);
 }
 
 TEST_CASE("a name with a comma is one field of the CSV") {

@@ -6,8 +6,8 @@
 
 namespace ljmd {
 
-/// A report for both of its readers, put together in one function: what a program reads is not the text in other
-/// letters, but a number that the text has is in the data, too.
+/// A report for programs and for people, made by one function from the same results. The two may differ in what they
+/// show: tables leave out what only programs use, and data leave out advice.
 struct Document {
     Data data;         ///< for programs: with --json, and in files
     std::string text;  ///< for people, with a line end

@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/core/document.hpp"
 #include "ljmd/study/reproduction.hpp"
 
 namespace ljmd {
 
-// The table of `ljmd reproduce verlet1967` in four formats.
-
-/// Table for the screen: one line per row, then chi-square and remarks.
-[[nodiscard]] std::string reproduction_table(const std::vector<ReproducedRow>& rows);
+/// The table of `ljmd reproduce verlet1967`. Text, on the screen: one line per row, then chi-square and remarks. Data,
+/// in results.json: rows and chi-square.
+[[nodiscard]] Document reproduction_report(const std::vector<ReproducedRow>& rows);
 
 /// rows.csv: rho, T (Verlet's), T_measured, Z and U at T with standard errors, the cutoff corrections, values of
 /// Verlet, of Thol 2016 and of Kolafa and Nezbeda, z-scores, steps, soundness, remark.
@@ -18,9 +18,6 @@ namespace ljmd {
 
 /// rows.md: the table in Markdown.
 [[nodiscard]] std::string reproduction_markdown(const std::vector<ReproducedRow>& rows);
-
-/// results.json: rows and chi-square.
-[[nodiscard]] std::string reproduction_json(const std::vector<ReproducedRow>& rows);
 
 /// isotherms.csv, for the picture: T, rho and Z of both equations of state along isotherms near the rows, from density
 /// 0.9 down to 0.3 or to where Thol's fluid is unstable.

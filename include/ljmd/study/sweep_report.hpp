@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/core/document.hpp"
 #include "ljmd/run/recorded_results.hpp"
 
 namespace ljmd {
@@ -23,16 +24,13 @@ struct SweptPoints {
     std::vector<SweptPoint> points;
 };
 
-// The table of `ljmd sweep` in three formats.
-
-/// Table for the screen: values of the keys, then T, U, p and Z, or the energies of few bodies; below it the remarks.
-[[nodiscard]] std::string sweep_table(const SweptPoints& swept);
+/// The results of `ljmd sweep`. Text: a table with values of the keys, then T, U, p and Z, or the energies of few
+/// bodies; below it the remarks. Data: keys; points with name, directory, values, failure or null, observables.
+[[nodiscard]] Document sweep_report(const SweptPoints& swept);
 
 /// sweep.csv: the varied keys, then each observable and its `_standard_error`, empty if unknown. The last column is
 /// `remarks`: "NAME: remark", separated by "; ".
 [[nodiscard]] std::string sweep_csv(const SweptPoints& swept);
-
-[[nodiscard]] std::string sweep_json(const SweptPoints& swept);
 
 /// The table's observables of one point as a line: "T 1.2034 +- 0.0012, U/N ...".
 [[nodiscard]] std::string point_line(const SweptPoint& point);
