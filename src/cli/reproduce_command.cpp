@@ -153,7 +153,7 @@ void reproduce_command(const ReproduceOptions& options) {
     const DirectoryLock lock(out);
     const OpenDirectory& directory = lock.directory();
     const OpenDirectory folder = directory.made_within(rows_folder);
-    wait_for_runs(folder.path(), until_signal(), talk);
+    wait_for_runs(folder.path(), until_signal(), print_message);
     remove_left_over(folder);
     for (const RowRun& run : runs) {
         run.prepare(folder);

@@ -135,7 +135,7 @@ void sweep_command(const SweepOptions& options) {
     const fs::path directory = directory_of(options);
     make_directory(directory);
     const DirectoryLock lock(directory);
-    wait_for_runs(directory / "points", until_signal(), talk);
+    wait_for_runs(directory / "points", until_signal(), print_message);
     prepare_sweep(plan, lock.directory(), options.force);
     const SweptPoints swept = sweep(plan, lock.directory(), options);
     lock.directory().require_at_its_path();

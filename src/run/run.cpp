@@ -52,9 +52,8 @@ FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& lis
         return last;
     });
     FewBodyResult result = measurement.result(end.seconds);
-    outputs.files().finish(system.state, {.report = results_report(deck, result),
-                                          .tables = result.tables,
-                                          .seconds = result.seconds});
+    outputs.files().finish(
+        system.state, {.report = results_report(deck, result), .tables = result.tables, .seconds = result.seconds});
     return result;
 }
 

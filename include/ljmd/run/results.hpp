@@ -20,7 +20,6 @@ namespace ljmd {
 /// The same for few bodies: every total with its history, what the analyses found, the stages.
 [[nodiscard]] Document results_report(const Deck& deck, const FewBodyResult& result);
 
-
 /// Observables by name, each with mean, standard_error, independent_samples, samples, error_is_converged, unit, si for
 /// a substance, and remark if there is one.
 [[nodiscard]] Data observables_data(const std::vector<ObservableAverage>& averages,
@@ -32,7 +31,6 @@ namespace ljmd {
 
 /// The line below such a table that explains its samples.
 [[nodiscard]] std::string samples_footnote();
-
 
 /// Add SI columns after the reduced ones: r_nm for r, time_ps for time, k_per_nm for k, msd_nm2 for msd.
 [[nodiscard]] DataTable with_si_columns(DataTable table, const std::optional<SubstanceUnits>& units);
