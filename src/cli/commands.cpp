@@ -21,6 +21,7 @@
 #include "ljmd/execution/simd.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/run/few_body_run.hpp"
@@ -268,7 +269,7 @@ void resume_command(const ResumeOptions& options) {
     RunControl control{.interruption = until_signal(wall_time(options.walltime))};
     heed_signals();
     std::optional<RunLock> lock;
-    if (files::is_directory(options.directory)) {
+    if (input_is_directory(options.directory)) {
         lock.emplace(options.directory, warn);
     }
     RecordedRun run = recorded_run(options.directory, options.more_steps);
@@ -353,7 +354,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
 }
 
 void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
-    const bool is_run = files::is_directory(options.deck);
+    const bool is_run = input_is_directory(options.deck);
     const std::filesystem::path directory =
         out.empty() ? export_directory(options.deck, is_run, to) : std::filesystem::path(out);
     check_export(to, directory, options.force);

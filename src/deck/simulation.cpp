@@ -7,7 +7,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/integrators/relaxation.hpp"
-#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/model/lattice.hpp"
@@ -87,7 +87,7 @@ void set_velocities(State& state, const Deck& deck, const Start& start,
 
 std::filesystem::path configuration_file(const std::string& file) {
     const std::filesystem::path path(file);
-    return files::is_directory(path) ? path / "final.xyz" : path;
+    return input_is_directory(path) ? path / "final.xyz" : path;
 }
 
 bool keeps_velocities(const Section& system, const Start& start) {
