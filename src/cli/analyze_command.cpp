@@ -11,7 +11,7 @@
 #include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/execution/threads.hpp"
-#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/run/output_guard.hpp"
@@ -192,7 +192,7 @@ void analyze_run(const AnalyzeOptions& options, const Wanted& wanted) {
 
 void analyze_command(const AnalyzeOptions& options) {
     const Wanted names = wanted(options);
-    if (files::is_directory(options.path)) {
+    if (input_is_directory(options.path)) {
         analyze_run(options, names);
     } else {
         analyze_file(options, names);

@@ -20,6 +20,7 @@
 #include "ljmd/deck/start_sense.hpp"
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/tables/json_text.hpp"
@@ -269,7 +270,7 @@ void resume_command(const ResumeOptions& options) {
     RunControl control{.interruption = until_signal(wall_time(options.walltime))};
     install_stop_handlers();
     std::optional<RunLock> lock;
-    if (files::is_directory(options.directory)) {
+    if (input_is_directory(options.directory)) {
         lock.emplace(options.directory, warn);
     }
     RecordedRun run = recorded_run(options.directory, options.more_steps);
@@ -349,7 +350,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
 }
 
 void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
-    const bool is_run = files::is_directory(options.deck);
+    const bool is_run = input_is_directory(options.deck);
     const std::filesystem::path directory =
         out.empty() ? export_directory(options.deck, is_run, to) : std::filesystem::path(out);
     check_export(to, directory, options.force);

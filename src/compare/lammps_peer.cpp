@@ -9,6 +9,7 @@
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/compare/lammps_output.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/thread_team.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/output_file.hpp"
 #include "ljmd/io/files/process.hpp"
@@ -55,6 +56,12 @@ std::string last_lines(const fs::path& path) {
         }
     }
     return "  " + result;
+}
+
+/// Whether GNU's or LLVM's OpenMP says that the system refuses it a thread.
+bool lacks_threads(const std::string& words) {
+    return words.find("libgomp: Thread creation failed") != std::string::npos ||
+           words.find("unable to allocate necessary resources for OMP thread") != std::string::npos;
 }
 
 fs::path find_lammps() {
@@ -180,8 +187,15 @@ class LammpsPeer : public Peer {
                          .output = log_name,
                          .environment = {{"OMP_NUM_THREADS", std::to_string(version_.openmp ? threads_ : 1)}}});
         if (status != 0) {
-            throw DataError(
-                fmt::format("LAMMPS failed with exit status {}:\n{}", status, last_lines(directory / log_name)));
+            const std::string words = last_lines(directory / log_name);
+            if (version_.openmp && lacks_threads(words)) {
+                throw ThreadsError(
+                    fmt::format("LAMMPS did not get the {} threads that were asked for; ask for fewer "
+                                "(--threads, OMP_NUM_THREADS), or see the limits of processes and "
+                                "memory (ulimit -a):\n{}",
+                                threads_, words));
+            }
+            throw DataError(fmt::format("LAMMPS failed with exit status {}:\n{}", status, words));
         }
     }
 

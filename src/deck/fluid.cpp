@@ -6,7 +6,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_potential.hpp"
-#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/model/lattice.hpp"
@@ -84,7 +84,7 @@ std::vector<ChosenAnalysis> chosen_analyses(const Section& analysis) {
 
 std::filesystem::path configuration_file(const std::string& file) {
     const std::filesystem::path path(file);
-    return files::is_directory(path) ? path / "final.xyz" : path;
+    return input_is_directory(path) ? path / "final.xyz" : path;
 }
 
 bool keeps_velocities(const Section& system, const Start& start) {

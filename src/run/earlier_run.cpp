@@ -25,9 +25,17 @@ const std::string aside = ".ljmd-earlier";
 /// Shows why a run failed. It stays, because the error message names it.
 const std::string failure = "failed.xyz";
 
+/// @throws FileError when this cannot be determined: a run must not be removed because its checkpoint was not seen
 bool is_there(const OpenDirectory& directory, const std::string& name) {
     struct stat status {};
-    return ::fstatat(directory.descriptor(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+    if (::fstatat(directory.descriptor(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) {
+        return true;
+    }
+    if (errno != ENOENT) {
+        throw FileError(fmt::format("cannot look at '{}': {}", (directory.path() / name).string(),
+                                    std::generic_category().message(errno)));
+    }
+    return false;
 }
 
 /// Move a file that may be missing. @return 0 or the error number

@@ -50,6 +50,9 @@ class Pool {
                                                     .own_group = true,
                                                     .at_our_end = SIGTERM})});
         } catch (const ProcessesError& refused) {
+            if (at_most_ == 1) {
+                throw;
+            }
             throw ProcessesError(fmt::format("{}\n  {} ran at a time; --jobs asks for fewer than {}", refused.what(),
                                              running_.size(), at_most_));
         }

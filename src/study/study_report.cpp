@@ -12,6 +12,7 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/study/child_run.hpp"
@@ -144,7 +145,7 @@ Data data_of(const Study& study) {
 
 bool holds_study(const fs::path& directory) {
     return files::exists(directory / "sweep.json") ||
-           (files::is_directory(directory / "rows") && !files::exists(directory / "run.json"));
+           (input_is_directory(directory / "rows") && !files::exists(directory / "run.json"));
 }
 
 Document study_report(const fs::path& directory) {

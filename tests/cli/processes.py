@@ -87,6 +87,16 @@ def used_up_processor_time(t):
     t.contains(t.expect(152, result).err, "by SIGXCPU; to go on: ljmd resume out\n")
 
 
+def no_room_for_threads_of_lammps(t):
+    t.deck()
+    (t.dir / "lmp").write_text(ENDLESS_LAMMPS.replace("NONE", "OPENMP").replace(
+        "exec sleep 600", "echo 'libgomp: Thread creation failed: Resource temporarily unavailable'; exit 1"))
+    (t.dir / "lmp").chmod(0o700)
+    result = t.run("compare", "deck.toml", "--with", "lammps", "--threads", "4", "--quiet",
+                   env={**clean_environment(), "LJMD_LAMMPS": str(t.dir / "lmp"), "HERE": str(t.dir)})
+    t.golden(t.expect(7, result).err)
+
+
 def comparison_ended_by(number):
     """Neither LAMMPS nor the folder that it works in is left."""
     def test(t):
@@ -173,4 +183,5 @@ def cases():
         Case("a comparison that is quit", comparison_ended_by(signal.SIGQUIT)),
         Case("no room for threads or processes", no_room_for_threads_or_processes),
         Case("no room for threads of OpenMM", no_room_for_threads_of_openmm),
+        Case("no room for threads of LAMMPS", no_room_for_threads_of_lammps),
     ]

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -201,6 +203,19 @@ TEST_CASE("threads are those of the package OPENMP") {
     CHECK(make_lammps_peer(fluid, 4)->name() == "LAMMPS 1 Jan 2030, 4 threads");
     CHECK_THROWS_AS(make_lammps_peer(fluid, 4)->seconds(0.004, 1), DataError);
     CHECK(content_of(threaded / "call") == "-in in.lammps -log none -suffix omp -package omp 4 threads 4\n");
+}
+
+TEST_CASE("a LAMMPS that gets no threads is told from one that fails otherwise") {
+    const Fluid fluid = small_fluid();
+    for (const char* words : {"libgomp: Thread creation failed: Resource temporarily unavailable",
+                              "OMP: Error #34: System unable to allocate necessary resources for OMP thread:"}) {
+        INFO(words);
+        const std::string text = fmt::format("echo '{}'; exit 1", words);
+        const FalseLammps threaded("KSPACE OPENMP", text);
+        CHECK_THROWS_AS(make_lammps_peer(fluid, 4)->point(), ThreadsError);
+        CHECK_THROWS_WITH(make_lammps_peer(fluid, 4)->point(),
+                          Catch::StartsWith("LAMMPS did not get the 4 threads that were asked for") && Contains(words));
+    }
 }
 
 TEST_CASE("a LAMMPS that says something else is not believed") {

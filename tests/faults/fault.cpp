@@ -45,13 +45,14 @@ constexpr unsigned changing_files =
     set_of(K::create, K::write, K::sync, K::truncate, K::rename, K::remove, K::mkdir, K::link);
 
 /// With the kinds of calls that may end with them, as the manual pages have it.
-constexpr std::array<NamedError, 5> errors{
-    {{"EIO", EIO, ~set_of(K::lock)},
+constexpr std::array<NamedError, 6> errors{
+    {{"EIO", EIO, ~set_of(K::lock, K::spawn)},
      {"EINTR", EINTR, moving_bytes | set_of(K::open, K::create, K::sync, K::close, K::truncate, K::lock)},
      {"ENOSPC", ENOSPC, set_of(K::create, K::write, K::sync, K::close, K::rename, K::mkdir, K::link)},
      {"EACCES", EACCES,
-      set_of(K::open, K::create, K::rename, K::remove, K::mkdir, K::link, K::stat, K::lookup, K::spawn)},
-     {"EMFILE", EMFILE, set_of(K::open, K::create, K::spawn)}}};
+      set_of(K::open, K::create, K::rename, K::remove, K::mkdir, K::link, K::stat, K::lookup)},
+     {"EMFILE", EMFILE, set_of(K::open, K::create)},
+     {"EAGAIN", EAGAIN, set_of(K::spawn)}}};
 
 }  // namespace
 

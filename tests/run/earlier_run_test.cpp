@@ -82,6 +82,15 @@ TEST_CASE("where there is no earlier run nothing is done") {
     CHECK(folder.count_files() == 1);
 }
 
+TEST_CASE("a file that cannot be looked at is not taken for one that is not there") {
+    const RunFolder folder;
+    const auto before = folder.files();
+    const std::string too_long(300, 'x');
+    CHECK_THROWS_WITH(EarlierRun(folder.directory(), {too_long}),
+                      "cannot look at '" + (folder / too_long).string() + "': File name too long");
+    CHECK(folder.files() == before);
+}
+
 TEST_CASE("a kill in the middle of replacing a run leaves the old one or the new one") {
     const RunFolder folder;
     const auto before = folder.files();

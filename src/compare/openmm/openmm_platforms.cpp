@@ -26,7 +26,7 @@ std::string plugin_folder() {
 /// The regular files in it, sorted by name. OpenMM itself would open everything and block at pipes or files of /proc.
 std::vector<std::string> plugin_files() {
     std::vector<std::string> names;
-    if (files::is_directory(plugin_folder())) {
+    if (input_is_directory(plugin_folder())) {
         for (const std::filesystem::path& path : files::list(plugin_folder())) {
             if (why_unreadable(path).empty()) {
                 names.push_back(path.string());
@@ -79,7 +79,7 @@ OpenMM::Platform& openmm_platform(const std::string& name) {
         throw InputError(fmt::format(
             "OpenMM has no platform '{}'; loaded: {}\n  plug-ins were looked for in {}{}; the environment "
             "variable OPENMM_PLUGIN_DIR names another folder",
-            name, fmt::join(names, ", "), folder, files::is_directory(folder) ? "" : ", which is not there"));
+            name, fmt::join(names, ", "), folder, input_is_directory(folder) ? "" : ", which is not there"));
     }
     return OpenMM::Platform::getPlatformByName(name);
 }

@@ -90,10 +90,11 @@ bool reads_back(const OutputFile& file, const Parts& parts) {
 
 /// A file whose length is not the one in its header is not read: the claimed length may not fit into memory.
 std::string read_whole(const fs::path& path) {
-    if (!files::is_regular_file(path)) {  // opening a pipe could block
+    const std::optional<std::uintmax_t> found = files::size_of(path);
+    if (!found) {  // opening a pipe could block
         throw CheckpointError("it is not a file");
     }
-    const std::uintmax_t size = files::size_of(path).value_or(0);
+    const std::uintmax_t size = *found;
     if (size == 0) {  // so are files of /proc, which may block
         throw CheckpointError("it is empty");
     }

@@ -1,5 +1,6 @@
 #include "file_calls.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -22,6 +23,17 @@ int sync_descriptor(int descriptor) {
         }
     }
     return 0;
+}
+
+std::optional<struct stat> status_of(const OutputPlace& place) {
+    struct stat status {};
+    if (::fstatat(place.directory.descriptor(), place.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) {
+        return status;
+    }
+    if (errno != ENOENT) {
+        throw file_error("look at", place.path(), errno);
+    }
+    return std::nullopt;
 }
 
 bool is_same_file(const struct stat& a, const struct stat& b) {

@@ -3,8 +3,10 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/open_directory.hpp"
 
 namespace ljmd {
 
@@ -16,6 +18,10 @@ namespace ljmd {
 /// fsync, repeated when a signal interrupts it. Files that cannot be synchronised (pipes, devices, files of some
 /// network file systems) are no error. @return 0 or the error number
 [[nodiscard]] int sync_descriptor(int descriptor);
+
+/// The status of the file of this name, links not followed; nothing when there is none.
+/// @throws FileError when this cannot be determined
+[[nodiscard]] std::optional<struct stat> status_of(const OutputPlace& place);
 
 [[nodiscard]] bool is_same_file(const struct stat& a, const struct stat& b);
 

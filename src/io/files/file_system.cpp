@@ -63,13 +63,11 @@ fs::file_type type_of(const fs::path& path) {
 }
 
 bool is_directory(const fs::path& path) {
-    std::error_code error;
-    return fs::is_directory(path, error);
+    return type_at_end(path) == fs::file_type::directory;
 }
 
 bool is_regular_file(const fs::path& path) {
-    std::error_code error;
-    return fs::is_regular_file(path, error);
+    return type_at_end(path) == fs::file_type::regular;
 }
 
 std::optional<std::uintmax_t> size_of(const fs::path& path) {

@@ -112,10 +112,11 @@ OutputPlace::OutputPlace(OpenDirectory in, std::string called) : directory(std::
 
 bool OutputPlace::holds(int descriptor) const {
     struct stat held {};
-    struct stat there {};
-    return ::fstat(descriptor, &held) == 0 &&
-           ::fstatat(directory.descriptor(), name.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0 &&
-           is_same_file(held, there);
+    if (::fstat(descriptor, &held) != 0) {
+        throw file_error("look at", path(), errno);
+    }
+    const auto there = status_of(*this);
+    return there && is_same_file(held, *there);
 }
 
 }  // namespace ljmd

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "../../execution/signals_blocked.hpp"
+#include "file_calls.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/pipe.hpp"
 
@@ -27,8 +28,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Directories of PATH that cannot be looked into are passed over, as shells do. @throws FileError
 bool is_executable(const fs::path& path) {
-    return files::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
+    if (access(path.c_str(), X_OK) != 0) {
+        if (errno == EIO) {
+            throw file_error("look at", path, errno);
+        }
+        return false;
+    }
+    return files::is_regular_file(path);
 }
 
 /// Pointers to the texts, with the null pointer that exec expects at the end.

@@ -36,9 +36,8 @@ bool is_left_over(std::string_view name) {
 
 /// Files and links to files may be replaced; directories, pipes and devices may not. @throws FileError
 void require_replaceable(const OutputPlace& place) {
-    struct stat status {};
-    if (::fstatat(place.directory.descriptor(), place.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
-        !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) {
+    const auto status = status_of(place);
+    if (status && !S_ISREG(status->st_mode) && !S_ISLNK(status->st_mode)) {
         throw FileError(fmt::format("cannot write '{}': what is there is not a regular file", place.path().string()));
     }
 }

@@ -53,7 +53,8 @@ TEST_CASE("what is there is told, at the end of links or of the name itself") {
     CHECK(files::type_of(in.path / "link") == fs::file_type::symlink);
     CHECK(files::type_of(in.path / "folder") == fs::file_type::directory);
     CHECK(files::is_directory(in.path));
-    CHECK_FALSE(files::is_directory(in.path / "circle"));
+    CHECK_FALSE(files::is_directory(in.path / "link"));
+    CHECK_FALSE(files::is_directory(in.path / "broken"));
     CHECK(files::is_no_directory(in.path / "link"));
     CHECK_FALSE(files::is_no_directory(in.path));
     CHECK_FALSE(files::is_no_directory(in.path / "broken"));
@@ -81,6 +82,8 @@ TEST_CASE("what the file system does not answer is a file error with path and ca
     CHECK(file_error([&] { static_cast<void>(files::exists(circle)); }) == unseen);
     CHECK(file_error([&] { static_cast<void>(files::size_of(circle)); }) == unseen);
     CHECK(file_error([&] { static_cast<void>(files::is_no_directory(circle)); }) == unseen);
+    CHECK(file_error([&] { static_cast<void>(files::is_directory(circle)); }) == unseen);
+    CHECK(file_error([&] { static_cast<void>(files::is_regular_file(circle)); }) == unseen);
     CHECK(file_error([&] { static_cast<void>(files::are_same(circle, in.path)); }) == unseen);
     CHECK(file_error([&] { static_cast<void>(files::is_taken(below)); }) ==
           "cannot look at '" + below.string() + cause);

@@ -1,6 +1,8 @@
 #include "ljmd/io/files/input_file.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -33,6 +35,29 @@ TEST_CASE("only regular files are read, and links to them") {
     std::ifstream stream = open_input(folder.path() / "link");
     CHECK(std::getline(stream, line));
     CHECK(line == "some text");
+}
+
+TEST_CASE("an input that cannot be looked at is an error of the input") {
+    const ScratchDirectory folder;
+    const fs::path circle = folder.path() / "circle";
+    fs::create_symlink("circle", circle);
+    CHECK(input_is_directory(folder.path()));
+    CHECK_FALSE(input_is_directory(folder.path() / "none"));
+    CHECK(input_is_there(circle));
+    CHECK_FALSE(input_is_there(folder.path() / "none"));
+    const std::string cause = "': Too many levels of symbolic links";
+    CHECK(data_error([&] { static_cast<void>(input_is_directory(circle)); }) ==
+          "cannot look at '" + circle.string() + cause);
+    CHECK(data_error([&] { static_cast<void>(input_is_there(circle / "name")); }) ==
+          "cannot look at '" + (circle / "name").string() + cause);
+}
+
+TEST_CASE("a file that is open but has no name any more is read") {
+    WrittenFile file("some text\n");
+    const int descriptor = ::open(file.path().c_str(), O_RDONLY | O_CLOEXEC);
+    fs::remove(file.path());
+    CHECK(read_input("/dev/fd/" + std::to_string(descriptor)) == "some text\n");
+    ::close(descriptor);
 }
 
 TEST_CASE("files that the kernel makes up are not opened: some are waited for") {

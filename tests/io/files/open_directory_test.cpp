@@ -10,6 +10,12 @@ using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
 
+namespace {
+
+const std::string too_long(300, 'x');
+
+}  // namespace
+
 TEST_CASE("an open directory knows whether it is where it was") {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "out");
@@ -61,9 +67,11 @@ TEST_CASE("a place knows whether an open file lies there") {
     const int descriptor = ::open((folder / "a").c_str(), O_RDONLY | O_CLOEXEC);
     const OutputPlace place(folder / "a");
     CHECK(place.holds(descriptor));
+    CHECK_FALSE(OutputPlace(folder / "none").holds(descriptor));
+    CHECK_THROWS_WITH(OutputPlace(folder / too_long).holds(descriptor), Contains("File name too long"));
     std::filesystem::rename(folder / "a", folder / "b");
     std::filesystem::create_symlink(folder / "b", folder / "a");
     CHECK_FALSE(place.holds(descriptor));
     ::close(descriptor);
-    CHECK_FALSE(place.holds(descriptor));
+    CHECK_THROWS_WITH(place.holds(descriptor), Contains("cannot look at '" + (folder / "a").string() + "': Bad file"));
 }

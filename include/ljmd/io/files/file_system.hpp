@@ -27,10 +27,10 @@ namespace ljmd::files {
 /// @throws FileError when this cannot be determined
 [[nodiscard]] bool is_no_directory(const std::filesystem::path& path);
 
-/// True for a directory or a link to one. False also when this cannot be determined: opening it will report why.
+/// True for a directory or a link to one. @throws FileError when this cannot be determined
 [[nodiscard]] bool is_directory(const std::filesystem::path& path);
 
-/// True for a regular file or a link to one. False also when this cannot be determined: opening it will report why.
+/// True for a regular file or a link to one. @throws FileError when this cannot be determined
 [[nodiscard]] bool is_regular_file(const std::filesystem::path& path);
 
 /// Size of a regular file in bytes; nothing when it is missing or not regular. @throws FileError

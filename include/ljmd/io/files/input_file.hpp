@@ -16,6 +16,9 @@ namespace ljmd {
 /// Whether an input exists, even as a broken link. @throws DataError when this cannot be determined
 [[nodiscard]] bool input_is_there(const std::filesystem::path& path);
 
+/// Whether an input is a directory or a link to one. @throws DataError when this cannot be determined
+[[nodiscard]] bool input_is_directory(const std::filesystem::path& path);
+
 /// Open a file for reading.
 /// @return why it cannot be opened, worded as by why_unreadable(); empty on success
 [[nodiscard]] std::string open_input(const std::filesystem::path& path, std::ifstream& file);

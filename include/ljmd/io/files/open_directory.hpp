@@ -62,7 +62,7 @@ struct OutputPlace {
     /// The path, for messages and for libraries that only take paths.
     [[nodiscard]] std::filesystem::path path() const { return directory.path() / name; }
 
-    /// Whether this name belongs to the open file of this descriptor.
+    /// Whether this name belongs to the open file of this descriptor. @throws FileError when this cannot be determined
     [[nodiscard]] bool holds(int descriptor) const;
 
     OpenDirectory directory;

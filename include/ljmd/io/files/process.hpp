@@ -33,7 +33,7 @@ class ProcessesError : public Error {
 };
 
 /// Find a program as a shell does: a name with a slash is a path, any other is searched for in the directories of PATH.
-/// @return its absolute path; nothing when there is no such file or it is not executable
+/// @return its absolute path; nothing when there is no such file or it is not executable  @throws FileError
 [[nodiscard]] std::optional<std::filesystem::path> find_program(const std::string& name);
 
 /// A running child process. It starts with default signal handlers and no blocked signals; signals that this process
