@@ -80,12 +80,12 @@ std::string few_body_results_table(const Deck& deck, const FewBodyResult& result
     text += totals.text();
     for (const auto& [analysis, found] : result.findings) {
         Footnotes footnotes;
-        TextTable findings({{"", Align::left, 30}, {"", Align::right, 22}, {"", Align::left}}, 4);
+        TextTable findings({{"", Align::left, 30}, {"", Align::right, 22}, {"", Align::left}, {"", Align::left}}, 4);
         for (const Finding& finding : found) {
             const double deviation = finding.standard_error.value_or(std::nan(""));  // NaN for a single interval too
             findings.add(
                 {finding.name, std::isfinite(finding.value) ? fmt::format("{:.13g}", finding.value) : "no value",
-                 std::isfinite(deviation) ? fmt::format("+- {:.2g}", deviation) : footnotes.mark(finding.remark)});
+                 std::isfinite(deviation) ? fmt::format("+- {:.2g}", deviation) : "", footnotes.mark(finding.remark)});
         }
         text += fmt::format("\n  {}\n{}{}", analysis, findings.text(), footnotes.text());
     }
