@@ -53,13 +53,13 @@ Document results_report(const Deck& deck, const FewBodyResult& result) {
     for (const auto& [analysis, found] : result.findings) {
         Data& of_analysis = all_findings[analysis] = Data::object();
         Footnotes footnotes;
-        TextTable findings({{"", Align::left, 30}, {"", Align::right, 22}, {"", Align::left}}, 4);
+        TextTable findings({{"", Align::left, 30}, {"", Align::right, 22}, {"", Align::left}, {"", Align::left}}, 4);
         for (const Finding& finding : found) {
             of_analysis[finding.name] = finding_data(finding);
             const double deviation = finding.standard_error.value_or(std::nan(""));  // NaN for a single interval too
             findings.add(
                 {finding.name, std::isfinite(finding.value) ? fmt::format("{:.13g}", finding.value) : "no value",
-                 std::isfinite(deviation) ? fmt::format("+- {:.2g}", deviation) : footnotes.mark(finding.remark)});
+                 std::isfinite(deviation) ? fmt::format("+- {:.2g}", deviation) : "", footnotes.mark(finding.remark)});
         }
         text += fmt::format("\n  {}\n{}{}", analysis, findings.text(), footnotes.text());
     }

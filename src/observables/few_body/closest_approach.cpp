@@ -7,6 +7,18 @@
 
 namespace ljmd {
 
+std::string unresolved_encounter(const std::string& who, double time, double path) {
+    return fmt::format(
+        "{} at time {:.6g} within a step, in which they move by {:.2g} times their distance: the motion is wrong from "
+        "there on; take smaller steps, or the adaptive method prince-dormand",
+        who, time, path);
+}
+
+std::string unresolved_encounter(const Approach& approach) {
+    return unresolved_encounter(fmt::format("bodies {} and {} meet", approach.first, approach.second), approach.time,
+                                approach.path_in_step / approach.distance);
+}
+
 void ClosestApproach::add(const State& state) {
     const Index bodies = state.count();
     if (last_ && (!(state.time > last_->time) || last_->r.cols() != bodies)) {
@@ -52,8 +64,12 @@ void ClosestApproach::compare_within_step(const Sample& now, Index i, Index j) {
                                  last_->v.col(j) - last_->v.col(i),
                                  now.r.col(j) - now.r.col(i),
                                  now.v.col(j) - now.v.col(i)};
-    if (pair.x0.dot(pair.v0) < 0.0 && pair.x1.dot(pair.v1) > 0.0) {
-        const double s = root_in_step([&](double x) { return pair.value(x).dot(pair.rate(x)); });
+    constexpr double rounding = 1e-12;
+    const double before = pair.x0.dot(pair.v0);
+    const double smallest = rounding * pair.x0.norm() * pair.v0.norm();
+    if (before <= smallest && pair.x1.dot(pair.v1) > rounding * pair.x1.norm() * pair.v1.norm()) {
+        const double s =
+            before < -smallest ? root_in_step([&](double x) { return pair.value(x).dot(pair.rate(x)); }) : 0.0;
         const Approach found{pair.value(s).norm(), pair.time(s), i + 1, j + 1, pair.length * pair.rate(s).norm()};
         compare(found);
         if (!first_unresolved_ && !found.resolved()) {

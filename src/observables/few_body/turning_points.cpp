@@ -46,7 +46,9 @@ void TurningPoints::add(const Sample& now) {
     const SignChanges::Place place = changes_.next(sign);
     const Apsis kind = sign > 0 ? Apsis::pericentre : Apsis::apocentre;
     if (place == SignChanges::Place::at_last_sample) {
-        passages_.push_back({kind, last_->time, last_->r.norm(), last_->angle});
+        const double distance = last_->r.norm();
+        const double speed = std::hypot(last_->v.norm(), distance * last_->angle_rate.value_or(0.0));
+        passages_.push_back({kind, last_->time, distance, last_->angle, (now.time - last_->time) * speed});
     } else if (place == SignChanges::Place::within_step) {
         passages_.push_back(passage_within_step(kind, now));
     }
@@ -82,13 +84,16 @@ Passage TurningPoints::passage_within_step(Apsis kind, const Sample& now) const 
     const double s = root_in_step([&](double x) { return orbit.value(x).dot(orbit.rate(x)); });
     const Vec3 r = orbit.value(s);
     double angle = 0.0;
+    double speed = orbit.rate(s).norm();
     if (now.angle_rate && last_->angle_rate) {
-        angle = HermiteStep<double>{last_->time, length, last_->angle, *last_->angle_rate, now.angle, *now.angle_rate}
-                    .value(s);
+        const HermiteStep<double> turning{last_->time,        length,    last_->angle,
+                                          *last_->angle_rate, now.angle, *now.angle_rate};
+        angle = turning.value(s);
+        speed = std::hypot(speed, r.norm() * turning.rate(s));
     } else {
         angle = angle_of(r, last_->angle);
     }
-    return {kind, orbit.time(s), r.norm(), angle};
+    return {kind, orbit.time(s), r.norm(), angle, length * speed};
 }
 
 std::optional<IntervalMean> TurningPoints::mean_over_kinds(double Passage::*mark) const {

@@ -23,15 +23,9 @@ class Closest : public FewBodyAnalysis {
         }
         const auto& unresolved = approach_.first_unresolved();
         if (attracted_ && unresolved) {
-            const std::string remark = fmt::format(
-                "bodies {} and {} meet at time {:.6g} within a step, in which they move by {:.2g} times their "
-                "distance: "
-                "the motion is wrong from there on; take smaller steps, or the adaptive method prince-dormand",
-                unresolved->first, unresolved->second, unresolved->time,
-                unresolved->path_in_step / unresolved->distance);
             std::vector<Finding> found;
             for (const char* name : {"distance", "time", "first_body", "second_body"}) {
-                found.push_back({name, std::nan(""), std::nullopt, remark});
+                found.push_back({name, std::nan(""), std::nullopt, unresolved_encounter(*unresolved)});
             }
             return found;
         }

@@ -1,5 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ljmd/observables/few_body/closest_approach.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 #include "ljmd/observables/few_body/orbital_elements.hpp"
 #include "ljmd/observables/few_body/turning_points.hpp"
@@ -8,13 +13,40 @@ namespace ljmd {
 
 namespace {
 
+constexpr double resolved_path = 0.5;        // in a step, in units of the distance; as for closest_approach
+constexpr double resolved_path_alone = 1.0;  // farther the ellipse breaks; up to here it only turns and breathes
+constexpr double significance = 3.0;         // standard errors
+constexpr double interpolation = 1e-6;       // relative error of what lies within steps
+
+constexpr const char* step_error =
+    "alone, the two move on an ellipse that does not change: what differs from that of the start is the error of the "
+    "time step";
+
+/// Whether the path goes round a point that attracts without a limit.
+bool is_attracted(const FewBodyTarget& target, std::optional<Index> about) {
+    const auto mu = target.force.options->gravitational_parameter(1.0, about ? std::optional(1.0) : std::nullopt);
+    return target.force.plugin.has_polar_angle || (mu && *mu > 0.0);
+}
+
 class Orbit : public FewBodyAnalysis {
   public:
-    Orbit(Index body, std::optional<Index> about, std::shared_ptr<const FewBodyForceOptions> force)
-        : body_(body), about_(about), force_(std::move(force)) {}
+    Orbit(Index body, std::optional<Index> about, const FewBodyTarget& target)
+        : body_(body),
+          about_(about),
+          force_(target.force.options),
+          attracted_(is_attracted(target, about)),
+          alone_(target.bodies == 1 ||
+                 (about && target.bodies == 2 && !(force_->gravitational_parameter(1.0, std::nullopt) > 0.0))) {
+        if (attracted_ && !alone_) {
+            encounters_.emplace();
+        }
+    }
 
     void sample(const FewBodySample& now) override {
         const State& state = now.state;
+        if (encounters_) {
+            encounters_->add(state);
+        }
         const std::vector<Index> index_of = state.index_of();
         const Index i = index_of[static_cast<std::size_t>(body_)];
         Vec3 r = state.positions().col(i);
@@ -32,7 +64,7 @@ class Orbit : public FewBodyAnalysis {
         }
         points_.add(state.time, r, v);
         const auto mu = force_->gravitational_parameter(state.masses()[static_cast<std::size_t>(i)], other_mass);
-        // Bodies at one place, or out of the range of numbers, have no ellipse. Their next force ends the run.
+        // Bodies at the same place, or out of the range of numbers, have no ellipse. Their next force ends the run.
         if (mu && *mu > 0.0 && r.norm() > 0.0) {
             last_ = orbital_elements(r, v, *mu);
             first_ = first_ ? first_ : last_;
@@ -40,31 +72,51 @@ class Orbit : public FewBodyAnalysis {
     }
 
     [[nodiscard]] std::vector<Finding> findings() const override {
+        const std::optional<Unresolved> lost = first_unresolved();
         std::vector<Finding> found;
-        const auto add_mean = [&](const char* name, const std::optional<IntervalMean>& mean) {
-            if (mean) {
-                found.push_back({name, mean->mean, mean->standard_error});
+        const auto add_mean = [&](const char* name, const std::optional<IntervalMean>& mean, double of_ellipse,
+                                  double unit) {
+            if (lost) {
+                found.push_back({name, std::nan(""), std::nullopt, lost->remark});
+            } else if (mean) {
+                const double error = std::isfinite(mean->standard_error) ? mean->standard_error : 0.0;
+                const double least = std::max(significance * error, interpolation * unit);
+                found.push_back({name, mean->mean, mean->standard_error, remark_on(mean->mean - of_ellipse, least)});
             }
         };
-        add_mean("period", points_.period());
-        add_mean("precession", points_.precession());
+        const double period = first_ ? first_->period : std::nan("");
+        add_mean("period", points_.period(), period, period);
+        add_mean("precession", points_.precession(), 0.0, 1.0);
         for (const Apsis kind : {Apsis::pericentre, Apsis::apocentre}) {
-            for (const Passage& passage : points_.passages()) {
-                if (passage.kind == kind) {
-                    found.push_back({kind == Apsis::pericentre ? "first_pericentre" : "first_apocentre",
-                                     passage.distance, std::nullopt});
-                    break;
-                }
+            const auto& all = points_.passages();
+            const auto passage = std::ranges::find(all, kind, &Passage::kind);
+            if (passage == all.end()) {
+                continue;
+            }
+            const bool near = kind == Apsis::pericentre;
+            const char* name = near ? "first_pericentre" : "first_apocentre";
+            if (lost && passage->time >= lost->time) {
+                found.push_back({name, std::nan(""), std::nullopt, lost->remark});
+            } else {
+                const double exact = !first_ ? std::nan("") : near ? first_->pericentre : first_->apocentre;
+                found.push_back({name, passage->distance, std::nullopt,
+                                 remark_on(passage->distance - exact, interpolation * exact)});
             }
         }
-        add_elements(found, "_at_start", first_);
-        add_elements(found, "_at_end", last_);
+        if (first_) {
+            add_elements(found, "_at_start", *first_, {}, "");
+            add_elements(found, "_at_end", *last_, lost, remark_on(change_of_ellipse(), interpolation));
+        }
         return found;
     }
 
     [[nodiscard]] std::optional<DataTable> table() const override {
+        const std::optional<Unresolved> lost = first_unresolved();
         DataTable table{"orbit", {"apocentre", "time", "distance", "angle"}, {}};
         for (const Passage& passage : points_.passages()) {
+            if (lost && passage.time >= lost->time) {
+                break;
+            }
             table.rows.push_back(
                 {passage.kind == Apsis::apocentre ? 1.0 : 0.0, passage.time, passage.distance, passage.angle});
         }
@@ -74,24 +126,72 @@ class Orbit : public FewBodyAnalysis {
     void archive(Archive& a, const State& now) override {
         points_.archive(a, now.time);
         a(first_, last_);
+        if (encounters_) {
+            encounters_->archive(a, now);
+        }
     }
 
   private:
-    static void add_elements(std::vector<Finding>& found, const std::string& when,
-                             const std::optional<OrbitalElements>& elements) {
-        if (elements) {
-            found.push_back({"specific_energy" + when, elements->specific_energy, std::nullopt});
-            found.push_back({"specific_angular_momentum" + when, elements->angular_momentum.norm(), std::nullopt});
-            found.push_back({"semi_major_axis" + when, elements->semi_major_axis, std::nullopt});
-            found.push_back({"eccentricity" + when, elements->eccentricity, std::nullopt});
-            found.push_back({"kepler_period" + when, elements->period, std::nullopt});
-            found.push_back({"argument_of_pericentre" + when, elements->argument_of_pericentre, std::nullopt});
+    /// An encounter that steps do not resolve, from which on the motion is wrong.
+    struct Unresolved {
+        double time;
+        std::string remark;
+    };
+
+    [[nodiscard]] std::optional<Unresolved> first_unresolved() const {
+        std::optional<Unresolved> first;
+        if (encounters_ && encounters_->first_unresolved()) {
+            const Approach& approach = *encounters_->first_unresolved();
+            first = {approach.time, unresolved_encounter(approach)};
+        }
+        const double limit = alone_ ? resolved_path_alone : resolved_path;
+        for (const Passage& passage : points_.passages()) {
+            if (first && first->time <= passage.time) {
+                break;
+            }
+            if (attracted_ && passage.kind == Apsis::pericentre && passage.path_in_step > limit * passage.distance) {
+                const std::string who = about_ ? fmt::format("bodies {} and {} meet", *about_ + 1, body_ + 1)
+                                               : fmt::format("body {} and the centre meet", body_ + 1);
+                return Unresolved{passage.time,
+                                  unresolved_encounter(who, passage.time, passage.path_in_step / passage.distance)};
+            }
+        }
+        return first;
+    }
+
+    /// @param difference  from what the ellipse of the start has; NaN if that is not known
+    [[nodiscard]] std::string remark_on(double difference, double least) const {
+        return attracted_ && alone_ && std::abs(difference) > least ? step_error : "";
+    }
+
+    /// Of energy and direction from start to end, relative.
+    [[nodiscard]] double change_of_ellipse() const {
+        const double energy = last_->specific_energy / first_->specific_energy - 1.0;
+        const double turned =
+            std::remainder(last_->argument_of_pericentre - first_->argument_of_pericentre, 2.0 * std::numbers::pi);
+        return std::max(std::abs(energy), first_->eccentricity * std::abs(turned));
+    }
+
+    static void add_elements(std::vector<Finding>& found, const std::string& when, const OrbitalElements& elements,
+                             const std::optional<Unresolved>& lost, const std::string& remark) {
+        const std::vector<std::pair<const char*, double>> values{
+            {"specific_energy", elements.specific_energy},
+            {"specific_angular_momentum", elements.angular_momentum.norm()},
+            {"semi_major_axis", elements.semi_major_axis},
+            {"eccentricity", elements.eccentricity},
+            {"kepler_period", elements.period},
+            {"argument_of_pericentre", elements.argument_of_pericentre}};
+        for (const auto& [name, value] : values) {
+            found.push_back({name + when, lost ? std::nan("") : value, std::nullopt, lost ? lost->remark : remark});
         }
     }
 
     Index body_;
     std::optional<Index> about_;
     std::shared_ptr<const FewBodyForceOptions> force_;
+    bool attracted_;                             ///< towards a point, without a limit: encounters must be resolved
+    bool alone_;                                 ///< nothing else attracts the two, or the body and the centre
+    std::optional<ClosestApproach> encounters_;  ///< of all bodies, unless alone_
     TurningPoints points_;
     std::optional<OrbitalElements> first_;
     std::optional<OrbitalElements> last_;
@@ -137,8 +237,7 @@ struct Options : FewBodyAnalysisOptions {
         return misfits;
     }
     [[nodiscard]] std::unique_ptr<FewBodyAnalysis> make(const FewBodyTarget& target) const override {
-        return std::make_unique<Orbit>(body - 1, about ? std::optional(*about - 1) : std::nullopt,
-                                       target.force.options);
+        return std::make_unique<Orbit>(body - 1, about ? std::optional(*about - 1) : std::nullopt, target);
     }
 };
 

@@ -110,6 +110,23 @@ TEST_CASE("An encounter is resolved when bodies move by less than half of their 
     CHECK(unresolved->path_in_step == Approx(0.501).epsilon(1e-14));
 }
 
+TEST_CASE("An encounter that a motion begins with must be resolved, too") {
+    const auto beginning = [](double step) {
+        Eigen::Matrix3Xd r = Eigen::Matrix3Xd::Zero(3, 2);
+        Eigen::Matrix3Xd v = Eigen::Matrix3Xd::Zero(3, 2);
+        r.col(1) = Vec3(0.6, 0.8, 0.0);
+        v.col(1) = Vec3(-0.8, 0.6, 0.0);
+        ClosestApproach approach;
+        approach.add(bodies(1.0, r, v));
+        approach.add(bodies(1.0 + step, r + step * v, v));
+        return approach.first_unresolved();
+    };
+    CHECK_FALSE(beginning(0.499));
+    REQUIRE(beginning(0.501));
+    CHECK(beginning(0.501)->time == 1.0);
+    CHECK(beginning(0.501)->path_in_step == Approx(0.501));
+}
+
 TEST_CASE("A sample that is nearer than any minimum counts") {
     Eigen::Matrix3Xd r(3, 2);
     Eigen::Matrix3Xd v = Eigen::Matrix3Xd::Zero(3, 2);

@@ -73,6 +73,7 @@ TEST_CASE("Apsides of an exact ellipse lie where Kepler puts them") {
     CHECK(first.time == 0.0);
     CHECK(first.distance == Approx(1.0).epsilon(1e-15));
     CHECK(first.angle == 0.0);
+    CHECK(first.path_in_step == Approx(0.012).epsilon(1e-14));  // speed 1.2
 
     const Errors near = errors_of(points, ellipse, Apsis::pericentre);
     const Errors far = errors_of(points, ellipse, Apsis::apocentre);
@@ -233,6 +234,8 @@ TEST_CASE("A radial motion has its turning points, with the angle that the calle
         REQUIRE(points.passages().size() == 11);
         CHECK(points.passages()[0].kind == Apsis::pericentre);
         CHECK(points.passages()[0].time == 0.0);
+        CHECK(points.passages()[0].path_in_step == Approx(1.001 * 0.012).epsilon(1e-12));
+        CHECK(points.passages()[2].path_in_step == Approx(1.001 * 0.012).epsilon(1e-6));
         CHECK(points.passages()[1].distance == Approx(2.562277580071175).margin(1e-10));
         CHECK(points.passages()[1].angle == Approx(sense * 1.001 * 0.5 * turn).margin(1e-8));
         CHECK(points.period()->mean == Approx(ellipse.period()).margin(1e-9));

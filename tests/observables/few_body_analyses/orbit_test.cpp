@@ -40,6 +40,37 @@ class StarAndComet {
     State state_;
 };
 
+std::string remark(const FewBodyAnalysis& analysis, const std::string& name) {
+    for (const Finding& finding : analysis.findings()) {
+        if (finding.name == name) {
+            return finding.remark;
+        }
+    }
+    FAIL(name << " is not found");
+    return "";
+}
+
+/// The orbit of a body in a field of mu = 1 by leapfrog, over three periods.
+/// @param start  distance at the start, an apsis of an ellipse with semi-major axis 1
+std::unique_ptr<FewBodyAnalysis> orbit_by_leapfrog(const test::MadeTarget& field, double start, int steps_per_period) {
+    auto orbit = test::made_few_body_analysis("orbit", {{"body", 1}}, field.target);
+    const double step = 2.0 * pi / steps_per_period;
+    kepler::Leapfrog body({Vec3(start, 0.0, 0.0), Vec3(0.0, std::sqrt(2.0 / start - 1.0), 0.0)}, 1.0, step);
+    State state = test::bodies_at({Vec3::Zero()}, {1.0});
+    for (int n = 0; n <= 3 * steps_per_period; ++n) {
+        state.time = n * step;
+        state.write_positions().col(0) = body.now().r;
+        state.write_velocities().col(0) = body.now().v;
+        orbit->sample({state, std::nullopt});
+        body.step();
+    }
+    return orbit;
+}
+
+const std::vector<std::string> elements{"specific_energy", "specific_angular_momentum",
+                                        "semi_major_axis", "eccentricity",
+                                        "kepler_period",   "argument_of_pericentre"};
+
 }  // namespace
 
 TEST_CASE("an orbit about another body has its elements, apsides and period, wherever bodies lie in memory") {
@@ -134,6 +165,64 @@ TEST_CASE("a radial orbit has the angle that it is given") {
     CHECK(test::finding(*orbit, "first_pericentre") == Approx(1.0).epsilon(1e-12));
     CHECK(test::finding(*orbit, "first_apocentre") == Approx(3.0).epsilon(1e-6));
     CHECK_FALSE(test::has_finding(*orbit, "eccentricity_at_end"));
+}
+
+TEST_CASE("an orbit has no values from an encounter on that steps do not resolve, but a remark") {
+    const test::MadeTarget field(1, 2, "newtonian-gravity", {{"gravitational_constant", 1.0}, {"central_mass", 1.0}});
+    const auto from_afar = orbit_by_leapfrog(field, 1.9, 100);
+    for (const std::string name : {"period", "precession", "first_pericentre"}) {
+        CHECK(test::has_finding(*from_afar, name));
+        CHECK(std::isnan(test::finding(*from_afar, name)));
+        CHECK_THAT(remark(*from_afar, name),
+                   Catch::Contains("body 1 and the centre meet at time 3.1") && Catch::Contains("take smaller steps"));
+    }
+    CHECK(test::finding(*from_afar, "first_apocentre") == 1.9);
+    CHECK(from_afar->table()->rows.size() == 1);  // the apocentre at the start
+    const auto from_near = orbit_by_leapfrog(field, 0.1, 100);
+    CHECK(test::has_finding(*from_near, "first_pericentre"));
+    CHECK_THAT(remark(*from_near, "first_pericentre"), Catch::Contains("at time 0 within a step"));
+    CHECK(from_near->table()->rows.empty());
+    for (const auto& orbit : {from_afar.get(), from_near.get()}) {
+        for (const std::string& name : elements) {
+            CHECK(std::isfinite(test::finding(*orbit, name + "_at_start")));
+            CHECK(remark(*orbit, name + "_at_start").empty());
+            CHECK(std::isnan(test::finding(*orbit, name + "_at_end")));
+            CHECK_FALSE(remark(*orbit, name + "_at_end").empty());
+        }
+    }
+}
+
+TEST_CASE("an orbit of two that are alone says what the time step has changed") {
+    const test::MadeTarget field(1, 2, "newtonian-gravity", {{"gravitational_constant", 1.0}, {"central_mass", 1.0}});
+    const auto orbit = orbit_by_leapfrog(field, 0.1, 1000);
+    CHECK(test::finding(*orbit, "period") > 1.1 * test::finding(*orbit, "kepler_period_at_start"));
+    for (const std::string name : {"period", "precession", "first_apocentre", "semi_major_axis_at_end"}) {
+        CHECK(std::isfinite(test::finding(*orbit, name)));
+        CHECK_THAT(remark(*orbit, name), Catch::Contains("the error of the time step"));
+    }
+    CHECK(remark(*orbit, "first_pericentre").empty());
+    CHECK(test::finding(*orbit, "first_pericentre") == 0.1);
+}
+
+TEST_CASE("an orbit has no values after an encounter of others that steps do not resolve") {
+    const test::MadeTarget gravity(3, 3, "newtonian-gravity", {{"gravitational_constant", 1.0}});
+    const auto orbit = test::made_few_body_analysis("orbit", {{"body", 2}, {"about", 1}}, gravity.target);
+    const kepler::Ellipse ellipse = kepler::sample_ellipse();
+    State state = test::bodies_at({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, {1.0, 0.001, 0.001});
+    for (int n = 0; n <= 400; ++n) {  // the third passes the first, at a distance of 0.01 when t = 20.05
+        state.time = 0.1 * n;
+        const kepler::Point comet = ellipse.at(state.time);
+        state.write_positions().col(1) = comet.r;
+        state.write_velocities().col(1) = comet.v;
+        state.write_positions().col(2) = Vec3(state.time - 20.05, 0.01, 0.0);
+        state.write_velocities().col(2) = Vec3(1.0, 0.0, 0.0);
+        orbit->sample({state, std::nullopt});
+    }
+    CHECK_THAT(remark(*orbit, "period"), Catch::Contains("bodies 1 and 3 meet at time 20.05"));
+    CHECK(std::isnan(test::finding(*orbit, "period")));
+    CHECK(std::isnan(test::finding(*orbit, "eccentricity_at_end")));
+    CHECK(test::finding(*orbit, "first_apocentre") == Approx(ellipse.a * (1.0 + ellipse.e)).epsilon(1e-6));
+    CHECK(orbit->table()->rows.size() == 3);  // at 0, 7.46, 14.9
 }
 
 TEST_CASE("bodies at one place, or nowhere, have no elements then") {

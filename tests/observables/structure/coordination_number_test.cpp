@@ -79,23 +79,26 @@ std::vector<std::vector<Index>> configurations(const Density& density, int count
     return all;
 }
 
-/// The same where a pair that one cell lacks is in the next one: the number within r hardly fluctuates, as that in a
-/// liquid, which cannot be compressed.
+/// Configurations in which atoms move to and fro on both sides of the minimum: that moves the minimum, whereas the
+/// number within its mean place stays the same to one pair, as in a liquid, which cannot be compressed.
 std::vector<std::vector<Index>> stiff_configurations(const Density& density, int count, unsigned seed) {
+    constexpr double reach = 0.4;
+    constexpr double pairs = 20.0;  // that move
     std::mt19937_64 generator(seed);
-    std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform;
-    std::vector<std::vector<Index>> all(static_cast<std::size_t>(count), std::vector<Index>(cells));
+    const double minimum = place_of_minimum();
+    std::vector<std::vector<Index>> all(static_cast<std::size_t>(count));
     for (auto& counts : all) {
-        double moved = 0.0;  // from the cell before
+        const double moved = pairs * (2.0 * uniform(generator) - 1.0);
+        double mean = uniform(generator);
+        Index before = 0;
         for (Index k = 0; k < cells; ++k) {
-            const double mean = mean_count(density, k);
-            const double next = k + 1 < cells ? mean_count(density, k + 1) : 0.0;
-            const double onwards = std::clamp(std::round(normal(generator) * std::sqrt(mean)), -std::floor(0.5 * next),
-                                              std::floor(0.5 * mean));
-            const double number = std::floor(mean + uniform(generator));
-            counts[static_cast<std::size_t>(k)] = static_cast<Index>(number + moved - onwards);
-            moved = onwards;
+            mean += mean_count(density, k);
+            const double x = radius / static_cast<double>(cells) * static_cast<double>(k + 1) - minimum;
+            const double shift = std::abs(x) < reach ? 1.0 - std::cos(2.0 * std::numbers::pi * x / reach) : 0.0;
+            const auto within = std::max(static_cast<Index>(mean + moved * shift), before);
+            counts.push_back(within - before);
+            before = within;
         }
     }
     return all;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "ljmd/core/archive.hpp"
 #include "ljmd/model/state.hpp"
@@ -23,10 +24,19 @@ struct Approach {
     void archive(Archive& a) { a(distance, time, first, second, path_in_step); }
 };
 
+/// Why numbers have no value after an encounter that steps do not resolve.
+/// @param who  as in "bodies 1 and 2 meet"
+/// @param path  in the step, in units of the distance
+[[nodiscard]] std::string unresolved_encounter(const std::string& who, double time, double path);
+
+/// The same for two bodies.
+[[nodiscard]] std::string unresolved_encounter(const Approach& approach);
+
 /// Smallest distance between any two bodies of a system without a box, sampled at every step of the integrator.
 ///
 /// It is the minimum over all samples and over the minima within steps. Where r . v of a pair turns from negative to
 /// positive, r is interpolated by the cubic Hermite polynomial through both samples. Exact to O(h^4) for exact samples.
+/// A sample with |r . v| <= 1e-12 |r||v| is itself such a minimum: many motions begin at one.
 class ClosestApproach {
   public:
     /// Add the next sample, at state.time.

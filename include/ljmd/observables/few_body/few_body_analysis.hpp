@@ -27,7 +27,7 @@ struct Finding {
     std::string name;
     double value;                          ///< NaN if it has none
     std::optional<double> standard_error;  ///< for means over orbits or swings
-    std::string remark = {};               ///< why there is no value
+    std::string remark = {};               ///< why there is no value, or what must be known of it
 };
 
 /// A measurement on a few bodies, at every step of the sampled stages and at those that an adaptive integrator takes

@@ -17,9 +17,10 @@ struct Passage {
     Apsis kind;
     double time;
     double distance;
-    double angle;  ///< continuous, see TurningPoints; NaN if the motion began on a line
+    double angle;         ///< continuous, see TurningPoints; NaN if the motion began on a line
+    double path_in_step;  ///< speed times length of the step, as in Approach
 
-    void archive(Archive& a) { a(kind, time, distance, angle); }
+    void archive(Archive& a) { a(kind, time, distance, angle, path_in_step); }
 };
 
 /// Apsides of an orbit (turning points of a radial motion) from samples of relative position r and velocity v.
