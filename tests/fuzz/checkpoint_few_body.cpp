@@ -1,4 +1,5 @@
 #include "fuzzed_decks.hpp"
+#include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/run.hpp"
 #include "resumed_run.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "fuzzed_decks.hpp"
 #include "ljmd/deck/deck_execution.hpp"
+#include "ljmd/deck/few_body.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/run/run.hpp"

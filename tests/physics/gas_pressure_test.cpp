@@ -8,6 +8,7 @@
 #include "core/same_bits.hpp"
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/engine/time_loop.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
