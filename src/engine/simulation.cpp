@@ -56,7 +56,8 @@ struct Simulation::Parts {
         }
         fluid = empty_fluid(spec, fluid.state.count(), Box(edges), fluid.state.execution());
         rows.all.clear();
-        measurement.emplace(spec, fluid, rows, measurement->observers());
+        const std::vector<Observer*> observers = measurement->observers();
+        measurement.emplace(spec, fluid, rows, observers);
         if (position) {
             measurement->resume_at(*position);
         }

@@ -72,7 +72,7 @@ TEST_CASE("analyses that do not fit into the box that a barostat has made end th
     spec.stages[0].thermostat = thermostat("stochastic-rescaling");
     spec.stages[0].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 50.0}});
     spec.stages[0].steps = 200;
-    spec.analyses = {analysis("rdf", {{"max_radius", half_edge}})};
+    spec.analyses = {analysis("rdf", {{"radius", half_edge}})};
     REQUIRE(mistakes(spec).empty());
     FluidSystem fluid = make_fluid(spec, Execution(), [](const std::string&) {});
     Noted outputs;

@@ -40,7 +40,8 @@ TEST_CASE("an edge that is twice the cutoff but for rounding counts as twice the
     FluidSpec spec = small_spec();
     const double edge = 4.0 * (1.0 - 1e-15);
     spec.start = Configuration{.edges = Vec3::Constant(edge), .positions = {Vec3::Zero()}};
-    CHECK(box_of(spec).edges() == Vec3::Constant(4.0));
+    CHECK(box_of(spec).shortest_edge() >= 4.0);
+    CHECK(mistakes(spec).empty());
 }
 
 TEST_CASE("each mistake of a specification is one sentence that says where it is") {
@@ -81,7 +82,7 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
                }),
                Contains("analysis rdf: it is there twice"));
     CHECK_THAT(complaint([](FluidSpec& s) {
-                   s.analyses = {analysis("rdf", {{"max_radius", 100.0}})};
+                   s.analyses = {analysis("rdf", {{"radius", 100.0}})};
                }),
                Contains("analysis rdf: "));
     CHECK_THAT(complaint([](FluidSpec& s) {
