@@ -227,6 +227,7 @@ void FluidMeasurement::step_done(const Stage& stage, const Evaluation& evaluatio
 
 void FluidMeasurement::stage_ends(const Stage& /*stage*/) {
     complete(stages_.back());
+    watch_.reset();
 }
 
 void FluidMeasurement::complete(StageResult& stage) const {

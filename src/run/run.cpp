@@ -27,7 +27,7 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
     const FluidSpec spec = fluid_spec(deck);
     DirectoryOutputs outputs(deck, listener, control);
     FluidMeasurement measurement(spec, fluid, outputs);
-    const auto from = outputs.open(measurement, fluid);
+    const auto from = outputs.begin(measurement, fluid);
     const LoopPosition end = saving_failure(deck, fluid.state, [&] {
         return run_stages(spec.stages, fluid.state, fluid.force_field, measurement, from, spec.interaction());
     });
@@ -45,7 +45,7 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
 FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control) {
     DirectoryOutputs outputs(deck, listener, control);
     FewBodyMeasurement measurement(deck.stages, deck.thermo_every, system, outputs);
-    const auto from = outputs.open(measurement, system);
+    const auto from = outputs.begin(measurement, system);
     const LoopPosition end = saving_failure(deck, system.state, [&] {
         const LoopPosition last = run_stages(deck.stages, system.state, *system.force_field, measurement, from);
         measurement.record_end();

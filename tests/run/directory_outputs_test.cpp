@@ -23,7 +23,7 @@ struct Idle : RunMeasurement {
 
 }  // namespace
 
-TEST_CASE("files are there once the outputs are opened, and not before") {
+TEST_CASE("files are there once the run begins, and not before") {
     const DeckFolder folder;
     const Deck deck = folder.load();
     prepare_directory(deck.directory);
@@ -33,7 +33,7 @@ TEST_CASE("files are there once the outputs are opened, and not before") {
     DirectoryOutputs outputs(deck, listener, control);
     CHECK(std::filesystem::is_empty(deck.directory));
     Idle measurement;
-    CHECK_FALSE(outputs.open(measurement, fluid));
+    CHECK_FALSE(outputs.begin(measurement, fluid));
     CHECK(std::filesystem::exists(deck.directory / "run.json"));
 
     outputs.stage_begins(deck.stages[1]);
@@ -41,6 +41,6 @@ TEST_CASE("files are there once the outputs are opened, and not before") {
     CHECK(listener.stages == std::vector<std::string>{"production"});
     CHECK(listener.steps == std::vector<Index>{3});
     CHECK(outputs.checkpoint_is_due(3, true));
-    outputs.checkpoint(fluid.state, {}, [](Archive& a) { a.mark("mine"); });
+    outputs.checkpoint(fluid.state, {}, [&fluid](Archive& a) { a(fluid.state); });
     CHECK(find_resume_point(deck));
 }

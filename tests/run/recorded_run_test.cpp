@@ -71,7 +71,7 @@ TEST_CASE("the last configuration of a run is its state, unwrapped, to the last 
 TEST_CASE("a run that was forced is taken as it is") {
     const DeckFolder folder;
     const auto [directory, state] = run_in(folder);
-    change_record(directory, "settings", {"stage.production.time_step=0.03"});
+    change_record(directory, "settings", Data::list({"stage.production.time_step=0.03"}));
     CHECK(deck_of(directory).stages.at(1).time_step == 0.03);
 }
 

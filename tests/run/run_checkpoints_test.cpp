@@ -75,7 +75,9 @@ Index check_every_step(const std::string& text, const std::vector<std::string>& 
         }
     }
     CHECK(wrong == 0);
-    return parse_json(content_of(whole.directory / "results.json")).at("neighbor_list_rebuilds").integer();
+    const Data results = parse_json(content_of(whole.directory / "results.json"));
+    const Data* rebuilds = results.find("neighbor_list_rebuilds");  // of fluids
+    return rebuilds != nullptr ? rebuilds->integer() : 0;
 }
 
 const std::string with_files = small_deck + R"(

@@ -19,7 +19,7 @@ class DirectoryOutputs : public RunOutputs {
     /// @param system  a FluidSystem or FewBodySystem, which the measurement measures
     /// @return the position to resume the time loop from  @throws CheckpointError, FileError
     template <class System>
-    [[nodiscard]] std::optional<LoopPosition> open(RunMeasurement& measurement, System& system) {
+    [[nodiscard]] std::optional<LoopPosition> begin(RunMeasurement& measurement, System& system) {
         const std::optional<ResumedOutputs> resumed = restore(measurement, system.state);
         files_.emplace(deck_, system, resumed);
         return from_;
