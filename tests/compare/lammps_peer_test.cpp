@@ -9,6 +9,7 @@
 #include "io/output_fixtures.hpp"
 #include "ljmd/compare/lammps.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/thread_team.hpp"
 #include "ljmd/potentials/tail_correction.hpp"
 
 using namespace ljmd;
