@@ -36,7 +36,8 @@ Index steps_between(const Table& table, const AnalysisMethod& method) {
     if (const Entry* every = find(table, "every")) {
         return std::get<std::int64_t>(every->value.data);
     }
-    const auto key = std::ranges::find(method.keys, "every", &Key::name);
+    const std::vector<Key> keys = keys_of(method);
+    const auto key = std::ranges::find(keys, "every", &Key::name);
     return std::get<std::int64_t>(*key->default_value);
 }
 
@@ -169,14 +170,14 @@ std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& n
         if (const std::string reason = obstacle(method, run, trajectory, selection); !reason.empty()) {
             throw InputError(fmt::format("{} {}", name, reason));
         }
-        schema = schema.with({Key::table(name, Schema(name, method.keys))});
+        schema = schema.with({Key::table(name, Schema(name, keys_of(method)))});
     }
     const Table table = with_settings(tables_of(methods, deck, selection.steps_apart), settings, names);
     Diagnostics diagnostics;
     const Section sections = validate(table, {}, schema, deck != nullptr ? deck->units : std::nullopt, diagnostics);
     for (const AnalysisMethod& method : methods) {
         const Section& section = sections.section(method.name);
-        for (const auto& [key, message] : method.check(section, run)) {
+        for (const auto& [key, message] : choose(method, section).options->check(run)) {
             if (section.sound(key)) {
                 diagnostics.error(section.location(key), message);
             }
@@ -186,7 +187,7 @@ std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& n
     std::vector<FrameAnalysis> analyses;
     analyses.reserve(methods.size());
     for (const AnalysisMethod& method : methods) {
-        analyses.push_back({method, method.make(sections.section(method.name), run)});
+        analyses.push_back({method, choose(method, sections.section(method.name)).options->make(run)});
     }
     return analyses;
 }

@@ -41,7 +41,7 @@ class Comparer : private StepObserver {
         : deck_(deck),
           listener_(listener),
           system_(make_few_body_system(deck)),
-          forces_(system_.force.make(deck.force())),
+          forces_(system_.force.options->make()),
           reference_(system_.state, *forces_, tolerance),
           coarser_(system_.state, *forces_, coarser_tolerance),
           every_(std::max<Index>(1, (deck.total_steps() + most_rows - 1) / most_rows)) {}

@@ -107,8 +107,9 @@ std::vector<Index> steps_of_trajectory(const CrosscheckOptions& options, Index a
 }
 
 EnsembleOptions ensemble_options(const Deck& deck, const Stage& stage, const Box& box) {
-    const bool paired = stage.integrator == "leapfrog" || stage.integrator == "velocity-verlet";
-    EnsembleOptions options{.integrator = paired ? stage.integrator : "velocity-verlet",
+    const std::string& name = stage.integrator.plugin.name;
+    const bool paired = name == "leapfrog" || name == "velocity-verlet";
+    EnsembleOptions options{.integrator = paired ? name : "velocity-verlet",
                             .time_step = stage.time_step,
                             .steps = stage.steps,
                             .every = deck.thermo_every,
@@ -192,9 +193,9 @@ Crosscheck crosscheck(const Deck& deck, Simulation& simulation, const Crosscheck
                       const std::function<void(const std::string&)>& say) {
     const std::size_t compared = compared_stage(deck);
     const Stage& stage = deck.stages[compared];
-    if (stage.section.has("thermostat")) {
+    if (stage.thermostat) {
         say(fmt::format("stage '{}' is compared at constant energy: its {} out", stage.name,
-                        stage.section.has("barostat") ? "thermostat and its barostat are left" : "thermostat is left"));
+                        stage.barostat ? "thermostat and its barostat are left" : "thermostat is left"));
     }
     const auto fluid_now = [&] {
         return fluid_of(simulation.state, simulation.force_field.potential(), wants_tail(deck));

@@ -11,6 +11,7 @@
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
@@ -31,7 +32,7 @@ struct Export {
 
     [[nodiscard]] Fluid fluid() const {
         const Section& potential = deck.potential();
-        return fluid_of(state, PairPotential::from(potential), potential.has("tail") && potential.flag("tail"));
+        return fluid_of(state, pair_potential_of(potential), potential.has("tail") && potential.flag("tail"));
     }
     [[nodiscard]] std::string in_directory() const { return fmt::format("cd '{}'", directory.string()); }
 };
@@ -51,16 +52,19 @@ std::vector<std::string> left_out(const Deck& deck, bool to_come) {
         words.push_back(fmt::format("left out: stage{} '{}'; the motion exported is that of '{}'",
                                     others.size() == 1 ? "" : "s", fmt::join(others, "', '"), exported.name));
     }
-    for (const char* held : {"thermostat", "barostat"}) {
-        if (exported.section.has(held)) {
-            words.push_back(fmt::format("the {} '{}' of stage '{}' is left out: the exported motion is at constant {}",
-                                        held, exported.section.section(held).text("type"), exported.name,
-                                        std::string_view(held) == "barostat" ? "volume" : "energy"));
-        }
+    if (exported.thermostat) {
+        words.push_back(
+            fmt::format("the thermostat '{}' of stage '{}' is left out: the exported motion is at constant energy",
+                        exported.thermostat->plugin.name, exported.name));
     }
-    if (exported.integrator != "velocity-verlet") {
+    if (exported.barostat) {
+        words.push_back(
+            fmt::format("the barostat '{}' of stage '{}' is left out: the exported motion is at constant volume",
+                        exported.barostat->plugin.name, exported.name));
+    }
+    if (const std::string& name = exported.integrator.plugin.name; name != "velocity-verlet") {
         words.push_back(fmt::format("stage '{}' moves the atoms by '{}', the exported motion is velocity Verlet's",
-                                    exported.name, exported.integrator));
+                                    exported.name, name));
     }
     if (exported.reverse) {
         words.push_back(

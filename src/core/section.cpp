@@ -153,6 +153,14 @@ const std::vector<double>& Section::vector(const std::string& key) const {
     return std::get<std::vector<double>>(*item(key, Kind::vector).value);
 }
 
+const PlainValue& Section::plain(const std::string& key) const {
+    const auto found = items_.find(key);
+    if (found == items_.end() || !found->second.value) {
+        throw ContractViolation("Section " + title_ + " has no value of key '" + key + "'");
+    }
+    return *found->second.value;
+}
+
 const Section& Section::section(const std::string& key) const {
     return item(key, Kind::table).sections.front();
 }
@@ -208,6 +216,14 @@ Section validate(const Table& table, const Location& where, const Schema& genera
         section.items_.emplace(key.name, std::move(item));
     }
     return section;
+}
+
+void take(Description& description, const Section& section) {
+    for (const Key& key : description.keys()) {
+        if (section.has(key.name) && section.sound(key.name)) {
+            description.take(key.name, section.plain(key.name));
+        }
+    }
 }
 
 }  // namespace ljmd

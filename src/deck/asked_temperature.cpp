@@ -7,6 +7,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/at_temperature.hpp"
+#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/simulation.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
@@ -26,8 +27,7 @@ bool is_off(double asked, const Estimate& found) {
 }
 
 bool is_held(const Deck& deck) {
-    return std::ranges::any_of(deck.stages,
-                               [](const Stage& stage) { return stage.sample && stage.section.has("thermostat"); });
+    return std::ranges::any_of(deck.stages, [](const Stage& stage) { return stage.sample && stage.thermostat; });
 }
 
 std::string in_words(double temperature, const Deck& deck) {
@@ -56,7 +56,7 @@ std::optional<double> asked_temperature(const Deck& deck) {
         if (stage.steps == 0) {
             continue;
         }
-        if (stage.section.has("thermostat")) {
+        if (stage.thermostat) {
             latest = stage.temperature;
         }
         if (stage.sample) {
@@ -81,7 +81,7 @@ std::string temperature_remark(const Deck& deck, const std::optional<Estimate>& 
 }
 
 std::optional<EquationOfState> equation_of_fluid(const Deck& deck) {
-    const PairPotential potential = PairPotential::from(deck.potential());
+    const PairPotential potential = pair_potential_of(deck.potential());
     const double radius = potential.cutoff().radius;
     if (potential.formula() != "lennard-jones") {
         return std::nullopt;

@@ -79,15 +79,23 @@ void explain_mixture(const Table& table, Diagnostics& diagnostics) {
 Stage to_stage(const Section& section, const Section& root) {
     const double temperature = stage_temperature(section, root).value_or(0.0);
     const Index seed = root.has("system") ? root.section("system").integer("seed") : 0;
-    return {section.text("name"),
-            section.text("integrator"),
-            section.number("time_step"),
-            section.integer("steps"),
-            temperature,
-            section.flag("sample"),
-            section.flag("reverse"),
-            section,
-            static_cast<std::uint64_t>(seed)};
+    Stage stage{.name = section.text("name"),
+                .integrator = choose(find_integrator(section.text("integrator")), section),
+                .time_step = section.number("time_step"),
+                .steps = section.integer("steps"),
+                .temperature = temperature,
+                .sample = section.flag("sample"),
+                .reverse = section.flag("reverse"),
+                .seed = static_cast<std::uint64_t>(seed)};
+    if (section.has("thermostat")) {
+        const Section& thermostat = section.section("thermostat");
+        stage.thermostat = choose(find_thermostat(thermostat.text("type")), thermostat);
+    }
+    if (section.has("barostat")) {
+        const Section& barostat = section.section("barostat");
+        stage.barostat = choose(find_barostat(barostat.text("type")), barostat);
+    }
+    return stage;
 }
 
 std::filesystem::path default_directory(const std::filesystem::path& deck) {

@@ -141,7 +141,7 @@ Schema plugin_schema(const std::string& title, const std::vector<Plugin>& plugin
     std::map<std::string, std::vector<Key>> keys;
     std::string meaning;
     for (const Plugin& plugin : plugins) {
-        keys[plugin.name] = plugin.keys;
+        keys[plugin.name] = keys_of(plugin);
         meaning += (meaning.empty() ? "" : "; ") + plugin.name + ": " + plugin.meaning;
     }
     return Schema(title, {Key::choice("type", plugin_names(plugins)).meaning(meaning)}).select("type", keys);
@@ -189,7 +189,7 @@ Schema fluid_output_schema() {
 Schema fluid_analysis_schema() {
     Schema schema("[analysis]");
     for (const auto& method : all_analyses()) {
-        schema = schema.with({Key::table(method.name, Schema(method.name, method.keys))
+        schema = schema.with({Key::table(method.name, Schema(method.name, keys_of(method)))
                                   .optional("not measured")
                                   .meaning(method.meaning)});
     }
@@ -228,7 +228,7 @@ Schema stage_schema(DeckKind kind, const Key& time_step) {
             continue;
         }
         integrators += "; " + method.name + ": " + method.meaning;
-        options[method.name] = method.keys;
+        options[method.name] = keys_of(method);
         names.push_back(method.name);
     }
     Schema schema("[[stage]]",

@@ -14,8 +14,7 @@ Vec3 padded(const std::vector<double>& components) {
 
 }  // namespace
 
-State few_body_start(const std::vector<Section>& bodies, const FewBodyForceMethod& force,
-                     const Section& force_section) {
+State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptions& force) {
     State state(static_cast<Index>(bodies.size()));
     auto r = state.write_positions();
     auto v = state.write_velocities();
@@ -23,24 +22,24 @@ State few_body_start(const std::vector<Section>& bodies, const FewBodyForceMetho
         const auto i = static_cast<Index>(k);
         r.col(i) = padded(bodies[k].vector("position"));
         v.col(i) = padded(bodies[k].vector("velocity"));
-        const double mass = bodies[k].number("mass");
-        state.write_masses()[k] = force.inertia ? force.inertia(force_section, mass) : mass;
+        state.write_masses()[k] = force.inertia(bodies[k].number("mass"));
     }
     return state;
 }
 
 FewBodySystem make_few_body_system(const Deck& deck) {
-    const FewBodyForceMethod force = find_few_body_force(deck.force().text("type"));
-    FewBodySystem system{few_body_start(deck.bodies(), force, deck.force()),
+    const ChosenFewBodyForce force = choose(find_few_body_force(deck.force().text("type")), deck.force());
+    FewBodySystem system{few_body_start(deck.bodies(), *force.options),
                          static_cast<int>(deck.bodies().front().vector("position").size()),
                          force,
-                         force.make(deck.force()),
+                         force.options->make(),
                          {}};
     const Section& analysis = deck.root.section("analysis");
-    const FewBodyTarget target{system.state.count(), system.dimensions, system.force, deck.force()};
+    const FewBodyTarget target{system.state.count(), system.dimensions, system.force};
     for (const auto& method : all_few_body_analyses()) {
         if (analysis.has(method.name)) {
-            system.analyses.emplace_back(method.name, method.make(analysis.section(method.name), target));
+            const auto chosen = choose(method, analysis.section(method.name));
+            system.analyses.emplace_back(method.name, chosen.options->make(target));
         }
     }
     return system;

@@ -37,12 +37,12 @@ std::string few_body_check_report(const Deck& deck) {
     std::string text = fmt::format("{}: the deck is good. Nothing was run.\n", deck.path);
     text += fmt::format("  bodies    {}, in {} dimension{}\n", system.state.count(), system.dimensions,
                         system.dimensions == 1 ? "" : "s");
-    text += fmt::format("  force     {}\n", system.force.name);
+    text += fmt::format("  force     {}\n", system.force.plugin.name);
     text += fmt::format("  energy    {:.12g} at the start\n", energy_at_start(system));
     for (const Stage& stage : deck.stages) {
         text += fmt::format("  stage     '{}': {} steps of {:.6g} = {:.6g}, {}{}\n", stage.name, stage.steps,
-                            stage.time_step, static_cast<double>(stage.steps) * stage.time_step, stage.integrator,
-                            stage.reverse ? ", backwards" : "");
+                            stage.time_step, static_cast<double>(stage.steps) * stage.time_step,
+                            stage.integrator.plugin.name, stage.reverse ? ", backwards" : "");
     }
     return text +
            fmt::format("  disk      about {:.3g} MB in {}\n", disk_bytes(deck, system) / 1e6, deck.directory.string());
@@ -53,7 +53,7 @@ std::string few_body_check_json(const Deck& deck) {
     const nlohmann::ordered_json json = {{"deck", deck.path},
                                          {"bodies", system.state.count()},
                                          {"dimensions", system.dimensions},
-                                         {"force", system.force.name},
+                                         {"force", system.force.plugin.name},
                                          {"total_energy", energy_at_start(system)},
                                          {"steps", deck.total_steps()},
                                          {"disk_bytes", disk_bytes(deck, system)}};

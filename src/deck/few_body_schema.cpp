@@ -14,7 +14,7 @@ Schema force_schema() {
     std::map<std::string, std::vector<Key>> methods;
     std::string meaning = "what moves the bodies";
     for (const auto& method : all_few_body_forces()) {
-        methods[method.name] = method.keys;
+        methods[method.name] = keys_of(method);
         meaning += "; " + method.name + ": " + method.meaning;
     }
     Schema schema("[force]", {Key::choice("type", plugin_names(all_few_body_forces())).meaning(meaning)});
@@ -63,7 +63,7 @@ Schema few_body_output_schema() {
 Schema few_body_analysis_schema() {
     Schema schema("[analysis]");
     for (const auto& method : all_few_body_analyses()) {
-        schema = schema.with({Key::table(method.name, Schema(method.name, method.keys))
+        schema = schema.with({Key::table(method.name, Schema(method.name, keys_of(method)))
                                   .optional("not measured")
                                   .meaning(method.meaning)});
     }

@@ -58,7 +58,7 @@ bool check_force_dimensions(const Section& root, const FewBodyForceMethod& force
 /// Whether all values of the force and all masses are valid.
 bool is_sound(const Section& root, const FewBodyForceMethod& force) {
     const Section& section = root.section("force");
-    for (const Key& key : force.keys) {
+    for (const Key& key : keys_of(force)) {
         if (!section.sound(key.name)) {
             return false;
         }
@@ -106,7 +106,7 @@ void check_analyses(const Section& root, const FewBodyTarget& target, Diagnostic
             continue;
         }
         const Section& section = analysis.section(method.name);
-        for (const auto& [key, message] : method.check(section, target)) {
+        for (const auto& [key, message] : choose(method, section).options->check(target)) {
             if (section.sound(key)) {
                 diagnostics.error(section.location(key), message);
             }
@@ -140,16 +140,17 @@ void check_few_body_sense(const Section& root, Diagnostics& diagnostics) {
     if (!dimensions || !root.has("force") || !root.sound("force") || !root.section("force").sound("type")) {
         return;
     }
-    const FewBodyForceMethod force = find_few_body_force(root.section("force").text("type"));
-    if (!check_force_dimensions(root, force, *dimensions, diagnostics) || !is_sound(root, force)) {
+    const FewBodyForceMethod method = find_few_body_force(root.section("force").text("type"));
+    if (!check_force_dimensions(root, method, *dimensions, diagnostics) || !is_sound(root, method)) {
         return;
     }
+    const ChosenFewBodyForce force = choose(method, root.section("force"));
     const std::vector<Section>& bodies = root.sections("body");
-    const State start = few_body_start(bodies, force, root.section("force"));
-    if (const auto problem = force.check(root.section("force"), start)) {
+    const State start = few_body_start(bodies, *force.options);
+    if (const auto problem = force.options->check(start)) {
         diagnostics.error(bodies[static_cast<std::size_t>(problem->body)].location("position"), problem->message);
     }
-    check_analyses(root, {start.count(), *dimensions, force, root.section("force")}, diagnostics);
+    check_analyses(root, {start.count(), *dimensions, force}, diagnostics);
 }
 
 }  // namespace ljmd

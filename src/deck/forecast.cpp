@@ -70,10 +70,10 @@ double seconds_per_atom(const Deck& deck, const Start& start) {
     double sum = 0.0;
     Index evaluations_of_start = 1;  // takes about as long as a step
     for (const Stage& stage : deck.stages) {
-        const auto [trial, is_new] = seconds.try_emplace(stage.integrator);
+        const auto [trial, is_new] = seconds.try_emplace(stage.integrator.plugin.name);
         if (is_new) {
             State copy = state;
-            trial->second = seconds_per_step(stage.integrator, copy, force_field);
+            trial->second = seconds_per_step(stage.integrator.plugin.name, copy, force_field);
         }
         sum += static_cast<double>(stage.steps + std::exchange(evaluations_of_start, 0)) * trial->second;
     }

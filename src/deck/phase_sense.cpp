@@ -11,7 +11,7 @@ namespace ljmd {
 
 void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
     const bool box_changes = std::ranges::any_of(
-        deck.stages, [](const Stage& stage) { return stage.steps > 0 && stage.section.has("barostat"); });
+        deck.stages, [](const Stage& stage) { return stage.steps > 0 && stage.barostat.has_value(); });
     const auto temperature = asked_temperature(deck);
     if (box_changes || !temperature || deck.potential().text("type") != "lennard-jones") {
         return;

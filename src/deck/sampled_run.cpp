@@ -67,13 +67,13 @@ SampledRun sampled_run(const Section& root, Index atoms, const Box& box) {
 Ensemble sampled_ensemble(const Deck& deck) {
     const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
     const auto first = std::ranges::find_if(deck.stages, sampled);
-    if (std::any_of(first, deck.stages.end(), [](const Stage& stage) { return stage.section.has("barostat"); })) {
+    if (std::any_of(first, deck.stages.end(), [](const Stage& stage) { return stage.barostat.has_value(); })) {
         return Ensemble::constant_pressure;
     }
     if (std::ranges::count_if(deck.stages, sampled) != 1 || !conserves_energy(*first)) {
         return Ensemble::none;
     }
-    return first->section.has("thermostat") ? Ensemble::canonical : Ensemble::constant_energy;
+    return first->thermostat ? Ensemble::canonical : Ensemble::constant_energy;
 }
 
 void check_analysis(const Section& root, const SampledRun& run, Diagnostics& diagnostics) {
@@ -87,7 +87,7 @@ void check_analysis(const Section& root, const SampledRun& run, Diagnostics& dia
         any = true;
         follows_time = follows_time || method.follows_time;
         const Section& section = analysis.section(method.name);
-        for (const auto& [key, message] : method.check(section, run)) {
+        for (const auto& [key, message] : choose(method, section).options->check(run)) {
             if (section.sound(key)) {
                 diagnostics.error(section.location(key), message);
             }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/integrators/relaxation.hpp"
 #include "ljmd/io/files/input_file.hpp"
@@ -109,7 +110,7 @@ bool wants_tail(const Deck& deck) {
 PairForceField make_force_field(const Deck& deck) {
     const Section& neighbors = deck.neighbors();
     const auto every = neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt;
-    return {PairPotential::from(deck.potential()),
+    return {pair_potential_of(deck.potential()),
             make_pair_search(neighbors.text("method"), neighbors.number("skin"), every),
             {default_simd_level(), precision_of(deck.performance().text("precision"))}};
 }
@@ -140,7 +141,7 @@ void place_configuration(State& state, const Configuration& configuration) {
 }
 
 Interaction interaction_of(const Deck& deck) {
-    const PairPotential potential = PairPotential::from(deck.potential());
+    const PairPotential potential = pair_potential_of(deck.potential());
     return {potential, wants_tail(deck) ? TailCorrection(potential) : TailCorrection()};
 }
 
@@ -162,7 +163,7 @@ std::vector<std::unique_ptr<Analysis>> make_analyses(const Deck& deck, const Sim
     std::vector<std::unique_ptr<Analysis>> analyses;
     for (const auto& method : all_analyses()) {
         if (analysis.has(method.name)) {
-            analyses.push_back(method.make(analysis.section(method.name), run));
+            analyses.push_back(choose(method, analysis.section(method.name)).options->make(run));
         }
     }
     return analyses;

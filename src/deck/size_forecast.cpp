@@ -58,7 +58,7 @@ AnalysisSize analyses(const Deck& deck, const Start& start) {
     AnalysisSize sum{0.0};
     for (const AnalysisMethod& method : all_analyses()) {
         if (analysis.has(method.name)) {
-            const AnalysisSize size = method.size(analysis.section(method.name), run);
+            const AnalysisSize size = choose(method, analysis.section(method.name)).options->size(run);
             sum.kept += size.kept;
             sum.fixed += size.fixed;
             sum.passing = std::max(sum.passing, size.passing);

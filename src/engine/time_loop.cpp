@@ -25,29 +25,26 @@ struct StageParts {
 };
 
 std::unique_ptr<Thermostat> thermostat_of(const Stage& stage, const State& state) {
-    if (!stage.section.has("thermostat")) {
+    if (!stage.thermostat) {
         return nullptr;
     }
-    const Section& section = stage.section.section("thermostat");
-    return find_thermostat(section.text("type"))
-        .make(section, {stage.temperature, stage.time_step, stage.seed, degrees_of_freedom(state.count())});
+    return stage.thermostat->options->make(
+        {stage.temperature, stage.time_step, stage.seed, degrees_of_freedom(state.count())});
 }
 
 std::unique_ptr<Barostat> barostat_of(const Stage& stage, const std::optional<Interaction>& interaction) {
-    if (!stage.section.has("barostat")) {
+    if (!stage.barostat) {
         return nullptr;
     }
     if (!interaction) {
         throw ContractViolation("a barostat needs to know the interaction");
     }
     const double shortest_edge = 2.0 * interaction->potential.cutoff().radius;
-    const Section& section = stage.section.section("barostat");
-    return find_barostat(section.text("type"))
-        .make(section, {stage.temperature, stage.time_step, stage.seed, shortest_edge});
+    return stage.barostat->options->make({stage.temperature, stage.time_step, stage.seed, shortest_edge});
 }
 
 Integrator integrator_of(const Stage& stage, const Thermostat* thermostat) {
-    Integrator integrator(find_integrator(stage.integrator), stage.time_step, stage.section);
+    Integrator integrator(stage.integrator, stage.time_step);
     if (thermostat == nullptr || !thermostat->acts_half_way()) {
         return integrator;
     }
@@ -55,8 +52,7 @@ Integrator integrator_of(const Stage& stage, const Thermostat* thermostat) {
 }
 
 bool conserves_momentum(const Stage& stage) {
-    return !stage.section.has("thermostat") ||
-           find_thermostat(stage.section.section("thermostat").text("type")).conserves_momentum;
+    return !stage.thermostat || stage.thermostat->plugin.conserves_momentum;
 }
 
 class TimeLoop {

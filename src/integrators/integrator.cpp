@@ -11,31 +11,29 @@ namespace ljmd {
 
 namespace {
 
-/// The options of a deck that names none.
-Section defaults(const IntegratorMethod& method) {
-    Diagnostics diagnostics;
-    return validate({}, {}, Schema(method.name, method.keys), std::nullopt, diagnostics);
-}
+struct SchemeAlone : IntegratorOptions {
+    explicit SchemeAlone(std::function<Scheme(double)> of_step) : of_step_(std::move(of_step)) {}
+    [[nodiscard]] Scheme scheme(double time_step) const override { return of_step_(time_step); }
 
-std::string identity(const IntegratorMethod& method, double time_step, const Section& options) {
-    std::string text = fmt::format("{} {}", method.name, time_step);
-    for (const Key& key : method.keys) {
-        text += fmt::format(" {}={}", key.name, options.text(key.name));
-    }
-    return text;
-}
+  private:
+    std::function<Scheme(double)> of_step_;
+};
 
 }  // namespace
+
+std::function<std::unique_ptr<IntegratorOptions>()> without_options(const std::function<Scheme(double)>& scheme) {
+    return [scheme] { return std::make_unique<SchemeAlone>(scheme); };
+}
 
 IntegratorMethod find_integrator(const std::string& name) {
     return find_plugin(all_integrators(), name, "integrator");
 }
 
-Integrator::Integrator(const IntegratorMethod& method, double time_step)
-    : Integrator(method, time_step, defaults(method)) {}
+Integrator::Integrator(const IntegratorMethod& method, double time_step) : Integrator(choose(method), time_step) {}
 
-Integrator::Integrator(const IntegratorMethod& method, double time_step, const Section& options)
-    : identity_(identity(method, time_step, options)), scheme_(method.scheme(time_step, options)) {}
+Integrator::Integrator(const ChosenIntegrator& chosen, double time_step)
+    : identity_(fmt::format("{} {} {}", chosen.plugin.name, time_step, chosen.values)),
+      scheme_(chosen.options->scheme(time_step)) {}
 
 Integrator Integrator::with_half_way(const std::function<void(State&)>& change) const {
     Integrator changed = *this;

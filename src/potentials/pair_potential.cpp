@@ -47,6 +47,27 @@ AnyPair truncated(const Formula& formula, const std::string& truncation, const C
 /// Any formula would do to list the truncations.
 using SomeFormula = LennardJones;
 
+template <class Formula>
+std::vector<Key> keys_of_formula(Formula formula) {
+    Description description;
+    formula.describe(description);
+    return description.keys();
+}
+
+template <class Formula>
+Formula with_parameters(Formula formula, const PairPotential::Parameters& parameters) {
+    Description description;
+    formula.describe(description);
+    if (description.keys().size() != parameters.size()) {
+        throw ContractViolation(
+            fmt::format("{} has {} parameters, not {}", Formula::name, description.keys().size(), parameters.size()));
+    }
+    for (const auto& [key, value] : parameters) {
+        description.take(key, value);
+    }
+    return formula;
+}
+
 }  // namespace
 
 PairPotential::PairPotential(std::string formula, Parameters parameters, std::string truncation, const Cutoff& cutoff,
@@ -58,37 +79,24 @@ PairPotential::PairPotential(std::string formula, Parameters parameters, std::st
       pair_(pair),
       bare_(bare) {}
 
-PairPotential PairPotential::from(const Section& potential) {
-    const std::string& type = potential.text("type");
-    const std::string& truncation = potential.text("truncation");
-    Cutoff cutoff{potential.number("cutoff"), 0.0};
-    for (const Key& key : truncation_keys(truncation)) {
-        if (key.name == "switch_start") {
-            cutoff.switch_start = potential.number(key.name);
-        }
-    }
-    Parameters parameters;
-    for (const Key& key : formula_keys(type)) {
-        parameters.emplace_back(key.name, potential.number(key.name));
-    }
+PairPotential PairPotential::make(const std::string& formula, const std::string& truncation, const Cutoff& cutoff,
+                                  const Parameters& parameters) {
     std::optional<PairPotential> result;
     for_each_formula(AllFormulas{}, [&]<class Formula>() {
-        if (Formula::name == type) {
-            const Formula formula = Formula::from(potential);
-            result = PairPotential(type, parameters, truncation, cutoff, truncated(formula, truncation, cutoff),
-                                   Cut<Formula>(formula, cutoff));
+        if (Formula::name == formula) {
+            const Formula made = with_parameters(Formula(), parameters);
+            result = PairPotential(formula, parameters, truncation, cutoff, truncated(made, truncation, cutoff),
+                                   Cut<Formula>(made, cutoff));
         }
     });
     if (!result) {
-        throw ContractViolation(fmt::format("no potential is called '{}'", type));
+        throw ContractViolation(fmt::format("no potential is called '{}'", formula));
     }
     return *result;
 }
 
 PairPotential PairPotential::lennard_jones(const std::string& truncation, const Cutoff& cutoff) {
-    const LennardJones formula;
-    return {std::string(LennardJones::name),   {}, truncation, cutoff, truncated(formula, truncation, cutoff),
-            Cut<LennardJones>(formula, cutoff)};
+    return make(std::string(LennardJones::name), truncation, cutoff, {});
 }
 
 std::vector<std::string> PairPotential::formula_names() {
@@ -127,7 +135,7 @@ std::vector<Key> PairPotential::formula_keys(const std::string& name) {
     std::vector<Key> keys;
     for_each_formula(AllFormulas{}, [&]<class Formula>() {
         if (Formula::name == name) {
-            keys = Formula::keys();
+            keys = keys_of_formula(Formula());
         }
     });
     return keys;

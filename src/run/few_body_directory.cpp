@@ -14,7 +14,7 @@ std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& sys
         return std::nullopt;
     }
     return TrajectoryCsv(deck.outputs() / "trajectory.csv", system.state.count(), system.dimensions,
-                         deck.trajectory->accelerations, static_cast<bool>(system.force.angular_velocity), kept);
+                         deck.trajectory->accelerations, system.force.plugin.has_polar_angle, kept);
 }
 
 }  // namespace

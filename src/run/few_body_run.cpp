@@ -128,7 +128,7 @@ class FewBodyRun : private StepObserver {
         }
         drift_ = {};
         stages_.push_back({stage.name,
-                           stage.integrator,
+                           stage.integrator.plugin.name,
                            state.step,
                            state.step,
                            stage.time_step,
@@ -143,7 +143,7 @@ class FewBodyRun : private StepObserver {
     [[nodiscard]] bool wants_energy(Index step) const override { return thermo_every_.due(step); }
 
     [[nodiscard]] bool looks_within_steps(const Stage& stage) const override {
-        return system_.force.angular_velocity || (stage.sample && !system_.analyses.empty());
+        return system_.force.plugin.has_polar_angle || (stage.sample && !system_.analyses.empty());
     }
 
     void within_step(const Stage& stage, const State& moment) override {
@@ -206,8 +206,9 @@ class FewBodyRun : private StepObserver {
     }
 
     void add_angle(const State& state) {
-        if (const auto& velocity = system_.force.angular_velocity) {
-            const auto [rate, slope] = velocity(deck_.force(), state.positions()(0, 0), state.velocities()(0, 0));
+        if (system_.force.plugin.has_polar_angle) {
+            const auto [rate, slope] =
+                system_.force.options->angular_velocity(state.positions()(0, 0), state.velocities()(0, 0));
             angle_ = quadrature_.add(state.time, sense_of_angle_ * rate, sense_of_angle_ * slope);
         }
     }
@@ -248,7 +249,7 @@ class FewBodyRun : private StepObserver {
 
     FewBodyResult finish(const LoopSeconds& seconds) {
         FewBodyResult result{
-            system_.state.count(), system_.dimensions, system_.force.name, histories_, stages_, {}, seconds.all};
+            system_.state.count(), system_.dimensions, system_.force.plugin.name, histories_, stages_, {}, seconds.all};
         std::vector<DataTable> tables;
         for (const auto& [name, analysis] : system_.analyses) {
             result.findings.emplace_back(name, analysis->findings());

@@ -99,7 +99,7 @@ class FluidRun : private StepObserver {
     void begin_to_watch(const Stage& stage) {
         sampling_ = stage.sample;
         conserves_energy_ = conserves_energy(stage);
-        watch_.emplace(stage.time_step, !stage.section.has("thermostat"), simulation_.force_field.potential());
+        watch_.emplace(stage.time_step, !stage.thermostat, simulation_.force_field.potential());
     }
 
     void started(const Evaluation& evaluation) override {
@@ -155,7 +155,7 @@ class FluidRun : private StepObserver {
     void stage_begins(const Stage& stage) override {
         listener_.stage_begins(stage);
         const State& state = simulation_.state;
-        const bool thermostatted = stage.section.has("thermostat");
+        const bool thermostatted = stage.thermostat.has_value();
         if (stage.sample && stage.steps > 0 && !order_at_sampling_) {
             order_at_sampling_ = order();
         }
@@ -169,7 +169,7 @@ class FluidRun : private StepObserver {
         drift_ = {};
         step_error_ = {};
         stages_.push_back({stage.name,
-                           stage.integrator,
+                           stage.integrator.plugin.name,
                            state.step,
                            state.step,
                            stage.time_step,
@@ -375,7 +375,7 @@ class FluidRun : private StepObserver {
 void require_stages(const std::vector<StageResult>& results, const Deck& deck, const LoopPosition& position) {
     bool same = results.size() == position.stage + (position.begun ? 1 : 0);
     for (std::size_t k = 0; same && k < results.size(); ++k) {
-        same = results[k].name == deck.stages[k].name && results[k].integrator == deck.stages[k].integrator;
+        same = results[k].name == deck.stages[k].name && results[k].integrator == deck.stages[k].integrator.plugin.name;
     }
     if (!same) {
         throw CheckpointError("the checkpoint has results of other stages than the deck");

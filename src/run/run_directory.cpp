@@ -24,9 +24,8 @@ namespace fs = std::filesystem;
 
 ThermoCsv::Extra thermo_columns(const Deck& deck, bool order_parameter) {
     const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
-    return {.density = any([](const Stage& stage) { return stage.section.has("barostat"); }),
-            .conserved_energy =
-                any([](const Stage& stage) { return stage.section.has("thermostat") && conserves_energy(stage); }),
+    return {.density = any([](const Stage& stage) { return stage.barostat.has_value(); }),
+            .conserved_energy = any([](const Stage& stage) { return stage.thermostat && conserves_energy(stage); }),
             .order_parameter = order_parameter};
 }
 

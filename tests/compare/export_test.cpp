@@ -8,6 +8,7 @@
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 
 using namespace ljmd;
@@ -58,7 +59,7 @@ TEST_CASE("LAMMPS gets a data file and an input") {
     CHECK_THAT(written.usage, Contains(directory.string()) && Contains("lmp -in in.lammps"));
     CHECK(written.warnings.empty());
     check_configuration(directory / "start.data", state, false);
-    const Fluid fluid = fluid_of(state, PairPotential::from(deck.potential()), false);
+    const Fluid fluid = fluid_of(state, pair_potential_of(deck.potential()), false);
     CHECK(content_of(directory / "in.lammps") == lammps_user_input(fluid, 0.004, 40, "A small liquid"));
     CHECK(std::distance(fs::directory_iterator(directory), fs::directory_iterator()) == 2);
 }
@@ -87,7 +88,7 @@ TEST_CASE("OpenMM gets its XML, from a build that has it") {
         CHECK_FALSE(fs::exists(folder / "openmm"));
         return;
     }
-    const OpenmmXml xml = openmm_xml(fluid_of(state, PairPotential::from(deck.potential()), false), 0.004);
+    const OpenmmXml xml = openmm_xml(fluid_of(state, pair_potential_of(deck.potential()), false), 0.004);
     const Exported written = export_configuration(deck, state, "openmm", folder / "openmm");
     REQUIRE(written.files.size() == 3);
     CHECK(content_of(written.files[0]) == xml.system);

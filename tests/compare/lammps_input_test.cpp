@@ -45,7 +45,7 @@ TEST_CASE("each potential has its pair style") {
     const auto style = [&](const std::string& formula, const std::string& truncation) {
         const bool is_morse = formula == "morse";
         return lammps_pair_style(
-            potential_from_deck(formula, truncation, {2.5, 2.0}, is_morse ? numbers : std::map<std::string, double>{}));
+            made_potential(formula, truncation, {2.5, 2.0}, is_morse ? numbers : std::map<std::string, double>{}));
     };
     const std::string units = "pair_coeff * * 1.0 1.0\n";
     CHECK(style("lennard-jones", "cut") == "pair_style lj/cut 2.5\n" + units + "pair_modify shift no tail no\n");

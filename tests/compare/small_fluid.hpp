@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ljmd/compare/fluid.hpp"
-#include "potentials/potential_from_deck.hpp"
+#include "potentials/made_potential.hpp"
 
 namespace ljmd::test {
 
@@ -12,7 +12,7 @@ namespace ljmd::test {
 inline Fluid small_fluid(const std::string& formula = "lennard-jones", const std::string& truncation = "cut",
                          bool tail = false) {
     Fluid fluid{Vec3(6.0, 7.0, 8.0),
-                potential_from_deck(formula, truncation, {2.5, 2.0}),
+                made_potential(formula, truncation, {2.5, 2.0}),
                 tail,
                 {1.0, 1.0, 1.0},
                 {Vec3(1.0, 1.0 / 3.0, 1.9), Vec3(1.1, 1.7, 0.1), Vec3(1.2, 1.9, 7.123456789012345)},

@@ -183,7 +183,7 @@ TEST_CASE("every plug-in can be selected by its name") {
     for (const ThermostatMethod& method : all_thermostats()) {
         check_accepted(
             changed(small_deck, {{"{ type = \"rescale\", every = 5 }",
-                                  "{ type = \"" + method.name + "\"" + required_of(method.keys, ", ") + " }"}}));
+                                  "{ type = \"" + method.name + "\"" + required_of(keys_of(method), ", ") + " }"}}));
     }
     for (const std::string& name : PairPotential::formula_names()) {
         check_accepted(changed(
@@ -200,7 +200,7 @@ TEST_CASE("every plug-in can be selected by its name") {
         check_accepted(small_deck + "[neighbors]\nmethod = \"" + name + "\"\n");
     }
     for (const AnalysisMethod& method : all_analyses()) {
-        check_accepted(small_deck + "[analysis]\n" + method.name + " = {" + required_of(method.keys, "\n") + "}\n");
+        check_accepted(small_deck + "[analysis]\n" + method.name + " = {" + required_of(keys_of(method), "\n") + "}\n");
     }
 }
 

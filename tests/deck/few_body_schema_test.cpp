@@ -39,7 +39,7 @@ TEST_CASE("what a few-body deck leaves out has its default") {
     CHECK_FALSE(deck.trajectory.has_value());
     CHECK_FALSE(deck.units.has_value());
     REQUIRE(deck.stages.size() == 1);
-    CHECK(deck.stages[0].integrator == "velocity-verlet");
+    CHECK(deck.stages[0].integrator.plugin.name == "velocity-verlet");
     CHECK(deck.stages[0].sample);
     CHECK_FALSE(deck.stages[0].reverse);
     CHECK(deck.force().number("softening") == 0.0);
@@ -53,7 +53,7 @@ TEST_CASE("what a few-body deck leaves out has its default") {
 
 TEST_CASE("every force, integrator and analysis of few bodies can be selected by its name") {
     for (const FewBodyForceMethod& method : all_few_body_forces()) {
-        Replacements replacements{{gravity, "type = \"" + method.name + "\"" + with_ones(method.keys, "\n")}};
+        Replacements replacements{{gravity, "type = \"" + method.name + "\"" + with_ones(keys_of(method), "\n")}};
         if (method.most_dimensions == 1) {
             replacements.insert(
                 replacements.end(),
@@ -69,7 +69,7 @@ TEST_CASE("every force, integrator and analysis of few bodies can be selected by
     }
     for (const FewBodyAnalysisMethod& method : all_few_body_analyses()) {
         INFO(method.name);
-        CHECK(complaints(stars_deck + "\n[analysis]\n" + method.name + " = {" + with_ones(method.keys, "") + "}\n")
+        CHECK(complaints(stars_deck + "\n[analysis]\n" + method.name + " = {" + with_ones(keys_of(method), "") + "}\n")
                   .empty());
     }
 }

@@ -44,7 +44,7 @@ TEST_CASE("what stands for the mass of a pendulum is its moment of inertia") {
                           "position = [1.0]\nvelocity = [0.5]\n\n[[stage]]\nname = \"swing\"\n"
                           "time_step = 0.1\nsteps = 1\n")
                           .load();
-    CHECK(few_body_start(deck.bodies(), find_few_body_force("pendulum"), deck.force()).masses() ==
+    CHECK(few_body_start(deck.bodies(), *choose(find_few_body_force("pendulum"), deck.force()).options).masses() ==
           std::vector<double>{12.0});
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("a few-body system has the dimensions and the force of its deck") {
     const Deck deck = springs_in("[1.5, 2.5]", "[0, 0]");
     FewBodySystem system = make_few_body_system(deck);
     CHECK(system.dimensions == 2);
-    CHECK(system.force.name == "harmonic");
+    CHECK(system.force.plugin.name == "harmonic");
     CHECK(system.analyses.empty());
     const Evaluation evaluation = system.force_field->evaluate(system.state, Request::forces_and_energy);
     CHECK(evaluation.potential_energy == 0.5 * 3.0 * (1.5 * 1.5 + 2.5 * 2.5));

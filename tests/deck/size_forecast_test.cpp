@@ -72,9 +72,9 @@ TEST_CASE("what an analysis was said to keep is about what it keeps") {
     SampledRun run = sampled_run(deck.root, 108, find_start(deck).box);
     run.interaction = interaction_of(deck);
     for (const AnalysisMethod& method : all_analyses()) {
-        const Section& section = deck.root.section("analysis").section(method.name);
-        const double said = method.size(section, run).kept;
-        const double kept = kept_by(*method.make(section, run), deck, run.steps - 1);
+        const auto options = choose(method, deck.root.section("analysis").section(method.name)).options;
+        const double said = options->size(run).kept;
+        const double kept = kept_by(*options->make(run), deck, run.steps - 1);
         INFO(method.name << ": said " << said << ", kept " << kept);
         constexpr double counters = 1000.0;
         CHECK(said < 1.3 * kept + counters);

@@ -109,8 +109,7 @@ TEST_CASE("thermostats that are said to be deterministic do not depend on the se
             const Deck deck = folder.load();
             Simulation simulation = simulation_of(deck);
             State& state = simulation.state;
-            const auto thermostat = method.make(deck.stages.front().section.section("thermostat"),
-                                                {1.3, 0.1, seed, degrees_of_freedom(state.count())});
+            const auto thermostat = choose(method).options->make({1.3, 0.1, seed, degrees_of_freedom(state.count())});
             state.bath = thermostat->beginning();
             thermostat->before_step(state);
             thermostat->half_way(state);

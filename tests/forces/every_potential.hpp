@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "potentials/potential_from_deck.hpp"
+#include "potentials/made_potential.hpp"
 
 namespace ljmd::test {
 
@@ -13,7 +13,7 @@ inline std::vector<PairPotential> every_potential() {
     std::vector<PairPotential> potentials;
     for (const std::string& formula : PairPotential::formula_names()) {
         for (const std::string& truncation : PairPotential::truncation_names()) {
-            potentials.push_back(potential_from_deck(formula, truncation, usual_cutoff));
+            potentials.push_back(made_potential(formula, truncation, usual_cutoff));
         }
     }
     return potentials;

@@ -16,7 +16,7 @@ namespace {
 test::Numbers numbers_for(const FewBodyForceMethod& method, bool with_defaulted) {
     test::Numbers numbers;
     double value = 0.7;
-    for (const Key& key : method.keys) {
+    for (const Key& key : keys_of(method)) {
         if (key.required || with_defaulted) {
             numbers.emplace_back(key.name, value);
         }
@@ -62,7 +62,7 @@ TEST_CASE("few-body forces are listed by name, in alphabetical order, with what 
         CHECK(find_few_body_force(method.name).name == method.name);
         CHECK(method.least_dimensions == 1);
         CHECK((method.most_dimensions == 1 || method.most_dimensions == 3));
-        for (const Key& key : method.keys) {
+        for (const Key& key : keys_of(method)) {
             CAPTURE(key.name);
             CHECK_FALSE(key.meaning_text.empty());
             CHECK_FALSE(key.reduced_unit.empty());

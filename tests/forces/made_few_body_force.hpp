@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ljmd/core/section.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 
 namespace ljmd::test {
@@ -19,19 +20,24 @@ inline Section few_body_section(const std::string& name, const Numbers& numbers)
     }
     Diagnostics diagnostics;
     const Section section =
-        validate(table, {}, Schema("[force]", find_few_body_force(name).keys), std::nullopt, diagnostics);
+        validate(table, {}, Schema("[force]", keys_of(find_few_body_force(name))), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
     return section;
 }
 
+inline ChosenFewBodyForce chosen_few_body_force(const std::string& name, const Numbers& numbers) {
+    const Section section = few_body_section(name, numbers);
+    return choose(find_few_body_force(name), section);
+}
+
 inline std::unique_ptr<ForceField> made_few_body_force(const std::string& name, const Numbers& numbers) {
-    return find_few_body_force(name).make(few_body_section(name, numbers));
+    return chosen_few_body_force(name, numbers).options->make();
 }
 
 /// What the check of a start says.
 inline std::optional<ProblemAtStart> problem_at_start(const std::string& name, const Numbers& numbers,
                                                       const State& start) {
-    return find_few_body_force(name).check(few_body_section(name, numbers), start);
+    return chosen_few_body_force(name, numbers).options->check(start);
 }
 
 /// Bodies at rest in unbounded space.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ljmd/core/section.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/integrators/integrator.hpp"
 
@@ -67,9 +68,9 @@ inline void advance(const std::string& name, const std::vector<std::pair<std::st
         table.push_back({key, {}, Value{value, {}}});
     }
     Diagnostics diagnostics;
-    const Section section = validate(table, {}, Schema(name, method.keys), std::nullopt, diagnostics);
+    const Section section = validate(table, {}, Schema(name, keys_of(method)), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
-    const Integrator integrator(method, dt, section);
+    const Integrator integrator(choose(method, section), dt);
     for (Index n = 0; n < steps; ++n) {
         integrator.step(state, force_field, Request::forces);
     }

@@ -36,10 +36,10 @@ TEST_CASE("every analysis works with its defaults and leaves the state untouched
     const State before = state;
     for (const AnalysisMethod& method : all_analyses()) {
         CAPTURE(method.name);
-        const Section section = test::analysis_section(method, {});
+        const auto options = test::analysis_options(method);
         const SampledRun run = test::run_of(state);
-        CHECK(method.check(section, run).empty());
-        const auto analysis = method.make(section, run);
+        CHECK(options->check(run).empty());
+        const auto analysis = options->make(run);
         CHECK(analysis->samples() == 0);
         CHECK(analysis->tables().empty());
         CHECK(analysis->observables().empty());
@@ -78,12 +78,12 @@ TEST_CASE("every analysis goes on from an archive, and with any number of thread
             State state = test::shaken_crystal(3, 0.8442, 0.2, 12);
             draw_velocities(state, 1.0, 3);
             const SampledRun run = test::run_of(state);
-            const Section section = test::analysis_section(method, {});
-            auto analysis = method.make(section, run);
+            const auto options = test::analysis_options(method);
+            auto analysis = options->make(run);
             std::mt19937_64 generator(1);
             for (Index step = 1; step <= run.steps; ++step) {
                 if (step == archived_at) {
-                    auto restored = method.make(section, run);
+                    auto restored = options->make(run);
                     test::through_archive(*analysis, *restored);
                     analysis = std::move(restored);
                 }

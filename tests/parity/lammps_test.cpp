@@ -14,6 +14,7 @@
 #include "ljmd/compare/lammps.hpp"
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/io/files/text_file.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/run/recorded_run.hpp"
@@ -223,7 +224,7 @@ Thermodynamics ours(const Deck& deck, State state) {
     const Evaluation evaluation = force_field.evaluate(state, Request::forces_and_energy);
     const bool tail = deck.potential().has("tail") && deck.potential().flag("tail");
     return thermodynamics(state, evaluation,
-                          tail ? TailCorrection(PairPotential::from(deck.potential())) : TailCorrection());
+                          tail ? TailCorrection(pair_potential_of(deck.potential())) : TailCorrection());
 }
 
 void check_row(const std::map<std::string, double>& row, const Thermodynamics& ours) {

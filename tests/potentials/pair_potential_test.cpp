@@ -11,10 +11,10 @@
 #include <random>
 
 #include "ljmd/core/errors.hpp"
-#include "potentials/potential_from_deck.hpp"
+#include "potentials/made_potential.hpp"
 
 using namespace ljmd;
-using test::potential_from_deck;
+using test::made_potential;
 
 namespace {
 
@@ -130,7 +130,7 @@ void for_each_potential(const std::function<void(const PairPotential&)>& check) 
         for (const std::string& truncation : PairPotential::truncation_names()) {
             for (const Cutoff& cutoff : cutoffs()) {
                 INFO(formula << ", " << truncation << ", rc = " << cutoff.radius);
-                check(potential_from_deck(formula, truncation, cutoff));
+                check(made_potential(formula, truncation, cutoff));
             }
         }
     }
@@ -153,7 +153,7 @@ TEST_CASE("energy and w agree with closed forms to 5 eps times the sum of absolu
     for (const Setting& setting : settings()) {
         for (const std::string& truncation : PairPotential::truncation_names()) {
             for (const Cutoff& cutoff : cutoffs()) {
-                const auto potential = potential_from_deck(setting.formula, truncation, cutoff, setting.numbers);
+                const auto potential = made_potential(setting.formula, truncation, cutoff, setting.numbers);
                 Real worst_u = 0.0L;
                 Real worst_w = 0.0L;
                 for (const double r : distances(0.8, cutoff.radius, 5000)) {
@@ -251,7 +251,7 @@ TEST_CASE("at the cutoff each truncation is as smooth as it says") {
 TEST_CASE("below its start a switched potential is the formula, bit for bit") {
     for (const std::string& formula : PairPotential::formula_names()) {
         for (const Cutoff& cutoff : cutoffs()) {
-            const auto potential = potential_from_deck(formula, "switched", cutoff);
+            const auto potential = made_potential(formula, "switched", cutoff);
             CAPTURE(formula, cutoff.radius);
             for (const double r : distances(0.8, cutoff.switch_start, 500)) {
                 REQUIRE(potential(r).u == potential.untruncated(r).u);
@@ -281,7 +281,7 @@ TEST_CASE("Lennard-Jones: known values, and its repulsive half (Weeks, Chandler 
 }
 
 TEST_CASE("Morse: depth, place and curvature of its minimum") {
-    const auto morse = potential_from_deck("morse", "cut", {3.0, 0.0}, {{"well_depth", 2.5}, {"minimum", 1.25}});
+    const auto morse = made_potential("morse", "cut", {3.0, 0.0}, {{"well_depth", 2.5}, {"minimum", 1.25}});
     CHECK(morse(1.25).u == -2.5);
     CHECK(morse(1.25).w == 0.0);
     CHECK(morse(1.2).w > 0.0);
@@ -307,17 +307,17 @@ TEST_CASE("a potential knows its names, keys and cutoff") {
     CHECK_FALSE(PairPotential::takes_tail("shifted"));
     CHECK_FALSE(PairPotential::takes_tail("force-shifted"));
 
-    const auto potential = potential_from_deck("morse", "switched", {2.5, 2.0});
+    const auto potential = made_potential("morse", "switched", {2.5, 2.0});
     CHECK(potential.formula() == "morse");
     CHECK(potential.truncation() == "switched");
     CHECK(potential.cutoff().radius == 2.5);
     CHECK(potential.cutoff().switch_start == 2.0);
-    const auto morse = potential_from_deck("morse", "cut", {2.5}, {{"well_depth", 2.0}, {"minimum", 1.25}});
+    const auto morse = made_potential("morse", "cut", {2.5}, {{"well_depth", 2.0}, {"minimum", 1.25}});
     CHECK(morse.parameters() ==
           std::vector<std::pair<std::string, double>>{{"well_depth", 2.0}, {"steepness", 6.0}, {"minimum", 1.25}});
     CHECK(PairPotential::lennard_jones("cut", {2.5}).parameters().empty());
 
-    const auto from_deck = potential_from_deck("lennard-jones", "switched", {2.5, 2.0});
+    const auto from_deck = made_potential("lennard-jones", "switched", {2.5, 2.0});
     const auto direct = PairPotential::lennard_jones("switched", {2.5, 2.0});
     CHECK(direct.formula() == "lennard-jones");
     CHECK(direct(2.3).u == from_deck(2.3).u);
@@ -328,8 +328,8 @@ TEST_CASE("unknown names are refused or have nothing") {
     CHECK_THROWS_AS(PairPotential::lennard_jones("smooth", {2.5, 2.0}), InputError);
     CHECK_THROWS_WITH(PairPotential::lennard_jones("smooth", {2.5, 2.0}),
                       "unknown truncation 'smooth', allowed: cut, shifted, force-shifted, switched");
-    CHECK_THROWS_AS(potential_from_deck("buckingham", "cut", {2.5, 2.0}), ContractViolation);
-    CHECK_THROWS_AS(potential_from_deck("morse", "smooth", {2.5, 2.0}), InputError);
+    CHECK_THROWS_AS(made_potential("buckingham", "cut", {2.5, 2.0}), ContractViolation);
+    CHECK_THROWS_AS(made_potential("morse", "smooth", {2.5, 2.0}), InputError);
     CHECK(PairPotential::formula_meaning("buckingham").empty());
     CHECK(PairPotential::formula_keys("buckingham").empty());
     CHECK(PairPotential::truncation_keys("smooth").empty());

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <string>
 
-#include "potentials/potential_from_deck.hpp"
+#include "potentials/made_potential.hpp"
 
 using namespace ljmd;
-using test::potential_from_deck;
+using test::made_potential;
 
 namespace {
 
@@ -57,8 +57,7 @@ TEST_CASE("the Boyle temperature of Lennard-Jones") {
 TEST_CASE("every formula and truncation has the second virial coefficient of its pair energy") {
     for (const std::string& formula : PairPotential::formula_names()) {
         for (const std::string& truncation : PairPotential::truncation_names()) {
-            const PairPotential potential =
-                potential_from_deck(formula, truncation, {.radius = rc, .switch_start = 2.0});
+            const PairPotential potential = made_potential(formula, truncation, {.radius = rc, .switch_start = 2.0});
             for (const double temperature : {0.7, 2.0}) {
                 INFO(formula << ", " << truncation << ", temperature " << temperature);
                 CHECK(second_virial_coefficient(potential, temperature) ==

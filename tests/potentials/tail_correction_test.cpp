@@ -8,10 +8,10 @@
 #include <sstream>
 #include <string>
 
-#include "potentials/potential_from_deck.hpp"
+#include "potentials/made_potential.hpp"
 
 using namespace ljmd;
-using test::potential_from_deck;
+using test::made_potential;
 
 namespace {
 
@@ -93,10 +93,10 @@ TEST_CASE("tails of NIST's reference configurations to the printed digits") {
 TEST_CASE("the tail of a formula without a closed form of its own comes from quadrature") {
     for (const double rc : {1.5, 2.0, 2.5}) {
         CAPTURE(rc);
-        const auto by_default = potential_from_deck("morse", "cut", {rc, 0.0});
+        const auto by_default = made_potential("morse", "cut", {rc, 0.0});
         check_equal(by_default.tail(), morse_tail(1.0, 6.0, 1.122462048309373, rc), 1e-11);
         const auto soft =
-            potential_from_deck("morse", "cut", {rc, 0.0}, {{"well_depth", 2.5}, {"steepness", 1.7}, {"minimum", 1.3}});
+            made_potential("morse", "cut", {rc, 0.0}, {{"well_depth", 2.5}, {"steepness", 1.7}, {"minimum", 1.3}});
         check_equal(soft.tail(), morse_tail(2.5, 1.7, 1.3, rc), 1e-11);
     }
 }
@@ -105,8 +105,8 @@ TEST_CASE("a switched potential misses the cut one's tail and what the switch ta
     for (const std::string& formula : PairPotential::formula_names()) {
         for (const Cutoff& cutoff : {Cutoff{2.5, 2.0}, Cutoff{3.0, 1.4}, Cutoff{2.5, 2.49}}) {
             CAPTURE(formula, cutoff.radius, cutoff.switch_start);
-            const auto cut = potential_from_deck(formula, "cut", cutoff);
-            const auto switched = potential_from_deck(formula, "switched", cutoff);
+            const auto cut = made_potential(formula, "cut", cutoff);
+            const auto switched = made_potential(formula, "switched", cutoff);
             const auto u_missing = [&](double r) { return (cut.untruncated(r).u - switched(r).u) * r * r; };
             const auto w_missing = [&](double r) { return (cut.untruncated(r).w - switched(r).w) * r * r * r * r; };
             const TailIntegrals expected = {cut.tail().energy + simpson(u_missing, cutoff.switch_start, cutoff.radius),
@@ -122,11 +122,11 @@ TEST_CASE("energy and pressure tails are tied by an integration by parts") {
     // From w r = -u' by parts: integral of w r^4 = R^3 u(R) + 3 * integral of u r^2. For a switched potential the
     // boundary terms of what is missing vanish at its start and cancel at rc, for every formula.
     for (const std::string& formula : PairPotential::formula_names()) {
-        const auto cut = potential_from_deck(formula, "cut", {2.5, 0.0});
+        const auto cut = made_potential(formula, "cut", {2.5, 0.0});
         CAPTURE(formula);
         const double flux = std::pow(2.5, 3) * cut.untruncated(2.5).u;
         CHECK(cut.tail().virial == Approx(flux + 3.0 * cut.tail().energy).epsilon(1e-11));
-        const auto switched = potential_from_deck(formula, "switched", {2.5, 1.9}).tail();
+        const auto switched = made_potential(formula, "switched", {2.5, 1.9}).tail();
         CHECK(switched.virial == Approx(3.0 * switched.energy).epsilon(1e-11));
     }
 }

@@ -319,7 +319,7 @@ TEST_CASE("results of stages that have not begun are refused") {
     const Deck deck = folder.load();
     StageResult first{};
     first.name = deck.stages[0].name;
-    first.integrator = deck.stages[0].integrator;
+    first.integrator = deck.stages[0].integrator.plugin.name;
     const auto at = [](std::size_t stage, bool begun) {
         LoopPosition position;
         position.stage = stage;

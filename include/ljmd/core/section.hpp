@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/core/description.hpp"
 #include "ljmd/core/schema.hpp"
 #include "ljmd/core/value.hpp"
 
@@ -29,6 +30,7 @@ class Section {
     [[nodiscard]] const std::string& text(const std::string& key) const;  ///< for text and choice
     [[nodiscard]] Interval interval(const std::string& key) const;
     [[nodiscard]] const std::vector<double>& vector(const std::string& key) const;
+    [[nodiscard]] const PlainValue& plain(const std::string& key) const;  ///< of any kind but tables
     [[nodiscard]] const Section& section(const std::string& key) const;
     [[nodiscard]] const std::vector<Section>& sections(const std::string& key) const;
 
@@ -75,5 +77,15 @@ class Section {
 /// @param units  conversion for strings with units; empty if the deck has no [argon]
 [[nodiscard]] Section validate(const Table& table, const Location& where, const Schema& schema,
                                const std::optional<SubstanceUnits>& units, Diagnostics& diagnostics);
+
+/// Give options the values of a table. Absent keys, and those whose values were found missing or wrong, leave them as
+/// they are. @pre the table was validated by a schema with the keys of the description
+void take(Description& description, const Section& section);
+
+/// A plug-in with the options of a table. @pre as take()
+template <class Plugin>
+[[nodiscard]] auto choose(const Plugin& plugin, const Section& section) {
+    return choose(plugin, [&section](Description& description) { take(description, section); });
+}
 
 }  // namespace ljmd

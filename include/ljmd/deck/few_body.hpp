@@ -15,14 +15,13 @@ namespace ljmd {
 /// The bodies of a deck at their start, without a box; ids in the order of the deck. Masses are the inertia that the
 /// force assigns.
 /// @pre position and velocity of every [[body]] have one to three components
-[[nodiscard]] State few_body_start(const std::vector<Section>& bodies, const FewBodyForceMethod& force,
-                                   const Section& force_section);
+[[nodiscard]] State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptions& force);
 
 /// The bodies, forces and analyses of a few-body run.
 struct FewBodySystem {
     State state;
     int dimensions;
-    FewBodyForceMethod force;
+    ChosenFewBodyForce force;
     std::unique_ptr<ForceField> force_field;
     std::vector<std::pair<std::string, std::unique_ptr<FewBodyAnalysis>>> analyses;
 };

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -38,13 +38,27 @@ class Barostat {
     Barostat& operator=(const Barostat&) = default;
 };
 
+/// The options of a barostat, see Description.
+class BarostatOptions {
+  public:
+    virtual ~BarostatOptions() = default;
+    virtual void describe(Description& description) = 0;
+    [[nodiscard]] virtual std::unique_ptr<Barostat> make(const PressureBath& bath) const = 0;
+
+  protected:
+    BarostatOptions() = default;
+    BarostatOptions(const BarostatOptions&) = default;
+    BarostatOptions& operator=(const BarostatOptions&) = default;
+};
+
 /// A barostat, as decks select it. Each is one file in src/integrators/barostats.
 struct BarostatMethod {
     std::string name;
     std::string meaning;
-    std::vector<Key> keys;  ///< options besides `type`
-    std::function<std::unique_ptr<Barostat>(const Section&, const PressureBath&)> make;
+    std::function<std::unique_ptr<BarostatOptions>()> options;  ///< at their defaults
 };
+
+using ChosenBarostat = Chosen<BarostatMethod, BarostatOptions>;
 
 /// All barostats, in alphabetical order.
 [[nodiscard]] std::vector<BarostatMethod> all_barostats();

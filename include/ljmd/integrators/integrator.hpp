@@ -1,10 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/integrators/operators.hpp"
 
 namespace ljmd {
@@ -21,19 +22,38 @@ struct Scheme {
     std::vector<Operator> reverse;
 };
 
-/// An integrator of Newton's equations, as decks select it. Each is one file in src/integrators/methods.
+/// The options of an integrator, see Description.
+class IntegratorOptions {
+  public:
+    virtual ~IntegratorOptions() = default;
+    virtual void describe(Description& /*description*/) {}
+    [[nodiscard]] virtual Scheme scheme(double time_step) const = 0;
+
+  protected:
+    IntegratorOptions() = default;
+    IntegratorOptions(const IntegratorOptions&) = default;
+    IntegratorOptions& operator=(const IntegratorOptions&) = default;
+};
+
+/// For a method that has no options: its scheme by the time step.
+[[nodiscard]] std::function<std::unique_ptr<IntegratorOptions>()> without_options(
+    const std::function<Scheme(double time_step)>& scheme);
+
+/// A way to advance Newton's equations in time. One file in src/integrators/methods each.
 struct IntegratorMethod {
     std::string name;       ///< as a deck selects it
     std::string meaning;    ///< one line for the reference page
-    int order;              ///< order of the global error with default options: halving the step divides it by 2^order
-    bool reversible;        ///< returns to its start, within rounding, when velocities are reversed
-    bool adaptive = false;  ///< takes steps of its own within the time step, which hardly affects the error
-    bool unbounded_only = false;  ///< only for systems without a box
-    std::vector<Key> keys;        ///< options of a stage that selects it
-    std::function<Scheme(double time_step, const Section& options)> scheme;
+    int order;              ///< of its global error, with its default options: halving the step divides it by 2^order
+    bool reversible;        ///< returns to its start, to rounding, when velocities are reversed
+    bool adaptive = false;  ///< chooses steps of its own within the time step; the error hardly depends on the latter
+    bool unbounded_only = false;  ///< for systems without a box
+    std::function<std::unique_ptr<IntegratorOptions>()>
+        options;  ///< at their defaults; keys of a stage that selects it
 };
 
-/// All integrators, in alphabetical order.
+using ChosenIntegrator = Chosen<IntegratorMethod, IntegratorOptions>;
+
+/// Every integrator there is, in alphabetical order.
 [[nodiscard]] std::vector<IntegratorMethod> all_integrators();
 
 /// @throws InputError for an unknown name
@@ -46,9 +66,9 @@ struct IntegratorMethod {
 /// written positions or velocities since the last step (a thermostat, another method), it starts up again from them.
 class Integrator {
   public:
-    /// @param options  values of the method's keys; without them the defaults apply
+    /// With all options at their defaults.
     Integrator(const IntegratorMethod& method, double time_step);
-    Integrator(const IntegratorMethod& method, double time_step, const Section& options);
+    Integrator(const ChosenIntegrator& chosen, double time_step);
 
     /// The same integrator with a change of the velocities in the middle of each drift.
     [[nodiscard]] Integrator with_half_way(const std::function<void(State&)>& change) const;

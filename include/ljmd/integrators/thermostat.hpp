@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -44,6 +44,19 @@ class Thermostat {
     Thermostat& operator=(const Thermostat&) = default;
 };
 
+/// The options of a thermostat, see Description.
+class ThermostatOptions {
+  public:
+    virtual ~ThermostatOptions() = default;
+    virtual void describe(Description& description) = 0;
+    [[nodiscard]] virtual std::unique_ptr<Thermostat> make(const HeatBath& bath) const = 0;
+
+  protected:
+    ThermostatOptions() = default;
+    ThermostatOptions(const ThermostatOptions&) = default;
+    ThermostatOptions& operator=(const ThermostatOptions&) = default;
+};
+
 /// A thermostat, as decks select it. Each is one file in src/integrators/thermostats.
 struct ThermostatMethod {
     std::string name;
@@ -52,9 +65,10 @@ struct ThermostatMethod {
     bool conserves_momentum;  ///< if not, the centre of mass moves thermally, as a particle of its mass
     bool every_step;          ///< acts within or around every step; only velocity Verlet can be combined with it
     bool deterministic;       ///< draws no random numbers
-    std::vector<Key> keys;    ///< options besides `type`
-    std::function<std::unique_ptr<Thermostat>(const Section&, const HeatBath&)> make;
+    std::function<std::unique_ptr<ThermostatOptions>()> options;  ///< at their defaults
 };
+
+using ChosenThermostat = Chosen<ThermostatMethod, ThermostatOptions>;
 
 /// All thermostats, in alphabetical order.
 [[nodiscard]] std::vector<ThermostatMethod> all_thermostats();

@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
@@ -72,11 +73,32 @@ struct AnalysisNeeds {
     bool fixed_box = true;     ///< uses SampledRun::box throughout; otherwise the box of each configuration
 };
 
+/// Why options do not fit, as pairs of key and message.
+using Misfits = std::vector<std::pair<std::string, std::string>>;
+
 /// Approximate memory of an analysis in a run [bytes].
 struct AnalysisSize {
     double kept;           ///< largest size of what is kept between samples, which checkpoints contain, too
     double fixed = 0.0;    ///< further memory from the first sample on
     double passing = 0.0;  ///< further memory during sampling
+};
+
+/// The options of an analysis, see Description. `every`, the steps between configurations, is among them.
+class AnalysisOptions {
+  public:
+    virtual ~AnalysisOptions() = default;
+    virtual void describe(Description& description) = 0;
+
+    /// Why the options do not fit the run. Empty if they do.
+    [[nodiscard]] virtual Misfits check(const SampledRun& /*run*/) const { return {}; }
+
+    [[nodiscard]] virtual std::unique_ptr<Analysis> make(const SampledRun& run) const = 0;
+    [[nodiscard]] virtual AnalysisSize size(const SampledRun& run) const = 0;
+
+  protected:
+    AnalysisOptions() = default;
+    AnalysisOptions(const AnalysisOptions&) = default;
+    AnalysisOptions& operator=(const AnalysisOptions&) = default;
 };
 
 /// An analysis, as [analysis] selects it. Each is one file in src/observables/analyses.
@@ -86,12 +108,8 @@ struct AnalysisMethod {
     std::vector<std::string> files;  ///< names of its tables
     bool follows_time = false;       ///< compares configurations at different times
     AnalysisNeeds needs = {};
-    bool is_random = false;  ///< draws random numbers
-    std::vector<Key> keys;
-    /// Why the options do not fit the run, as pairs of key and message. Empty if they do.
-    std::function<std::vector<std::pair<std::string, std::string>>(const Section&, const SampledRun&)> check;
-    std::function<std::unique_ptr<Analysis>(const Section&, const SampledRun&)> make;
-    std::function<AnalysisSize(const Section&, const SampledRun&)> size;
+    bool is_random = false;                                     ///< it draws random numbers
+    std::function<std::unique_ptr<AnalysisOptions>()> options;  ///< at their defaults
 };
 
 /// All analyses, in alphabetical order.

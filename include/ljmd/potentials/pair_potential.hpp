@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
 #include "ljmd/potentials/formula_list.hpp"  // generated: one entry for every header in potentials/formulas/
 #include "ljmd/potentials/pair_term.hpp"
 #include "ljmd/potentials/truncation.hpp"
@@ -33,12 +32,17 @@ using AnyPair = decltype(detail::variant_of(std::declval<decltype(detail::all_pa
 /// Pair potential of a fluid: a formula with a truncation, both chosen by name.
 class PairPotential {
   public:
-    /// @param potential  [potential], validated with the keys of its type and truncation
-    /// @pre cutoff > 0; for `switched` 0 < switch_start < cutoff
-    static PairPotential from(const Section& potential);
+    /// Parameters of the formula by their keys in a deck, in reduced units.
+    using Parameters = std::vector<std::pair<std::string, double>>;
 
-    /// Lennard-Jones, for programs that use the library without a deck.
-    /// @param truncation  "cut", "shifted", "force-shifted" or "switched"; InputError otherwise
+    /// @param formula     one of formula_names(); else ContractViolation
+    /// @param truncation  "cut", "shifted", "force-shifted" or "switched"; else InputError
+    /// @param cutoff      radius > 0; for `switched` 0 < switch_start < radius
+    /// @param parameters  all that formula_keys() names, in their ranges; else ContractViolation
+    static PairPotential make(const std::string& formula, const std::string& truncation, const Cutoff& cutoff,
+                              const Parameters& parameters);
+
+    /// Lennard-Jones, which has no parameters.
     static PairPotential lennard_jones(const std::string& truncation, const Cutoff& cutoff);
 
     /// Names that `type` and `truncation` take in a deck, and their keys.
@@ -54,8 +58,6 @@ class PairPotential {
     [[nodiscard]] const std::string& truncation() const { return truncation_; }
     [[nodiscard]] const Cutoff& cutoff() const { return cutoff_; }
 
-    /// Parameters of the formula by their keys in a deck, in reduced units.
-    using Parameters = std::vector<std::pair<std::string, double>>;
     [[nodiscard]] const Parameters& parameters() const { return parameters_; }
 
     /// The formula as text, for programs that read potentials as text: u as a function of r and of the parameters by

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/schema.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {

@@ -19,19 +19,24 @@ class Harmonic : public ForceField {
     double stiffness_;
 };
 
+struct Options : FewBodyForceOptions {
+    double stiffness = 0.0;
+
+    void describe(Description& description) override {
+        description.required_number("stiffness", stiffness).unit("mass time^-2").above(0.0).meaning("k");
+    }
+    [[nodiscard]] std::unique_ptr<ForceField> make() const override { return std::make_unique<Harmonic>(stiffness); }
+};
+
 }  // namespace
 
 /// Harmonic force: each body on a spring to the origin, f = -k r, U = sum k r^2 / 2. Period 2 pi sqrt(m/k).
 FewBodyForceMethod harmonic() {
     return {.name = "harmonic",
             .meaning = "every body on a spring to the origin, f = -k r",
-            .keys = {Key::number("stiffness").unit("mass time^-2").above(0.0).meaning("k")},
             .least_dimensions = 1,
             .most_dimensions = 3,
-            .check = [](const Section&, const State&) -> std::optional<ProblemAtStart> { return std::nullopt; },
-            .make = [](const Section& section) -> std::unique_ptr<ForceField> {
-                return std::make_unique<Harmonic>(section.number("stiffness"));
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -36,10 +36,10 @@ std::string fall(const Body& body) {
 
 class NewtonianGravity : public ForceField {
   public:
-    explicit NewtonianGravity(const Section& section)
-        : gravitational_constant_(section.number("gravitational_constant")),
-          softening2_(section.number("softening") * section.number("softening")),
-          central_mass_(section.number("central_mass")) {}
+    NewtonianGravity(double gravitational_constant, double softening, double central_mass)
+        : gravitational_constant_(gravitational_constant),
+          softening2_(softening * softening),
+          central_mass_(central_mass) {}
 
     [[nodiscard]] std::optional<ProblemAtStart> problem_of(const std::vector<Body>& bodies) const {
         for (const Body& body : bodies) {
@@ -111,6 +111,40 @@ class NewtonianGravity : public ForceField {
     double central_mass_;
 };
 
+struct Options : FewBodyForceOptions {
+    double gravitational_constant = 0.0;
+    double softening = 0.0;
+    double central_mass = 0.0;
+
+    void describe(Description& description) override {
+        description.required_number("gravitational_constant", gravitational_constant)
+            .unit("length^3 mass^-1 time^-2")
+            .above(0.0)
+            .meaning("G");
+        description.number("softening", softening)
+            .unit("length")
+            .at_least(0.0)
+            .meaning("s: distances r count as (r^2 + s^2)^(1/2)");
+        description.number("central_mass", central_mass)
+            .unit("mass")
+            .at_least(0.0)
+            .meaning("M, a mass held at the origin beside the bodies");
+    }
+    [[nodiscard]] std::optional<ProblemAtStart> check(const State& start) const override {
+        return NewtonianGravity(gravitational_constant, softening, central_mass).problem_of(bodies_of(start));
+    }
+    [[nodiscard]] std::unique_ptr<ForceField> make() const override {
+        return std::make_unique<NewtonianGravity>(gravitational_constant, softening, central_mass);
+    }
+    [[nodiscard]] std::optional<double> gravitational_parameter(double mass,
+                                                                std::optional<double> other_mass) const override {
+        if (softening > 0.0) {
+            return std::nullopt;  // no inverse square
+        }
+        return gravitational_constant * (other_mass ? mass + *other_mass : central_mass);
+    }
+};
+
 }  // namespace
 
 /// Newtonian gravity between bodies, with optional softening s and an optional mass M held at the origin:
@@ -123,33 +157,10 @@ class NewtonianGravity : public ForceField {
 FewBodyForceMethod newtonian_gravity() {
     return {.name = "newtonian-gravity",
             .meaning = "gravity between all bodies, and towards a mass held at the origin",
-            .keys = {Key::number("gravitational_constant").unit("length^3 mass^-1 time^-2").above(0.0).meaning("G"),
-                     Key::number("softening")
-                         .unit("length")
-                         .at_least(0.0)
-                         .meaning("s: distances r count as (r^2 + s^2)^(1/2)")
-                         .defaults_to(0.0),
-                     Key::number("central_mass")
-                         .unit("mass")
-                         .at_least(0.0)
-                         .meaning("M, a mass held at the origin beside the bodies")
-                         .defaults_to(0.0)},
             .least_dimensions = 1,
             .most_dimensions = 3,
-            .check = [](const Section& section, const State& start) -> std::optional<ProblemAtStart> {
-                return NewtonianGravity(section).problem_of(bodies_of(start));
-            },
-            .make = [](const Section& section) -> std::unique_ptr<ForceField> {
-                return std::make_unique<NewtonianGravity>(section);
-            },
-            .gravitational_parameter = [](const Section& section, double mass,
-                                          std::optional<double> other_mass) -> std::optional<double> {
-                if (section.number("softening") > 0.0) {
-                    return std::nullopt;  // not an inverse-square law
-                }
-                const double attracting = other_mass ? mass + *other_mass : section.number("central_mass");
-                return section.number("gravitational_constant") * attracting;
-            }};
+            .attracts = true,
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -7,12 +7,6 @@ namespace ljmd {
 
 namespace {
 
-/// Moment of inertia m l^2, which the state holds as the mass of the body.
-double moment_of_inertia(const Section& section, double mass) {
-    const double length = section.number("length");
-    return mass * length * length;
-}
-
 class Pendulum : public ForceField {
   public:
     Pendulum(double gravity, double length) : strength_(gravity / length) {}
@@ -30,6 +24,31 @@ class Pendulum : public ForceField {
     double strength_;  // g/l
 };
 
+struct Options : FewBodyForceOptions {
+    double gravity = 0.0;
+    double length = 0.0;
+
+    void describe(Description& description) override {
+        description.required_number("gravity", gravity).unit("length time^-2").above(0.0).meaning("g");
+        description.required_number("length", length).unit("length").above(0.0).meaning("l");
+    }
+    [[nodiscard]] std::optional<ProblemAtStart> check(const State& start) const override {
+        for (const Body& body : bodies_of(start)) {
+            if (!std::isnormal(body.mass)) {
+                return ProblemAtStart{body.id, fmt::format("body {} has a moment of inertia m l^2 of {}: mass and "
+                                                           "length are out of the range of numbers",
+                                                           body.id + 1, body.mass)};
+            }
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] std::unique_ptr<ForceField> make() const override {
+        return std::make_unique<Pendulum>(gravity, length);
+    }
+    /// m l^2; the state holds it as the mass of the body.
+    [[nodiscard]] double inertia(double mass) const override { return mass * length * length; }
+};
+
 }  // namespace
 
 /// Plane pendulum without friction. The coordinate is the angle theta from the lowest point, in radians:
@@ -42,24 +61,9 @@ class Pendulum : public ForceField {
 FewBodyForceMethod pendulum() {
     return {.name = "pendulum",
             .meaning = "plane pendulum, the coordinate is its angle in radians, theta'' = -(g/l) sin theta",
-            .keys = {Key::number("gravity").unit("length time^-2").above(0.0).meaning("g"),
-                     Key::number("length").unit("length").above(0.0).meaning("l")},
             .least_dimensions = 1,
             .most_dimensions = 1,
-            .check = [](const Section&, const State& start) -> std::optional<ProblemAtStart> {
-                for (const Body& body : bodies_of(start)) {
-                    if (!std::isnormal(body.mass)) {
-                        return ProblemAtStart{body.id, fmt::format("body {} has a moment of inertia m l^2 of {}: mass "
-                                                                   "and length are out of the range of numbers",
-                                                                   body.id + 1, body.mass)};
-                    }
-                }
-                return std::nullopt;
-            },
-            .make = [](const Section& section) -> std::unique_ptr<ForceField> {
-                return std::make_unique<Pendulum>(section.number("gravity"), section.number("length"));
-            },
-            .inertia = moment_of_inertia};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

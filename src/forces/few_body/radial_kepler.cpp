@@ -35,6 +35,37 @@ class RadialKepler : public ForceField {
     double h2_;
 };
 
+struct Options : FewBodyForceOptions {
+    double gravitational_parameter_of_both = 0.0;
+    double angular_momentum = 0.0;
+
+    void describe(Description& description) override {
+        description.required_number("gravitational_parameter", gravitational_parameter_of_both)
+            .unit("length^3 time^-2")
+            .above(0.0)
+            .meaning("mu = G (m1 + m2)");
+        description.required_number("angular_momentum", angular_momentum)
+            .unit("length^2 time^-1")
+            .at_least(0.0)
+            .meaning("h, for a unit of reduced mass");
+    }
+    [[nodiscard]] std::optional<ProblemAtStart> check(const State& start) const override {
+        for (const Body& body : bodies_of(start)) {
+            if (const auto problem = problem_of(body)) {
+                return ProblemAtStart{body.id, *problem};
+            }
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] std::unique_ptr<ForceField> make() const override {
+        return std::make_unique<RadialKepler>(gravitational_parameter_of_both, angular_momentum);
+    }
+    [[nodiscard]] AngularVelocity angular_velocity(double distance, double distance_rate) const override {
+        const double rate = angular_momentum / (distance * distance);
+        return {rate, -2.0 * rate * distance_rate / distance};
+    }
+};
+
 }  // namespace
 
 /// Distance rho > 0 of two bodies that attract each other by gravity, as a problem in one dimension:
@@ -45,32 +76,12 @@ class RadialKepler : public ForceField {
 /// m, the energy is that of the relative motion of the two bodies. Source: Landau and Lifshitz, Mechanics, sections 14
 /// and 15
 FewBodyForceMethod radial_kepler() {
-    return {
-        .name = "radial-kepler",
-        .meaning = "distance of two bodies under gravity, rho'' = h^2/rho^3 - mu/rho^2",
-        .keys = {Key::number("gravitational_parameter").unit("length^3 time^-2").above(0.0).meaning("mu = G (m1 + m2)"),
-                 Key::number("angular_momentum")
-                     .unit("length^2 time^-1")
-                     .at_least(0.0)
-                     .meaning("h, for a unit of reduced mass")},
-        .least_dimensions = 1,
-        .most_dimensions = 1,
-        .check = [](const Section&, const State& start) -> std::optional<ProblemAtStart> {
-            for (const Body& body : bodies_of(start)) {
-                if (const auto problem = problem_of(body)) {
-                    return ProblemAtStart{body.id, *problem};
-                }
-            }
-            return std::nullopt;
-        },
-        .make = [](const Section& section) -> std::unique_ptr<ForceField> {
-            return std::make_unique<RadialKepler>(section.number("gravitational_parameter"),
-                                                  section.number("angular_momentum"));
-        },
-        .angular_velocity = [](const Section& section, double distance, double distance_rate) -> AngularVelocity {
-            const double rate = section.number("angular_momentum") / (distance * distance);
-            return {rate, -2.0 * rate * distance_rate / distance};
-        }};
+    return {.name = "radial-kepler",
+            .meaning = "distance of two bodies under gravity, rho'' = h^2/rho^3 - mu/rho^2",
+            .least_dimensions = 1,
+            .most_dimensions = 1,
+            .has_polar_angle = true,
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

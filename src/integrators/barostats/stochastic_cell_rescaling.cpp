@@ -60,6 +60,34 @@ class StochasticCellRescaling : public Barostat {
     Random random_;
 };
 
+struct Options : BarostatOptions {
+    double pressure = 0.0;
+    double time = 2.0;
+    double compressibility = 0.05;
+    Index every = 10;
+
+    void describe(Description& description) override {
+        description.required_number("pressure", pressure)
+            .dimension(Dimension::pressure)
+            .unit("epsilon/sigma^3")
+            .meaning("to be held; rho T + W/(3 V), with tail where the deck has it");
+        description.number("time", time)
+            .dimension(Dimension::time)
+            .unit("tau")
+            .above(0.0)
+            .meaning("tau_p: the volume is forgotten after it");
+        description.number("compressibility", compressibility)
+            .unit("sigma^3/epsilon")
+            .above(0.0)
+            .meaning(
+                "isothermal, about that of the fluid; 0.05 is that of the liquid near its triple point, a gas has 1/p");
+        description.integer("every", every).at_least(1).meaning("steps between changes");
+    }
+    [[nodiscard]] std::unique_ptr<Barostat> make(const PressureBath& bath) const override {
+        return std::make_unique<StochasticCellRescaling>(pressure, compressibility / time, Every(every), bath);
+    }
+};
+
 }  // namespace
 
 /// Stochastic cell rescaling, isotropic. The volume V obeys
@@ -85,28 +113,7 @@ BarostatMethod stochastic_cell_rescaling() {
             .meaning =
                 "scale the box so that its volume fluctuates as at constant pressure (Bernetti and Bussi 2020); "
                 "isothermal-isobaric with a canonical thermostat",
-            .keys = {Key::number("pressure")
-                         .dimension(Dimension::pressure)
-                         .unit("epsilon/sigma^3")
-                         .meaning("to be held; rho T + W/(3 V), with tail where the deck has it"),
-                     Key::number("time")
-                         .dimension(Dimension::time)
-                         .unit("tau")
-                         .above(0.0)
-                         .defaults_to(2.0)
-                         .meaning("tau_p: the volume is forgotten after it"),
-                     Key::number("compressibility")
-                         .unit("sigma^3/epsilon")
-                         .above(0.0)
-                         .defaults_to(0.05)
-                         .meaning("isothermal, about that of the fluid; 0.05 is that of the liquid near its triple "
-                                  "point, a gas has 1/p"),
-                     Key::integer("every").at_least(1).defaults_to(std::int64_t{10}).meaning("steps between changes")},
-            .make = [](const Section& section, const PressureBath& bath) -> std::unique_ptr<Barostat> {
-                return std::make_unique<StochasticCellRescaling>(
-                    section.number("pressure"), section.number("compressibility") / section.number("time"),
-                    Every(section.integer("every")), bath);
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -90,15 +90,14 @@ IntegratorMethod bit_reversible() {
         .meaning = "Verlet's formula on integer positions: returns to its start bit for bit (Levesque and Verlet 1993)",
         .order = 2,
         .reversible = true,
-        .keys = {},
-        .scheme = [](double dt, const Section&) -> Scheme {
+        .options = without_options([](double dt) -> Scheme {
             const Evaluate forces{.order_independent = true};
             const Update difference{[dt](State& state) { central_difference(state, dt); }};
             return {
                 .begin = {Update{put_on_grid}, forces, Update{[dt](State& state) { begin(state, dt); }}, difference},
                 .cycle = {{Update{[dt](State& state) { advance(state, dt); }}, forces, difference}},
                 .reverse = {Update{[dt](State& state) { reverse(state, dt); }}}};
-        }};
+        })};
 }
 
 }  // namespace ljmd

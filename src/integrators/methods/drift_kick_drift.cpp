@@ -17,12 +17,11 @@ IntegratorMethod drift_kick_drift() {
             .meaning = "half drift, kick, half drift: the mirror image of velocity Verlet (Tuckerman et al. 1992)",
             .order = 2,
             .reversible = true,
-            .keys = {},
-            .scheme = [](double dt, const Section&) -> Scheme {
+            .options = without_options([](double dt) -> Scheme {
                 return {.begin = {},
                         .cycle = {{Drift{0.5 * dt}, Evaluate{}, Kick{dt}, Drift{0.5 * dt}, Evaluate{}}},
                         .reverse = {}};
-            }};
+            })};
 }
 
 }  // namespace ljmd

@@ -31,11 +31,10 @@ IntegratorMethod euler() {
             .meaning = "drift and kick with the old values; first order, gains energy; for comparison",
             .order = 1,
             .reversible = false,
-            .keys = {},
-            .scheme = [](double dt, const Section&) -> Scheme {
+            .options = without_options([](double dt) -> Scheme {
                 const Update advance{[dt](State& state) { euler_step(state, dt); }};
                 return {.begin = {}, .cycle = {{advance, Evaluate{}}}, .reverse = {}};
-            }};
+            })};
 }
 
 }  // namespace ljmd

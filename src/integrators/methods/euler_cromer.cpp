@@ -15,10 +15,9 @@ IntegratorMethod euler_cromer() {
             .meaning = "kick, then drift with the new velocity; first order, symplectic (Cromer 1981)",
             .order = 1,
             .reversible = false,
-            .keys = {},
-            .scheme = [](double dt, const Section&) -> Scheme {
+            .options = without_options([](double dt) -> Scheme {
                 return {.begin = {}, .cycle = {{Kick{dt}, Drift{dt}, Evaluate{}}}, .reverse = {}};
-            }};
+            })};
 }
 
 }  // namespace ljmd

@@ -16,8 +16,7 @@ IntegratorMethod forest_ruth() {
             .meaning = "symplectic composition of fourth order, three evaluations a step (Forest and Ruth 1990)",
             .order = 4,
             .reversible = true,
-            .keys = {},
-            .scheme = [](double dt, const Section&) -> Scheme {
+            .options = without_options([](double dt) -> Scheme {
                 const double w1 = 1.0 / (2.0 - std::cbrt(2.0));
                 const double w0 = 1.0 - 2.0 * w1;
                 const double outer = 0.5 * w1 * dt;
@@ -26,7 +25,7 @@ IntegratorMethod forest_ruth() {
                         .cycle = {{Kick{outer}, Drift{w1 * dt}, Evaluate{}, Kick{inner}, Drift{w0 * dt}, Evaluate{},
                                    Kick{inner}, Drift{w1 * dt}, Evaluate{}, Kick{outer}}},
                         .reverse = {}};
-            }};
+            })};
 }
 
 }  // namespace ljmd

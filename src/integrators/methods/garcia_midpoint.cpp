@@ -32,11 +32,10 @@ IntegratorMethod garcia_midpoint() {
         .meaning = "kick, then drift with the mean of old and new velocity; first order (Garcia 2000); for comparison",
         .order = 1,
         .reversible = false,
-        .keys = {},
-        .scheme = [](double dt, const Section&) -> Scheme {
+        .options = without_options([](double dt) -> Scheme {
             const Update advance{[dt](State& state) { garcia_step(state, dt); }};
             return {.begin = {}, .cycle = {{advance, Evaluate{}}}, .reverse = {}};
-        }};
+        })};
 }
 
 }  // namespace ljmd

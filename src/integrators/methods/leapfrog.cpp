@@ -58,13 +58,12 @@ IntegratorMethod leapfrog() {
             .meaning = "velocities at half steps; those reported are synchronised (Hockney and Eastwood 1988)",
             .order = 2,
             .reversible = true,
-            .keys = {},
-            .scheme = [](double dt, const Section&) -> Scheme {
+            .options = without_options([](double dt) -> Scheme {
                 return {.begin = {Update{[dt](State& state) { begin(state, dt); }}},
                         .cycle = {{Update{[dt](State& state) { leap(state, dt); }}, Evaluate{},
                                    Update{[dt](State& state) { synchronise(state, dt); }}}},
                         .reverse = {Update{[dt](State& state) { reverse(state, dt); }}}};
-            }};
+            })};
 }
 
 }  // namespace ljmd

@@ -23,13 +23,12 @@ IntegratorMethod leapfrog_2tau() {
         .meaning = "the leapfrog of step 2 tau as textbooks write it, positions and velocities by turns (Garcia 2000)",
         .order = 2,
         .reversible = true,
-        .keys = {},
-        .scheme = [](double tau, const Section&) -> Scheme {
+        .options = without_options([](double tau) -> Scheme {
             const Update negate{[](State& state) { state.write_velocities() *= -1.0; }};
             return {.begin = {},
                     .cycle = {{Kick{tau}, Drift{tau}, Evaluate{}}, {Drift{tau}, Evaluate{}, Kick{tau}}},
                     .reverse = {negate}};
-        }};
+        })};
 }
 
 }  // namespace ljmd

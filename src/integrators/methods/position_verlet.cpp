@@ -60,6 +60,23 @@ void reverse(State& state, double dt) {
     state.write_velocities() *= -1.0;
 }
 
+struct Options : IntegratorOptions {
+    std::string start = "taylor";
+
+    void describe(Description& description) override {
+        description.choice("start", {"taylor", "backward", "euler"}, start)
+            .meaning(
+                "how the second position is found: taylor and backward to second order, euler to first, "
+                "which makes the whole run first order");
+    }
+    [[nodiscard]] Scheme scheme(double dt) const override {
+        return {.begin = {Update{[dt, how = start](State& state) { begin(state, dt, how); }}},
+                .cycle = {{Update{[dt](State& state) { advance(state, dt); }}, Evaluate{},
+                           Update{[dt](State& state) { central_difference(state, dt); }}}},
+                .reverse = {Update{[dt](State& state) { reverse(state, dt); }}}};
+    }
+};
+
 }  // namespace
 
 /// Verlet's formula of 1967, found earlier by Störmer, for positions alone:
@@ -78,22 +95,11 @@ void reverse(State& state, double dt) {
 /// rounding.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98, equations 4 and 5; Störmer (1907), Arch. Sci. Phys. Nat. 24, 5
 IntegratorMethod position_verlet() {
-    return {
-        .name = "position-verlet",
-        .meaning = "Verlet's formula of 1967 for positions alone, velocities by central differences (Störmer 1907)",
-        .order = 2,
-        .reversible = true,
-        .keys = {Key::choice("start", {"taylor", "backward", "euler"})
-                     .defaults_to("taylor")
-                     .meaning("how the second position is found: taylor and backward to second order, euler to first, "
-                              "which makes the whole run first order")},
-        .scheme = [](double dt, const Section& options) -> Scheme {
-            const std::string start = options.text("start");
-            return {.begin = {Update{[dt, start](State& state) { begin(state, dt, start); }}},
-                    .cycle = {{Update{[dt](State& state) { advance(state, dt); }}, Evaluate{},
-                               Update{[dt](State& state) { central_difference(state, dt); }}}},
-                    .reverse = {Update{[dt](State& state) { reverse(state, dt); }}}};
-        }};
+    return {.name = "position-verlet",
+            .meaning = "Verlet's formula of 1967 for positions alone, velocities by central differences (Störmer 1907)",
+            .order = 2,
+            .reversible = true,
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -37,13 +37,12 @@ IntegratorMethod prince_dormand() {
             .reversible = false,
             .adaptive = true,
             .unbounded_only = true,
-            .keys = {},
-            .scheme = [](double dt, const Section&) -> Scheme {
+            .options = without_options([](double dt) -> Scheme {
                 const Solve advance{[dt](State& state, ForceField& force_field, const StateWatch& within) {
                     solve(state, force_field, dt, within);
                 }};
                 return {.begin = {}, .cycle = {{advance, Evaluate{}}}, .reverse = {}};
-            }};
+            })};
 }
 
 }  // namespace ljmd

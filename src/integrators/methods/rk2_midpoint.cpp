@@ -45,12 +45,11 @@ IntegratorMethod rk2_midpoint() {
             .meaning = "Runge-Kutta of second order by the midpoint (Runge 1895); for comparison",
             .order = 2,
             .reversible = false,
-            .keys = {},
-            .scheme = [](double dt, const Section&) -> Scheme {
+            .options = without_options([](double dt) -> Scheme {
                 const Update to_midpoint{[dt](State& state) { half_euler_step(state, dt); }};
                 const Update to_end{[dt](State& state) { full_step_from_midpoint(state, dt); }};
                 return {.begin = {}, .cycle = {{to_midpoint, Evaluate{}, to_end, Evaluate{}}}, .reverse = {}};
-            }};
+            })};
 }
 
 }  // namespace ljmd

@@ -15,10 +15,9 @@ IntegratorMethod velocity_verlet() {
             .meaning = "half kick, drift, half kick (Swope et al. 1982)",
             .order = 2,
             .reversible = true,
-            .keys = {},
-            .scheme = [](double dt, const Section&) -> Scheme {
+            .options = without_options([](double dt) -> Scheme {
                 return {.begin = {}, .cycle = {{Kick{0.5 * dt}, Drift{dt}, Evaluate{}, Kick{0.5 * dt}}}, .reverse = {}};
-            }};
+            })};
 }
 
 }  // namespace ljmd

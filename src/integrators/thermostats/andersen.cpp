@@ -33,6 +33,17 @@ class Andersen : public Thermostat {
     Random velocities_;
 };
 
+struct Options : ThermostatOptions {
+    double time = 1.0;
+
+    void describe(Description& description) override {
+        describe_relaxation_time(description, time, "mean time between two collisions of an atom");
+    }
+    [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
+        return std::make_unique<Andersen>(time, bath);
+    }
+};
+
 }  // namespace
 
 /// Andersen's thermostat: after each step, each atom collides with the bath with probability 1 - exp(-dt/tau_T) and
@@ -45,10 +56,7 @@ ThermostatMethod andersen() {
             .conserves_momentum = false,
             .every_step = true,
             .deterministic = false,
-            .keys = {relaxation_time(1.0, "mean time between two collisions of an atom")},
-            .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
-                return std::make_unique<Andersen>(section.number("time"), bath);
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

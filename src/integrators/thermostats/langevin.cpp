@@ -30,6 +30,17 @@ class Langevin : public Thermostat {
     Random random_;
 };
 
+struct Options : ThermostatOptions {
+    double time = 1.0;
+
+    void describe(Description& description) override {
+        describe_relaxation_time(description, time, "friction makes velocities forgotten after it");
+    }
+    [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
+        return std::make_unique<Langevin>(time, bath);
+    }
+};
+
 }  // namespace
 
 /// Langevin dynamics, m dv/dt = f - m v/tau_T + noise, in the BAOAB splitting: in the middle of velocity Verlet's
@@ -47,10 +58,7 @@ ThermostatMethod langevin() {
             .conserves_momentum = false,
             .every_step = true,
             .deterministic = false,
-            .keys = {relaxation_time(1.0, "friction makes velocities forgotten after it")},
-            .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
-                return std::make_unique<Langevin>(section.number("time"), bath);
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -90,6 +90,19 @@ class NoseHooverChain : public Thermostat {
     double half_step_;
 };
 
+struct Options : ThermostatOptions {
+    double time = 0.5;
+    Index length = 3;
+
+    void describe(Description& description) override {
+        describe_relaxation_time(description, time, "the temperature oscillates about its mean in some of it");
+        description.integer("length", length).at_least(1).at_most(100).meaning("thermostats in the chain");
+    }
+    [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
+        return std::make_unique<NoseHooverChain>(length, time, bath);
+    }
+};
+
 }  // namespace
 
 /// Nose-Hoover chain of M thermostats: eta_1 damps the velocities, eta_(k+1) damps eta_k.
@@ -114,15 +127,7 @@ ThermostatMethod nose_hoover_chain() {
             .conserves_momentum = true,
             .every_step = true,
             .deterministic = true,
-            .keys = {relaxation_time(0.5, "the temperature oscillates about its mean in some of it"),
-                     Key::integer("length")
-                         .at_least(1)
-                         .at_most(100)
-                         .defaults_to(std::int64_t{3})
-                         .meaning("thermostats in the chain")},
-            .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
-                return std::make_unique<NoseHooverChain>(section.integer("length"), section.number("time"), bath);
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

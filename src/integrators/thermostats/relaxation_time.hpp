@@ -2,20 +2,14 @@
 
 #include <string>
 
-#include "ljmd/core/schema.hpp"
+#include "ljmd/core/description.hpp"
 
 namespace ljmd {
 
-/// The key `time`, tau_T, of a canonical thermostat.
-/// @param usual    its default [tau]
-/// @param meaning  what happens within that time
-inline Key relaxation_time(double usual, const std::string& meaning) {
-    return Key::number("time")
-        .dimension(Dimension::time)
-        .unit("tau")
-        .above(0.0)
-        .defaults_to(usual)
-        .meaning("tau_T: " + meaning);
+/// The key `time` of a canonical thermostat, tau_T [tau].
+/// @param meaning  what happens in that time
+inline void describe_relaxation_time(Description& description, double& time, const std::string& meaning) {
+    description.number("time", time).dimension(Dimension::time).unit("tau").above(0.0).meaning("tau_T: " + meaning);
 }
 
 }  // namespace ljmd

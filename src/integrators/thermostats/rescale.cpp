@@ -23,23 +23,30 @@ class Rescale : public Thermostat {
     double temperature_;
 };
 
+struct Options : ThermostatOptions {
+    Index every = 20;
+
+    void describe(Description& description) override {
+        description.integer("every", every).at_least(1).meaning("steps between rescalings");
+    }
+    [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
+        return std::make_unique<Rescale>(Every(every), bath.temperature);
+    }
+};
+
 }  // namespace
 
 /// Verlet's velocity rescaling: v *= sqrt(T / T_now) every n steps. Sets the kinetic temperature exactly but samples no
 /// ensemble, so it is for equilibration only.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98
 ThermostatMethod rescale() {
-    return {
-        .name = "rescale",
-        .meaning = "scale all velocities to the temperature every n steps (Verlet 1967); for equilibration only",
-        .canonical = false,
-        .conserves_momentum = true,
-        .every_step = false,
-        .deterministic = true,
-        .keys = {Key::integer("every").at_least(1).meaning("steps between rescalings").defaults_to(std::int64_t{20})},
-        .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
-            return std::make_unique<Rescale>(Every(section.integer("every")), bath.temperature);
-        }};
+    return {.name = "rescale",
+            .meaning = "scale all velocities to the temperature every n steps (Verlet 1967); for equilibration only",
+            .canonical = false,
+            .conserves_momentum = true,
+            .every_step = false,
+            .deterministic = true,
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

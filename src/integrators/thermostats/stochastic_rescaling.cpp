@@ -39,6 +39,17 @@ class StochasticRescaling : public Thermostat {
     Random random_;
 };
 
+struct Options : ThermostatOptions {
+    double time = 0.5;
+
+    void describe(Description& description) override {
+        describe_relaxation_time(description, time, "the kinetic energy is forgotten after it");
+    }
+    [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
+        return std::make_unique<StochasticRescaling>(time, bath);
+    }
+};
+
 }  // namespace
 
 /// Stochastic velocity rescaling: after a step all velocities are scaled so that the kinetic energy becomes
@@ -59,10 +70,7 @@ ThermostatMethod stochastic_rescaling() {
             .conserves_momentum = true,
             .every_step = true,
             .deterministic = false,
-            .keys = {relaxation_time(0.5, "the kinetic energy is forgotten after it")},
-            .make = [](const Section& section, const HeatBath& bath) -> std::unique_ptr<Thermostat> {
-                return std::make_unique<StochasticRescaling>(section.number("time"), bath);
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -9,70 +9,71 @@ namespace {
 constexpr UsualLags usual{.every = 50, .max_time = 10.0, .share = 0.2};
 constexpr double usual_fit_start = 0.2;  // fraction of the largest time: beyond the motion of an atom in its cage
 
-LagTimes times_of(const Section& section, const SampledRun& run) {
-    LagTimes lags = lag_times(section, run, usual);
-    lags.count = std::max(lags.count, Index{2});  // a line needs two times after the first
-    return lags;
-}
+struct Options : AnalysisOptions {
+    LagOptions lags{usual};
+    Index origins = 50;
+    std::optional<double> fit_start = {};
 
-double fit_start(const Section& section, const LagTimes& lags) {
-    return section.has("fit_start") ? section.number("fit_start") : usual_fit_start * lags.time(lags.count);
-}
-
-std::vector<std::pair<std::string, std::string>> mistakes(const Section& section, const SampledRun& run) {
-    std::vector<std::pair<std::string, std::string>> found = lag_mistakes(section, run, usual, "msd");
-    const LagTimes lags = times_of(section, run);
-    const double last_start = lags.time(lags.count - 1);
-    if (section.has("fit_start") && section.number("fit_start") > last_start * (1.0 + 1e-9)) {
-        found.emplace_back("fit_start", fmt::format("'fit_start' in msd is {:.6g}: a line needs at least two times, so "
-                                                    "it can be at most {:.6g}",
-                                                    section.number("fit_start"), last_start));
+    void describe(Description& description) override {
+        lags.describe(description);
+        description.integer("origins", origins)
+            .at_least(1)
+            .at_most(100000)
+            .meaning("time origins within `max_time`; each takes 24 bytes an atom");
+        description.number("fit_start", fit_start)
+            .dimension(Dimension::time)
+            .unit("tau")
+            .at_least(0.0)
+            .optional(fmt::format("{} of `max_time`", usual_fit_start))
+            .meaning("diffusion is the slope from this time to `max_time`");
     }
-    return found;
-}
-
-AnalysisSize size_of(const Section& section, const SampledRun& run) {
-    const LagTimes lags = times_of(section, run);
-    const Index frames = run.steps / lags.every + 1;
-    const Index between =
-        std::max((lags.count + section.integer("origins") - 1) / section.integer("origins"), Index{1});
-    const Index whole_origins = (std::min(frames, lags.count) + between - 1) / between;
-    const auto origins = static_cast<double>(whole_origins);
-    const double positions = 24.0 * static_cast<double>(run.atoms);
-    return {.kept = origins * (positions + 4.0 * static_cast<double>(lags.count)) +
-                    BlockingAccumulator::bytes(lags.count + 2, Covariance::diagonal, (frames - lags.count) / between),
+    [[nodiscard]] Misfits check(const SampledRun& run) const override {
+        Misfits misfits = lags.check(run, "msd");
+        const LagTimes times = times_of(run);
+        const double last_start = times.time(times.count - 1);
+        if (fit_start && *fit_start > last_start * (1.0 + 1e-9)) {
+            misfits.emplace_back("fit_start", fmt::format("'fit_start' in msd is {:.6g}: a line needs at least two "
+                                                          "times, so it can be at most {:.6g}",
+                                                          *fit_start, last_start));
+        }
+        return misfits;
+    }
+    [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
+        const LagTimes times = times_of(run);
+        return std::make_unique<MeanSquareDisplacement>(run.atoms, times, origins,
+                                                        fit_start.value_or(usual_fit_start * times.time(times.count)));
+    }
+    [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
+        const LagTimes times = times_of(run);
+        const Index frames = run.steps / times.every + 1;
+        const Index between = std::max((times.count + origins - 1) / origins, Index{1});
+        const Index whole_origins = (std::min(frames, times.count) + between - 1) / between;
+        const auto kept = static_cast<double>(whole_origins);
+        const double positions = 24.0 * static_cast<double>(run.atoms);
+        return {
+            .kept = kept * (positions + 4.0 * static_cast<double>(times.count)) +
+                    BlockingAccumulator::bytes(times.count + 2, Covariance::diagonal, (frames - times.count) / between),
             .passing = positions};
-}
+    }
+
+  private:
+    [[nodiscard]] LagTimes times_of(const SampledRun& run) const {
+        LagTimes times = lags.times(run);
+        times.count = std::max(times.count, Index{2});  // a line needs two times after the first
+        return times;
+    }
+};
 
 }  // namespace
 
 /// Mean-square displacement, see mean_square_displacement.hpp.
 AnalysisMethod msd() {
-    std::vector<Key> keys = lag_keys(usual);
-    keys.push_back(Key::integer("origins")
-                       .at_least(1)
-                       .at_most(100000)
-                       .defaults_to(std::int64_t{50})
-                       .meaning("time origins within `max_time`; each takes 24 bytes an atom"));
-    keys.push_back(Key::number("fit_start")
-                       .dimension(Dimension::time)
-                       .unit("tau")
-                       .at_least(0.0)
-                       .optional(fmt::format("{} of `max_time`", usual_fit_start))
-                       .meaning("diffusion is the slope from this time to `max_time`"));
     return {.name = "msd",
             .meaning = "mean-square displacement and diffusion by Einstein's relation, written to msd.csv",
             .files = {"msd"},
             .follows_time = true,
             .needs = {.unwrapped_positions = true},
-            .keys = keys,
-            .check = mistakes,
-            .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
-                const LagTimes lags = times_of(section, run);
-                return std::make_unique<MeanSquareDisplacement>(run.atoms, lags, section.integer("origins"),
-                                                                fit_start(section, lags));
-            },
-            .size = size_of};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -6,6 +6,26 @@ namespace {
 
 constexpr UsualLags usual{.every = 5, .max_time = 4.0, .share = 0.1};
 
+struct Options : AnalysisOptions {
+    LagOptions lags{usual};
+
+    void describe(Description& description) override { lags.describe(description); }
+    [[nodiscard]] Misfits check(const SampledRun& run) const override { return lags.check(run, "vacf"); }
+    [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
+        const LagTimes times = lags.times(run);
+        return std::make_unique<VelocityAutocorrelation>(run.atoms, times, correlation_window(times, run));
+    }
+    [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
+        const LagTimes times = lags.times(run);
+        const Index window = correlation_window(times, run);
+        const Index frames = run.steps / times.every + 1;
+        const double frame = 24.0 * static_cast<double>(run.atoms);
+        return {.kept = frame * static_cast<double>(std::min(frames, window)) +
+                        BlockingAccumulator::bytes(3 * times.count + 4, Covariance::diagonal, frames / window),
+                .passing = frame};
+    }
+};
+
 }  // namespace
 
 /// Velocity autocorrelation, see velocity_autocorrelation.hpp.
@@ -17,22 +37,7 @@ AnalysisMethod vacf() {
             .files = {"vacf", "vibrational_spectrum"},
             .follows_time = true,
             .needs = {.velocities = true},
-            .keys = lag_keys(usual),
-            .check = [](const Section& section,
-                        const SampledRun& run) { return lag_mistakes(section, run, usual, "vacf"); },
-            .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
-                const LagTimes lags = lag_times(section, run, usual);
-                return std::make_unique<VelocityAutocorrelation>(run.atoms, lags, correlation_window(lags, run));
-            },
-            .size = [](const Section& section, const SampledRun& run) -> AnalysisSize {
-                const LagTimes lags = lag_times(section, run, usual);
-                const Index window = correlation_window(lags, run);
-                const Index frames = run.steps / lags.every + 1;
-                const double frame = 24.0 * static_cast<double>(run.atoms);
-                return {.kept = frame * static_cast<double>(std::min(frames, window)) +
-                                BlockingAccumulator::bytes(3 * lags.count + 4, Covariance::diagonal, frames / window),
-                        .passing = frame};
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

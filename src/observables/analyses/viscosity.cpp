@@ -6,6 +6,24 @@ namespace {
 
 constexpr UsualLags usual{.every = 5, .max_time = 5.0, .share = 0.05};
 
+struct Options : AnalysisOptions {
+    LagOptions lags{usual};
+
+    void describe(Description& description) override { lags.describe(description); }
+    [[nodiscard]] Misfits check(const SampledRun& run) const override { return lags.check(run, "viscosity"); }
+    [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
+        const LagTimes times = lags.times(run);
+        return std::make_unique<StressAutocorrelation>(run.box, times, correlation_window(times, run));
+    }
+    [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
+        const LagTimes times = lags.times(run);
+        const Index window = correlation_window(times, run);
+        const Index frames = run.steps / times.every + 1;
+        return {.kept = 48.0 * static_cast<double>(std::min(frames, window)) +
+                        BlockingAccumulator::bytes(2 * times.count + 4, Covariance::diagonal, frames / window)};
+    }
+};
+
 }  // namespace
 
 /// Shear viscosity, see stress_autocorrelation.hpp.
@@ -17,20 +35,7 @@ AnalysisMethod viscosity() {
             .files = {"stress_autocorrelation"},
             .follows_time = true,
             .needs = {.velocities = true, .interaction = true},
-            .keys = lag_keys(usual),
-            .check = [](const Section& section,
-                        const SampledRun& run) { return lag_mistakes(section, run, usual, "viscosity"); },
-            .make = [](const Section& section, const SampledRun& run) -> std::unique_ptr<Analysis> {
-                const LagTimes lags = lag_times(section, run, usual);
-                return std::make_unique<StressAutocorrelation>(run.box, lags, correlation_window(lags, run));
-            },
-            .size = [](const Section& section, const SampledRun& run) -> AnalysisSize {
-                const LagTimes lags = lag_times(section, run, usual);
-                const Index window = correlation_window(lags, run);
-                const Index frames = run.steps / lags.every + 1;
-                return {.kept = 48.0 * static_cast<double>(std::min(frames, window)) +
-                                BlockingAccumulator::bytes(2 * lags.count + 4, Covariance::diagonal, frames / window)};
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -50,6 +50,15 @@ class Closest : public FewBodyAnalysis {
     ClosestApproach approach_;
 };
 
+struct Options : FewBodyAnalysisOptions {
+    [[nodiscard]] Misfits check(const FewBodyTarget& target) const override {
+        return target.bodies < 2 ? Misfits{{"", "closest_approach needs two bodies"}} : Misfits{};
+    }
+    [[nodiscard]] std::unique_ptr<FewBodyAnalysis> make(const FewBodyTarget& target) const override {
+        return std::make_unique<Closest>(target.force.plugin.attracts);
+    }
+};
+
 }  // namespace
 
 /// Closest approach of any two bodies: distance, time and bodies.
@@ -57,18 +66,7 @@ FewBodyAnalysisMethod closest_approach() {
     return {.name = "closest_approach",
             .meaning =
                 "the smallest distance between any two bodies, when, and which; fixed steps must resolve the encounter",
-            .keys = {},
-            .check =
-                [](const Section& section, const FewBodyTarget& target) {
-                    std::vector<std::pair<std::string, std::string>> messages;
-                    if (target.bodies < 2) {
-                        messages.emplace_back("", fmt::format("{} needs two bodies", section.title()));
-                    }
-                    return messages;
-                },
-            .make = [](const Section&, const FewBodyTarget& target) -> std::unique_ptr<FewBodyAnalysis> {
-                return std::make_unique<Closest>(static_cast<bool>(target.force.gravitational_parameter));
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -8,44 +8,10 @@ namespace ljmd {
 
 namespace {
 
-using Messages = std::vector<std::pair<std::string, std::string>>;
-
-Messages check(const Section& section, const FewBodyTarget& target) {
-    Messages messages;
-    const auto beyond = [&](const char* key) {
-        return fmt::format("'{}' in orbit is {}, but the last body is {}", key, section.integer(key), target.bodies);
-    };
-    if (section.integer("body") > target.bodies) {
-        messages.emplace_back("body", beyond("body"));
-    } else if (target.force.angular_velocity && section.integer("body") > 1) {
-        messages.emplace_back("body", fmt::format("'body' in orbit is {}, but force '{}' has the angle of body 1 alone",
-                                                  section.integer("body"), target.force.name));
-    }
-    if (!section.has("about")) {
-        return messages;
-    }
-    if (target.force.angular_velocity) {
-        messages.emplace_back(
-            "about",
-            fmt::format("'about' in orbit has no meaning for force '{}', whose coordinate is a distance already",
-                        target.force.name));
-    } else if (section.integer("about") > target.bodies) {
-        messages.emplace_back("about", beyond("about"));
-    } else if (section.sound("body") && section.integer("about") == section.integer("body")) {
-        messages.emplace_back("about", "'about' in orbit is the body itself");
-    }
-    return messages;
-}
-
 class Orbit : public FewBodyAnalysis {
   public:
-    Orbit(const Section& section, const FewBodyTarget& target)
-        : body_(section.integer("body") - 1),
-          about_(section.has("about") ? std::optional(section.integer("about") - 1) : std::nullopt),
-          strength_([force = target.force.gravitational_parameter, section = target.force_section](
-                        double mass, std::optional<double> other) -> std::optional<double> {
-              return force ? force(section, mass, other) : std::nullopt;
-          }) {}
+    Orbit(Index body, std::optional<Index> about, std::shared_ptr<const FewBodyForceOptions> force)
+        : body_(body), about_(about), force_(std::move(force)) {}
 
     void sample(const FewBodySample& now) override {
         const State& state = now.state;
@@ -65,8 +31,8 @@ class Orbit : public FewBodyAnalysis {
             return;
         }
         points_.add(state.time, r, v);
-        const auto mu = strength_(state.masses()[static_cast<std::size_t>(i)], other_mass);
-        // Bodies at the same place, or out of the range of numbers, have no ellipse. Their next force ends the run.
+        const auto mu = force_->gravitational_parameter(state.masses()[static_cast<std::size_t>(i)], other_mass);
+        // Bodies at one place, or out of the range of numbers, have no ellipse. Their next force ends the run.
         if (mu && *mu > 0.0 && r.norm() > 0.0) {
             last_ = orbital_elements(r, v, *mu);
             first_ = first_ ? first_ : last_;
@@ -125,10 +91,55 @@ class Orbit : public FewBodyAnalysis {
 
     Index body_;
     std::optional<Index> about_;
-    std::function<std::optional<double>(double mass, std::optional<double> other)> strength_;
+    std::shared_ptr<const FewBodyForceOptions> force_;
     TurningPoints points_;
     std::optional<OrbitalElements> first_;
     std::optional<OrbitalElements> last_;
+};
+
+struct Options : FewBodyAnalysisOptions {
+    Index body = 0;
+    std::optional<Index> about = {};
+
+    void describe(Description& description) override {
+        description.required_integer("body", body).at_least(1).meaning("whose orbit, counted from 1");
+        description.integer("about", about)
+            .at_least(1)
+            .optional("the origin")
+            .meaning("the body that it goes round, counted from 1");
+    }
+    [[nodiscard]] Misfits check(const FewBodyTarget& target) const override {
+        Misfits misfits;
+        const auto beyond = [&](const char* key, Index number) {
+            return fmt::format("'{}' in orbit is {}, but the last body is {}", key, number, target.bodies);
+        };
+        const FewBodyForceMethod& force = target.force.plugin;
+        if (body > target.bodies) {
+            misfits.emplace_back("body", beyond("body", body));
+        } else if (force.has_polar_angle && body > 1) {
+            misfits.emplace_back(
+                "body",
+                fmt::format("'body' in orbit is {}, but force '{}' has the angle of body 1 alone", body, force.name));
+        }
+        if (!about) {
+            return misfits;
+        }
+        if (force.has_polar_angle) {
+            misfits.emplace_back(
+                "about",
+                fmt::format("'about' in orbit has no meaning for force '{}', whose coordinate is a distance already",
+                            force.name));
+        } else if (*about > target.bodies) {
+            misfits.emplace_back("about", beyond("about", *about));
+        } else if (*about == body) {
+            misfits.emplace_back("about", "'about' in orbit is the body itself");
+        }
+        return misfits;
+    }
+    [[nodiscard]] std::unique_ptr<FewBodyAnalysis> make(const FewBodyTarget& target) const override {
+        return std::make_unique<Orbit>(body - 1, about ? std::optional(*about - 1) : std::nullopt,
+                                       target.force.options);
+    }
 };
 
 }  // namespace
@@ -138,15 +149,7 @@ class Orbit : public FewBodyAnalysis {
 FewBodyAnalysisMethod orbit() {
     return {.name = "orbit",
             .meaning = "apsides of one body's path, with period and precession, and its orbital elements: orbit.csv",
-            .keys = {Key::integer("body").at_least(1).meaning("whose orbit, counted from 1"),
-                     Key::integer("about")
-                         .at_least(1)
-                         .optional("the origin")
-                         .meaning("the body that it goes round, counted from 1")},
-            .check = check,
-            .make = [](const Section& section, const FewBodyTarget& target) -> std::unique_ptr<FewBodyAnalysis> {
-                return std::make_unique<Orbit>(section, target);
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

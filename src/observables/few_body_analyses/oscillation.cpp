@@ -7,21 +7,6 @@ namespace ljmd {
 
 namespace {
 
-using Messages = std::vector<std::pair<std::string, std::string>>;
-
-Messages check(const Section& section, const FewBodyTarget& target) {
-    Messages messages;
-    if (section.integer("body") > target.bodies) {
-        messages.emplace_back("body", fmt::format("'body' in oscillation is {}, but the last body is {}",
-                                                  section.integer("body"), target.bodies));
-    }
-    if (section.integer("component") > target.dimensions) {
-        messages.emplace_back("component", fmt::format("'component' in oscillation is {}, but the last component is {}",
-                                                       section.integer("component"), target.dimensions));
-    }
-    return messages;
-}
-
 class Oscillation : public FewBodyAnalysis {
   public:
     Oscillation(Index body, Index component) : body_(body), component_(component) {}
@@ -56,22 +41,39 @@ class Oscillation : public FewBodyAnalysis {
     ZeroCrossings crossings_;
 };
 
+struct Options : FewBodyAnalysisOptions {
+    Index body = 1;
+    Index component = 1;
+
+    void describe(Description& description) override {
+        description.integer("body", body).at_least(1).meaning("counted from 1");
+        description.integer("component", component).at_least(1).at_most(3).meaning("of its position, counted from 1");
+    }
+    [[nodiscard]] Misfits check(const FewBodyTarget& target) const override {
+        Misfits misfits;
+        if (body > target.bodies) {
+            misfits.emplace_back(
+                "body", fmt::format("'body' in oscillation is {}, but the last body is {}", body, target.bodies));
+        }
+        if (component > target.dimensions) {
+            misfits.emplace_back(
+                "component", fmt::format("'component' in oscillation is {}, but the last component is {}", component,
+                                         target.dimensions));
+        }
+        return misfits;
+    }
+    [[nodiscard]] std::unique_ptr<FewBodyAnalysis> make(const FewBodyTarget& /*target*/) const override {
+        return std::make_unique<Oscillation>(body - 1, component - 1);
+    }
+};
+
 }  // namespace
 
 /// Oscillation of a coordinate about zero: its zero crossings, the period from them, and the amplitude.
 FewBodyAnalysisMethod oscillation() {
     return {.name = "oscillation",
             .meaning = "passages of a coordinate through zero, with period and amplitude: oscillation.csv",
-            .keys = {Key::integer("body").at_least(1).defaults_to(std::int64_t{1}).meaning("counted from 1"),
-                     Key::integer("component")
-                         .at_least(1)
-                         .at_most(3)
-                         .defaults_to(std::int64_t{1})
-                         .meaning("of its position, counted from 1")},
-            .check = check,
-            .make = [](const Section& section, const FewBodyTarget&) -> std::unique_ptr<FewBodyAnalysis> {
-                return std::make_unique<Oscillation>(section.integer("body") - 1, section.integer("component") - 1);
-            }};
+            .options = [] { return std::make_unique<Options>(); }};
 }
 
 }  // namespace ljmd

@@ -18,51 +18,43 @@ Index whole_spacings(double time, double spacing) {
 
 }  // namespace
 
-std::vector<Key> lag_keys(const UsualLags& usual) {
-    return {Key::integer("every")
-                .at_least(1)
-                .defaults_to(static_cast<std::int64_t>(usual.every))
-                .meaning("steps between configurations"),
-            Key::number("max_time")
-                .dimension(Dimension::time)
-                .unit("tau")
-                .above(0.0)
-                .optional(fmt::format("{} tau, or {} of the longest sampled stage if that is shorter", usual.max_time,
-                                      usual.share))
-                .meaning("largest time between two configurations")};
+void LagOptions::describe(Description& description) {
+    description.integer("every", every).at_least(1).meaning("steps between configurations");
+    description.number("max_time", max_time)
+        .dimension(Dimension::time)
+        .unit("tau")
+        .above(0.0)
+        .optional(
+            fmt::format("{} tau, or {} of the longest sampled stage if that is shorter", usual_.max_time, usual_.share))
+        .meaning("largest time between two configurations");
 }
 
-LagTimes lag_times(const Section& section, const SampledRun& run, const UsualLags& usual) {
-    const Index every = section.integer("every");
+LagTimes LagOptions::times(const SampledRun& run) const {
     const double spacing = static_cast<double>(every) * run.time_step;
-    const double usual_time = std::min(usual.max_time, usual.share * static_cast<double>(run.steps) * run.time_step);
-    const double time = section.has("max_time") ? section.number("max_time") : usual_time;
-    return {every, std::max(whole_spacings(time, spacing), Index{1}), spacing};
+    const double usual_time = std::min(usual_.max_time, usual_.share * static_cast<double>(run.steps) * run.time_step);
+    return {every, std::max(whole_spacings(max_time.value_or(usual_time), spacing), Index{1}), spacing};
 }
 
 Index correlation_window(const LagTimes& lags, const SampledRun& run) {
     return std::clamp(run.steps / lags.every, lags.count + 1, 2 * lags.count);
 }
 
-std::vector<std::pair<std::string, std::string>> lag_mistakes(const Section& section, const SampledRun& run,
-                                                              const UsualLags& usual, const std::string& analysis) {
-    std::vector<std::pair<std::string, std::string>> mistakes;
-    const LagTimes lags = lag_times(section, run, usual);
-    if (!section.has("max_time")) {
-        return mistakes;
+Misfits LagOptions::check(const SampledRun& run, const std::string& analysis) const {
+    if (!max_time) {
+        return {};
     }
-    const double time = section.number("max_time");
-    if (whole_spacings(time, lags.spacing) < 1) {
-        mistakes.emplace_back("max_time",
-                              fmt::format("'max_time' in {} is {:.6g}, but configurations are {:.6g} tau apart "
-                                          "(`every` = {} steps)",
-                                          analysis, time, lags.spacing, lags.every));
-    } else if (run.steps > 0 && lags.count > run.steps / lags.every) {
-        mistakes.emplace_back(
-            "max_time", fmt::format("'max_time' in {} is {:.6g}, but no more than {:.6g} tau are sampled at a stretch",
-                                    analysis, time, static_cast<double>(run.steps) * run.time_step));
+    const LagTimes lags = times(run);
+    if (whole_spacings(*max_time, lags.spacing) < 1) {
+        return {{"max_time", fmt::format("'max_time' in {} is {:.6g}, but configurations are {:.6g} tau apart "
+                                         "(`every` = {} steps)",
+                                         analysis, *max_time, lags.spacing, lags.every)}};
     }
-    return mistakes;
+    if (run.steps > 0 && lags.count > run.steps / lags.every) {
+        return {{"max_time", fmt::format("'max_time' in {} is {:.6g}, but no more than {:.6g} tau are sampled at a "
+                                         "stretch",
+                                         analysis, *max_time, static_cast<double>(run.steps) * run.time_step)}};
+    }
+    return {};
 }
 
 }  // namespace ljmd

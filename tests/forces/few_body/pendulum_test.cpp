@@ -15,7 +15,7 @@ const double pi = std::acos(-1.0);
 TEST_CASE("a pendulum at 30 degrees, level and upright is what one computes by hand") {
     const test::Numbers numbers{{"gravity", 9.0}, {"length", 1.5}};
     const auto inertia = [&](double mass) {
-        return find_few_body_force("pendulum").inertia(test::few_body_section("pendulum", numbers), mass);
+        return test::chosen_few_body_force("pendulum", numbers).options->inertia(mass);
     };
     CHECK(inertia(2.0) == 4.5);  // m l^2
     State state = test::bodies_at({{pi / 6.0, 0.0, 0.0}, {-pi / 2.0, 0.0, 0.0}, {pi, 0.0, 0.0}},

@@ -22,8 +22,8 @@ TEST_CASE("the radial Kepler problem at rho = 2 is what one computes by hand") {
 }
 
 TEST_CASE("the angle of the radial Kepler problem turns by h/rho^2, and its rate changes by -2 h rho'/rho^3") {
-    const auto [rate, slope] = find_few_body_force("radial-kepler")
-                                   .angular_velocity(test::few_body_section("radial-kepler", numbers), 2.0, 0.5);
+    const auto [rate, slope] =
+        test::chosen_few_body_force("radial-kepler", numbers).options->angular_velocity(2.0, 0.5);
     CHECK(rate == 0.5);
     CHECK(slope == -0.25);
 }

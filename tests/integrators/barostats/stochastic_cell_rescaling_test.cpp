@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/section.hpp"
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/model/velocities.hpp"
 
@@ -17,9 +18,9 @@ std::unique_ptr<Barostat> made(const PressureBath& bath, double pressure, double
                       {"time", {}, {1.0, {}}},
                       {"every", {}, {std::int64_t{every}, {}}}};
     Diagnostics diagnostics;
-    const Section section = validate(table, {}, Schema("barostat", method.keys), std::nullopt, diagnostics);
+    const Section section = validate(table, {}, Schema("barostat", keys_of(method)), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
-    return method.make(section, bath);
+    return choose(method, section).options->make(bath);
 }
 
 State gas(Index atoms) {

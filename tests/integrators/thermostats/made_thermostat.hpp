@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "ljmd/core/section.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/model/velocities.hpp"
 
@@ -22,9 +23,9 @@ inline std::unique_ptr<Thermostat> made_thermostat(
         std::visit([&, name = key](auto number) { table.push_back({name, {}, {number, {}}}); }, value);
     }
     Diagnostics diagnostics;
-    const Section section = validate(table, {}, Schema("thermostat", method.keys), std::nullopt, diagnostics);
+    const Section section = validate(table, {}, Schema("thermostat", keys_of(method)), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
-    return method.make(section, bath);
+    return choose(method, section).options->make(bath);
 }
 
 /// A bath for all atoms of a fluid.

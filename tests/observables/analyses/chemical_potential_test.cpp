@@ -14,9 +14,9 @@ TEST_CASE("chemical_potential tries as many places as there are atoms, every 200
     const AnalysisMethod method = test::analysis_method("chemical_potential");
     const SampledRun run = test::run_of(state);
     CHECK_FALSE(method.follows_time);
-    CHECK(method.check(test::analysis_section(method, {}), run).empty());
+    CHECK(test::analysis_options(method, {})->check(run).empty());
     const auto found = [&](const test::AnalysisSettings& settings) {
-        const auto analysis = method.make(test::analysis_section(method, settings), run);
+        const auto analysis = test::analysis_options(method, settings)->make(run);
         CHECK(analysis->due(400));
         CHECK_FALSE(analysis->due(50));
         analysis->sample(state, {});

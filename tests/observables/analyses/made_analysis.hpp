@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "ljmd/core/section.hpp"
 #include "ljmd/observables/analysis.hpp"
 
 namespace ljmd::test {
@@ -37,9 +39,16 @@ inline Section analysis_section(const AnalysisMethod& method, const AnalysisSett
         table.push_back({key, {}, value});
     }
     Diagnostics diagnostics;
-    Section section = validate(table, {}, Schema(method.name, method.keys), std::nullopt, diagnostics);
+    Section section = validate(table, {}, Schema(method.name, keys_of(method)), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
     return section;
+}
+
+/// Its options with these settings.
+inline std::shared_ptr<const AnalysisOptions> analysis_options(const AnalysisMethod& method,
+                                                               const AnalysisSettings& settings = {}) {
+    const Section section = analysis_section(method, settings);
+    return choose(method, section).options;
 }
 
 }  // namespace ljmd::test

@@ -13,7 +13,7 @@ std::unique_ptr<Analysis> flight(const test::AnalysisSettings& settings, Index e
     State state = test::random_state(1, Box(Vec3::Constant(6.0)), 1);
     const AnalysisMethod method = test::analysis_method("msd");
     const SampledRun run = test::run_of(state);  // 10000 steps of 0.004 tau
-    auto analysis = method.make(test::analysis_section(method, settings), run);
+    auto analysis = test::analysis_options(method, settings)->make(run);
     const Vec3 begin = static_cast<const State&>(state).positions().col(0);
     for (Index step = 0; step <= run.steps; step += every) {
         CHECK(analysis->due(step));
@@ -47,7 +47,7 @@ TEST_CASE("a fit that begins at the last time is a mistake") {
     const State state = test::random_state(20, Box(Vec3::Constant(6.0)), 1);
     const AnalysisMethod method = test::analysis_method("msd");
     const auto mistakes = [&](const test::AnalysisSettings& settings) {
-        return method.check(test::analysis_section(method, settings), test::run_of(state));
+        return test::analysis_options(method, settings)->check(test::run_of(state));
     };
     CHECK(mistakes({}).empty());
     CHECK(mistakes({{"fit_start", 7.8}}).empty());

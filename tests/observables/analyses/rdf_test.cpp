@@ -10,7 +10,7 @@ namespace {
 
 DataTable rdf_of(const State& state, const test::AnalysisSettings& settings) {
     const AnalysisMethod method = test::analysis_method("rdf");
-    const auto analysis = method.make(test::analysis_section(method, settings), test::run_of(state));
+    const auto analysis = test::analysis_options(method, settings)->make(test::run_of(state));
     analysis->sample(state, {});
     return analysis->tables().at(0);
 }
@@ -35,10 +35,10 @@ TEST_CASE("rdf has 250 bins up to 5 sigma or L/2, whichever is smaller, unless t
 TEST_CASE("rdf is sampled every 200 steps unless told otherwise") {
     const State state = test::random_state(20, Box(Vec3::Constant(6.0)), 1);
     const AnalysisMethod method = test::analysis_method("rdf");
-    const auto usual = method.make(test::analysis_section(method, {}), test::run_of(state));
+    const auto usual = test::analysis_options(method, {})->make(test::run_of(state));
     CHECK(usual->due(400));
     CHECK_FALSE(usual->due(100));
-    const auto often = method.make(test::analysis_section(method, {{"every", std::int64_t{10}}}), test::run_of(state));
+    const auto often = test::analysis_options(method, {{"every", std::int64_t{10}}})->make(test::run_of(state));
     CHECK(often->due(110));
     CHECK_FALSE(often->due(115));
 }
@@ -46,9 +46,9 @@ TEST_CASE("rdf is sampled every 200 steps unless told otherwise") {
 TEST_CASE("a radius beyond L/2 is a mistake, L/2 is not") {
     const AnalysisMethod method = test::analysis_method("rdf");
     const SampledRun run{20, Box(Vec3(6.0, 7.0, 8.0)), 0.004, 1000, 1, std::nullopt, std::nullopt};
-    CHECK(method.check(test::analysis_section(method, {}), run).empty());
-    CHECK(method.check(test::analysis_section(method, {{"radius", 3.0}}), run).empty());
-    const auto mistakes = method.check(test::analysis_section(method, {{"radius", 3.01}}), run);
+    CHECK(test::analysis_options(method, {})->check(run).empty());
+    CHECK(test::analysis_options(method, {{"radius", 3.0}})->check(run).empty());
+    const auto mistakes = test::analysis_options(method, {{"radius", 3.01}})->check(run);
     REQUIRE(mistakes.size() == 1);
     CHECK(mistakes[0].first == "radius");
     CHECK_THAT(mistakes[0].second, Catch::Contains("3.01") && Catch::Contains("3"));

@@ -10,7 +10,7 @@ namespace {
 
 DataTable sk_of(const State& state, const test::AnalysisSettings& settings) {
     const AnalysisMethod method = test::analysis_method("structure_factor");
-    const auto analysis = method.make(test::analysis_section(method, settings), test::run_of(state));
+    const auto analysis = test::analysis_options(method, settings)->make(test::run_of(state));
     CHECK(analysis->due(1000));
     CHECK_FALSE(analysis->due(500));
     analysis->sample(state, {});
@@ -20,7 +20,7 @@ DataTable sk_of(const State& state, const test::AnalysisSettings& settings) {
 std::string mistake(const Box& box, const test::AnalysisSettings& settings) {
     const AnalysisMethod method = test::analysis_method("structure_factor");
     const State state = test::random_state(1, box, 1);
-    const auto mistakes = method.check(test::analysis_section(method, settings), test::run_of(state));
+    const auto mistakes = test::analysis_options(method, settings)->check(test::run_of(state));
     return mistakes.empty() ? "" : mistakes.at(0).first + ": " + mistakes.at(0).second;
 }
 

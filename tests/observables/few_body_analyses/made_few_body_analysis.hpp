@@ -18,14 +18,11 @@ using Integers = std::vector<std::pair<std::string, std::int64_t>>;
 /// What an analysis looks at, and everything it refers to.
 struct MadeTarget {
     MadeTarget(Index bodies, int dimensions, const std::string& name, const Numbers& numbers)
-        : force(find_few_body_force(name)),
-          force_section(few_body_section(name, numbers)),
-          target{bodies, dimensions, force, force_section} {}
+        : force(chosen_few_body_force(name, numbers)), target{bodies, dimensions, force} {}
     MadeTarget(const MadeTarget&) = delete;
     MadeTarget& operator=(const MadeTarget&) = delete;
 
-    FewBodyForceMethod force;
-    Section force_section;
+    ChosenFewBodyForce force;
     FewBodyTarget target;
 };
 
@@ -44,7 +41,7 @@ inline Section few_body_analysis_section(const FewBodyAnalysisMethod& method, co
         table.push_back({key, {}, {value, {}}});
     }
     Diagnostics diagnostics;
-    Section section = validate(table, {}, Schema(method.name, method.keys), std::nullopt, diagnostics);
+    Section section = validate(table, {}, Schema(method.name, keys_of(method)), std::nullopt, diagnostics);
     diagnostics.throw_if_errors();
     return section;
 }
@@ -52,14 +49,16 @@ inline Section few_body_analysis_section(const FewBodyAnalysisMethod& method, co
 inline std::unique_ptr<FewBodyAnalysis> made_few_body_analysis(const std::string& name, const Integers& settings,
                                                                const FewBodyTarget& target) {
     const auto method = few_body_analysis_method(name);
-    return method.make(few_body_analysis_section(method, settings), target);
+    const Section section = few_body_analysis_section(method, settings);
+    return choose(method, section).options->make(target);
 }
 
 /// The keys that an analysis finds fault with.
 inline std::vector<std::string> faults(const std::string& name, const Integers& settings, const FewBodyTarget& target) {
     const auto method = few_body_analysis_method(name);
+    const Section section = few_body_analysis_section(method, settings);
     std::vector<std::string> keys;
-    for (const auto& [key, message] : method.check(few_body_analysis_section(method, settings), target)) {
+    for (const auto& [key, message] : choose(method, section).options->check(target)) {
         CHECK_FALSE(message.empty());
         keys.push_back(key);
     }

@@ -1,8 +1,9 @@
 #include "ljmd/observables/transport/lag_times.hpp"
 
 #include <catch2/catch.hpp>
-
-#include "observables/analyses/made_analysis.hpp"
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace ljmd;
 
@@ -12,19 +13,27 @@ constexpr UsualLags usual{.every = 10, .max_time = 4.0, .share = 0.1};
 
 const SampledRun run{100, Box(Vec3::Constant(5.0)), 0.005, 2000, 1, std::nullopt, std::nullopt};  // 10 tau
 
-Section section_of(const test::AnalysisSettings& settings) {
-    AnalysisMethod method;
-    method.keys = lag_keys(usual);
-    return test::analysis_section(method, settings);
+using Settings = std::vector<std::pair<std::string, double>>;
+
+LagOptions options_of(const Settings& settings) {
+    LagOptions options(usual);
+    for (const auto& [key, value] : settings) {
+        if (key == "every") {
+            options.every = static_cast<Index>(value);
+        } else {
+            options.max_time = value;
+        }
+    }
+    return options;
 }
 
-LagTimes lags_of(const test::AnalysisSettings& settings, const SampledRun& sampled = run) {
-    return lag_times(section_of(settings), sampled, usual);
+LagTimes lags_of(const Settings& settings, const SampledRun& sampled = run) {
+    return options_of(settings).times(sampled);
 }
 
-std::string mistake(const test::AnalysisSettings& settings) {
-    const auto mistakes = lag_mistakes(section_of(settings), run, usual, "vacf");
-    return mistakes.empty() ? "" : mistakes.at(0).first + ": " + mistakes.at(0).second;
+std::string mistake(const Settings& settings) {
+    const Misfits misfits = options_of(settings).check(run, "vacf");
+    return misfits.empty() ? "" : misfits.at(0).first + ": " + misfits.at(0).second;
 }
 
 }  // namespace
@@ -45,8 +54,8 @@ TEST_CASE("without keys the largest time is the usual one, or a share of a short
 TEST_CASE("the largest time is a whole number of spacings, of which doubles may be a little short") {
     CHECK(lags_of({{"max_time", 2.0}}).count == 40);
     CHECK(lags_of({{"max_time", 2.04}}).count == 40);
-    CHECK(lags_of({{"max_time", 0.3}, {"every", std::int64_t{20}}}).count == 3);  // 0.3/0.1 is 2.9999999999999996
-    CHECK(lags_of({{"max_time", 0.05}, {"every", std::int64_t{3}}}).count == 3);
+    CHECK(lags_of({{"max_time", 0.3}, {"every", 20}}).count == 3);  // 0.3/0.1 is 2.9999999999999996
+    CHECK(lags_of({{"max_time", 0.05}, {"every", 3}}).count == 3);
 }
 
 TEST_CASE("times that no two configurations of the run are apart are mistakes") {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/analysis.hpp"
@@ -58,8 +58,21 @@ class FewBodyAnalysis {
 struct FewBodyTarget {
     Index bodies;
     int dimensions;
-    const FewBodyForceMethod& force;
-    const Section& force_section;
+    const ChosenFewBodyForce& force;
+};
+
+/// The options of an analysis of few bodies, see Description.
+class FewBodyAnalysisOptions {
+  public:
+    virtual ~FewBodyAnalysisOptions() = default;
+    virtual void describe(Description& /*description*/) {}
+    [[nodiscard]] virtual Misfits check(const FewBodyTarget& target) const = 0;
+    [[nodiscard]] virtual std::unique_ptr<FewBodyAnalysis> make(const FewBodyTarget& target) const = 0;
+
+  protected:
+    FewBodyAnalysisOptions() = default;
+    FewBodyAnalysisOptions(const FewBodyAnalysisOptions&) = default;
+    FewBodyAnalysisOptions& operator=(const FewBodyAnalysisOptions&) = default;
 };
 
 /// A few-body analysis, as [analysis] of a few-body deck selects it. Each is one file in
@@ -67,10 +80,7 @@ struct FewBodyTarget {
 struct FewBodyAnalysisMethod {
     std::string name;  ///< the key in [analysis]
     std::string meaning;
-    std::vector<Key> keys;
-    /// Why the options do not fit the system, as pairs of key and message. Empty if they do.
-    std::function<std::vector<std::pair<std::string, std::string>>(const Section&, const FewBodyTarget&)> check;
-    std::function<std::unique_ptr<FewBodyAnalysis>(const Section&, const FewBodyTarget&)> make;
+    std::function<std::unique_ptr<FewBodyAnalysisOptions>()> options;  ///< at their defaults
 };
 
 /// All few-body analyses, in alphabetical order.

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "ljmd/observables/analysis.hpp"
 
@@ -17,27 +16,35 @@ struct LagTimes {
     [[nodiscard]] double time(Index lag) const { return static_cast<double>(lag) * spacing; }
 };
 
-/// Defaults of the keys `every` and `max_time` of an analysis: steps; and a time [tau], or a fraction of a sampled
-/// stage if that is shorter.
+/// Defaults of LagOptions.
 struct UsualLags {
     Index every;
-    double max_time;
-    double share;
+    double max_time;  ///< [tau]
+    double share;     ///< of a sampled stage, where that is shorter
 };
-[[nodiscard]] std::vector<Key> lag_keys(const UsualLags& usual);
 
-/// The times that the options give for a run. The largest time is rounded down to a multiple of h, but is at least h.
-[[nodiscard]] LagTimes lag_times(const Section& section, const SampledRun& run, const UsualLags& usual);
+/// The keys `every` and `max_time` of an analysis.
+struct LagOptions {
+    explicit LagOptions(const UsualLags& usual) : every(usual.every), usual_(usual) {}
+
+    Index every;                          ///< [steps]
+    std::optional<double> max_time = {};  ///< [tau]
+
+    void describe(Description& description);
+
+    /// The times that the options give for a run. The largest is rounded down to a multiple of h, but is at least h.
+    [[nodiscard]] LagTimes times(const SampledRun& run) const;
+
+    /// Mistakes in the options: a largest time below h, or longer than the longest sampled stage.
+    /// @param analysis  its name for messages
+    [[nodiscard]] Misfits check(const SampledRun& run, const std::string& analysis) const;
+
+  private:
+    UsualLags usual_;
+};
 
 /// Number of configurations in a window for correlations at these times: twice as many as the largest time spans, or as
 /// many as the longest sampled stage has; always greater than lags.count.
 [[nodiscard]] Index correlation_window(const LagTimes& lags, const SampledRun& run);
-
-/// Mistakes in the options: a largest time below h, or longer than the longest sampled stage.
-/// @param analysis  its name for messages
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> lag_mistakes(const Section& section,
-                                                                            const SampledRun& run,
-                                                                            const UsualLags& usual,
-                                                                            const std::string& analysis);
 
 }  // namespace ljmd

@@ -2,9 +2,8 @@
 
 #include <cmath>
 #include <string_view>
-#include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
@@ -20,8 +19,7 @@ class LennardJones {
     static constexpr std::string_view expression = "4*(r^-12-r^-6)";
 
     /// No parameters: sigma and epsilon are the units.
-    static std::vector<Key> keys() { return {}; }
-    static LennardJones from(const Section&) { return {}; }
+    void describe(Description& /*description*/) {}
 
     template <class Real>
     PairTerm<Real> operator()(const PairDistance<Real>& d) const {

@@ -2,9 +2,8 @@
 
 #include <cmath>
 #include <string_view>
-#include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
@@ -19,28 +18,22 @@ class Morse {
     static constexpr std::string_view meaning = "D (e^2 - 2 e), e = exp(-a (r - r0))";
     static constexpr std::string_view expression = "well_depth*(e^2-2*e); e=exp(-steepness*(r-minimum))";
 
-    static std::vector<Key> keys() {
-        return {Key::number("well_depth")
-                    .dimension(Dimension::energy)
-                    .unit("epsilon")
-                    .above(0.0)
-                    .meaning("D, depth of the minimum"),
-                Key::number("steepness")
-                    .unit("1/sigma")
-                    .above(0.0)
-                    .meaning("a; 6 gives the curvature of the Lennard-Jones minimum"),
-                Key::number("minimum")
-                    .dimension(Dimension::length)
-                    .unit("sigma")
-                    .above(0.0)
-                    .meaning("r0, position of the minimum; 2^(1/6) is that of Lennard-Jones")};
+    void describe(Description& description) {
+        description.required_number("well_depth", depth_)
+            .dimension(Dimension::energy)
+            .unit("epsilon")
+            .above(0.0)
+            .meaning("D, depth of the minimum");
+        description.required_number("steepness", steepness_)
+            .unit("1/sigma")
+            .above(0.0)
+            .meaning("a; 6 gives the curvature of the Lennard-Jones minimum");
+        description.required_number("minimum", minimum_)
+            .dimension(Dimension::length)
+            .unit("sigma")
+            .above(0.0)
+            .meaning("r0, position of the minimum; 2^(1/6) is that of Lennard-Jones");
     }
-    static Morse from(const Section& section) {
-        return {section.number("well_depth"), section.number("steepness"), section.number("minimum")};
-    }
-
-    /// @param depth D [epsilon], @param steepness a [1/sigma], @param minimum r0 [sigma]; all positive
-    Morse(double depth, double steepness, double minimum) : depth_(depth), steepness_(steepness), minimum_(minimum) {}
 
     template <class Real>
     PairTerm<Real> operator()(const PairDistance<Real>& d) const {
@@ -50,9 +43,9 @@ class Morse {
     }
 
   private:
-    double depth_;
-    double steepness_;
-    double minimum_;
+    double depth_ = 1.0;                  ///< D [epsilon]
+    double steepness_ = 6.0;              ///< a [1/sigma]
+    double minimum_ = 1.122462048309373;  ///< r0 [sigma]
 };
 
 }  // namespace ljmd

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "ljmd/core/schema.hpp"
+#include "ljmd/core/types.hpp"
+
+namespace ljmd {
+
+/// The keys of an options object, each with the member that holds its value. An object describes itself once:
+///
+///     struct Options {
+///         double time = 1.0;
+///         void describe(Description& d) {
+///             d.number("time", time).dimension(Dimension::time).unit("tau").above(0.0).meaning("relaxation time");
+///         }
+///     };
+///
+/// The value that a member holds then is the default of its key. A member of type std::optional is a key that may be
+/// missing; a member described by required_...() is a key that must be given. Schemas, the reference page and the JSON
+/// Schema come from keys(); take() sets values.
+///
+/// Each function returns the key, so that range, unit and meaning can be added (see Key); it is valid until the next
+/// call. The members must live as long as the description.
+class Description {
+  public:
+    Key& flag(const std::string& name, bool& member);
+    Key& integer(const std::string& name, Index& member);
+    Key& integer(const std::string& name, std::optional<Index>& member);
+    Key& number(const std::string& name, double& member);
+    Key& number(const std::string& name, std::optional<double>& member);
+    Key& choice(const std::string& name, const std::vector<std::string>& choices, std::string& member);
+    Key& required_integer(const std::string& name, Index& member);
+    Key& required_number(const std::string& name, double& member);
+
+    [[nodiscard]] std::vector<Key> keys() const;
+
+    /// Give the member of a key a value. @throws ContractViolation when there is no such key, or it holds another type
+    void take(const std::string& key, const PlainValue& value);
+
+    /// "start=taylor length=3": what tells options of one kind apart. Absent values are left out.
+    [[nodiscard]] std::string values_in_words() const;
+
+  private:
+    using Member = std::variant<bool*, Index*, double*, std::string*, std::optional<Index>*, std::optional<double>*>;
+    struct Item {
+        Key key;
+        Member member;
+    };
+    Key& add(Key key, Member member);
+
+    std::vector<Item> items_;
+};
+
+/// The keys of a plug-in: of the options that its `options()` makes.
+template <class Plugin>
+[[nodiscard]] std::vector<Key> keys_of(const Plugin& plugin) {
+    const auto options = plugin.options();
+    Description description;
+    options->describe(description);
+    return description.keys();
+}
+
+/// A plug-in that was chosen, with its options.
+template <class Plugin, class Options>
+struct Chosen {
+    Plugin plugin;
+    std::shared_ptr<const Options> options;
+    std::string values;  ///< of the options, see Description::values_in_words()
+};
+
+/// @param fill  called with the description, to give options their values
+template <class Plugin, class Fill>
+[[nodiscard]] auto choose(const Plugin& plugin, const Fill& fill) {
+    auto options = plugin.options();
+    using Options = typename decltype(options)::element_type;
+    Description description;
+    options->describe(description);
+    fill(description);
+    const std::string values = description.values_in_words();
+    return Chosen<Plugin, Options>{plugin, std::shared_ptr<const Options>(std::move(options)), values};
+}
+
+/// With all options at their defaults. See section.hpp for options from a deck.
+template <class Plugin>
+[[nodiscard]] auto choose(const Plugin& plugin) {
+    return choose(plugin, [](Description&) {});
+}
+
+}  // namespace ljmd

@@ -1,0 +1,112 @@
+#include "ljmd/core/description.hpp"
+
+#include <catch2/catch.hpp>
+#include <memory>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/section.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+struct Options {
+    bool on = true;
+    Index count = 3;
+    std::optional<Index> most;
+    double time = 0.5;
+    std::optional<double> limit;
+    std::string start = "taylor";
+    Index body = 0;
+    double pressure = 0.0;
+
+    void describe(Description& d) {
+        d.flag("on", on).meaning("whether");
+        d.integer("count", count).at_least(1);
+        d.integer("most", most).optional("no limit");
+        d.number("time", time).unit("tau").above(0.0);
+        d.number("limit", limit);
+        d.choice("start", {"taylor", "euler"}, start);
+        d.required_integer("body", body);
+        d.required_number("pressure", pressure);
+    }
+};
+
+struct Plugin {
+    [[nodiscard]] std::unique_ptr<Options> options() const { return std::make_unique<Options>(); }
+};
+
+/// Options with the values of a table of these entries.
+Options taken(const Table& table) {
+    Diagnostics diagnostics;
+    const Section section = validate(table, {}, Schema("options", keys_of(Plugin())), std::nullopt, diagnostics);
+    diagnostics.throw_if_errors();
+    return *choose(Plugin(), section).options;
+}
+
+Entry entry(const std::string& key, const decltype(Value::data)& data) {
+    return {key, {}, {data, {}}};
+}
+
+}  // namespace
+
+TEST_CASE("keys come from the members: defaults are what they hold, and what cannot be missing has none") {
+    const std::vector<Key> keys = keys_of(Plugin());
+    REQUIRE(keys.size() == 8);
+    CHECK(keys[0].name == "on");
+    CHECK(keys[0].meaning_text == "whether");
+    CHECK(keys[0].default_value == PlainValue(true));
+    CHECK(keys[1].default_value == PlainValue(std::int64_t{3}));
+    CHECK(keys[1].low == 1.0);
+    CHECK_FALSE(keys[2].required);
+    CHECK_FALSE(keys[2].default_value.has_value());
+    CHECK(keys[2].absent_text == "no limit");
+    CHECK(keys[3].default_value == PlainValue(0.5));
+    CHECK(keys[3].reduced_unit == "tau");
+    CHECK_FALSE(keys[4].required);
+    CHECK(keys[5].choices == std::vector<std::string>{"taylor", "euler"});
+    CHECK(keys[5].default_value == PlainValue(std::string("taylor")));
+    CHECK(keys[6].required);
+    CHECK(keys[7].required);
+}
+
+TEST_CASE("members take the values of a table, and keep their defaults where it has none") {
+    const Options usual = taken({entry("body", std::int64_t{2}), entry("pressure", 1.5)});
+    CHECK(usual.on);
+    CHECK(usual.count == 3);
+    CHECK_FALSE(usual.most.has_value());
+    CHECK(usual.time == 0.5);
+    CHECK_FALSE(usual.limit.has_value());
+    CHECK(usual.start == "taylor");
+    CHECK(usual.body == 2);
+    CHECK(usual.pressure == 1.5);
+    const Options other = taken({entry("on", false), entry("count", std::int64_t{7}), entry("most", std::int64_t{9}),
+                                 entry("time", 2.0), entry("limit", 4.0), entry("start", std::string("euler")),
+                                 entry("body", std::int64_t{1}), entry("pressure", 0.0)});
+    CHECK_FALSE(other.on);
+    CHECK(other.count == 7);
+    CHECK(other.most == 9);
+    CHECK(other.time == 2.0);
+    CHECK(other.limit == 4.0);
+    CHECK(other.start == "euler");
+}
+
+TEST_CASE("what tells options apart is told in words") {
+    Options options;
+    Description description;
+    options.describe(description);
+    CHECK(description.values_in_words() == "on=true count=3 time=0.5 start=taylor body=0 pressure=0");
+    CHECK(choose(Plugin()).values == description.values_in_words());
+    options.most = 4;
+    CHECK(description.values_in_words() == "on=true count=3 most=4 time=0.5 start=taylor body=0 pressure=0");
+}
+
+TEST_CASE("a value that no option has is a mistake of the caller") {
+    Options options;
+    Description description;
+    options.describe(description);
+    description.take("most", PlainValue(std::int64_t{5}));
+    CHECK(options.most == 5);
+    CHECK_THROWS_AS(description.take("least", PlainValue(std::int64_t{5})), ContractViolation);
+    CHECK_THROWS_AS(description.take("time", PlainValue(std::string("soon"))), ContractViolation);
+}
