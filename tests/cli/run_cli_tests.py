@@ -9,6 +9,7 @@ Needs nothing but Python 3.9. Prints a line for each failing case, and "N passed
 
 import argparse
 import importlib
+import signal
 import sys
 from pathlib import Path
 
@@ -20,7 +21,14 @@ import harness  # noqa: E402
 MODULES = ["commands", "analyzes", "trajectories", "compares", "equations", "deck_errors", "few_body_errors", "effects", "exports", "edge_cases", "hostile_input", "outputs", "starts", "streams", "faults", "resumes", "processes", "not_files", "foreign_files", "reproduces", "sweeps", "decks"]
 
 
+def take_usual_signals():
+    """A shell that starts these tests in the background has the two ignored, and so would the programs under test."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGQUIT, signal.SIG_DFL)
+
+
 def main():
+    take_usual_signals()
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--ljmd", required=True, type=Path, help="the program")
     parser.add_argument("--update", action="store_true", help="write the golden files anew")

@@ -163,7 +163,12 @@ def interrupted_replacement(run: Task, earlier: Path, folder: Path) -> Task:
     shutil.copytree(run.found, folder)
     max(folder.glob("checkpoint.?"), key=lambda path: path.stat().st_mtime_ns).unlink()
     shutil.copytree(earlier, folder / ".ljmd-earlier")
-    return replace(run, name=f"{run.name}, another set aside", found=folder)
+
+    def check(out: Path) -> None:
+        shutil.rmtree(out / ".ljmd-earlier", ignore_errors=True)  # what cannot be removed is left to the next command
+        run.check(out)
+
+    return replace(run, name=f"{run.name}, another set aside", found=folder, check=check)
 
 
 def begin_or_go_on(runner: Runner, out: Path, case: Case) -> None:

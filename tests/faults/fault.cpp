@@ -49,8 +49,7 @@ constexpr std::array<NamedError, 6> errors{
     {{"EIO", EIO, ~set_of(K::lock, K::spawn)},
      {"EINTR", EINTR, moving_bytes | set_of(K::open, K::create, K::sync, K::close, K::truncate, K::lock)},
      {"ENOSPC", ENOSPC, set_of(K::create, K::write, K::sync, K::close, K::rename, K::mkdir, K::link)},
-     {"EACCES", EACCES,
-      set_of(K::open, K::create, K::rename, K::remove, K::mkdir, K::link, K::stat, K::lookup)},
+     {"EACCES", EACCES, set_of(K::open, K::create, K::rename, K::remove, K::mkdir, K::link, K::stat, K::lookup)},
      {"EMFILE", EMFILE, set_of(K::open, K::create)},
      {"EAGAIN", EAGAIN, set_of(K::spawn)}}};
 
