@@ -143,7 +143,7 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
 
 /// Add the forces on a tile's clusters where these are ghosts of other tiles, in the order of those tiles.
 void PairForceField::add_ghost_forces(const VerletList& list, State& state) const {
-    VectorView forces = state.write_forces();
+    double* forces = state.write_forces().data();
     for_each_block(state.execution(), static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
         for (const VerletList::ExportedGhosts& exported : list.exported_ghosts(tile)) {
             const auto& all = list.tiles()[exported.tile].ghosts;
@@ -153,7 +153,7 @@ void PairForceField::add_ghost_forces(const VerletList& list, State& state) cons
             // Only the last cluster of a column may have slots without an atom, so atoms and slots run in step.
             const AtomRange atoms = list.clusters().atoms_of(ghosts.of);
             for (Index i = atoms.first; i < atoms.last; ++i, from += 3) {
-                forces.col(i) += Eigen::Map<const Vec3>(from);
+                Eigen::Map<Vec3>(forces + vector_stride * i) += Eigen::Map<const Vec3>(from);
             }
         }
     });

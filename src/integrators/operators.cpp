@@ -30,22 +30,22 @@ void drift(State& state, double dt) {
 void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     require_current_forces(state);
     const double dt_due = state.take_kick();
-    PaddedView v = padded(state.write_velocities());
-    PaddedView r = padded(state.write_positions());
-    const ConstPaddedView f = padded(state.forces());
+    double* v = state.write_velocities().data();
+    double* r = state.write_positions().data();
+    const double* f = static_cast<const State&>(state).forces().data();
     const double* m = state.masses().data();
     const double rounding = state.rounding();
-    for_each_block(state.execution(), state.count(), loop_block, [=](Index first, Index last) mutable {
+    for_each_block(state.execution(), state.count(), loop_block, [=](Index first, Index last) {
         TimeOverMass due(dt_due);
         TimeOverMass factor(dt_kick);
         for (Index i = first; i < last; ++i) {
-            Eigen::Array4d velocity = v.col(i);
+            Eigen::Array4d velocity = padded(v, i);
             if (dt_due != 0.0) {
-                velocity += due(m[i]) * f.col(i);
+                velocity += due(m[i]) * padded(f, i);
             }
-            velocity += factor(m[i]) * f.col(i);
-            v.col(i) = velocity;
-            r.col(i) = (r.col(i) + dt_drift * velocity + rounding) - rounding;
+            velocity += factor(m[i]) * padded(f, i);
+            padded(v, i) = velocity;
+            padded(r, i) = (padded(r, i) + dt_drift * velocity + rounding) - rounding;
         }
     });
 }
