@@ -26,14 +26,14 @@ void GhostExchange::create(State& state, std::vector<Run> runs) {
 }
 
 void GhostExchange::update(State& state) const {
-    const double* r = static_cast<const State&>(state).positions().data();
-    double* ghosts = state.write_ghosts().data();
+    const ConstPaddedView r = padded(static_cast<const State&>(state).positions());
+    PaddedView ghosts = padded(state.write_ghosts());
     for_each_block(state.execution(), static_cast<Index>(runs_.size()), runs_per_block, [&](Index first, Index last) {
         for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
             const Run& run = runs_[k];
             const Eigen::Array4d shift(run.shift[0], run.shift[1], run.shift[2], 0.0);
             for (Index i = 0; i < run.count; ++i) {
-                padded(ghosts, places_[k] + i) = padded(r, run.first + i) + shift;
+                ghosts.col(places_[k] + i) = r.col(run.first + i) + shift;
             }
         }
     });

@@ -25,6 +25,10 @@ void drift(State& state, double dt) {
                    [=](Index i) mutable { r.col(i) = (r.col(i) + dt * v.col(i) + rounding) - rounding; });
 }
 
+/// As padded(), whose columns cost this loop a seventh of its instructions more.
+using Vector = Eigen::Map<Eigen::Array4d>;
+using ConstVector = Eigen::Map<const Eigen::Array4d>;
+
 /// A kick and the drift after it in one pass over the atoms, together with the pending kick of the last step unless
 /// velocities have been read since. Same bits as separate passes, half the memory traffic.
 void kick_and_drift(State& state, double dt_kick, double dt_drift) {
@@ -39,13 +43,13 @@ void kick_and_drift(State& state, double dt_kick, double dt_drift) {
         TimeOverMass due(dt_due);
         TimeOverMass factor(dt_kick);
         for (Index i = first; i < last; ++i) {
-            Eigen::Array4d velocity = padded(v, i);
+            Eigen::Array4d velocity = Vector(v + vector_stride * i);
             if (dt_due != 0.0) {
-                velocity += due(m[i]) * padded(f, i);
+                velocity += due(m[i]) * ConstVector(f + vector_stride * i);
             }
-            velocity += factor(m[i]) * padded(f, i);
-            padded(v, i) = velocity;
-            padded(r, i) = (padded(r, i) + dt_drift * velocity + rounding) - rounding;
+            velocity += factor(m[i]) * ConstVector(f + vector_stride * i);
+            Vector(v + vector_stride * i) = velocity;
+            Vector(r + vector_stride * i) = (Vector(r + vector_stride * i) + dt_drift * velocity + rounding) - rounding;
         }
     });
 }

@@ -19,15 +19,14 @@ class Archive;
 using VectorView = Eigen::Map<Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<vector_stride>>;
 using ConstVectorView = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<vector_stride>>;
 
-/// The vector of an atom with the zero after its three numbers, for computations that keep it zero.
-/// @param vectors  of all atoms, data() of a view
-using PaddedVector = Eigen::Map<Eigen::Array<double, vector_stride, 1>>;
-using ConstPaddedVector = Eigen::Map<const Eigen::Array<double, vector_stride, 1>>;
-[[nodiscard]] inline PaddedVector padded(double* vectors, Index i) {
-    return PaddedVector(vectors + vector_stride * i);
+/// The same with the zero after the three numbers of each column: whole vectors, for computations that keep it zero.
+using PaddedView = Eigen::Map<Eigen::Array<double, vector_stride, Eigen::Dynamic>>;
+using ConstPaddedView = Eigen::Map<const Eigen::Array<double, vector_stride, Eigen::Dynamic>>;
+[[nodiscard]] inline PaddedView padded(VectorView view) {
+    return {view.data(), vector_stride, view.cols()};
 }
-[[nodiscard]] inline ConstPaddedVector padded(const double* vectors, Index i) {
-    return ConstPaddedVector(vectors + vector_stride * i);
+[[nodiscard]] inline ConstPaddedView padded(const ConstVectorView& view) {
+    return {view.data(), vector_stride, view.cols()};
 }
 
 /// Particles: positions, velocities, forces, masses, ids, and registered per-atom vectors.
