@@ -35,6 +35,13 @@ auto chosen(const Plugin& plugin, const Settings& settings) {
     for (const auto& [key, value] : settings) {
         table.push_back({key, {}, value_of(value)});
     }
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+        for (std::size_t other = 0; other < k; ++other) {
+            if (settings[k].first == settings[other].first) {
+                throw InputError("'" + settings[k].first + "' in " + plugin.name + " is given twice");
+            }
+        }
+    }
     Diagnostics diagnostics;
     const Section section = validate(table, {}, Schema(plugin.name, keys_of(plugin)), std::nullopt, diagnostics);
     std::string mistakes;

@@ -1,6 +1,11 @@
 #include "ljmd/engine/simulation.hpp"
 
 #include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cstring>
+#include <span>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/fluid_measurement.hpp"
@@ -32,25 +37,78 @@ const FluidSpec& checked(const FluidSpec& spec, const Execution& execution) {
     return spec;
 }
 
+/// The specification with the seed in all stages that have none.
+FluidSpec seeded(FluidSpec spec) {
+    for (Stage& stage : spec.stages) {
+        stage.seed = stage.seed == 0 ? spec.seed : stage.seed;
+    }
+    return spec;
+}
+
+/// Everything of a specification that the trajectory and the results depend on but for the atoms, as text. Two
+/// specifications with the same text continue each other's runs.
+std::string identity(const FluidSpec& spec, const Execution& execution) {
+    std::string text = fmt::format("{} {} {} {}", spec.potential.formula(), spec.potential.truncation(),
+                                   spec.potential.cutoff().radius, spec.potential.cutoff().switch_start);
+    for (const auto& [key, value] : spec.potential.parameters()) {
+        text += fmt::format(" {}={}", key, value);
+    }
+    text += fmt::format("; {}; {} {} {}; {}; {} {}", spec.tail, spec.neighbors.method, spec.neighbors.skin,
+                        spec.neighbors.every.value_or(0), spec.sample_every, spec.seed, name(execution.precision()));
+    for (const Stage& stage : spec.stages) {
+        text += fmt::format("; stage {} {} {} {} {} {} {} {} {}", stage.name, stage.integrator.plugin.name,
+                            stage.integrator.values, stage.time_step, stage.steps, stage.temperature, stage.sample,
+                            stage.reverse, stage.seed);
+        if (stage.thermostat) {
+            text += fmt::format(" {} {}", stage.thermostat->plugin.name, stage.thermostat->values);
+        }
+        if (stage.barostat) {
+            text += fmt::format(" {} {}", stage.barostat->plugin.name, stage.barostat->values);
+        }
+    }
+    for (const ChosenAnalysis& analysis : spec.analyses) {
+        text += fmt::format("; {} {}", analysis.plugin.name, analysis.values);
+    }
+    return text;
+}
+
+/// Bytes of the hash at the end of a checkpoint.
+constexpr std::size_t hash_bytes = sizeof(XXH64_hash_t);
+
 }  // namespace
 
 /// Parts point to each other, so they stay where they are.
 struct Simulation::Parts {
     Parts(FluidSpec wanted, const Execution& execution)
-        : spec(std::move(wanted)),
+        : spec(seeded(std::move(wanted))),
           fluid(make_fluid(checked(spec, execution), execution,
                            [this](const std::string& text) { warnings.push_back(text); })),
           measurement(std::in_place, spec, fluid, rows) {}
 
     void advance(std::optional<Index> until) {
+        require_sound();
+        failed = true;  // unless this comes to its end
         position =
             run_stages(spec.stages, fluid.state, fluid.force_field, *measurement, position, spec.interaction(), until);
+        failed = false;
+    }
+
+    /// @throws ContractViolation after a step or a restore that failed
+    void require_sound() const {
+        if (failed) {
+            throw ContractViolation("this simulation has failed, and cannot be continued");
+        }
     }
 
     void read(Archive& a) {
+        failed = true;
         a.mark("ljmd simulation");
+        std::string of;
         Vec3 edges;
-        a(position, edges);
+        a(of, position, edges);
+        if (of != identity(spec, fluid.state.execution())) {
+            throw CheckpointError("the checkpoint belongs to a simulation with another specification");
+        }
         if (position && position->stage > spec.stages.size()) {
             throw CheckpointError("the checkpoint is in a stage that the simulation does not have");
         }
@@ -66,6 +124,7 @@ struct Simulation::Parts {
         if (position) {
             measurement->require_begun(*position);
         }
+        failed = false;
     }
 
     FluidSpec spec;
@@ -74,6 +133,7 @@ struct Simulation::Parts {
     FluidSystem fluid;
     std::optional<FluidMeasurement> measurement;
     std::optional<LoopPosition> position;  ///< empty until the first step
+    bool failed = false;                   ///< a step or a restore has not come to its end
 };
 
 Simulation::Simulation(FluidSpec spec, const Execution& execution)
@@ -95,7 +155,8 @@ void Simulation::advance(Index steps) {
     if (steps < 0) {
         throw ContractViolation(fmt::format("{} steps", steps));
     }
-    parts_->advance(parts_->fluid.state.step + steps);
+    const Index left = parts_->spec.total_steps() - parts_->fluid.state.step;
+    parts_->advance(parts_->fluid.state.step + std::min(steps, left));
 }
 
 bool Simulation::finished() const {
@@ -123,16 +184,27 @@ const std::vector<std::string>& Simulation::warnings() const {
 }
 
 std::string Simulation::checkpoint() const {
+    parts_->require_sound();
     Archive a;
     a.mark("ljmd simulation");
+    std::string of = identity(parts_->spec, state().execution());
     Vec3 edges = state().box().edges();
-    a(parts_->position, edges);
+    a(of, parts_->position, edges);
     parts_->measurement->archive(a);
-    return {reinterpret_cast<const char*>(a.bytes().data()), a.bytes().size()};
+    const XXH64_hash_t hash = XXH3_64bits(a.bytes().data(), a.bytes().size());
+    std::string bytes(a.bytes().size() + hash_bytes, '\0');
+    std::memcpy(bytes.data(), a.bytes().data(), a.bytes().size());
+    std::memcpy(bytes.data() + a.bytes().size(), &hash, hash_bytes);
+    return bytes;
 }
 
 void Simulation::restore(const std::string& checkpoint) {
-    Archive a(std::as_bytes(std::span(checkpoint)));
+    const std::size_t size = checkpoint.size() - std::min(checkpoint.size(), hash_bytes);
+    const XXH64_hash_t hash = XXH3_64bits(checkpoint.data(), size);
+    if (size == 0 || std::memcmp(&hash, checkpoint.data() + size, hash_bytes) != 0) {
+        throw CheckpointError("the checkpoint is damaged");
+    }
+    Archive a(std::as_bytes(std::span(checkpoint)).first(size));
     parts_->read(a);
 }
 

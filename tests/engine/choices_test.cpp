@@ -23,4 +23,6 @@ TEST_CASE("a wrong choice is told in one message, with what is allowed") {
     CHECK_THROWS_WITH(thermostat("langevin", {{"time", -1.0}}), Contains("'time' in langevin") && Contains("> 0"));
     CHECK_THROWS_WITH(thermostat("rescale", {{"every", "often"}}), Contains("must be an integer, found a string"));
     CHECK_THROWS_AS(integrator("leapfrog", {{"every", 1}}), InputError);
+    CHECK_THROWS_WITH(thermostat("langevin", {{"time", 0.5}, {"time", 0.6}}),
+                      Contains("'time' in langevin is given twice"));
 }

@@ -1,7 +1,9 @@
 #include "ljmd/engine/fluid_spec.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <functional>
+#include <limits>
 
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/text.hpp"
@@ -46,9 +48,9 @@ TEST_CASE("an edge that is twice the cutoff but for rounding counts as twice the
 
 TEST_CASE("each mistake of a specification is one sentence that says where it is") {
     CHECK_THAT(complaint([](FluidSpec& s) { s.temperature.reset(); }), Contains("start: a temperature is needed"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.temperature = -1.0; }), Contains("below 0"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.temperature = -1.0; }), Contains("the temperature is -1"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.density = 0.0; }), Contains("the density is 0"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.start = RandomStart{0}; }), Contains("no atoms"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.start = RandomStart{0}; }), Contains("0 atoms: allowed are 1 to"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.start = Configuration{.positions = {Vec3::Zero()}}; }),
                Contains("edges of the box"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.density = 3.0; }),
@@ -97,6 +99,55 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
                    s.analyses = {analysis("msd", {{"max_time", 0.08}, {"every", 1}})};
                }),
                Contains("one time step"));
+}
+
+TEST_CASE("numbers that are none, or nonsense, are mistakes") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double nonsense : {nan, infinity, -1.0}) {
+        CAPTURE(nonsense);
+        CHECK_THAT(complaint([=](FluidSpec& s) { s.density = nonsense; }), Contains("start: the density is"));
+        CHECK_THAT(complaint([=](FluidSpec& s) { s.temperature = nonsense; }), Contains("start: the temperature is"));
+        CHECK_THAT(complaint([=](FluidSpec& s) { s.neighbors.skin = nonsense; }), Contains("neighbors: the skin is"));
+        CHECK_THAT(complaint([=](FluidSpec& s) { s.stages[1].time_step = nonsense; }), Contains("the time step is"));
+        CHECK_THAT(complaint([=](FluidSpec& s) { s.stages[0].temperature = nonsense; }),
+                   Contains("rescale needs a temperature of 0 or more"));
+        CHECK_THAT(complaint([=](FluidSpec& s) {
+                       s.potential = PairPotential::lennard_jones("cut", {nonsense, 0.0});
+                   }),
+                   Contains("potential: the cutoff is"));
+        CHECK_THAT(complaint([=](FluidSpec& s) {
+                       s.potential = PairPotential::lennard_jones("switched", {2.0, nonsense});
+                   }),
+                   Contains("potential: the switch starts at"));
+    }
+    CHECK_THAT(complaint([](FluidSpec& s) { s.start = LatticeStart{.cells = -1}; }), Contains("-1 cells"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.start = RandomStart{Index{1} << 41U}; }), Contains("atoms: allowed"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.neighbors.method = "x"; }),
+               Contains("unknown method 'x', allowed: ") && Contains("verlet-list"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.neighbors.every = 0; }), Contains("'every'"));
+    CHECK_THAT(complaint([](FluidSpec& s) {
+                   s.stages[0].steps = std::numeric_limits<Index>::max();
+                   s.stages[1].steps = std::numeric_limits<Index>::max();
+               }),
+               Contains("more than 2^62"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].thermostat = ChosenThermostat{}; }),
+               Contains("chosen by integrator(), thermostat()"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.analyses = {ChosenAnalysis{}}; }), Contains("chosen by analysis()"));
+}
+
+TEST_CASE("a configuration has one velocity and one mass for each atom, or none") {
+    const Configuration two{.edges = Vec3::Constant(5.0), .positions = {Vec3::Zero(), Vec3::Ones()}};
+    const auto spoilt = [&](const std::function<void(Configuration&)>& spoil) {
+        Configuration configuration = two;
+        spoil(configuration);
+        return complaint([&](FluidSpec& s) { s.start = configuration; });
+    };
+    CHECK_THAT(spoilt([](Configuration& c) { c.velocities = {Vec3::Zero()}; }), Contains("1 velocities for 2 atoms"));
+    CHECK_THAT(spoilt([](Configuration& c) { c.masses = {1.0}; }), Contains("1 masses for 2 atoms"));
+    CHECK_THAT(spoilt([](Configuration& c) { c.masses = {1.0, std::nan("")}; }), Contains("mass 1"));
+    CHECK_THAT(spoilt([](Configuration& c) { c.positions[1][0] = std::nan(""); }), Contains("must be finite"));
+    CHECK_THAT(spoilt([](Configuration& c) { c.edges[0] = std::nan(""); }), Contains("edges of the box"));
 }
 
 TEST_CASE("mistakes are reported together") {

@@ -2,6 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
 #include "core/same_bits.hpp"
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
@@ -107,7 +111,7 @@ TEST_CASE("steps in pieces are the steps of one run") {
     }
     CHECK(pieces.state().step == 51);
     CHECK(pieces.result().stages.back().last_step == 51);
-    pieces.advance(1000);
+    pieces.advance(std::numeric_limits<Index>::max());
     CHECK(pieces.finished());
     CHECK(pieces.state().step == 60);
     check_same(pieces, whole);
@@ -152,6 +156,76 @@ TEST_CASE("a checkpoint of another simulation, or a damaged one, is refused") {
     CHECK_THROWS_AS(Simulation(small_spec()).restore(""), CheckpointError);
     CHECK_THROWS_AS(Simulation(small_spec()).restore(checkpoint.substr(0, checkpoint.size() / 2)), CheckpointError);
     CHECK_THROWS_AS(Simulation(small_spec()).restore(checkpoint + "x"), CheckpointError);
+    for (std::size_t k = 0; k < checkpoint.size(); k += checkpoint.size() / 50) {
+        std::string damaged = checkpoint;
+        damaged[k] = static_cast<char>(damaged[k] ^ 1);
+        CHECK_THROWS_WITH(Simulation(small_spec()).restore(damaged), Contains("is damaged"));
+    }
+}
+
+TEST_CASE("a checkpoint continues the same specification and precision only") {
+    Simulation first(small_spec());
+    first.advance(30);
+    const std::string checkpoint = first.checkpoint();
+    const std::vector<std::function<void(FluidSpec&)>> changes{
+        [](FluidSpec& s) { s.potential = PairPotential::lennard_jones("shifted", s.potential.cutoff()); },
+        [](FluidSpec& s) {
+            s.potential = PairPotential::lennard_jones("force-shifted", {1.9, 0.0});
+        },
+        [](FluidSpec& s) { s.stages[1].time_step = 0.002; },
+        [](FluidSpec& s) { s.stages[1].steps = 41; },
+        [](FluidSpec& s) { s.stages[1].seed = 8; },
+        [](FluidSpec& s) { s.stages[0].temperature = 1.1; },
+        [](FluidSpec& s) {
+            s.stages[0].thermostat = thermostat("rescale", {{"every", 6}});
+        },
+        [](FluidSpec& s) { s.stages[1].integrator = integrator("leapfrog"); },
+        [](FluidSpec& s) { s.neighbors.skin = 0.4; },
+        [](FluidSpec& s) { s.sample_every = 5; },
+        [](FluidSpec& s) { s.analyses = {analysis("rdf")}; }};
+    for (const auto& change : changes) {
+        FluidSpec other = small_spec();
+        change(other);
+        Simulation simulation(other);
+        CHECK_THROWS_WITH(simulation.restore(checkpoint), Contains("another specification"));
+        CHECK_THROWS_AS(simulation.run(), ContractViolation);
+    }
+    Simulation mixed(small_spec(), Execution({.precision = Precision::mixed}));
+    CHECK_THROWS_WITH(mixed.restore(checkpoint), Contains("another specification"));
+    Simulation threads(small_spec(), Execution({.threads = 2}));
+    CHECK_NOTHROW(threads.restore(checkpoint));
+}
+
+TEST_CASE("stages without a seed have that of the specification") {
+    FluidSpec with_seed = small_spec();
+    with_seed.stages[1].thermostat = thermostat("langevin");
+    FluidSpec without = with_seed;
+    without.stages[1].seed = 0;
+    Simulation ours(with_seed);
+    Simulation theirs(without);
+    ours.run();
+    theirs.run();
+    check_same(ours, theirs);
+    without.seed = 8;
+    Simulation others(without);
+    others.run();
+    CHECK(checksum(others.state()) != checksum(ours.state()));
+}
+
+TEST_CASE("what an observer throws ends the simulation, which then cannot be continued") {
+    struct Thrower : Observer {
+        [[nodiscard]] bool needs(Index step) const override { return step == 31; }
+        void sample(const Snapshot&) override { throw std::runtime_error("enough"); }
+    };
+    Simulation simulation(small_spec());
+    Thrower thrower;
+    simulation.add(thrower);
+    CHECK_THROWS_WITH(simulation.run(), "enough");
+    CHECK(simulation.state().step == 31);
+    CHECK_THROWS_AS(simulation.run(), ContractViolation);
+    CHECK_THROWS_AS(simulation.advance(1), ContractViolation);
+    CHECK_THROWS_AS(simulation.checkpoint(), ContractViolation);
+    CHECK_FALSE(simulation.finished());
 }
 
 TEST_CASE("an observer sees the sampled stages only, in which it changes nothing") {

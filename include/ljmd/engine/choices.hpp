@@ -12,8 +12,8 @@
 
 namespace ljmd {
 
-/// Options by their keys, as in a deck: {{"time", 0.5}, {"chain_length", 3}}. Others keep their defaults; `ljmd info
-/// --deck-reference` and docs/decks.md list all.
+/// Options by their keys, as in a deck: {{"time", 0.5}, {"length", 3}}. Others keep their defaults; `ljmd info --keys`
+/// and docs/deck-reference.md list all.
 using Settings = std::vector<std::pair<std::string, PlainValue>>;
 
 /// Plug-ins by name, with some of their options.

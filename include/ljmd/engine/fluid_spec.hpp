@@ -45,7 +45,7 @@ struct FluidSpec {
     double density = 0.8;                    ///< N/V of a lattice or random start [sigma^-3]
     std::optional<double> temperature = {};  ///< from which velocities are drawn [epsilon/k_B]; stages have their own
     bool keep_velocities = true;             ///< those of a configuration that has any; else all are drawn
-    std::uint64_t seed = 1;                  ///< of places, velocities and analyses; stages have their own
+    std::uint64_t seed = 1;                  ///< of all random numbers, but for stages with a seed of their own
 
     PairPotential potential = PairPotential::lennard_jones("shifted", {2.5, 0.0});
     bool tail = false;  ///< correct energy and pressure for what the truncation removes, with g(r) = 1

@@ -6,7 +6,8 @@
 
 namespace ljmd {
 
-/// A measurement by the user of the engine, in the sampled stages of a run. It cannot change the trajectory.
+/// A measurement by the user of the engine, in the sampled stages of a run. It cannot change the trajectory. What it
+/// throws ends the run.
 class Observer {
   public:
     virtual ~Observer() = default;
@@ -14,7 +15,7 @@ class Observer {
     /// Whether sample() is to be called after this step of the run, counted from its start.
     [[nodiscard]] virtual bool needs(Index step) const = 0;
 
-    /// Whether the snapshot must have energy and pressure, which cost about as much as a step.
+    /// Whether the snapshot must have energy and pressure. Without it, it has them only where they are known anyway.
     [[nodiscard]] virtual bool needs_energy() const { return false; }
 
     virtual void sample(const Snapshot& snapshot) = 0;

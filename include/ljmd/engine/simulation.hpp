@@ -27,7 +27,7 @@ namespace ljmd {
 /// trajectory, to the last bit, as a deck that says the same.
 class Simulation {
   public:
-    /// Place the atoms and draw their velocities.
+    /// Place the atoms and draw their velocities. Stages whose seed is 0 get that of the specification, as in a deck.
     /// @throws InputError with all mistakes of the specification; ThreadsError as Execution
     explicit Simulation(FluidSpec spec, const Execution& execution = {});
     ~Simulation();
@@ -39,7 +39,9 @@ class Simulation {
     /// Let an observer measure from the next step on. @pre the observer lives as long as the simulation
     void add(Observer& observer);
 
-    /// Take all steps that are left. @throws PhysicsError naming step and stage, when the run blows up
+    /// Take all steps that are left.
+    /// @throws PhysicsError naming step and stage, when the run blows up; what an observer throws. After either the
+    /// simulation can be looked at, but not be continued (ContractViolation).
     RunResult run();
 
     /// Take some steps; fewer if the stages end before. @pre steps >= 0  @throws PhysicsError as run()
@@ -47,13 +49,14 @@ class Simulation {
 
     [[nodiscard]] bool finished() const;
 
-    /// Results so far; stages that have begun are among them.
+    /// Results so far; stages that have begun are among them. Nothing is known before the first step.
     [[nodiscard]] RunResult result() const;
 
     [[nodiscard]] const FluidSpec& spec() const;
     /// The atoms as they are now. Forces belong to the positions once a step was taken.
     [[nodiscard]] const State& state() const;
-    /// All samples so far, of the start and then every `sample_every` steps.
+    /// All samples since the simulation was made or restored: of the start, with the first step, and then every
+    /// `sample_every` steps.
     [[nodiscard]] const std::vector<ThermoRow>& samples() const;
     /// Remarks on the start, for the user.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
@@ -63,7 +66,8 @@ class Simulation {
 
     /// Continue from a checkpoint() of a simulation with the same specification and observers; the rest of the
     /// trajectory is the same to the last bit. Samples before it are not kept.
-    /// @throws CheckpointError if it is damaged or of another specification; the simulation is then unusable
+    /// @throws CheckpointError if it is damaged, or of another specification or precision, or of other observers; the
+    /// simulation cannot be continued then
     void restore(const std::string& checkpoint);
 
   private:
