@@ -43,8 +43,9 @@ std::string in_words(const std::string& key, const std::optional<T>& value) {
 
 }  // namespace
 
-Key& Description::add(Key key, Member member) {
-    return items_.emplace_back(std::move(key), member).key;
+Key& Description::add(const Key& key, Member member) {
+    items_.push_back({key, member});
+    return items_.back().key;
 }
 
 Key& Description::flag(const std::string& name, bool& member) {

@@ -52,7 +52,7 @@ class Description {
         Key key;
         Member member;
     };
-    Key& add(Key key, Member member);
+    Key& add(const Key& key, Member member);
 
     std::vector<Item> items_;
 };
