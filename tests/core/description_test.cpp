@@ -36,7 +36,7 @@ struct Plugin {
     [[nodiscard]] std::unique_ptr<Options> options() const { return std::make_unique<Options>(); }
 };
 
-/// Options with the values of a table of these entries.
+/// Options with the values of a table that has the given entries.
 Options taken(const Table& table) {
     Diagnostics diagnostics;
     const Section section = validate(table, {}, Schema("options", keys_of(Plugin())), std::nullopt, diagnostics);
