@@ -1,6 +1,7 @@
 #include "ljmd/deck/deck_schema.hpp"
 
 #include "ljmd/core/registry.hpp"
+#include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/input/deck_reference.hpp"
 #include "ljmd/input/json_schema.hpp"
 #include "ljmd/integrators/barostat.hpp"
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double min_density = 1e-12;  // one atom in a box of 10^4 sigma
 constexpr double min_cutoff = 0.01;    // r^-12 there is 10^24
-constexpr double largest_skin = 10.0;  // a longer list has all pairs, many times over in a small box
 
 Schema argon_schema() {
     return Schema(
@@ -115,7 +115,7 @@ Schema neighbors_schema() {
                        .dimension(Dimension::length)
                        .unit("sigma")
                        .at_least(0.0)
-                       .at_most(largest_skin)
+                       .at_most(max_skin)
                        .defaults_to(0.3)
                        .meaning("the list holds pairs within cutoff + skin, and is rebuilt before any other pair is "
                                 "within the cutoff"),

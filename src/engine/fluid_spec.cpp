@@ -17,7 +17,6 @@ namespace {
 
 constexpr Index max_cells = Index{1} << 20U;  // along an edge, see lattice_atoms()
 constexpr Index max_atoms = Index{1} << 40U;
-constexpr double max_skin = 10.0;  // [sigma]: a longer list has all pairs, many times over in a small box
 constexpr double max_total_steps = 0x1p62;
 
 bool is_sampled(const Stage& stage) {

@@ -30,6 +30,9 @@ struct RandomStart {
     Index atoms = 864;
 };
 
+/// The longest skin that is allowed [sigma]: a longer list has all pairs, many times over in a small box.
+inline constexpr double max_skin = 10.0;
+
 /// How pairs of atoms are found, see PairSearch in neighbors/pair_search.hpp.
 struct NeighborSpec {
     std::string method = "verlet-list";  ///< one of pair_search_names()
