@@ -13,6 +13,7 @@ list(FILTER ljmd_sources EXCLUDE REGEX "^${ljmd_unused_sources}")
 add_library(ljmd_library STATIC ${ljmd_sources} ${ljmd_generated_sources} ${ljmd_simd_objects})
 add_library(ljmd::ljmd ALIAS ljmd_library)
 target_precompile_headers(ljmd_library PRIVATE ${ljmd_precompiled_headers})
+ljmd_compile_together(ljmd_library ${ljmd_sources})
 add_dependencies(ljmd_library ljmd_version_header)
 set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
 target_compile_features(ljmd_library PUBLIC cxx_std_20)
@@ -38,3 +39,5 @@ endif()
 
 add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
 target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)
+# It reads the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/cli/main.cpp APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)

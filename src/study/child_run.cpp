@@ -59,7 +59,7 @@ LastLines last_lines(const fs::path& log) {
     return last;
 }
 
-constexpr std::size_t longest_words = 400;  // of a log, in a message
+constexpr std::size_t longest_log_words = 400;  // of a log, in a message
 
 }  // namespace
 
@@ -119,11 +119,11 @@ Job longer(const ChildRun& run, Index more_steps) {
 std::string failure_of(const ChildRun& run, int exit_status) {
     const LastLines last = last_lines(run.log);
     return fmt::format("{}: exit code {}: {}", run.name, exit_status,
-                       printable(last.error.empty() ? last.any : last.error, longest_words));
+                       printable(last.error.empty() ? last.any : last.error, longest_log_words));
 }
 
 std::string error_in_log(const fs::path& log) {
-    return printable(last_lines(log).error, longest_words);
+    return printable(last_lines(log).error, longest_log_words);
 }
 
 }  // namespace ljmd

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_words = 1000;  // of text that others have written
+constexpr std::size_t longest_foreign_text = 1000;  // of text that others have written
 constexpr std::array<const char*, 5> states{"finished", "running", "stopped", "failed", "not begun"};
 
 struct RunState {
@@ -105,7 +105,7 @@ std::string text_of(const Study& study, const fs::path& directory) {
         fmt::format("{}: {} of {} runs{}\n", directory.string(), study.is_sweep ? "a sweep" : "a reproduced table",
                     study.runs.size(), study.running ? ", under way" : "");
     if (study.is_sweep) {
-        text += fmt::format("deck          {}\n", printable(study.deck, longest_words));
+        text += fmt::format("deck          {}\n", printable(study.deck, longest_foreign_text));
     }
     for (const char* state : states) {
         if (const auto count = study.count(state); count > 0) {

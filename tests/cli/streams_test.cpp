@@ -38,14 +38,14 @@ class Redirected {
     int saved_;
 };
 
-struct Pipe {
-    Pipe() { REQUIRE(::pipe(ends.data()) == 0); }
-    ~Pipe() {
+struct TestPipe {
+    TestPipe() { REQUIRE(::pipe(ends.data()) == 0); }
+    ~TestPipe() {
         ::close(ends[0]);
         ::close(ends[1]);
     }
-    Pipe(const Pipe&) = delete;
-    Pipe& operator=(const Pipe&) = delete;
+    TestPipe(const TestPipe&) = delete;
+    TestPipe& operator=(const TestPipe&) = delete;
 
     [[nodiscard]] std::string read() const {
         std::array<char, 256> text{};
@@ -58,8 +58,8 @@ struct Pipe {
 }  // namespace
 
 TEST_CASE("results go to stdout, talk to stderr, at once") {
-    const Pipe results;
-    const Pipe said;
+    const TestPipe results;
+    const TestPipe said;
     {
         const Redirected out(stdout, results.ends[1]);
         const Redirected err(stderr, said.ends[1]);
@@ -89,7 +89,7 @@ TEST_CASE("results that cannot be written are an error, talk is not") {
 
 TEST_CASE("a reader that goes away does not end a run") {
     prepare_standard_streams();
-    const Pipe said;
+    const TestPipe said;
     ::close(said.ends[0]);
     const Redirected err(stderr, said.ends[1]);
     print_message("nobody hears this\n");  // would end the tests by SIGPIPE
@@ -97,7 +97,7 @@ TEST_CASE("a reader that goes away does not end a run") {
 }
 
 TEST_CASE("warnings are said, errors are not: those are thrown") {
-    const Pipe pipe;
+    const TestPipe pipe;
     Diagnostics diagnostics;
     diagnostics.warning({}, "unlikely");
     diagnostics.error({}, "wrong");
@@ -109,8 +109,8 @@ TEST_CASE("warnings are said, errors are not: those are thrown") {
 }
 
 TEST_CASE("control characters of what others have written reach neither stream") {
-    const Pipe results;
-    const Pipe said;
+    const TestPipe results;
+    const TestPipe said;
     {
         const Redirected out(stdout, results.ends[1]);
         const Redirected err(stderr, said.ends[1]);

@@ -13,7 +13,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-GslComparison compared(const std::string& text, const std::vector<std::string>& settings = {}) {
+GslComparison compared_with_gsl(const std::string& text, const std::vector<std::string>& settings = {}) {
     const DeckFolder folder(text);
     const Deck deck = folder.load(settings);
     Recorder listener;
@@ -25,8 +25,9 @@ GslComparison compared(const std::string& text, const std::vector<std::string>& 
 
 /// The comparison of one and a half orbits of two stars with so many steps.
 GslComparison compared_orbit(const std::string& integrator, int steps) {
-    return compared(stars_deck, {"stage.orbits.integrator=" + integrator, "stage.orbits.steps=" + std::to_string(steps),
-                                 "stage.orbits.time_step=" + std::to_string(4.5 / steps)});
+    return compared_with_gsl(stars_deck,
+                             {"stage.orbits.integrator=" + integrator, "stage.orbits.steps=" + std::to_string(steps),
+                              "stage.orbits.time_step=" + std::to_string(4.5 / steps)});
 }
 
 const std::string second_stage = "\n[[stage]]\nname = \"more\"\ntime_step = 0.02\nsteps = 13\n";
@@ -52,8 +53,8 @@ TEST_CASE("halving the step divides the error of a Kepler orbit by two to the or
 TEST_CASE("a step of a comparison is off by what Taylor's formula says") {
     // One step of Euler's method: r is off by a dt^2/2 and v by da/dt dt^2/2, which is (v - 3 r (r.v)/r^2)/r^3 = v/r^3.
     const double dt = 1e-3;
-    const GslComparison one = compared(stars_deck, {"stage.orbits.integrator=euler", "stage.orbits.steps=1",
-                                                    "stage.orbits.time_step=" + std::to_string(dt)});
+    const GslComparison one = compared_with_gsl(stars_deck, {"stage.orbits.integrator=euler", "stage.orbits.steps=1",
+                                                             "stage.orbits.time_step=" + std::to_string(dt)});
     REQUIRE(one.rows.size() == 2);
     CHECK(one.rows[0].position_error == 0.0);
     CHECK(one.rows[0].energy_error == 0.0);
@@ -65,8 +66,8 @@ TEST_CASE("a step of a comparison is off by what Taylor's formula says") {
 TEST_CASE("a comparison has up to a thousand rows behind its first, and ends with the run") {
     for (const int steps : {0, 1, 999, 1000, 1001, 2503}) {
         INFO(steps);
-        const GslComparison comparison =
-            compared(stars_deck, {"stage.orbits.steps=" + std::to_string(steps), "stage.orbits.time_step=0.001"});
+        const GslComparison comparison = compared_with_gsl(
+            stars_deck, {"stage.orbits.steps=" + std::to_string(steps), "stage.orbits.time_step=0.001"});
         const auto& rows = comparison.rows;
         CHECK(rows.size() <= 1002);
         CHECK(rows.size() >= static_cast<std::size_t>(std::min(steps, 500)) + 1);
@@ -84,7 +85,8 @@ TEST_CASE("a comparison has up to a thousand rows behind its first, and ends wit
 }
 
 TEST_CASE("a comparison goes through all stages, each with its own step and integrator") {
-    const GslComparison comparison = compared(stars_deck + second_stage, {"stage.more.integrator=forest-ruth"});
+    const GslComparison comparison =
+        compared_with_gsl(stars_deck + second_stage, {"stage.more.integrator=forest-ruth"});
     CHECK(comparison.rows.size() == 95 + 13 + 1);
     CHECK(comparison.rows.back().time == Approx(0.95 + 0.26).epsilon(1e-14));
     CHECK(comparison.largest_position_error < 1e-3);
@@ -92,7 +94,7 @@ TEST_CASE("a comparison goes through all stages, each with its own step and inte
 
 TEST_CASE("the largest energy error is over all steps, also those without a row") {
     const std::vector<std::string> steps{"stage.orbits.steps=4000", "stage.orbits.time_step=0.00075"};
-    const GslComparison comparison = compared(stars_deck, steps);
+    const GslComparison comparison = compared_with_gsl(stars_deck, steps);
     double in_rows = 0.0;
     for (const auto& row : comparison.rows) {
         in_rows = std::max(in_rows, row.energy_error);

@@ -24,12 +24,12 @@ void check_refused(const Replacements& replacements, const std::string& line, co
     check_refused(changed(stars_deck, replacements), line, message);
 }
 
-std::string stage(const std::string& name, const std::string& more) {
+std::string few_body_stage(const std::string& name, const std::string& more) {
     return "\n[[stage]]\nname = \"" + name + "\"\ntime_step = 0.01\nsteps = 5\n" + more;
 }
 
 const std::string about = "\n[analysis]\nclosest_approach = {}\n";
-const std::string output = "thermo = { every = 10 }\n";
+const std::string thermo_row = "thermo = { every = 10 }\n";
 
 }  // namespace
 
@@ -75,27 +75,28 @@ TEST_CASE("analyses of bodies and components that are not there are refused at t
 }
 
 TEST_CASE("outputs that do not go together are refused at their key") {
-    check_refused({{output, "directory = \"\"\n"}}, "directory = \"\"", "empty");
+    check_refused({{thermo_row, "directory = \"\"\n"}}, "directory = \"\"", "empty");
     check_refused(stars_deck + "[output.trajectory]\nevery = 1\nformat = \"h5md\"\naccelerations = true\n",
                   "accelerations = true", "goes only with format = \"csv\", not \"h5md\"");
 }
 
 TEST_CASE("analyses are given one piece of the motion, forwards") {
-    const std::string before = stage("before", "sample = false\n");
-    const std::string after = stage("after", "sample = false\n");
-    const std::string more = stage("more", "");
-    const std::string back = stage("back", "reverse = true\nsample = false\n");
+    const std::string before = few_body_stage("before", "sample = false\n");
+    const std::string after = few_body_stage("after", "sample = false\n");
+    const std::string more = few_body_stage("more", "");
+    const std::string back = few_body_stage("back", "reverse = true\nsample = false\n");
     const auto with = [&](const std::string& stages) {
         const std::string orbits = "\n[[stage]]\nname = \"orbits\"\n";
         return changed(stars_deck, {{orbits, stages + orbits}}) + about;
     };
     CHECK(complaints(with(before)).empty());
     CHECK(complaints(with(before) + more + after + back).empty());
-    check_refused(stars_deck + stage("back", "reverse = true\n") + about, "reverse = true",
+    check_refused(stars_deck + few_body_stage("back", "reverse = true\n") + about, "reverse = true",
                   "stage 'back' runs backwards");
-    check_refused(stars_deck + after + stage("gap", "sample = true\n") + about, "sample = true",
+    check_refused(stars_deck + after + few_body_stage("gap", "sample = true\n") + about, "sample = true",
                   "stage 'gap' is sampled and so was 'orbits', but 'after' between them is not");
-    const auto found = complaints(stars_deck + after + stage("again", "") + stage("back", "reverse = true\n"));
+    const auto found =
+        complaints(stars_deck + after + few_body_stage("again", "") + few_body_stage("back", "reverse = true\n"));
     CHECK(errors_in(found) == 0);  // nothing looks
 }
 
@@ -106,7 +107,7 @@ TEST_CASE("a value that is wrong in itself is reported once in a few-body deck")
           Replacements{{"\"newtonian-gravity\"", "\"newtonian\""}, {"gravitational_constant = 1.0\n", ""}},
           Replacements{{"gravitational_constant = 1.0", "gravitational_constant = -1.0"}},
           Replacements{{"steps = 95", "steps = -1"}}, Replacements{{"name = \"orbits\"\n", ""}},
-          Replacements{{output, "trajectory = 5\n"}}}) {
+          Replacements{{thermo_row, "trajectory = 5\n"}}}) {
         const auto found = complaints(changed(stars_deck, wrong) + "[analysis]\norbit = { body = 2, about = 1 }\n");
         std::string all;
         for (const Diagnostic& entry : found) {

@@ -18,7 +18,7 @@ viscosity = { every = 1 }
 chemical_potential = { every = 2, insertions = 10 }
 )";
 
-SizeForecast forecast_of(const std::vector<std::string>& settings) {
+SizeForecast size_of(const std::vector<std::string>& settings) {
     const DeckFolder folder;
     const Deck deck = folder.load(settings);
     return forecast_size(deck, find_start(deck));
@@ -84,10 +84,10 @@ TEST_CASE("what an analysis was said to keep is about what it keeps") {
 
 TEST_CASE("a list costs more memory than cells, mixed precision less, and all pairs least") {
     const std::string large = "system.lattice.cells=20";
-    const double list = forecast_of({large, "neighbors.method=verlet-list"}).memory;
-    const double mixed = forecast_of({large, "neighbors.method=verlet-list", "performance.precision=mixed"}).memory;
-    const double cells = forecast_of({large, "neighbors.method=cells"}).memory;
-    const double pairs = forecast_of({large, "neighbors.method=all-pairs"}).memory;
+    const double list = size_of({large, "neighbors.method=verlet-list"}).memory;
+    const double mixed = size_of({large, "neighbors.method=verlet-list", "performance.precision=mixed"}).memory;
+    const double cells = size_of({large, "neighbors.method=cells"}).memory;
+    const double pairs = size_of({large, "neighbors.method=all-pairs"}).memory;
     CHECK(list > mixed);
     CHECK(mixed > cells);
     CHECK(cells > pairs);
@@ -95,7 +95,7 @@ TEST_CASE("a list costs more memory than cells, mixed precision less, and all pa
 
 TEST_CASE("memory and disk grow with atoms and frames") {
     const auto with = [](const std::string& setting) {
-        return forecast_of(
+        return size_of(
             {"output.trajectory.every=1", "stage.production.steps=980", "output.thermo.every=1000", setting});
     };
     const SizeForecast small = with("system.lattice.cells=20");

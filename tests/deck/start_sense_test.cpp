@@ -11,8 +11,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string rescaling = "thermostat = { type = \"rescale\", every = 5 }";
-const std::string own = "temperature = 0.7\n" + rescaling;
+const std::string rescale_often = "thermostat = { type = \"rescale\", every = 5 }";
+const std::string own = "temperature = 0.7\n" + rescale_often;
 
 /// What is said of a deck that starts from a file, with or without velocities.
 std::vector<Diagnostic> of_file(const Replacements& replacements, bool velocities = true,
@@ -47,29 +47,30 @@ const Replacements no_seed{{"seed = 7\n", ""}};
 
 TEST_CASE("a temperature beside velocities that are kept is told of, unless a thermostat holds it") {
     check_one(
-        of_file({{"seed = 7\n", ""}, {rescaling + "\n", ""}}), "temperature = 1.0",
+        of_file({{"seed = 7\n", ""}, {rescale_often + "\n", ""}}), "temperature = 1.0",
         "'temperature' in [system] has no effect: the velocities are those of 'file', and no stage has a thermostat",
         "velocities = \"maxwell\"");
-    check_one(of_file({{"seed = 7\n", ""}, {rescaling, own}}), "temperature = 1.0",
+    check_one(of_file({{"seed = 7\n", ""}, {rescale_often, own}}), "temperature = 1.0",
               "every stage with a thermostat has a 'temperature' of its own (0.7)",
               "--set stage.equilibrate.temperature=1 sets a stage's");
-    check_one(
-        of_file({{"seed = 7\n", ""}, {"temperature = 1.0\n", ""}, {rescaling, own}}, true, {"system.temperature=3.0"}),
-        "--set system.temperature=3.0", "has no effect", "stage.equilibrate.temperature=3");
+    check_one(of_file({{"seed = 7\n", ""}, {"temperature = 1.0\n", ""}, {rescale_often, own}}, true,
+                      {"system.temperature=3.0"}),
+              "--set system.temperature=3.0", "has no effect", "stage.equilibrate.temperature=3");
     CHECK(of_file(no_seed).empty());
-    CHECK(of_file({{"seed = 7\n", ""}, {"temperature = 1.0\n", ""}, {rescaling, own}}).empty());
+    CHECK(of_file({{"seed = 7\n", ""}, {"temperature = 1.0\n", ""}, {rescale_often, own}}).empty());
     // A thermostat that is at work in no step holds nothing.
     check_one(of_file(no_seed, true, {"stage.equilibrate.steps=0"}), "temperature = 1.0", "no stage has a thermostat",
               "");
     // Velocities that are drawn have it.
-    CHECK(of_file({{rescaling + "\n", ""}}, false).empty());
-    CHECK(of_file({{rescaling + "\n", ""}, {"seed = 7", "velocities = \"maxwell\""}}).empty());
+    CHECK(of_file({{rescale_often + "\n", ""}}, false).empty());
+    CHECK(of_file({{rescale_often + "\n", ""}, {"seed = 7", "velocities = \"maxwell\""}}).empty());
 }
 
 TEST_CASE("a temperature that only the first velocities have is told of") {
     const auto of_lattice = [](const std::string& temperature, const std::vector<std::string>& settings = {}) {
         return complaints(
-            changed(small_deck, {{"temperature = 1.0", "temperature = " + temperature}, {rescaling, own}}), settings);
+            changed(small_deck, {{"temperature = 1.0", "temperature = " + temperature}, {rescale_often, own}}),
+            settings);
     };
     check_one(
         of_lattice("1.744"), "temperature = 1.744",
@@ -84,7 +85,7 @@ TEST_CASE("a temperature that only the first velocities have is told of") {
 TEST_CASE("a seed is told of where nothing is random") {
     const std::string message = "'seed' in [system] has no effect";
     const auto with = [](const std::string& thermostat) {
-        return of_file({{rescaling, "thermostat = { type = \"" + thermostat + "\" }"}});
+        return of_file({{rescale_often, "thermostat = { type = \"" + thermostat + "\" }"}});
     };
     for (const ThermostatMethod& method : all_thermostats()) {
         INFO(method.name);
@@ -105,7 +106,7 @@ TEST_CASE("thermostats that are said to be deterministic do not depend on the se
         INFO(method.name);
         const auto velocities = [&](std::uint64_t seed) {
             const DeckFolder folder(
-                changed(small_deck, {{rescaling, "thermostat = { type = \"" + method.name + "\" }"}}));
+                changed(small_deck, {{rescale_often, "thermostat = { type = \"" + method.name + "\" }"}}));
             const Deck deck = folder.load();
             FluidSystem simulation = simulation_of(deck);
             State& state = simulation.state;

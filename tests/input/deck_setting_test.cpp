@@ -12,7 +12,7 @@ using namespace ljmd::test;
 
 namespace {
 
-const std::string good_deck = R"(title = "Liquid argon"
+const std::string argon_deck = R"(title = "Liquid argon"
 units = "reduced"
 
 [system]
@@ -37,7 +37,7 @@ mass = 2.5
 position = [-1.0, 0]
 )";
 
-Schema deck_schema() {
+Schema argon_schema() {
     const Schema system("[system]", {Key::number("density").above(0.0).at_most(1.5)});
     const Schema stage("[[stage]]", {Key::text("name"), Key::integer("steps").at_least(0)});
     const Schema body("[[body]]", {Key::number("mass").above(0.0), Key::vector("position")});
@@ -46,7 +46,7 @@ Schema deck_schema() {
 
 /// A table after settings that must succeed.
 Table with_settings(const std::vector<std::string>& settings) {
-    Table table = parsed(good_deck);
+    Table table = parsed(argon_deck);
     Diagnostics diagnostics;
     for (const std::string& setting : settings) apply_setting(table, setting, diagnostics);
     CHECK(formatted(diagnostics).empty());
@@ -55,7 +55,7 @@ Table with_settings(const std::vector<std::string>& settings) {
 
 /// The error of a setting that must fail, without "error: ".
 std::string bad_setting(const std::string& setting) {
-    Table table = parsed(good_deck);
+    Table table = parsed(argon_deck);
     Diagnostics diagnostics;
     apply_setting(table, setting, diagnostics);
     REQUIRE(diagnostics.entries().size() == 1);
@@ -100,7 +100,7 @@ TEST_CASE("what is set has the place of its value, so that it differs from a tab
 }
 
 TEST_CASE("a setting whose key comes again is told to have no effect") {
-    Table table = parsed(good_deck);
+    Table table = parsed(argon_deck);
     Diagnostics diagnostics;
     for (const char* setting : {"system.density=0.5", "stage.production.steps=7", "system.density=0.6"}) {
         apply_setting(table, setting, diagnostics);
@@ -130,7 +130,7 @@ TEST_CASE("a table without a name is reached by its number") {
 
     Diagnostics diagnostics;
     const Section deck = validate(with_settings({"body.2.position=[1.0, 0]"}), {},
-                                  Schema("the deck", {deck_schema().keys().back()}), std::nullopt, diagnostics);
+                                  Schema("the deck", {argon_schema().keys().back()}), std::nullopt, diagnostics);
     CHECK(deck.sections("body")[1].vector("position") == std::vector{1.0, 0.0});
     CHECK(deck.sections("body")[0].vector("position") == std::vector{0.0, 0.5});
 }
@@ -196,13 +196,13 @@ TEST_CASE("a setting that cannot be applied is one error") {
 }
 
 TEST_CASE("a mistake in a setting is told as one of the setting") {
-    Table table = parsed(good_deck);
+    Table table = parsed(argon_deck);
     Diagnostics diagnostics;
     apply_setting(table, "system.densty=0.8", diagnostics);
     apply_setting(table, "stage.production.steps=-1", diagnostics);
     apply_setting(table, "body.2.position=[0, x]", diagnostics);
     apply_setting(table, "body.1.position=[0, '1']", diagnostics);
-    static_cast<void>(validate(table, {}, deck_schema(), std::nullopt, diagnostics));
+    static_cast<void>(validate(table, {}, argon_schema(), std::nullopt, diagnostics));
     const auto all = formatted(diagnostics);
     CHECK(std::count(all.begin(), all.end(),
                      "error: --set system.densty=0.8: unknown key 'densty' in [system]\n"

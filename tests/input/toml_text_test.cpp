@@ -16,7 +16,7 @@ std::shared_ptr<const Source> source_of(const std::string& text) {
     return std::make_shared<const Source>(Source{"deck.toml", text});
 }
 
-Table parsed(const std::string& text) {
+Table table_of(const std::string& text) {
     Diagnostics diagnostics;
     const auto table = parse_toml(source_of(text), diagnostics);
     CHECK(diagnostics.entries().empty());
@@ -25,7 +25,7 @@ Table parsed(const std::string& text) {
 }
 
 /// "line:column+length message (hint)" of the one mistake.
-std::string mistake(const std::string& text) {
+std::string mistake_in(const std::string& text) {
     Diagnostics diagnostics;
     CHECK_FALSE(parse_toml(source_of(text), diagnostics).has_value());
     REQUIRE(diagnostics.entries().size() == 1);
@@ -46,7 +46,7 @@ T get(const Table& table, const std::string& key) {
 }  // namespace
 
 TEST_CASE("values of every kind are read, in the order of the text") {
-    const Table table = parsed(
+    const Table table = table_of(
         "z = true\ni = -3\nhex = 0xFF\nx = 2.5e-3\ntext = \"a\\tb\"\nraw = 'C:\\n'\nday = 1967-07-05\n"
         "list = [1, 2.0, \"3\"]\ninline = { a = 1, b.c = 2 }\n[table]\nk = 1\n[[stage]]\nn = 1\n[[stage]]\nn = 2\n");
     std::string order;
@@ -67,12 +67,12 @@ TEST_CASE("values of every kind are read, in the order of the text") {
     CHECK(std::holds_alternative<double>(list[1].data));
     CHECK(get<std::int64_t>(get<Table>(get<Table>(table, "inline"), "b"), "c") == 2);
     CHECK(get<Array>(table, "stage").size() == 2);
-    CHECK(parsed("").empty());
+    CHECK(table_of("").empty());
 }
 
 TEST_CASE("every key and value knows its place, columns counted in characters") {
     const std::string text = "# Å\n\"Å\" = 'é'  \n[system]\n  density = 0.8442\n";
-    const Table table = parsed(text);
+    const Table table = table_of(text);
     const Entry& first = table.at(0);
     CHECK(first.key_location.line == 2);
     CHECK(first.key_location.column == 1);
@@ -90,24 +90,24 @@ TEST_CASE("every key and value knows its place, columns counted in characters") 
 }
 
 TEST_CASE("the first mistake is told in the words of a deck, with its place") {
-    CHECK_THAT(mistake("a = 1\nb = cut\n"),
+    CHECK_THAT(mistake_in("a = 1\nb = cut\n"),
                StartsWith("2:5") && Contains("not valid TOML: ") && Contains("text needs quotes"));
     for (const char* word : {"fcc", "force-shifted", "trap", "nist", "ideal"}) {
-        CHECK_THAT(mistake(std::string("a = ") + word), Contains("this is no value (text needs quotes)"));
+        CHECK_THAT(mistake_in(std::string("a = ") + word), Contains("this is no value (text needs quotes)"));
     }
-    CHECK_THAT(mistake("a = 86.5 K\n"), StartsWith("1:10") && Contains("text and units need quotes"));
-    CHECK_THAT(mistake("a = \"open\n"), Contains("a string must end on its line"));
-    CHECK_THAT(mistake("a = [1, 2\n"), Contains("the text ends within this array"));
-    CHECK(mistake("a = 1\na = 2\n") == "2:1+1 key 'a' is given twice");
-    CHECK(mistake("[t]\n[u]\n[t]\n") == "3:2+1 table 't' is given twice");
-    CHECK(mistake("a = 9223372036854775808\n") == "1:5+19 '9223372036854775808' does not fit in 64 bits");
-    CHECK_THAT(mistake("a = 1e400\n"), StartsWith("1:5+5 '1e400' is too large for a number"));
+    CHECK_THAT(mistake_in("a = 86.5 K\n"), StartsWith("1:10") && Contains("text and units need quotes"));
+    CHECK_THAT(mistake_in("a = \"open\n"), Contains("a string must end on its line"));
+    CHECK_THAT(mistake_in("a = [1, 2\n"), Contains("the text ends within this array"));
+    CHECK(mistake_in("a = 1\na = 2\n") == "2:1+1 key 'a' is given twice");
+    CHECK(mistake_in("[t]\n[u]\n[t]\n") == "3:2+1 table 't' is given twice");
+    CHECK(mistake_in("a = 9223372036854775808\n") == "1:5+19 '9223372036854775808' does not fit in 64 bits");
+    CHECK_THAT(mistake_in("a = 1e400\n"), StartsWith("1:5+5 '1e400' is too large for a number"));
 }
 
 TEST_CASE("what is no text is told by its place") {
-    CHECK(mistake(std::string("a = 1\nb = \0", 11)) ==
+    CHECK(mistake_in(std::string("a = 1\nb = \0", 11)) ==
           "2:5+1 binary data (a NUL byte) (a deck is plain text in UTF-8)");
-    CHECK(mistake("a = 1\nÅ\xff = 2") == "2:2+1 invalid UTF-8 (a deck is plain text in UTF-8)");
+    CHECK(mistake_in("a = 1\nÅ\xff = 2") == "2:2+1 invalid UTF-8 (a deck is plain text in UTF-8)");
 }
 
 TEST_CASE("32 levels are read and 33 are refused, brackets in strings and comments not counted") {
@@ -119,14 +119,15 @@ TEST_CASE("32 levels are read and 33 are refused, brackets in strings and commen
         }
         return key + " = 1";
     };
-    CHECK(parsed(brackets(32)).size() == 1);
-    CHECK(mistake(brackets(33)) == "1:37+1 nested deeper than 32 levels");
-    CHECK(parsed(dots(32)).size() == 1);
-    CHECK_THAT(mistake(dots(33)), Contains("nested deeper than 32 levels"));
-    CHECK_THAT(mistake(brackets(100000)), Contains("nested deeper than 32 levels"));
+    CHECK(table_of(brackets(32)).size() == 1);
+    CHECK(mistake_in(brackets(33)) == "1:37+1 nested deeper than 32 levels");
+    CHECK(table_of(dots(32)).size() == 1);
+    CHECK_THAT(mistake_in(dots(33)), Contains("nested deeper than 32 levels"));
+    CHECK_THAT(mistake_in(brackets(100000)), Contains("nested deeper than 32 levels"));
     const std::string many(100, '[');
-    CHECK(parsed("a = '" + many + "' # " + many + "\nb = \"\\\"" + many + "\"\nc = '''" + many + "\n" + many + "'''\n")
-              .size() == 3);
+    CHECK(
+        table_of("a = '" + many + "' # " + many + "\nb = \"\\\"" + many + "\"\nc = '''" + many + "\n" + many + "'''\n")
+            .size() == 3);
     // a closing quote hides nothing behind it
-    CHECK_THAT(mistake("a = ['''x''''', " + many + "]"), Contains("nested deeper"));
+    CHECK_THAT(mistake_in("a = ['''x''''', " + many + "]"), Contains("nested deeper"));
 }

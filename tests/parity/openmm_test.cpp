@@ -16,7 +16,7 @@ using namespace ljmd::test;
 
 namespace {
 
-constexpr double time_step = 0.004;
+constexpr double argon_step = 0.004;
 
 MakeForceField by(const PairPotential& potential, const std::string& search = "verlet-list",
                   const Execution& execution = {}) {
@@ -65,7 +65,7 @@ std::vector<Check> point_checks(const Fluid& fluid, Peer& peer, const Agreement&
 
 std::vector<Check> trajectory_checks(const Fluid& fluid, Peer& peer, const Agreement& agreement,
                                      const MakeForceField& make, const std::vector<Index>& steps) {
-    return checks_of(compare_trajectories(fluid, make, peer, time_step, steps), steps, agreement);
+    return checks_of(compare_trajectories(fluid, make, peer, argon_step, steps), steps, agreement);
 }
 
 void require_all(const std::vector<Check>& checks) {
@@ -111,11 +111,11 @@ const std::vector<Index> short_steps{1, 10, 100, 200};
 const std::vector<Index> every_step_judged{1, 10, 100, 200, 500, 1000};
 
 Agreement doubles(const Fluid& fluid) {
-    return double_agreement(situation_of(fluid, time_step));
+    return double_agreement(situation_of(fluid, argon_step));
 }
 
 Agreement singles(const Fluid& fluid) {
-    return single_agreement(situation_of(fluid, time_step));
+    return single_agreement(situation_of(fluid, argon_step));
 }
 
 void check_crystal(Index cells) {
@@ -215,10 +215,10 @@ TEST_CASE("velocities that are not shifted by half a step do not pass") {
     Fluid unshifted = fluid;
     const PeerPoint point = make_openmm_peer(fluid, {})->point();
     for (std::size_t i = 0; i < fluid.masses.size(); ++i) {
-        unshifted.velocities[i] += time_step / (2.0 * fluid.masses[i]) * point.forces[i];
+        unshifted.velocities[i] += argon_step / (2.0 * fluid.masses[i]) * point.forces[i];
     }
     const auto peer = make_openmm_peer(unshifted, {});
-    const auto comparison = compare_trajectories(fluid, by(cut()), *peer, time_step, {1});
+    const auto comparison = compare_trajectories(fluid, by(cut()), *peer, argon_step, {1});
     CHECK(comparison.rows[0].distances[0] == Approx(7.5e-4).epsilon(0.3));
     CHECK(any_failed(checks_of(comparison, {1}, doubles(fluid))));
 }
@@ -245,8 +245,8 @@ TEST_CASE("an epsilon that is larger by 1e-9 does not pass") {
 TEST_CASE("a time step that is longer by 1e-9 does not pass") {
     const Fluid fluid = triple_point(6, cut());
     const auto peer = make_openmm_peer(fluid, {});
-    const auto theirs = peer->follow("VerletIntegrator", time_step * (1.0 + 1e-9), {10});
-    const auto ours = follow(fluid, *by(cut())(), "leapfrog", time_step, {10});
+    const auto theirs = peer->follow("VerletIntegrator", argon_step * (1.0 + 1e-9), {10});
+    const auto ours = follow(fluid, *by(cut())(), "leapfrog", argon_step, {10});
     double largest = 0.0;
     for (std::size_t i = 0; i < fluid.masses.size(); ++i) {
         largest = std::max(largest, (ours[0].positions[i] - theirs[0].positions[i]).norm());

@@ -11,7 +11,7 @@ using namespace ljmd;
 
 namespace {
 
-constexpr Index cells = 9;  // 2916 atoms: two whole blocks of the usual length and part of a third
+constexpr Index unit_cells = 9;  // 2916 atoms: two whole blocks of the usual length and part of a third
 
 struct Run {
     Eigen::Matrix3Xd positions;
@@ -24,7 +24,7 @@ struct Run {
 
 Run run_with(int threads, Precision precision, const std::string& search, const std::string& integrator) {
     const Execution execution({.threads = threads, .precision = precision});
-    State state = test::crystal(cells, 0.8442, execution);
+    State state = test::crystal(unit_cells, 0.8442, execution);
     draw_velocities(state, 1.44, 3);
     const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
     PairForceField force_field(potential, make_pair_search(search, 0.3), execution);
@@ -37,7 +37,7 @@ Run run_with(int threads, Precision precision, const std::string& search, const 
             test::by_id(state, state.velocities()),
             last,
             thermodynamics(state, last, TailCorrection(potential)),
-            TranslationalOrder(Lattice::fcc, cells)(state),
+            TranslationalOrder(Lattice::fcc, unit_cells)(state),
             rdf.tables().at(0)};
 }
 

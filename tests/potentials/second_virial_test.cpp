@@ -13,7 +13,7 @@ using test::made_potential;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double rc = 2.5;
 
 /// -2 pi times the integral of (exp(-u/T) - 1) r^2 by the midpoint rule, as a second opinion on the quadrature.

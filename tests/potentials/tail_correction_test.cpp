@@ -15,7 +15,7 @@ using test::made_potential;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Simpson's rule, as a second opinion on the quadrature.
 double simpson(const std::function<double(double)>& f, double a, double b) {

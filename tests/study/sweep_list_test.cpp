@@ -16,7 +16,7 @@ SweepPoints read(const std::string& text, Diagnostics& diagnostics, const std::v
 }
 
 /// What a list is complained of, without the folder.
-Values complaints(const std::string& text, const std::vector<std::string>& settings = {}) {
+Values sweep_complaints(const std::string& text, const std::vector<std::string>& settings = {}) {
     Diagnostics diagnostics;
     CHECK(read(text, diagnostics, settings).values.empty());
     CHECK(diagnostics.has_errors());
@@ -42,7 +42,7 @@ TEST_CASE("each row of a list is a point") {
 }
 
 TEST_CASE("every row that is no point is told of with its line") {
-    const Values found = complaints("a,b\n1,2\n1\n\n1,2,3\n1,\n\"1,2\n1 ,2\n3,4\n");
+    const Values found = sweep_complaints("a,b\n1,2\n1\n\n1,2,3\n1,\n\"1,2\n1 ,2\n3,4\n");
     REQUIRE(found.size() == 5);
     CHECK_THAT(found[0], Contains("points.csv:3:1: 1 fields, but 2 keys in the header\n  3 | 1\n"));
     CHECK_THAT(found[1], Contains("points.csv:5:1: 3 fields, but 2 keys in the header"));
@@ -52,25 +52,25 @@ TEST_CASE("every row that is no point is told of with its line") {
 }
 
 TEST_CASE("a header that is wrong is the only complaint") {
-    CHECK_THAT(complaints("a,a\n1\n2\n").at(0), Contains("points.csv:1:1: the key 'a' stands twice"));
-    CHECK(complaints("a,a\n1\n2\n").size() == 1);
-    CHECK_THAT(complaints("\"a\n1\n").at(0), Contains("points.csv:1:1: a quote is left open"));
-    CHECK(complaints("\"a\n1\n").size() == 1);
-    CHECK_THAT(complaints("a,\n1,2\n").at(0), Contains("'' is no key of a deck"));
-    CHECK_THAT(complaints("a=1\n1\n").at(0), Contains("'a=1' is no key of a deck"));
-    CHECK_THAT(complaints("a,b\n1,2\n", {"b=2"}).at(0), Contains("'b' is varied, and given by --set as well"));
+    CHECK_THAT(sweep_complaints("a,a\n1\n2\n").at(0), Contains("points.csv:1:1: the key 'a' stands twice"));
+    CHECK(sweep_complaints("a,a\n1\n2\n").size() == 1);
+    CHECK_THAT(sweep_complaints("\"a\n1\n").at(0), Contains("points.csv:1:1: a quote is left open"));
+    CHECK(sweep_complaints("\"a\n1\n").size() == 1);
+    CHECK_THAT(sweep_complaints("a,\n1,2\n").at(0), Contains("'' is no key of a deck"));
+    CHECK_THAT(sweep_complaints("a=1\n1\n").at(0), Contains("'a=1' is no key of a deck"));
+    CHECK_THAT(sweep_complaints("a,b\n1,2\n", {"b=2"}).at(0), Contains("'b' is varied, and given by --set as well"));
 }
 
 TEST_CASE("a list without points, or with too many, is refused") {
     for (const char* text : {"", "\n \n", "a,b\n", "a,b\n\n"}) {
         INFO(text);
-        CHECK_THAT(complaints(text).at(0), Contains("points.csv: no points"));
+        CHECK_THAT(sweep_complaints(text).at(0), Contains("points.csv: no points"));
     }
     std::string text = "a\n";
     for (std::size_t k = 0; k <= max_points; ++k) {
         text += std::to_string(k) + "\n";
     }
-    CHECK_THAT(complaints(text).at(0), Contains("points.csv: 10001 points, at most 10000 are allowed"));
+    CHECK_THAT(sweep_complaints(text).at(0), Contains("points.csv: 10001 points, at most 10000 are allowed"));
 }
 
 TEST_CASE("a list that cannot be read is an error of the data") {

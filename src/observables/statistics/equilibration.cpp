@@ -13,7 +13,7 @@ namespace ljmd {
 namespace {
 
 constexpr Index shortest_sum = 3;  // a C(t) that is negative by chance does not end a shorter sum
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 using Series = Eigen::Map<const Eigen::VectorXd>;
 
@@ -40,7 +40,7 @@ AlignedVector<double> lagged_sums(const Eigen::VectorXd& deviations) {
 double statistical_inefficiency(std::span<const double> series) {
     const auto n = static_cast<Index>(series.size());
     if (n < 2 || !view(series).allFinite()) {
-        return nan;
+        return not_a_number;
     }
     const Eigen::VectorXd deviations = view(series).array() - view(series).mean();
     const double variance = deviations.squaredNorm() / static_cast<double>(n);
@@ -65,7 +65,7 @@ Equilibration detect_equilibration(std::span<const double> series, Index stride)
         throw ContractViolation(
             "equilibrium is looked for in a series of at least one sample, in steps of at least one");
     }
-    Equilibration best{0, nan, nan, nan, nan};
+    Equilibration best{0, not_a_number, not_a_number, not_a_number, not_a_number};
     for (Index start = 0; start < n - 1; start += stride) {
         const double g = statistical_inefficiency(series.subspan(static_cast<std::size_t>(start)));
         const double independent = static_cast<double>(n - start) / g;

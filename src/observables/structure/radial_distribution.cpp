@@ -13,7 +13,7 @@ namespace {
 /// g - 1 is padded with zeros up to this many times R, which makes the spacing of wave numbers smaller by that factor.
 constexpr Index padding = 4;
 
-double sphere(double r) {
+double volume_within(double r) {
     return 4.0 / 3.0 * std::numbers::pi * r * r * r;
 }
 
@@ -61,7 +61,7 @@ void RadialDistribution::sample(const State& state, const Evaluation& /*evaluati
         const auto count =
             2.0 * static_cast<double>(std::accumulate(begin, begin + division_.parts, Index{0}));  // ordered pairs
         const double inner = width() * static_cast<double>(k);
-        const double shell = sphere(inner + width()) - sphere(inner);
+        const double shell = volume_within(inner + width()) - volume_within(inner);
         g[k] = count / (shell * ideal_pairs_per_volume);  // NaN for a single atom, which has no pairs
         pairs += count;
         coordination[k] = pairs / atoms;

@@ -10,10 +10,10 @@ namespace ljmd {
 namespace {
 
 /// Tolerance for ratios such as 2.0/0.05, which may be slightly below 40 in doubles.
-constexpr double rounding = 1e-9;
+constexpr double rounding_of_ratios = 1e-9;
 
 Index whole_spacings(double time, double spacing) {
-    return static_cast<Index>(std::floor(time / spacing * (1.0 + rounding)));
+    return static_cast<Index>(std::floor(time / spacing * (1.0 + rounding_of_ratios)));
 }
 
 }  // namespace

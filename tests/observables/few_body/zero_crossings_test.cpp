@@ -10,7 +10,7 @@ using namespace ljmd;
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// x = A sin(w t + phase), sampled from 0 to `end`.
 ZeroCrossings of_sine(double amplitude, double w, double phase, double dt, double end) {
@@ -32,10 +32,10 @@ TEST_CASE("A sine has its crossings, period and amplitude") {
         CAPTURE(k);
         const ZeroCrossing& crossing = found.crossings()[k];
         CHECK(crossing.direction == (k % 2 == 0 ? Direction::downward : Direction::upward));
-        CHECK(crossing.time == Approx((0.5 * static_cast<double>(k + 1) * turn - 1.0) / w).margin(1e-9));
+        CHECK(crossing.time == Approx((0.5 * static_cast<double>(k + 1) * full_turn - 1.0) / w).margin(1e-9));
     }
     REQUIRE(found.period());
-    CHECK(found.period()->mean == Approx(turn / w).margin(1e-9));
+    CHECK(found.period()->mean == Approx(full_turn / w).margin(1e-9));
     CHECK(found.period()->standard_error < 1e-9);
     CHECK(found.period()->intervals == 15);
     CHECK(found.amplitude() == Approx(0.3).epsilon(2e-8));
@@ -46,7 +46,7 @@ TEST_CASE("A motion that begins at zero crosses there") {
     REQUIRE(found.crossings().size() == 4);
     CHECK(found.crossings()[0].direction == Direction::downward);
     CHECK(found.crossings()[0].time == 0.0);
-    CHECK(found.period()->mean == Approx(turn).margin(1e-9));
+    CHECK(found.period()->mean == Approx(full_turn).margin(1e-9));
     CHECK(found.period()->intervals == 1);
     CHECK(std::isnan(found.period()->standard_error));
 }
@@ -54,7 +54,7 @@ TEST_CASE("A motion that begins at zero crosses there") {
 TEST_CASE("The error of the amplitude falls with the fourth power of the step") {
     // The phase puts the only maximum in the middle of a step, for both steps.
     const auto error = [](double dt) {
-        return 1.0 - of_sine(1.0, 1.0, 0.25 * turn - 2.5 * dt, dt, 5.5 * dt).amplitude();
+        return 1.0 - of_sine(1.0, 1.0, 0.25 * full_turn - 2.5 * dt, dt, 5.5 * dt).amplitude();
     };
     CHECK(std::log2(error(0.2) / error(0.1)) == Approx(4.0).margin(0.05));
     CHECK(std::log2(error(0.1) / error(0.05)) == Approx(4.0).margin(0.05));
@@ -65,10 +65,10 @@ TEST_CASE("The error of a crossing falls at least with the fourth power of the s
     const auto error = [](double dt) {
         ZeroCrossings found;
         for (Index i = 0; i < 2; ++i) {
-            const double t = 0.25 * turn / 3.0 + (static_cast<double>(i) - 0.5) * dt;
+            const double t = 0.25 * full_turn / 3.0 + (static_cast<double>(i) - 0.5) * dt;
             found.add(t, std::sin(t) - 0.5, std::cos(t));
         }
-        return std::abs(found.crossings().at(0).time - 0.25 * turn / 3.0);
+        return std::abs(found.crossings().at(0).time - 0.25 * full_turn / 3.0);
     };
     CHECK(std::log2(error(0.2) / error(0.1)) == Approx(4.0).margin(0.05));
     CHECK(std::log2(error(0.1) / error(0.05)) == Approx(4.0).margin(0.05));

@@ -13,7 +13,7 @@ using namespace ljmd;
 
 namespace {
 
-constexpr LagTimes lags{.every = 2, .count = 10, .spacing = 0.05};
+constexpr LagTimes ten_lags{.every = 2, .count = 10, .spacing = 0.05};
 
 enum Column : std::size_t { time_column, vacf_column, error_column, normalized_column, diffusion_column };
 
@@ -59,7 +59,7 @@ TEST_CASE("the velocity autocorrelation follows atoms, wherever they lie in memo
     constexpr Index window = 17;
     State state = moving_state(atoms, 3);
     std::mt19937_64 generator(5);
-    VelocityAutocorrelation vacf(atoms, lags, window);
+    VelocityAutocorrelation vacf(atoms, ten_lags, window);
     CHECK(vacf.tables().empty());
     CHECK(vacf.observables().empty());
     std::vector<Eigen::Matrix3Xd> frames;
@@ -171,14 +171,14 @@ TEST_CASE("an oscillation is a line in the spectrum") {
 
 TEST_CASE("a velocity autocorrelation goes on from an archive bit for bit, and drops what was interrupted") {
     const auto sampled = [](int interrupted_at, int archived_at) {
-        auto vacf = std::make_unique<VelocityAutocorrelation>(30, lags, 15);
-        Bath bath(30, 2.0, lags.spacing, 12);
+        auto vacf = std::make_unique<VelocityAutocorrelation>(30, ten_lags, 15);
+        Bath bath(30, 2.0, ten_lags.spacing, 12);
         for (int t = 0; t < 70; ++t) {
             if (t == interrupted_at) {
                 vacf->interrupt();
             }
             if (t == archived_at) {
-                auto restored = std::make_unique<VelocityAutocorrelation>(30, lags, 15);
+                auto restored = std::make_unique<VelocityAutocorrelation>(30, ten_lags, 15);
                 test::through_archive(*vacf, *restored);
                 vacf = std::move(restored);
             }
