@@ -78,7 +78,7 @@ std::string check_json(const Deck& deck, const Start& start, const Forecast& for
                        {"box_edges", Data::list({edges[0], edges[1], edges[2]})},
                        {"cutoff", deck.potential().number("cutoff")},
                        {"largest_cutoff", 0.5 * start.box.shortest_edge()},
-                       {"steps", deck.total_steps()},
+                       {"steps", total_steps(deck.stages)},
                        {"memory_bytes", forecast.memory_bytes},
                        {"disk_bytes", forecast.disk_bytes},
                        {"seconds", forecast.seconds}};
@@ -169,7 +169,7 @@ std::optional<double> wall_time(const std::string& text) {
 void run_fluid(Deck& deck, CheckedFluid fluid, const DeckOptions& options, RunControl& control) {
     // Create the start before any file is touched: if it fails, an earlier run must not be lost.
     check_directory(deck, options.force);
-    Progress progress(fluid.start.atoms, deck.total_steps(), options.quiet);
+    Progress progress(fluid.start.atoms, total_steps(deck.stages), options.quiet);
     FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution,
                                         [&](const std::string& text) { progress.warning(text); });
     install_stop_handlers();  // before this, nothing would be lost
@@ -189,7 +189,7 @@ void print_body_warnings(const DeckOptions& options, const Diagnostics& diagnost
 void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
     check_directory(deck, options.force);
     FewBodySystem system = make_few_body_system(deck);
-    Progress progress(std::nullopt, deck.total_steps(), options.quiet);
+    Progress progress(std::nullopt, total_steps(deck.stages), options.quiet);
     install_stop_handlers();
     RunLock lock(deck, options.force, warn);
     control.has_begun = [&lock] { lock.has_begun(); };
@@ -198,7 +198,7 @@ void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
 }
 
 void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
-    Progress progress(std::nullopt, deck.total_steps(), options.quiet);
+    Progress progress(std::nullopt, total_steps(deck.stages), options.quiet);
     const GslComparison comparison = compare_with_gsl(deck, progress);
     if (!out.empty()) {
         write_comparison(comparison, deck, out);
@@ -286,20 +286,20 @@ void resume_command(const ResumeOptions& options) {
     const Index atoms = point->head.atoms;
     const Vec3 edges = point->head.edges;
     const bool bodies = run.deck.kind == DeckKind::few_body;
-    Progress progress(bodies ? std::nullopt : std::optional(atoms), run.deck.total_steps(), options.quiet,
+    Progress progress(bodies ? std::nullopt : std::optional(atoms), total_steps(run.deck.stages), options.quiet,
                       point->head.step);
     for (const std::string& warning : point->warnings) {
         progress.warning(warning);
     }
     earlier.resumed_at_steps.push_back(point->head.step);
     if (!options.quiet) {
-        const bool nothing_left = run.finished && point->head.step == run.deck.total_steps();
+        const bool nothing_left = run.finished && point->head.step == total_steps(run.deck.stages);
         print_message(
             nothing_left
                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
                               "ljmd resume {} --steps +N\n",
                               point->head.step, options.directory)
-                : fmt::format("going on after step {} of {}\n", point->head.step, run.deck.total_steps()));
+                : fmt::format("going on after step {} of {}\n", point->head.step, total_steps(run.deck.stages)));
     }
     control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
     if (bodies) {

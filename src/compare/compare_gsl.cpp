@@ -44,7 +44,7 @@ class Comparer : private StepObserver {
           forces_(system_.force.options->make()),
           reference_(system_.state, *forces_, tolerance),
           coarser_(system_.state, *forces_, coarser_tolerance),
-          every_(std::max<Index>(1, (deck.total_steps() + max_rows - 1) / max_rows)) {}
+          every_(std::max<Index>(1, (total_steps(deck.stages) + max_rows - 1) / max_rows)) {}
 
     GslComparison run() {
         run_stages(deck_.stages, system_.state, *system_.force_field, *this);
@@ -67,7 +67,7 @@ class Comparer : private StepObserver {
     void step_done(const Stage&, const Evaluation& evaluation) override {
         const State& state = system_.state;
         watch(evaluation);
-        if (state.step % every_ == 0 || state.step == deck_.total_steps()) {
+        if (state.step % every_ == 0 || state.step == total_steps(deck_.stages)) {
             note(evaluation);
         }
         listener_.step_done(state.step);

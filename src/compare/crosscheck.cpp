@@ -53,13 +53,6 @@ class Quiet : public StepObserver {
     RunListener& listener_;
 };
 
-/// The stage to compare: the first sampled one, else the last.
-std::size_t compared_stage(const Deck& deck) {
-    const auto sampled = std::find_if(deck.stages.begin(), deck.stages.end(), [](const Stage& s) { return s.sample; });
-    return sampled != deck.stages.end() ? static_cast<std::size_t>(sampled - deck.stages.begin())
-                                        : deck.stages.size() - 1;
-}
-
 /// Check that the system grants this many additional threads: OpenMM hangs if a thread is refused.
 /// @throws ThreadsError
 void require_threads(int count) {
@@ -185,17 +178,13 @@ Index Crosscheck::failures() const {
 }
 
 Index steps_before_crosscheck(const Deck& deck) {
-    Index steps = 0;
-    for (std::size_t k = 0; k < compared_stage(deck); ++k) {
-        steps += deck.stages[k].steps;
-    }
-    return steps;
+    return steps_before(deck.stages, first_sampled(deck.stages));
 }
 
 Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const CrosscheckOptions& options,
                       RunListener& listener, const std::function<void(const std::string&)>& say) {
     const FluidSpec spec = fluid_spec(deck);
-    const std::size_t compared = compared_stage(deck);
+    const std::size_t compared = first_sampled(deck.stages);
     const Stage& stage = deck.stages[compared];
     if (stage.thermostat) {
         say(fmt::format("stage '{}' is compared at constant energy: its {} out", stage.name,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 
 #include "ljmd/compare/fluid.hpp"
@@ -170,9 +169,7 @@ std::vector<std::string> export_targets() {
 }
 
 const Stage& exported_stage(const Deck& deck) {
-    const auto sampled =
-        std::find_if(deck.stages.begin(), deck.stages.end(), [](const Stage& stage) { return stage.sample; });
-    return sampled != deck.stages.end() ? *sampled : deck.stages.back();
+    return deck.stages[first_sampled(deck.stages)];
 }
 
 void check_export(const std::string& target, const fs::path& directory, bool force) {

@@ -144,18 +144,6 @@ Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& f
     return deck;
 }
 
-}  // namespace
-
-Index Deck::total_steps() const {
-    Index sum = 0;
-    for (const Stage& stage : stages) {
-        sum += stage.steps;
-    }
-    return sum;
-}
-
-namespace {
-
 /// @param path  the deck's name in messages
 std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, const std::vector<std::string>& settings,
                             bool force, Diagnostics& diagnostics) {

@@ -13,7 +13,7 @@ constexpr double bytes_per_number = 20.0;  // in text form
 
 /// Size of the two files that grow with the run.
 double disk_bytes(const Deck& deck, const FewBodySystem& system) {
-    const auto steps = static_cast<double>(deck.total_steps());
+    const auto steps = static_cast<double>(total_steps(deck.stages));
     double numbers = (1.0 + steps / static_cast<double>(deck.thermo_every)) * (5.0 + 2.0 * system.dimensions);
     if (deck.trajectory) {
         const double vectors = deck.trajectory->accelerations ? 3.0 : 2.0;
@@ -50,7 +50,7 @@ Document few_body_check_report(const Deck& deck) {
              {"dimensions", system.dimensions},
              {"force", system.force.plugin.name},
              {"total_energy", energy},
-             {"steps", deck.total_steps()},
+             {"steps", total_steps(deck.stages)},
              {"disk_bytes", disk}},
             text};
 }

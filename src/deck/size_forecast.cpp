@@ -76,7 +76,7 @@ double trajectory(const Deck& deck, const Start& start) {
     if (!deck.trajectory) {
         return 0.0;
     }
-    const Index frames = 1 + deck.total_steps() / deck.trajectory->every;
+    const Index frames = 1 + total_steps(deck.stages) / deck.trajectory->every;
     return trajectory_bytes(deck.trajectory->format, start.atoms, frames, deck.trajectory->velocities);
 }
 
@@ -88,7 +88,7 @@ SizeForecast forecast_size(const Deck& deck, const Start& start) {
     const double one_checkpoint = checkpoint(deck, start, analyzed);
     const double memory = program_itself + (atom_itself + search(deck, start)) * atoms + analyzed.kept +
                           analyzed.fixed + std::max(analyzed.passing, one_checkpoint);
-    const Index rows_after_start = deck.total_steps() / deck.thermo_every;
+    const Index rows_after_start = total_steps(deck.stages) / deck.thermo_every;
     const double rows = 1.0 + static_cast<double>(rows_after_start);
     const double disk = records + rows * (deck.units ? thermo_row_si : thermo_row) + trajectory(deck, start) +
                         trajectory_bytes("xyz", start.atoms, 1, true) +  // final.xyz

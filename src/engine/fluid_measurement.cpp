@@ -90,7 +90,7 @@ void FluidMeasurement::started(const Evaluation& evaluation) {
     seconds_ = {};
     force_before_ = fluid_.force_field.seconds_summing();
     search_before_ = fluid_.force_field.search_statistics();
-    if (spec_.total_steps() == 0) {
+    if (total_steps(spec_.stages) == 0) {
         averages_.add(values);
         sample(evaluation, true);
     }

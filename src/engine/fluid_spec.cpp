@@ -146,7 +146,7 @@ void judge_analyses(const FluidSpec& spec, Complaints& complaints) {
     const auto first = std::ranges::find_if(spec.stages, is_sampled);
     complaints.add(std::any_of(first, spec.stages.end(), [](const Stage& stage) { return stage.barostat.has_value(); }),
                    "analyses", "they need a box that stays as it is from the first sampled stage on");
-    const double time_step = sampled_stage(spec.stages).time_step;
+    const double time_step = spec.stages[first_sampled(spec.stages)].time_step;
     const bool follows_time =
         std::ranges::any_of(spec.analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.follows_time; });
     complaints.add(
@@ -157,14 +157,6 @@ void judge_analyses(const FluidSpec& spec, Complaints& complaints) {
 }
 
 }  // namespace
-
-Index FluidSpec::total_steps() const {
-    Index sum = 0;
-    for (const Stage& stage : stages) {
-        sum += stage.steps;
-    }
-    return sum;
-}
 
 Interaction FluidSpec::interaction() const {
     return {potential, tail ? TailCorrection(potential) : TailCorrection()};
@@ -186,13 +178,8 @@ Box box_of(const FluidSpec& spec) {
     return box_for_cutoff(box, spec.potential.cutoff().radius);
 }
 
-const Stage& sampled_stage(const std::vector<Stage>& stages) {
-    const auto first = std::ranges::find_if(stages, is_sampled);
-    return first == stages.end() ? stages.back() : *first;
-}
-
 SampledRun sampled_run(const std::vector<Stage>& stages, std::uint64_t seed, Index atoms, const Box& box) {
-    const Stage& stage = sampled_stage(stages);
+    const Stage& stage = stages[first_sampled(stages)];
     SampledRun run{atoms,       box,  stage.time_step,
                    stage.steps, seed, stage.thermostat ? std::optional(stage.temperature) : std::nullopt,
                    std::nullopt};

@@ -111,7 +111,7 @@ void add_remarks(RunResult& result, const FluidSpec& spec) {
             average.remark = temperature_remark(spec, average.estimate);
         }
     }
-    result.warnings = doubts_about(result, spec.total_steps());
+    result.warnings = doubts_about(result, total_steps(spec.stages));
 }
 
 }  // namespace ljmd

@@ -155,7 +155,7 @@ void Simulation::advance(Index steps) {
     if (steps < 0) {
         throw ContractViolation(fmt::format("{} steps", steps));
     }
-    const Index left = parts_->spec.total_steps() - parts_->fluid.state.step;
+    const Index left = total_steps(parts_->spec.stages) - parts_->fluid.state.step;
     parts_->advance(parts_->fluid.state.step + std::min(steps, left));
 }
 

@@ -76,9 +76,9 @@ std::string text_of(const Contents& contents, const fs::path& directory) {
                                                                     : "no");
     if (contents.point) {
         const CheckpointHead& head = contents.point->head;
-        text += fmt::format("checkpoint    after step {} of {}, {} of {} in stage {}\n", head.step, deck.total_steps(),
-                            head.position.begun ? head.position.steps : 0, contents.stage().steps,
-                            in_quotes(contents.stage().name));
+        text += fmt::format("checkpoint    after step {} of {}, {} of {} in stage {}\n", head.step,
+                            total_steps(deck.stages), head.position.begun ? head.position.steps : 0,
+                            contents.stage().steps, in_quotes(contents.stage().name));
     } else {
         text += "checkpoint    none\n";
     }
@@ -115,7 +115,7 @@ Data data_of(const Contents& contents) {
             {"running", contents.running},
             {"began", contents.run.earlier.began},
             {"resumed_at_steps", contents.run.earlier.resumed_at_steps},
-            {"total_steps", deck.total_steps()},
+            {"total_steps", total_steps(deck.stages)},
             {"checkpoint", checkpoint},
             {"damaged", contents.damaged},
             {"files", files}};

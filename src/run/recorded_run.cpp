@@ -75,7 +75,7 @@ RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
     diagnostics.throw_if_errors();
     deck->path = record.deck_file;
     deck->directory = directory;
-    const Index room = max_steps - deck->total_steps() - record.earlier.steps_added;
+    const Index room = max_steps - total_steps(deck->stages) - record.earlier.steps_added;
     if (more_steps > room) {
         throw InputError(
             fmt::format("{} steps more are too many, at most {} can be added", more_steps, std::max<Index>(0, room)));

@@ -20,15 +20,6 @@ constexpr int calls_between_looks = 16;
 /// Minimum bytes per atom in a checkpoint: three vectors of four numbers, mass, id and image.
 constexpr Index bytes_per_atom = 3 * 4 * 8 + 8 + 8 + 3 * 4;
 
-/// Steps from the start of the run to this position.
-Index steps_until(const LoopPosition& position, const Deck& deck) {
-    Index steps = position.steps;
-    for (std::size_t stage = 0; stage < position.stage; ++stage) {
-        steps += deck.stages[stage].steps;
-    }
-    return steps;
-}
-
 bool is_possible_box(const Deck& deck, Index atoms, const Vec3& edges) {
     try {
         Diagnostics diagnostics;
@@ -46,7 +37,8 @@ std::string impossible(const CheckpointHead& head, const Deck& deck, std::size_t
         return "is in a stage that the deck does not have";
     }
     if (position.steps < 0 || position.steps > deck.stages[position.stage].steps ||
-        (!position.begun && position.steps > 0) || head.step != steps_until(position, deck)) {
+        (!position.begun && position.steps > 0) ||
+        head.step != steps_before(deck.stages, position.stage) + position.steps) {
         return "is at a step that the deck does not have";
     }
     if (head.atoms < 1 || head.atoms > static_cast<Index>(bytes) / bytes_per_atom) {

@@ -54,7 +54,7 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
         return words.empty() ? found : RunState{name, directory, "failed", std::nullopt, 0, words};
     }
     const RecordedRun run = recorded_run(directory);
-    found.total_steps = run.deck.total_steps();
+    found.total_steps = total_steps(run.deck.stages);
     try {
         if (const auto point = find_resume_point(run.deck)) {
             found.step = point->head.step;

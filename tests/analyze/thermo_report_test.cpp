@@ -17,7 +17,7 @@ class SmallRun {
     explicit SmallRun(std::vector<std::string> settings = {}, Index steps = 1000000) {
         settings.emplace_back("output.thermo.every=1");
         deck_ = folder_.load(settings);
-        run_until(*deck_, std::min(steps, deck_->total_steps()));
+        run_until(*deck_, std::min(steps, total_steps(deck_->stages)));
     }
     [[nodiscard]] ThermoReport report() const { return thermo_report(recorded_run(deck_->directory)); }
     [[nodiscard]] std::vector<double> column_of(const std::string& name) const {

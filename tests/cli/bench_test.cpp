@@ -55,5 +55,5 @@ TEST_CASE("the deck that is built in is the Lennard-Jones melt of 32000 atoms") 
     const test::DeckFolder folder{std::string(melt_deck())};
     const Deck deck = folder.load();
     CHECK(find_start(deck).atoms == 32000);
-    CHECK(deck.total_steps() == 100);
+    CHECK(total_steps(deck.stages) == 100);
 }

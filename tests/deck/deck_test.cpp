@@ -47,7 +47,7 @@ TEST_CASE("what a deck says arrives in the run") {
     CHECK(deck->stages[0].thermostat->values == "every=5");
     CHECK(deck->stages[1].temperature == 1.0);
     CHECK(deck->stages[1].sample);
-    CHECK(deck->total_steps() == 60);
+    CHECK(total_steps(deck->stages) == 60);
     CHECK(deck->neighbors().text("method") == "cells");
     CHECK(deck->directory == "somewhere/else");
     CHECK(deck->thermo_every == 3);

@@ -35,7 +35,7 @@ TEST_CASE("a specification has the atoms and the box that its start says") {
     spec.start = Configuration{.edges = Vec3(4.0, 5.0, 6.0), .positions = {Vec3::Zero(), Vec3::Ones()}};
     CHECK(atoms_of(spec) == 2);
     CHECK(box_of(spec).edges() == Vec3(4.0, 5.0, 6.0));
-    CHECK(spec.total_steps() == 60);
+    CHECK(total_steps(spec.stages) == 60);
 }
 
 TEST_CASE("an edge that is twice the cutoff but for rounding counts as twice the cutoff") {

@@ -57,7 +57,7 @@ void write_checkpoints(const fuzz::FuzzedDeck& fuzzed, const fs::path& corpora, 
     const fuzz::RunFolder folder(fuzzed);
     const Deck& deck = folder.deck();
     const Index stage = deck.stages.front().steps;
-    for (const Index step : {Index{1}, stage, stage + 1, deck.total_steps()}) {
+    for (const Index step : {Index{1}, stage, stage + 1, total_steps(deck.stages)}) {
         prepare_directory(deck.directory);
         StopAt listener(step);
         try {

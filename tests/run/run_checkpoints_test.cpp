@@ -58,10 +58,10 @@ Index resume(const std::filesystem::path& directory, int threads = 0) {
 Index check_every_step(const std::string& text, const std::vector<std::string>& settings, int threads = 0) {
     const DeckFolder whole_folder(text);
     const Deck whole = whole_folder.load(settings);
-    run_until(whole, whole.total_steps(), threads);
+    run_until(whole, total_steps(whole.stages), threads);
     const std::string expected = outputs_of(whole.directory);
     Index wrong = 0;
-    for (Index step = 0; step < whole.total_steps(); ++step) {
+    for (Index step = 0; step < total_steps(whole.stages); ++step) {
         const DeckFolder folder(text);
         std::vector<std::string> with_checkpoint = settings;
         with_checkpoint.push_back(fmt::format("output.checkpoint.every={}", std::max<Index>(step, 1)));
@@ -207,9 +207,9 @@ TEST_CASE("run.json tells at which steps a run was gone on with, and when it beg
 TEST_CASE("a finished run is gone on with from its end, and ends the same") {
     const DeckFolder folder(with_files);
     const Deck deck = folder.load();
-    run_until(deck, deck.total_steps());
+    run_until(deck, total_steps(deck.stages));
     const std::string expected = outputs_of(deck.directory);
-    CHECK(resume(deck.directory) == deck.total_steps());
+    CHECK(resume(deck.directory) == total_steps(deck.stages));
     CHECK(outputs_of(deck.directory) == expected);
 }
 
@@ -228,7 +228,7 @@ TEST_CASE("of a damaged newest checkpoint the older one is taken, and that is sa
 
     const DeckFolder whole_folder(with_files);
     const Deck whole = whole_folder.load();
-    run_until(whole, whole.total_steps());
+    run_until(whole, total_steps(whole.stages));
     CHECK(outputs_of(deck.directory) == outputs_of(whole.directory));
 }
 

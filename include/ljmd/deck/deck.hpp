@@ -54,8 +54,6 @@ struct Deck {
     [[nodiscard]] const Section& force() const { return root.section("force"); }
     [[nodiscard]] const std::vector<Section>& bodies() const { return root.sections("body"); }
 
-    [[nodiscard]] Index total_steps() const;
-
     /// The output directory: the locked one, even if its path leads elsewhere by now. @throws FileError
     [[nodiscard]] OpenDirectory outputs() const { return locked ? *locked : OpenDirectory(directory); }
 };

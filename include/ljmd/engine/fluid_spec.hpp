@@ -61,8 +61,6 @@ struct FluidSpec {
     /// For messages that also name a temperature in kelvin.
     std::optional<SubstanceUnits> units = {};
 
-    [[nodiscard]] Index total_steps() const;
-
     /// The potential with its tail correction, if there is one.
     [[nodiscard]] Interaction interaction() const;
 };
@@ -72,9 +70,6 @@ struct FluidSpec {
 
 /// Box at the start. An edge that is twice the cutoff but for rounding is made twice the cutoff, see box_for_cutoff.
 [[nodiscard]] Box box_of(const FluidSpec& spec);
-
-/// The first stage that is sampled; the last stage if none is. @pre there is a stage
-[[nodiscard]] const Stage& sampled_stage(const std::vector<Stage>& stages);
 
 /// The run as analyses see it: the time step of the first sampled stage and the length of the longest one; of the last
 /// stage if none is sampled. The interaction is not set.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ljmd/core/types.hpp"
 #include "ljmd/integrators/barostat.hpp"
@@ -28,5 +30,14 @@ struct Stage {
 /// Whether a fluid conserves its total energy minus the heat from the thermostat in this stage, but for errors of the
 /// integrator. It does without a thermostat, and with a canonical one if there is no barostat.
 [[nodiscard]] bool conserves_energy(const Stage& stage);
+
+/// Steps of all stages.
+[[nodiscard]] Index total_steps(const std::vector<Stage>& stages);
+
+/// Steps of the stages before the one with this index. @pre index <= stages.size()
+[[nodiscard]] Index steps_before(const std::vector<Stage>& stages, std::size_t index);
+
+/// Index of the first stage that is sampled; of the last stage if none is. @pre there is a stage
+[[nodiscard]] std::size_t first_sampled(const std::vector<Stage>& stages);
 
 }  // namespace ljmd
