@@ -10,7 +10,6 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/deck/fluid.hpp"
-#include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/deck/sampled_steps.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/run/footnotes.hpp"

@@ -9,7 +9,6 @@
 #include "ljmd/core/registry.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
-#include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -86,7 +85,7 @@ SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const F
     if (deck != nullptr) {
         box = box_for_cutoff(box, deck->potential().number("cutoff"));
     }
-    SampledRun run = deck != nullptr ? sampled_run(deck->root, trajectory.atoms, box)
+    SampledRun run = deck != nullptr ? sampled_run(*deck, trajectory.atoms, box)
                                      : SampledRun{trajectory.atoms, box, 1.0, 0, 1, std::nullopt, std::nullopt};
     run.time_step = selection.spacing.value_or(1.0);
     run.steps = selection.longest_part;

@@ -9,7 +9,6 @@
 #include "ljmd/analyze/deck_against_frames.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/fluid.hpp"
-#include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/io/formats/frame_unwrapper.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
@@ -26,7 +25,7 @@ DeckClaims claims_of(const AnalyzedTrajectory& trajectory) {
     }
     const Box box(trajectory.summary.edges);
     return {sampled_ensemble(trajectory.deck->stages),
-            sampled_run(trajectory.deck->root, trajectory.summary.atoms, box).held_temperature};
+            sampled_run(*trajectory.deck, trajectory.summary.atoms, box).held_temperature};
 }
 
 /// One pass over a trajectory.

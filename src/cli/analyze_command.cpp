@@ -9,7 +9,6 @@
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/sampled_run.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
@@ -95,7 +94,7 @@ Document analyze(const fs::path& path, const Deck* deck, bool is_run, const Want
         summarize(path, trajectory.units(), options.group, said_positions(options), options.xyz_comment);
     std::optional<double> time_step = options.time_step;
     if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
-        time_step = sampled_run(deck->root, trajectory.summary.atoms, Box(trajectory.summary.edges)).time_step;
+        time_step = deck->stages[first_sampled(deck->stages)].time_step;
     }
     trajectory.selection = select_frames(trajectory.summary, time_step, is_run ? &deck->stages : nullptr, options.from);
     std::vector<std::string> names = wanted.analyses;

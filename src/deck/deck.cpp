@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "ljmd/deck/deck_sense.hpp"
+#include "ljmd/deck/deck_stages.hpp"
 #include "ljmd/deck/effect_sense.hpp"
 #include "ljmd/deck/few_body_sense.hpp"
 #include "ljmd/deck/phase_sense.hpp"
-#include "ljmd/deck/stage_sense.hpp"
 #include "ljmd/deck/start_sense.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
@@ -76,28 +76,6 @@ void explain_mixture(const Table& table, Diagnostics& diagnostics) {
     }
 }
 
-Stage to_stage(const Section& section, const Section& root) {
-    const double temperature = stage_temperature(section, root).value_or(0.0);
-    const Index seed = root.has("system") ? root.section("system").integer("seed") : 0;
-    Stage stage{.name = section.text("name"),
-                .integrator = choose(find_integrator(section.text("integrator")), section),
-                .time_step = section.number("time_step"),
-                .steps = section.integer("steps"),
-                .temperature = temperature,
-                .sample = section.flag("sample"),
-                .reverse = section.flag("reverse"),
-                .seed = static_cast<std::uint64_t>(seed)};
-    if (section.has("thermostat")) {
-        const Section& thermostat = section.section("thermostat");
-        stage.thermostat = choose(find_thermostat(thermostat.text("type")), thermostat);
-    }
-    if (section.has("barostat")) {
-        const Section& barostat = section.section("barostat");
-        stage.barostat = choose(find_barostat(barostat.text("type")), barostat);
-    }
-    return stage;
-}
-
 std::filesystem::path default_directory(const std::filesystem::path& deck) {
     return std::filesystem::path("runs") / deck.stem();
 }
@@ -121,15 +99,12 @@ Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& f
               root.text("title"),
               units,
               root,
-              {},
+              stages_of(root),
               {},
               std::nullopt,
               0,
               std::nullopt,
               checkpoint_output(root.section("output"))};
-    for (const Section& stage : root.sections("stage")) {
-        deck.stages.push_back(to_stage(stage, root));
-    }
     const Section& output = root.section("output");
     deck.directory =
         output.has("directory") ? std::filesystem::path(output.text("directory")) : default_directory(path);

@@ -29,8 +29,10 @@ Schema argon_schema() {
 }
 
 Schema lattice_schema() {
+    std::vector<std::string> types = lattice_names();
+    types.emplace_back(random_lattice);
     return Schema("lattice",
-                  {Key::choice("type", {"fcc", "simple-cubic", "random"})
+                  {Key::choice("type", types)
                        .meaning("where the atoms start; overlaps of a random start are relaxed before the first step"),
                    Key::integer("cells")
                        .at_least(1)

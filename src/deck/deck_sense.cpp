@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-
-#include "ljmd/deck/sampled_run.hpp"
+#include "ljmd/deck/analysis_sense.hpp"
+#include "ljmd/deck/fluid.hpp"
+#include "ljmd/deck/mistake_report.hpp"
 #include "ljmd/deck/stage_sense.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/model/lattice.hpp"
@@ -19,7 +18,6 @@ constexpr double unlikely_time_step = 0.02;  // [tau]; slightly above, Lennard-J
 constexpr double unlikely_density = 1.5;     // [sigma^-3]; 1.5 times the density of the crystal at its melting point
 constexpr double unlikely_temperature = 50;  // [epsilon/k_B]; 6000 K for argon
 constexpr double unlikely_cutoff = 6;        // [sigma]; 2.5 to 5 are usual
-constexpr Index max_atoms = Index{1} << 30;  // a process indexes atoms and images with 32 bits
 
 // Values that validation found wrong are skipped: their stand-ins say nothing about the deck, and each mistake is
 // reported once.
@@ -44,18 +42,15 @@ void unlikely(bool force, const Location& where, const std::string& message, con
     }
 }
 
-Lattice lattice_of(const std::string& type) {
-    return type == "fcc" ? Lattice::fcc : Lattice::simple_cubic;
-}
-
-void check_lattice(const Section& lattice, Diagnostics& diagnostics) {
+void check_lattice(const Section& root, Diagnostics& diagnostics) {
+    const Section& lattice = root.section("system").section("lattice");
     if (!lattice.sound("type")) {
         return;
     }
     const std::string& type = lattice.text("type");
     const bool cells = lattice.has("cells");
     const bool atoms = lattice.has("atoms");
-    if (type == "random") {
+    if (type == random_lattice) {
         if (cells) {
             diagnostics.error(lattice.location("cells"), "'cells' in lattice has no meaning for a random start",
                               "give 'atoms'");
@@ -68,27 +63,27 @@ void check_lattice(const Section& lattice, Diagnostics& diagnostics) {
         diagnostics.error(lattice.location(), "missing key 'cells' in lattice", "or give 'atoms'");
     } else if (given(lattice, "atoms")) {
         const Index wanted = lattice.integer("atoms");
-        const auto near = nearest_cells(lattice_of(type), wanted);
+        const Lattice crystal = find_lattice(type);
+        const auto near = nearest_cells(crystal, wanted);
         if (near.below != near.above) {
             diagnostics.error(lattice.location("atoms"),
                               fmt::format("'atoms' in lattice is {}, which fills no {} crystal", wanted, type),
-                              fmt::format("nearest: {} or {}", lattice_atoms(lattice_of(type), near.below),
-                                          lattice_atoms(lattice_of(type), near.above)));
+                              fmt::format("nearest: {} or {}", lattice_atoms(crystal, near.below),
+                                          lattice_atoms(crystal, near.above)));
         }
-    } else if (given(lattice, "cells") && lattice_atoms(lattice_of(type), lattice.integer("cells")) > max_atoms) {
-        diagnostics.error(lattice.location("cells"),
-                          fmt::format("'cells' in lattice makes {} atoms, more than {}",
-                                      lattice_atoms(lattice_of(type), lattice.integer("cells")), max_atoms));
+    } else if (given(lattice, "cells")) {
+        report(lattice_mistakes({find_lattice(type), lattice.integer("cells")}), root, diagnostics);
     }
 }
 
-void check_system(const Section& system, bool force, Diagnostics& diagnostics) {
+void check_system(const Section& root, bool force, Diagnostics& diagnostics) {
+    const Section& system = root.section("system");
     if (system.has("lattice") == system.has("file") && system.sound("lattice") && system.sound("file")) {
         diagnostics.error(system.location("file"), "[system] needs one of 'lattice' and 'file'",
                           system.has("file") ? "remove one of them" : "e.g. lattice = { type = \"fcc\", cells = 6 }");
     }
     if (given(system, "lattice")) {
-        check_lattice(system.section("lattice"), diagnostics);
+        check_lattice(root, diagnostics);
         for (const char* key : {"density", "temperature"}) {
             if (absent(system, key)) {
                 diagnostics.error(system.location(), fmt::format("missing key '{}' in [system]", key),
@@ -127,7 +122,8 @@ void check_temperature(const Section& section, bool force, Diagnostics& diagnost
 
 constexpr const char* angstrom_hint = "for angstrom, give [argon] and write \"8.5 angstrom\"";
 
-void check_potential(const Section& potential, Diagnostics& diagnostics) {
+void check_potential(const Section& root, Diagnostics& diagnostics) {
+    const Section& potential = root.section("potential");
     if (given(potential, "cutoff") && potential.number("cutoff") > unlikely_cutoff) {
         diagnostics.warning(potential.location("cutoff"),
                             fmt::format("'cutoff' in [potential] is {:.6g} sigma, more than {}",
@@ -138,49 +134,27 @@ void check_potential(const Section& potential, Diagnostics& diagnostics) {
         return;
     }
     const std::string& truncation = potential.text("truncation");
-    const bool takes_tail = PairPotential::takes_tail(truncation);
-    if (takes_tail && absent(potential, "tail")) {
+    if (PairPotential::takes_tail(truncation) && absent(potential, "tail")) {
         diagnostics.error(potential.location(), "missing key 'tail' in [potential]",
                           fmt::format("true or false: truncation = \"{}\" leaves the choice", truncation));
     }
-    if (!takes_tail && given(potential, "tail") && potential.flag("tail")) {
-        diagnostics.error(potential.location("tail"),
-                          fmt::format("'tail' in [potential] has no meaning for truncation = \"{}\"", truncation),
-                          "a shifted potential is another potential: no tail makes it the full one");
-    }
-    if (truncation == "switched" && given(potential, "switch_start") && given(potential, "cutoff") &&
-        !(potential.number("switch_start") < potential.number("cutoff"))) {
-        diagnostics.error(potential.location("switch_start"),
-                          fmt::format("'switch_start' in [potential] is {}, not below the cutoff {}",
-                                      potential.number("switch_start"), potential.number("cutoff")));
-    }
+    const auto number = [&](const char* key) { return potential.has(key) ? potential.number(key) : 0.0; };
+    const bool tail = given(potential, "tail") && potential.flag("tail");
+    report(potential_mistakes(truncation, {number("cutoff"), number("switch_start")}, tail), root, diagnostics);
 }
 
 /// Refuse settings that only a Verlet list supports.
 void check_search(const Section& root, Diagnostics& diagnostics) {
-    const Section& neighbors = root.section("neighbors");
-    if (!neighbors.sound("method") || neighbors.text("method") == "verlet-list") {
-        return;
-    }
-    const std::string& method = neighbors.text("method");
-    if (given(neighbors, "every")) {
-        diagnostics.error(neighbors.location("every"),
-                          fmt::format("'every' in [neighbors] has no meaning for method = \"{}\"", method),
-                          "only a list is kept for some steps");
-    }
     const Section& performance = root.section("performance");
-    if (performance.sound("precision") && performance.text("precision") == "mixed") {
-        diagnostics.error(
-            performance.location("precision"),
-            fmt::format("'precision' in [performance] is 'mixed', which method = \"{}\" does not have", method),
-            "verlet-list has it");
+    const Precision precision =
+        performance.sound("precision") ? precision_of(performance.text("precision")) : Precision::double_precision;
+    if (root.section("neighbors").sound("method")) {
+        report(search_mistakes(neighbor_spec(root.section("neighbors")), precision), root, diagnostics);
     }
 }
 
 void check_stages(const Section& root, bool force, Diagnostics& diagnostics) {
-    const std::vector<Section>& stages = root.sections("stage");
-    check_stage_names(stages, diagnostics);
-    for (const Section& stage : stages) {
+    for (const Section& stage : root.sections("stage")) {
         if (given(stage, "time_step") && stage.number("time_step") >= unlikely_time_step) {
             unlikely(force, stage.location("time_step"),
                      fmt::format("'time_step' in [[stage]] is {:.6g} tau; from {} on the energy is not conserved",
@@ -188,8 +162,8 @@ void check_stages(const Section& root, bool force, Diagnostics& diagnostics) {
                      "0.004 is usual", diagnostics);
         }
         check_temperature(stage, force, diagnostics);
-        check_baths(stage, root, diagnostics);
     }
+    check_fluid_stages(root, diagnostics);
 }
 
 void check_output(const Section& output, bool has_units, Diagnostics& diagnostics) {
@@ -216,15 +190,13 @@ std::optional<Index> lattice_start(const Section& system) {
     }
     const std::string& type = lattice.text("type");
     const bool by_cells = given(lattice, "cells");
-    if (type == "random" && by_cells) {
-        return std::nullopt;
+    if (type == random_lattice) {
+        return by_cells ? std::nullopt : std::optional<Index>(lattice.integer("atoms"));
     }
-    const Index atoms = by_cells ? lattice_atoms(lattice_of(type), lattice.integer("cells")) : lattice.integer("atoms");
-    const auto near = nearest_cells(lattice_of(type), atoms);
-    if (type != "random" && near.below != near.above) {
-        return std::nullopt;
-    }
-    return atoms;
+    const Lattice crystal = find_lattice(type);
+    const auto near = by_cells ? NearestCells{lattice.integer("cells"), lattice.integer("cells")}
+                               : nearest_cells(crystal, lattice.integer("atoms"));
+    return near.below == near.above ? std::optional(lattice_atoms(crystal, near.below)) : std::nullopt;
 }
 
 }  // namespace
@@ -232,11 +204,11 @@ std::optional<Index> lattice_start(const Section& system) {
 void check_sense(const Section& root, bool has_units, bool force, Diagnostics& diagnostics) {
     const Section& system = root.section("system");
     if (root.sound("system")) {
-        check_system(system, force, diagnostics);
+        check_system(root, force, diagnostics);
         check_temperature(system, force, diagnostics);
     }
     if (root.sound("potential")) {
-        check_potential(root.section("potential"), diagnostics);
+        check_potential(root, diagnostics);
     }
     if (root.sound("neighbors") && root.sound("performance")) {
         check_search(root, diagnostics);
@@ -252,18 +224,14 @@ void check_sense(const Section& root, bool has_units, bool force, Diagnostics& d
 }
 
 void check_box(const Section& root, Index atoms, const Box& box, Diagnostics& diagnostics) {
-    const Section& potential = root.section("potential");
-    const double largest = 0.5 * box.shortest_edge();
-    if (given(potential, "cutoff") && potential.number("cutoff") > largest) {
-        diagnostics.error(
-            potential.location("cutoff"),
-            fmt::format("'cutoff' in [potential] is {}, more than half the box (L = {:.6g})",
-                        potential.number("cutoff"), box.shortest_edge()),
-            fmt::format("largest allowed: {}{}", largest,
-                        potential.number("cutoff") > unlikely_cutoff ? fmt::format("; {}", angstrom_hint) : ""));
+    const double cutoff = root.section("potential").number("cutoff");
+    std::vector<Mistake> mistakes = cutoff_mistakes(cutoff, box);
+    for (Mistake& mistake : mistakes) {
+        mistake.hint += cutoff > unlikely_cutoff ? fmt::format("; {}", angstrom_hint) : "";
     }
+    report(mistakes, root, diagnostics);
     if (!root.sections("stage").empty()) {
-        check_analysis(root, sampled_run(root, atoms, box), diagnostics);
+        check_analyses(root, atoms, box, diagnostics);
     }
 }
 

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "ljmd/deck/deck_stages.hpp"
 #include "ljmd/deck/few_body.hpp"
-#include "ljmd/deck/stage_sense.hpp"
+#include "ljmd/deck/mistake_report.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 
@@ -71,31 +72,12 @@ bool is_sound(const Section& root, const FewBodyForceMethod& force) {
     return true;
 }
 
-/// Analyses follow the motion step by step: they would mistake a gap for one long step, and a reversal for motion.
-void check_sampled_stages(const Section& root, Diagnostics& diagnostics) {
-    const auto methods = all_few_body_analyses();
-    if (std::none_of(methods.begin(), methods.end(),
-                     [&](const auto& method) { return root.section("analysis").has(method.name); })) {
-        return;
-    }
-    const Section* last_sampled = nullptr;
-    const Section* previous = nullptr;
-    for (const Section& stage : root.sections("stage")) {
-        if (stage.flag("sample")) {
-            if (stage.flag("reverse")) {
-                diagnostics.error(
-                    stage.location("reverse"),
-                    fmt::format("stage '{}' runs backwards: analyses cannot sample it", stage.text("name")),
-                    "set sample = false in it");
-            } else if (last_sampled != nullptr && last_sampled != previous) {
-                diagnostics.error(stage.location("sample"),
-                                  fmt::format("stage '{}' is sampled and so was '{}', but '{}' between them is not: "
-                                              "analyses cannot leave a gap",
-                                              stage.text("name"), last_sampled->text("name"), previous->text("name")));
-            }
-            last_sampled = &stage;
-        }
-        previous = &stage;
+void check_stages(const Section& root, Diagnostics& diagnostics) {
+    const std::vector<Stage> stages = stages_of(root);
+    report(stage_mistakes(stages), root, diagnostics);
+    const std::vector<FewBodyAnalysisMethod> methods = all_few_body_analyses();
+    if (std::ranges::any_of(methods, [&](const auto& method) { return root.section("analysis").has(method.name); })) {
+        report(few_body_sampling_mistakes(stages), root, diagnostics);
     }
 }
 
@@ -118,8 +100,7 @@ void check_analyses(const Section& root, const FewBodyTarget& target, Diagnostic
 
 void check_few_body_sense(const Section& root, Diagnostics& diagnostics) {
     if (root.has("stage") && root.sound("stage")) {
-        check_stage_names(root.sections("stage"), diagnostics);
-        check_sampled_stages(root, diagnostics);
+        check_stages(root, diagnostics);
     }
     const Section& output = root.section("output");
     if (output.has("directory") && output.text("directory").empty()) {

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/analysis_sense.hpp"
 #include "ljmd/deck/deck_potential.hpp"
+#include "ljmd/deck/deck_schema.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -15,17 +17,17 @@ namespace ljmd {
 
 namespace {
 
-Lattice lattice_type(const Section& lattice) {
-    return lattice.text("type") == "fcc" ? Lattice::fcc : Lattice::simple_cubic;
-}
-
-bool is_random(const Section& lattice) {
-    return lattice.text("type") == "random";
-}
-
-Index lattice_cells(const Section& lattice) {
-    return lattice.has("cells") ? lattice.integer("cells")
-                                : nearest_cells(lattice_type(lattice), lattice.integer("atoms")).below;
+std::variant<LatticeStart, RandomStart, Configuration> start_of(const Section& system) {
+    if (!system.has("lattice")) {
+        return Configuration{};
+    }
+    const Section& table = system.section("lattice");
+    if (table.text("type") == random_lattice) {
+        return RandomStart{table.integer("atoms")};
+    }
+    const Lattice lattice = find_lattice(table.text("type"));
+    return LatticeStart{
+        lattice, table.has("cells") ? table.integer("cells") : nearest_cells(lattice, table.integer("atoms")).below};
 }
 
 Start start_from_file(const Section& system, const std::optional<SubstanceUnits>& units) {
@@ -44,17 +46,6 @@ Start start_from_file(const Section& system, const std::optional<SubstanceUnits>
     return {atoms, Box(edges), std::move(configuration)};
 }
 
-Start start_from_lattice(const Section& system) {
-    const Section& lattice = system.section("lattice");
-    const Index atoms =
-        is_random(lattice) ? lattice.integer("atoms") : lattice_atoms(lattice_type(lattice), lattice_cells(lattice));
-    return {atoms, cubic_box(atoms, system.number("density")), std::nullopt};
-}
-
-LatticeStart lattice_start_of(const Section& lattice) {
-    return {lattice_type(lattice), lattice_cells(lattice)};
-}
-
 /// @throws DataError when the velocities that the deck asks for cannot be had
 void require_velocities(const Section& system, const Start& start) {
     if (keeps_velocities(system, start)) {
@@ -70,16 +61,6 @@ void require_velocities(const Section& system, const Start& start) {
     }
 }
 
-std::vector<ChosenAnalysis> chosen_analyses(const Section& analysis) {
-    std::vector<ChosenAnalysis> chosen;
-    for (const auto& method : all_analyses()) {
-        if (analysis.has(method.name)) {
-            chosen.push_back(choose(method, analysis.section(method.name)));
-        }
-    }
-    return chosen;
-}
-
 }  // namespace
 
 std::filesystem::path configuration_file(const std::string& file) {
@@ -93,32 +74,35 @@ bool keeps_velocities(const Section& system, const Start& start) {
 }
 
 Start find_start(const Deck& deck) {
-    const Section& system = deck.system();
-    Start start = system.has("file") ? start_from_file(system, deck.units) : start_from_lattice(system);
-    start.box = box_for_cutoff(start.box, deck.potential().number("cutoff"));
+    const FluidSpec spec = fluid_spec(deck);
+    if (!deck.system().has("file")) {
+        return {atoms_of(spec), box_of(spec), std::nullopt};
+    }
+    Start start = start_from_file(deck.system(), deck.units);
+    start.box = box_for_cutoff(start.box, spec.potential.cutoff().radius);
     return start;
+}
+
+SampledRun sampled_run(const Deck& deck, Index atoms, const Box& box) {
+    return sampled_run(deck.stages, static_cast<std::uint64_t>(deck.system().integer("seed")), atoms, box);
+}
+
+NeighborSpec neighbor_spec(const Section& neighbors) {
+    return {neighbors.text("method"), neighbors.number("skin"),
+            neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt};
 }
 
 FluidSpec fluid_spec(const Deck& deck) {
     const Section& system = deck.system();
     const Section& potential = deck.potential();
-    const Section& neighbors = deck.neighbors();
-    FluidSpec spec{
-        .potential = pair_potential_of(potential),
-        .tail = potential.has("tail") && potential.flag("tail"),
-        .neighbors = {neighbors.text("method"), neighbors.number("skin"),
-                      neighbors.has("every") ? std::optional<Index>(neighbors.integer("every")) : std::nullopt},
-        .stages = deck.stages,
-        .sample_every = deck.thermo_every,
-        .analyses = chosen_analyses(deck.root.section("analysis")),
-        .units = deck.units};
-    if (!system.has("lattice")) {
-        spec.start = Configuration{};
-    } else if (const Section& lattice = system.section("lattice"); is_random(lattice)) {
-        spec.start = RandomStart{lattice.integer("atoms")};
-    } else {
-        spec.start = lattice_start_of(lattice);
-    }
+    FluidSpec spec{.start = start_of(system),
+                   .potential = pair_potential_of(potential),
+                   .tail = potential.has("tail") && potential.flag("tail"),
+                   .neighbors = neighbor_spec(deck.neighbors()),
+                   .stages = deck.stages,
+                   .sample_every = deck.thermo_every,
+                   .analyses = chosen_analyses(deck.root.section("analysis")),
+                   .units = deck.units};
     if (system.has("density")) {
         spec.density = system.number("density");
     }

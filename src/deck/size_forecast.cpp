@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/deck/sampled_run.hpp"
+#include "ljmd/deck/analysis_sense.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 
 namespace ljmd {
@@ -53,16 +53,13 @@ double search(const Deck& deck, const Start& start) {
 }
 
 AnalysisSize analyses(const Deck& deck, const Start& start) {
-    const Section& analysis = deck.root.section("analysis");
-    const SampledRun run = sampled_run(deck.root, start.atoms, start.box);
+    const SampledRun run = sampled_run(deck, start.atoms, start.box);
     AnalysisSize sum{0.0};
-    for (const AnalysisMethod& method : all_analyses()) {
-        if (analysis.has(method.name)) {
-            const AnalysisSize size = choose(method, analysis.section(method.name)).options->size(run);
-            sum.kept += size.kept;
-            sum.fixed += size.fixed;
-            sum.passing = std::max(sum.passing, size.passing);
-        }
+    for (const ChosenAnalysis& analysis : chosen_analyses(deck.root.section("analysis"))) {
+        const AnalysisSize size = analysis.options->size(run);
+        sum.kept += size.kept;
+        sum.fixed += size.fixed;
+        sum.passing = std::max(sum.passing, size.passing);
     }
     return sum;
 }

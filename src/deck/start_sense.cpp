@@ -8,7 +8,6 @@
 #include "ljmd/deck/deck_sense.hpp"
 #include "ljmd/deck/effect_sense.hpp"
 #include "ljmd/deck/phase_sense.hpp"
-#include "ljmd/deck/stage_sense.hpp"
 
 namespace ljmd {
 
@@ -69,7 +68,7 @@ bool has_random_analysis(const Section& analysis) {
 void check_seed(const Section& root, bool keeps_velocities, Diagnostics& diagnostics) {
     const Section& system = root.section("system");
     const auto is_random = [](const Section* stage) {
-        return stage->has("barostat") || !thermostat_method(*stage)->deterministic;
+        return stage->has("barostat") || !find_thermostat(stage->section("thermostat").text("type")).deterministic;
     };
     if (is_written(system, "seed") && keeps_velocities && std::ranges::none_of(held_stages(root), is_random) &&
         !has_random_analysis(root.section("analysis"))) {

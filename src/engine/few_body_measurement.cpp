@@ -75,7 +75,7 @@ void FewBodyMeasurement::started(const Evaluation& evaluation) {
 void FewBodyMeasurement::stage_begins(const Stage& stage) {
     outputs_.stage_begins(stage);
     const State& state = system_.state;
-    if (stage.sample && !sampling_) {  // sampled stages are contiguous, see check_few_body_sense()
+    if (stage.sample && !sampling_) {  // sampled stages follow one another, see few_body_sampling_mistakes()
         sampling_ = true;
         sample(state);
     }

@@ -7,6 +7,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/result_doubts.hpp"
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
@@ -163,9 +164,9 @@ void FluidMeasurement::stage_begins(const Stage& stage) {
 /// barostat may come after the first sampled one.
 void FluidMeasurement::adapt_analyses() {
     const State& state = fluid_.state;
-    const std::vector<std::string> wrong = box_mistakes(spec_, state.count(), state.box());
+    const std::vector<Mistake> wrong = box_mistakes(spec_, state.count(), state.box());
     if (!wrong.empty()) {
-        throw PhysicsError(fmt::format("in the box that the barostat has made: {}", wrong.front()));
+        throw PhysicsError(fmt::format("in the box that the barostat has made: {}", in_words(wrong.front())));
     }
     fluid_.analyses = make_analyses(spec_, state);
     analysed_edges_ = state.box().edges();

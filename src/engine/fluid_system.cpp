@@ -20,8 +20,7 @@ void place(State& state, const std::vector<Vec3>& positions) {
 }
 
 void set_velocities(State& state, const FluidSpec& spec, const std::function<void(const std::string&)>& warn) {
-    const auto* configuration = std::get_if<Configuration>(&spec.start);
-    if (configuration == nullptr || configuration->velocities.empty() || !spec.keep_velocities) {
+    if (!keeps_velocities(spec)) {
         draw_velocities(state, spec.temperature.value(), spec.seed);
         return;
     }

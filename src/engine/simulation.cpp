@@ -25,11 +25,8 @@ class Rows : public RunOutputs {
 
 const FluidSpec& checked(const FluidSpec& spec, const Execution& execution) {
     std::string text;
-    for (const std::string& mistake : mistakes(spec)) {
+    for (const std::string& mistake : mistakes(spec, execution.precision())) {
         text += (text.empty() ? "" : "\n") + mistake;
-    }
-    if (execution.precision() == Precision::mixed && spec.neighbors.method != "verlet-list") {
-        text += (text.empty() ? "" : "\n") + std::string("neighbors: mixed precision needs the method verlet-list");
     }
     if (!text.empty()) {
         throw InputError(text);

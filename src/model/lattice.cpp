@@ -7,10 +7,21 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
+#include "ljmd/core/registry.hpp"
 
 namespace ljmd {
 
 namespace {
+
+struct NamedLattice {
+    std::string name;
+    Lattice lattice;
+};
+
+const std::vector<NamedLattice>& all_lattices() {
+    static const std::vector<NamedLattice> all{{"fcc", Lattice::fcc}, {"simple-cubic", Lattice::simple_cubic}};
+    return all;
+}
 
 /// Sites in units of the edge of the cubic cell.
 std::vector<Vec3> basis(Lattice lattice) {
@@ -21,6 +32,14 @@ std::vector<Vec3> basis(Lattice lattice) {
 }
 
 }  // namespace
+
+std::vector<std::string> lattice_names() {
+    return plugin_names(all_lattices());
+}
+
+Lattice find_lattice(const std::string& name) {
+    return find_plugin(all_lattices(), name, "lattice").lattice;
+}
 
 Index sites_per_cell(Lattice lattice) {
     return static_cast<Index>(basis(lattice).size());

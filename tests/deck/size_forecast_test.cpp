@@ -1,6 +1,5 @@
 #include "ljmd/deck/size_forecast.hpp"
 
-#include "ljmd/deck/sampled_run.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -69,7 +68,7 @@ TEST_CASE("the disk that a run was said to need is about what it takes, checkpoi
 TEST_CASE("what an analysis was said to keep is about what it keeps") {
     const DeckFolder folder(small_deck + all_analyses_table);
     const Deck deck = folder.load({"stage.production.steps=400"});
-    SampledRun run = sampled_run(deck.root, 108, find_start(deck).box);
+    SampledRun run = sampled_run(deck, 108, find_start(deck).box);
     run.interaction = fluid_spec(deck).interaction();
     for (const AnalysisMethod& method : all_analyses()) {
         const auto options = choose(method, deck.root.section("analysis").section(method.name)).options;

@@ -54,13 +54,14 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
     CHECK_THAT(complaint([](FluidSpec& s) { s.start = Configuration{.positions = {Vec3::Zero()}}; }),
                Contains("edges of the box"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.density = 3.0; }),
-               Contains("potential: the cutoff is 2, more than half the shortest edge"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.tail = true; }), Contains("'force-shifted' takes no tail correction"));
+               Contains("potential: cutoff is 2, more than half the box (L = "));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.tail = true; }),
+               Contains("potential: tail has no meaning for truncation = \"force-shifted\""));
     CHECK_THAT(complaint([](FluidSpec& s) { s.sample_every = 0; }), Contains("sample_every"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages.clear(); }), Contains("at least one is needed"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].name = "equilibrate"; }),
-               Contains("stage 'equilibrate': another stage has this name"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].name.clear(); }), Contains("it needs a name"));
+               Contains("stage 'equilibrate': two stages are called 'equilibrate'"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].name.clear(); }), Contains("stage '': name must be 1 to 64"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].time_step = 0.0; }), Contains("the time step is 0"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].steps = -1; }), Contains("-1 steps"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.stages[1].integrator = integrator("prince-dormand"); }),
@@ -98,7 +99,7 @@ TEST_CASE("each mistake of a specification is one sentence that says where it is
                    s.stages[0].time_step = 0.002;
                    s.analyses = {analysis("msd", {{"max_time", 0.08}, {"every", 1}})};
                }),
-               Contains("one time step"));
+               Contains("equal times apart"));
 }
 
 TEST_CASE("numbers that are none, or nonsense, are mistakes") {
@@ -119,13 +120,13 @@ TEST_CASE("numbers that are none, or nonsense, are mistakes") {
         CHECK_THAT(complaint([=](FluidSpec& s) {
                        s.potential = PairPotential::lennard_jones("switched", {2.0, nonsense});
                    }),
-                   Contains("potential: the switch starts at"));
+                   Contains("potential: ") && Contains("switch"));
     }
     CHECK_THAT(complaint([](FluidSpec& s) { s.start = LatticeStart{.cells = -1}; }), Contains("-1 cells"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.start = RandomStart{Index{1} << 41U}; }), Contains("atoms: allowed"));
     CHECK_THAT(complaint([](FluidSpec& s) { s.neighbors.method = "x"; }),
                Contains("unknown method 'x', allowed: ") && Contains("verlet-list"));
-    CHECK_THAT(complaint([](FluidSpec& s) { s.neighbors.every = 0; }), Contains("'every'"));
+    CHECK_THAT(complaint([](FluidSpec& s) { s.neighbors.every = 0; }), Contains("neighbors: every is 0"));
     CHECK_THAT(complaint([](FluidSpec& s) {
                    s.stages[0].steps = std::numeric_limits<Index>::max();
                    s.stages[1].steps = std::numeric_limits<Index>::max();

@@ -9,6 +9,9 @@ namespace ljmd {
 /// Maximum number of steps of a stage, and of a resumed run.
 inline constexpr Index max_steps = 1'000'000'000'000'000;
 
+/// The `type` of a lattice that is none: atoms at random places.
+inline constexpr const char* random_lattice = "random";
+
 /// What a deck describes.
 enum class DeckKind {
     fluid,     ///< atoms in a periodic box

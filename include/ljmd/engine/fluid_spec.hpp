@@ -10,6 +10,7 @@
 #include "ljmd/core/description.hpp"
 #include "ljmd/core/units.hpp"
 #include "ljmd/engine/stage.hpp"
+#include "ljmd/execution/simd.hpp"
 #include "ljmd/model/box.hpp"
 #include "ljmd/model/configuration.hpp"
 #include "ljmd/model/lattice.hpp"
@@ -32,6 +33,9 @@ struct RandomStart {
 
 /// The longest skin that is allowed [sigma]: a longer list has all pairs, many times over in a small box.
 inline constexpr double max_skin = 10.0;
+
+/// The most atoms of a run: atoms and their images are indexed with 32 bits.
+inline constexpr Index max_atoms = Index{1} << 30;
 
 /// How pairs of atoms are found, see PairSearch in neighbors/pair_search.hpp.
 struct NeighborSpec {
@@ -71,6 +75,9 @@ struct FluidSpec {
 /// Box at the start. An edge that is twice the cutoff but for rounding is made twice the cutoff, see box_for_cutoff.
 [[nodiscard]] Box box_of(const FluidSpec& spec);
 
+/// Whether the velocities at the start are those of its configuration; else they are drawn.
+[[nodiscard]] bool keeps_velocities(const FluidSpec& spec);
+
 /// The run as analyses see it: the time step of the first sampled stage and the length of the longest one; of the last
 /// stage if none is sampled. The interaction is not set.
 /// @pre there is a stage
@@ -82,9 +89,7 @@ struct FluidSpec {
 
 /// Why a fluid cannot be run, one sentence for each mistake, beginning with where it is ("stage 'production': ...").
 /// Empty if it can.
-[[nodiscard]] std::vector<std::string> mistakes(const FluidSpec& spec);
-
-/// The mistakes that depend on the box: cutoff and analyses that do not fit into it. @pre there is a stage
-[[nodiscard]] std::vector<std::string> box_mistakes(const FluidSpec& spec, Index atoms, const Box& box);
+[[nodiscard]] std::vector<std::string> mistakes(const FluidSpec& spec,
+                                                Precision precision = Precision::double_precision);
 
 }  // namespace ljmd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "ljmd/core/types.hpp"
@@ -10,6 +11,12 @@ namespace ljmd {
 
 /// Crystal lattices that can fill a cubic box.
 enum class Lattice { fcc, simple_cubic };
+
+/// "fcc", "simple-cubic"
+[[nodiscard]] std::vector<std::string> lattice_names();
+
+/// @throws InputError for another name
+[[nodiscard]] Lattice find_lattice(const std::string& name);
 
 /// Sites per cubic cell: 4 for fcc, 1 for simple cubic.
 [[nodiscard]] Index sites_per_cell(Lattice lattice);

@@ -1,4 +1,4 @@
-#include "ljmd/deck/sampled_run.hpp"
+#include "ljmd/deck/analysis_sense.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -34,7 +34,7 @@ steps = 500
 )";
 
 SampledRun run_of(const std::string& deck) {
-    return sampled_run(DeckFolder(deck).load().root, 10, Box(Vec3::Constant(5.0)));
+    return sampled_run(DeckFolder(deck).load(), 10, Box(Vec3::Constant(5.0)));
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ TEST_CASE("analyses need a box that stays as it is from the first sampled stage 
     CHECK(errors_in(complaints(before + "\n[analysis]\nrdf = {}\n")) == 0);
     const auto found = complaints(after + "\n[analysis]\nrdf = {}\n");
     REQUIRE(found.size() == 1);
-    CHECK_THAT(found[0].message, Contains("needs a box that stays as it is"));
+    CHECK_THAT(found[0].message, Contains("need a box that stays as it is"));
     CHECK_THAT(line_shown(found[0]), Contains("barostat ="));
 }
 

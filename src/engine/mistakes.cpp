@@ -1,0 +1,272 @@
+#include "ljmd/engine/mistakes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "ljmd/core/text.hpp"
+#include "ljmd/neighbors/pair_search.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::size_t longest_name = 64;
+constexpr double max_total_steps = 0x1p62;
+constexpr const char* list_method = "verlet-list";
+
+/// Collects mistakes in one part of a specification.
+class Mistakes {
+  public:
+    explicit Mistakes(std::string table, std::string name = {}, std::size_t index = 0)
+        : table_(std::move(table)), name_(std::move(name)), index_(index) {}
+
+    using Keys = std::vector<std::string>;
+
+    /// @param sentence  the whole of it
+    void add(Keys keys, std::string sentence, std::string hint = {}) {
+        found_.push_back({table_, name_, index_, std::move(sentence), false, std::move(keys), std::move(hint)});
+    }
+    /// @param predicate  follows the name of the first key
+    void add_of_key(Keys keys, std::string predicate, std::string hint = {}) {
+        found_.push_back({table_, name_, index_, std::move(predicate), true, std::move(keys), std::move(hint)});
+    }
+    void move_to(std::vector<Mistake>& all) { std::ranges::move(found_, std::back_inserter(all)); }
+    [[nodiscard]] std::vector<Mistake> take() { return std::move(found_); }
+
+  private:
+    std::string table_;
+    std::string name_;
+    std::size_t index_;
+    std::vector<Mistake> found_;
+};
+
+/// Call `judge(stage, mistakes)` with each stage.
+template <class Judge>
+std::vector<Mistake> judged(const std::vector<Stage>& stages, const Judge& judge) {
+    std::vector<Mistake> all;
+    for (std::size_t k = 0; k < stages.size(); ++k) {
+        Mistakes found("stage", stages[k].name, k);
+        judge(stages[k], found);
+        found.move_to(all);
+    }
+    return all;
+}
+
+void judge_thermostat(const Stage& stage, Mistakes& found) {
+    const ThermostatMethod& thermostat = stage.thermostat->plugin;
+    const std::string& integrator = stage.integrator.plugin.name;
+    if (thermostat.every_step && integrator != "velocity-verlet") {
+        found.add({"thermostat.type", "integrator"},
+                  fmt::format("the thermostat {} is a part of the steps of velocity-verlet; the integrator is {}",
+                              thermostat.name, integrator));
+    }
+    const bool finite = std::isfinite(stage.temperature);
+    if (thermostat.canonical && !(stage.temperature > 0.0 && finite)) {
+        found.add({"thermostat.type", "temperature"},
+                  fmt::format("the thermostat {} needs a temperature above 0", thermostat.name),
+                  "rescale can take it to 0");
+    } else if (!(stage.temperature >= 0.0 && finite)) {
+        found.add({"thermostat.type", "temperature"},
+                  fmt::format("the thermostat {} needs a temperature of 0 or more", thermostat.name));
+    }
+}
+
+std::string label_of(const Mistake& mistake) {
+    if (mistake.table == "stage") {
+        return fmt::format("stage '{}'", mistake.name);
+    }
+    if (mistake.table == "analysis") {
+        return fmt::format("analysis {}", mistake.name);
+    }
+    return mistake.table == "system" ? "start" : mistake.table;
+}
+
+}  // namespace
+
+std::string in_words(const Mistake& mistake) {
+    return fmt::format("{}: {}{}{}{}", label_of(mistake), mistake.follows_key ? mistake.keys.front() + " " : "",
+                       mistake.message, mistake.hint.empty() ? "" : "; ", mistake.hint);
+}
+
+std::vector<Mistake> stage_mistakes(const std::vector<Stage>& stages) {
+    std::set<std::string> names;
+    double steps = 0.0;
+    std::vector<Mistake> all = judged(stages, [&](const Stage& stage, Mistakes& found) {
+        if (stage.name.empty() || printable(stage.name, longest_name) != stage.name) {
+            found.add_of_key({"name"}, fmt::format("must be 1 to {} printable characters", longest_name));
+        } else if (!names.insert(stage.name).second) {
+            found.add({"name"}, fmt::format("two stages are called '{}'", stage.name));
+        }
+        if (!(stage.time_step > 0.0 && std::isfinite(stage.time_step))) {
+            found.add({"time_step"}, fmt::format("the time step is {}, it must be above 0", stage.time_step));
+        }
+        if (stage.steps < 0) {
+            found.add({"steps"}, fmt::format("{} steps: allowed are 0 and more", stage.steps));
+        }
+        steps += static_cast<double>(stage.steps);
+    });
+    if (steps > max_total_steps) {
+        Mistakes found("stage", stages.front().name);
+        found.add({"steps"}, "the steps of all stages add up to more than 2^62");
+        found.move_to(all);
+    }
+    return all;
+}
+
+std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages) {
+    return judged(stages, [](const Stage& stage, Mistakes& found) {
+        if (!stage.integrator.options || (stage.thermostat && !stage.thermostat->options) ||
+            (stage.barostat && !stage.barostat->options)) {
+            found.add({},
+                      "integrator, thermostat and barostat are chosen by integrator(), thermostat() and barostat()");
+            return;
+        }
+        if (stage.integrator.plugin.unbounded_only) {
+            found.add({"integrator"},
+                      fmt::format("the integrator {} is for few bodies only", stage.integrator.plugin.name));
+        }
+        if (stage.barostat && !(stage.thermostat && stage.thermostat->plugin.canonical)) {
+            found.add({"barostat", "thermostat.type"}, "a barostat needs a canonical thermostat beside it",
+                      "e.g. stochastic-rescaling");
+        }
+        if (stage.thermostat) {
+            judge_thermostat(stage, found);
+        }
+    });
+}
+
+std::vector<Mistake> few_body_sampling_mistakes(const std::vector<Stage>& stages) {
+    const Stage* last_sampled = nullptr;
+    const Stage* previous = nullptr;
+    return judged(stages, [&](const Stage& stage, Mistakes& found) {
+        if (stage.sample && stage.reverse) {
+            found.add({"reverse"}, fmt::format("stage '{}' runs backwards: analyses cannot sample it", stage.name),
+                      "set sample = false in it");
+        } else if (stage.sample && last_sampled != nullptr && last_sampled != previous) {
+            found.add({"sample"}, fmt::format("stage '{}' is sampled and so was '{}', but '{}' between them is not: "
+                                              "analyses cannot leave a gap",
+                                              stage.name, last_sampled->name, previous->name));
+        }
+        last_sampled = stage.sample ? &stage : last_sampled;
+        previous = &stage;
+    });
+}
+
+std::vector<Mistake> lattice_mistakes(const LatticeStart& lattice) {
+    constexpr Index max_cells = Index{1} << 20;  // see lattice_atoms()
+    Mistakes found("system");
+    if (lattice.cells < 1 || lattice.cells > max_cells) {
+        found.add({"lattice.cells"},
+                  fmt::format("{} cells along an edge: allowed are 1 to {}", lattice.cells, max_cells));
+    } else if (const Index atoms = lattice_atoms(lattice.lattice, lattice.cells); atoms > max_atoms) {
+        found.add_of_key({"lattice.cells"}, fmt::format("makes {} atoms, more than {}", atoms, max_atoms));
+    }
+    return found.take();
+}
+
+std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cutoff& cutoff, bool tail) {
+    Mistakes found("potential");
+    if (!(cutoff.radius > 0.0 && std::isfinite(cutoff.radius))) {
+        found.add({"cutoff"}, fmt::format("the cutoff is {}, it must be above 0", cutoff.radius));
+    } else if (truncation == "switched" && !(cutoff.switch_start > 0.0)) {
+        found.add({"switch_start"}, fmt::format("the switch starts at {}, it must be above 0", cutoff.switch_start));
+    } else if (truncation == "switched" && !(cutoff.switch_start < cutoff.radius)) {
+        found.add_of_key({"switch_start", "cutoff"},
+                         fmt::format("is {}, not below the cutoff {}", cutoff.switch_start, cutoff.radius));
+    }
+    if (tail && !PairPotential::takes_tail(truncation)) {
+        found.add_of_key({"tail", "truncation"}, fmt::format("has no meaning for truncation = \"{}\"", truncation),
+                         "a shifted potential is another potential: no tail makes it the full one");
+    }
+    return found.take();
+}
+
+std::vector<Mistake> search_mistakes(const NeighborSpec& neighbors, Precision precision) {
+    Mistakes found("neighbors");
+    const std::vector<std::string> methods = pair_search_names();
+    if (std::ranges::find(methods, neighbors.method) == methods.end()) {
+        found.add({"method"},
+                  fmt::format("unknown method '{}', allowed: {}", neighbors.method, fmt::join(methods, ", ")));
+        return found.take();
+    }
+    if (!(neighbors.skin >= 0.0 && neighbors.skin <= max_skin)) {
+        found.add({"skin"}, fmt::format("the skin is {}, allowed are 0 to {}", neighbors.skin, max_skin));
+    }
+    if (neighbors.every && *neighbors.every < 1) {
+        found.add_of_key({"every"}, fmt::format("is {}, it must be at least 1", *neighbors.every));
+    }
+    if (neighbors.every && neighbors.method != list_method) {
+        found.add_of_key({"every", "method"}, fmt::format("has no meaning for method = \"{}\"", neighbors.method),
+                         "only a list is kept for some steps");
+    }
+    std::vector<Mistake> all = found.take();
+    if (precision == Precision::mixed && neighbors.method != list_method) {
+        Mistakes of_precision("performance");
+        of_precision.add_of_key({"precision"},
+                                fmt::format("is 'mixed', which method = \"{}\" does not have", neighbors.method),
+                                fmt::format("{} has it", list_method));
+        of_precision.move_to(all);
+    }
+    return all;
+}
+
+std::vector<Mistake> cutoff_mistakes(double cutoff, const Box& box) {
+    Mistakes found("potential");
+    const double largest = 0.5 * box.shortest_edge();
+    if (cutoff > largest) {
+        found.add_of_key({"cutoff"},
+                         fmt::format("is {}, more than half the box (L = {:.6g})", cutoff, box.shortest_edge()),
+                         fmt::format("largest allowed: {}", largest));
+    }
+    return found.take();
+}
+
+std::vector<Mistake> sampling_mistakes(const std::vector<ChosenAnalysis>& analyses, const std::vector<Stage>& stages) {
+    if (analyses.empty()) {
+        return {};
+    }
+    const bool follows_time =
+        std::ranges::any_of(analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.follows_time; });
+    const std::size_t first = first_sampled(stages);
+    const double time_step = stages[first].time_step;
+    return judged(stages, [&](const Stage& stage, Mistakes& found) {
+        const bool is_later = &stage >= &stages[first] && stages[first].sample;
+        if (is_later && stage.barostat) {
+            found.add({"barostat"}, "analyses need a box that stays as it is from the first sampled stage on",
+                      "sample a later stage without barostat, or leave the analyses out");
+        }
+        if (follows_time && stage.sample && stage.time_step != time_step) {
+            found.add({"time_step"},
+                      fmt::format("sampled stages have time steps of {} and {}, but analyses compare configurations at "
+                                  "equal times apart",
+                                  time_step, stage.time_step));
+        }
+    });
+}
+
+std::vector<Mistake> analysis_mistakes(const std::vector<ChosenAnalysis>& analyses, const SampledRun& run) {
+    std::vector<Mistake> all;
+    for (const ChosenAnalysis& analysis : analyses) {
+        Mistakes found("analysis", analysis.plugin.name);
+        for (const auto& [key, message] : analysis.options->check(run)) {
+            found.add({key}, message);
+        }
+        found.move_to(all);
+    }
+    return all;
+}
+
+std::vector<Mistake> box_mistakes(const FluidSpec& spec, Index atoms, const Box& box) {
+    std::vector<Mistake> found = cutoff_mistakes(spec.potential.cutoff().radius, box);
+    std::ranges::move(analysis_mistakes(spec.analyses, sampled_run(spec.stages, spec.seed, atoms, box)),
+                      std::back_inserter(found));
+    return found;
+}
+
+}  // namespace ljmd

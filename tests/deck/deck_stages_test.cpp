@@ -1,0 +1,46 @@
+#include "ljmd/deck/deck_stages.hpp"
+
+#include "deck/deck_fixtures.hpp"
+#include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/input/deck_file.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+
+namespace {
+
+/// The stages of a deck of a fluid that was validated, whatever was found.
+std::vector<Stage> stages_in(const std::string& text) {
+    Diagnostics ignored;
+    const DeckFile file = parse_deck("deck.toml", text, ignored);
+    return stages_of(validate(file.table, {file.source, 0, 0, 1}, deck_schema(DeckKind::fluid), std::nullopt, ignored));
+}
+
+const std::string rescale = "thermostat = { type = \"rescale\", every = 5 }";
+
+}  // namespace
+
+TEST_CASE("stages are those of the deck, with the temperature of the system where they have none of their own") {
+    const std::vector<Stage> stages = stages_in(
+        changed(small_deck, {{"sample = true", "sample = true\ntemperature = 0.7\nintegrator = \"leapfrog\""}}));
+    REQUIRE(stages.size() == 2);
+    CHECK(stages[0].name == "equilibrate");
+    CHECK(stages[0].temperature == 1.0);
+    CHECK(stages[0].thermostat->plugin.name == "rescale");
+    CHECK(stages[0].thermostat->values == "every=5");
+    CHECK(stages[0].seed == 7);
+    CHECK(stages[1].temperature == 0.7);
+    CHECK(stages[1].integrator.plugin.name == "leapfrog");
+    CHECK(stages[1].sample);
+    CHECK_FALSE(stages[1].thermostat);
+}
+
+TEST_CASE("a thermostat of a wrong type is left out, and one without a valid temperature has a stand-in") {
+    CHECK_FALSE(stages_in(changed(small_deck, {{"rescale", "rescaling"}}))[0].thermostat);
+    CHECK_FALSE(stages_in(changed(small_deck, {{rescale, "thermostat = 5"}}))[0].thermostat);
+    for (const char* wrong : {"temperature = -1.0\n", "temperature = \"hot\"\n", ""}) {
+        const std::vector<Stage> stages = stages_in(changed(small_deck, {{"temperature = 1.0\n", wrong}}));
+        CHECK(stages[0].temperature > 0.0);
+        CHECK(stages[0].thermostat);
+    }
+}
