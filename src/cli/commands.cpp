@@ -275,38 +275,34 @@ void resume_command(const ResumeOptions& options) {
     }
     RecordedRun run = recorded_run(options.directory, options.more_steps);
     run.deck.locked = lock->directory();
-    auto point = find_resume_point(run.deck);
-    if (!point) {
+    control.continuation = find_continuation(run.deck, run.earlier);
+    if (!control.continuation) {
         throw CheckpointError(fmt::format(
             "{} has no checkpoint: the run ended before its first step, or they were removed", options.directory));
     }
+    const CheckpointHead& from = control.continuation->head;
     const Execution execution(
         execution_options(run.deck, options.threads > 0 ? options.threads : run.threads, run.simd));
-    EarlierParts earlier = run.earlier;
-    const Index atoms = point->head.atoms;
-    const Vec3 edges = point->head.edges;
     const bool bodies = run.deck.kind == DeckKind::few_body;
-    Progress progress(bodies ? std::nullopt : std::optional(atoms), total_steps(run.deck.stages), options.quiet,
-                      point->head.step);
-    for (const std::string& warning : point->warnings) {
+    Progress progress(bodies ? std::nullopt : std::optional(from.atoms), total_steps(run.deck.stages), options.quiet,
+                      from.step);
+    for (const std::string& warning : control.continuation->warnings) {
         progress.warning(warning);
     }
-    earlier.resumed_at_steps.push_back(point->head.step);
     if (!options.quiet) {
-        const bool nothing_left = run.finished && point->head.step == total_steps(run.deck.stages);
+        const bool nothing_left = run.finished && from.step == total_steps(run.deck.stages);
         print_message(
             nothing_left
                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
                               "ljmd resume {} --steps +N\n",
-                              point->head.step, options.directory)
-                : fmt::format("going on after step {} of {}\n", point->head.step, total_steps(run.deck.stages)));
+                              from.step, options.directory)
+                : fmt::format("going on after step {} of {}\n", from.step, total_steps(run.deck.stages)));
     }
-    control.resumed.emplace(RunControl::Resumed{std::move(*point), std::move(earlier)});
     if (bodies) {
         FewBodySystem system = make_few_body_system(run.deck, execution);
         print_document(results_report(run.deck, run_deck(run.deck, system, progress, control)), options.json);
     } else {
-        FluidSystem fluid = empty_fluid(fluid_spec(run.deck), atoms, Box(edges), execution);
+        FluidSystem fluid = empty_fluid(fluid_spec(run.deck), from.atoms, Box(from.edges), execution);
         print_document(results_report(run.deck, run_deck(run.deck, fluid, progress, control)), options.json);
     }
     lock->warn_if_moved();

@@ -6,24 +6,20 @@ DirectoryOutputs::DirectoryOutputs(const Deck& deck, RunListener& listener, cons
     : deck_(deck),
       listener_(listener),
       control_(control),
-      checkpoints_(deck, control.interruption, control.resumed ? control.resumed->point.file.generation : 0,
-                   control.has_begun) {}
+      checkpoints_(deck, control.interruption, control.continuation, control.has_begun) {}
 
-std::optional<ResumedOutputs> DirectoryOutputs::restore(RunMeasurement& measurement, const State& state) {
-    if (!control_.resumed) {
-        return std::nullopt;
+void DirectoryOutputs::restore(RunMeasurement& measurement, const State& state) {
+    if (!control_.continuation) {
+        return;
     }
-    const ResumePoint& point = control_.resumed->point;
-    from_ = point.head.position;
-    measurement.resume_at(*from_);
-    point.restore(deck_, state, [&measurement](Archive& a) { measurement.archive(a); });
-    measurement.require_begun(*from_);
-    ResumedOutputs outputs{point.head.outputs, control_.resumed->earlier};
-    check_outputs(deck_, outputs);
-    if (from_->begun) {
-        listener_.stage_begins(deck_.stages.at(from_->stage));
+    const LoopPosition& position = control_.continuation->head.position;
+    measurement.resume_at(position);
+    control_.continuation->restore(deck_, state, [&measurement](Archive& a) { measurement.archive(a); });
+    measurement.require_begun(position);
+    check_outputs(deck_, *control_.continuation);
+    if (position.begun) {
+        listener_.stage_begins(deck_.stages.at(position.stage));
     }
-    return outputs;
 }
 
 bool DirectoryOutputs::checkpoint_is_due(Index step, bool last_of_stage) {

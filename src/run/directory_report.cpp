@@ -13,8 +13,8 @@
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/run/continuation.hpp"
 #include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/run/run_report.hpp"
 
 namespace ljmd {
@@ -28,19 +28,19 @@ constexpr std::size_t longest_words = 1000;  // of text that others have written
 struct Contents {
     bool running;
     RecordedRun run;
-    std::optional<ResumePoint> point;
+    std::optional<Continuation> continuation;
     std::vector<std::string> damaged;
     std::vector<std::pair<std::string, std::uintmax_t>> files;  ///< names and bytes, sorted by name
 
     /// The stage that the checkpoint is in.
-    [[nodiscard]] const Stage& stage() const { return run.deck.stages.at(point->head.position.stage); }
+    [[nodiscard]] const Stage& stage() const { return run.deck.stages.at(continuation->head.position.stage); }
 };
 
 Contents contents_of(const fs::path& directory) {
     Contents contents{DirectoryLock::is_held(directory), recorded_run(directory), std::nullopt, {}, {}};
     try {
-        contents.point = find_resume_point(contents.run.deck);
-        contents.damaged = contents.point ? contents.point->warnings : std::vector<std::string>{};
+        contents.continuation = find_continuation(contents.run.deck);
+        contents.damaged = contents.continuation ? contents.continuation->warnings : std::vector<std::string>{};
     } catch (const CheckpointError& error) {
         contents.damaged = {error.what()};
     }
@@ -74,8 +74,8 @@ std::string text_of(const Contents& contents, const fs::path& directory) {
     text += fmt::format("finished      {}\n", contents.run.finished ? "yes"
                                               : contents.running    ? "no, it is running"
                                                                     : "no");
-    if (contents.point) {
-        const CheckpointHead& head = contents.point->head;
+    if (contents.continuation) {
+        const CheckpointHead& head = contents.continuation->head;
         text += fmt::format("checkpoint    after step {} of {}, {} of {} in stage {}\n", head.step,
                             total_steps(deck.stages), head.position.begun ? head.position.steps : 0,
                             contents.stage().steps, in_quotes(contents.stage().name));
@@ -90,7 +90,7 @@ std::string text_of(const Contents& contents, const fs::path& directory) {
         files.add({name, size_in_words(bytes)});
     }
     text += files.text();
-    if (contents.point && !contents.running) {
+    if (contents.continuation && !contents.running) {
         text += contents.run.finished ? fmt::format("longer: ljmd resume {} --steps +N\n", directory.string())
                                       : fmt::format("to go on: ljmd resume {}\n", directory.string());
     }
@@ -100,8 +100,8 @@ std::string text_of(const Contents& contents, const fs::path& directory) {
 Data data_of(const Contents& contents) {
     const Deck& deck = contents.run.deck;
     Data checkpoint = nullptr;
-    if (contents.point) {
-        const CheckpointHead& head = contents.point->head;
+    if (contents.continuation) {
+        const CheckpointHead& head = contents.continuation->head;
         checkpoint = {{"step", head.step}, {"stage", contents.stage().name}, {"atoms", head.atoms}};
     }
     Data files = Data::list();

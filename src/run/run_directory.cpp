@@ -29,26 +29,15 @@ ThermoCsv::Extra thermo_columns(const Deck& deck, bool order_parameter) {
             .order_parameter = order_parameter};
 }
 
-std::optional<CommittedFrames> kept_frames(const std::optional<ResumedOutputs>& resumed) {
-    return resumed ? std::optional(resumed->kept.trajectory) : std::nullopt;
-}
-
-std::optional<std::int64_t> kept_rows(const std::optional<ResumedOutputs>& resumed) {
-    return resumed ? std::optional(resumed->kept.thermo) : std::nullopt;
-}
-
-std::optional<EarlierParts> earlier_parts(const std::optional<ResumedOutputs>& resumed) {
-    return resumed ? std::optional(resumed->earlier) : std::nullopt;
-}
-
 std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& system,
-                                      const std::optional<ResumedOutputs>& resumed) {
+                                      const std::optional<Continuation>& continuation) {
     if (!deck.trajectory || deck.trajectory->format != "csv") {
         return std::nullopt;
     }
+    const auto frames = kept(continuation, &CommittedOutputs::trajectory);
     return TrajectoryCsv(deck.outputs() / "trajectory.csv", system.state.count(), system.dimensions,
                          deck.trajectory->accelerations, system.force.plugin.has_polar_angle,
-                         resumed ? std::optional(resumed->kept.trajectory.bytes) : std::nullopt);
+                         frames ? std::optional(frames->bytes) : std::nullopt);
 }
 
 }  // namespace
@@ -122,28 +111,29 @@ void prepare_directory(const fs::path& directory) {
     }
 }
 
-void check_outputs(const Deck& deck, const ResumedOutputs& resumed) {
-    require_bytes(deck.outputs() / "thermo.csv", resumed.kept.thermo);
+void check_outputs(const Deck& deck, const Continuation& continuation) {
+    const CommittedOutputs& outputs = continuation.head.outputs;
+    require_bytes(deck.outputs() / "thermo.csv", outputs.thermo);
     if (deck.trajectory) {
-        require_bytes(deck.outputs() / fmt::format("trajectory.{}", deck.trajectory->format),
-                      resumed.kept.trajectory.bytes);
+        require_bytes(deck.outputs() / fmt::format("trajectory.{}", deck.trajectory->format), outputs.trajectory.bytes);
     }
 }
 
-RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<ResumedOutputs>& resumed)
+RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<Continuation>& continuation)
     : deck_(deck),
-      trajectory_(open_trajectory(deck, fluid.state, kept_frames(resumed))),
+      trajectory_(open_trajectory(deck, fluid.state, continuation)),
       thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
-              thermo_columns(deck, fluid.order.has_value()), deck.units, kept_rows(resumed)),
-      record_(deck, fluid.state.execution(), earlier_parts(resumed)) {}
+              thermo_columns(deck, fluid.order.has_value()), deck.units, kept(continuation, &CommittedOutputs::thermo)),
+      record_(deck, fluid.state.execution(), continuation) {}
 
-RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system, const std::optional<ResumedOutputs>& resumed)
+RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system,
+                           const std::optional<Continuation>& continuation)
     : deck_(deck),
-      csv_(open_csv(deck, system, resumed)),
-      trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state, kept_frames(resumed))),
+      csv_(open_csv(deck, system, continuation)),
+      trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state, continuation)),
       thermo_(std::in_place_type<FewBodyThermoCsv>, deck.outputs() / "thermo.csv", system.dimensions,
-              kept_rows(resumed)),
-      record_(deck, system.state.execution(), earlier_parts(resumed)) {}
+              kept(continuation, &CommittedOutputs::thermo)),
+      record_(deck, system.state.execution(), continuation) {}
 
 CommittedOutputs RunDirectory::commit() {
     const std::int64_t rows = std::visit([](auto& thermo) { return thermo.commit(); }, thermo_);

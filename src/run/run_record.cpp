@@ -44,7 +44,7 @@ std::string deck_hash(const Deck& deck) {
 }
 
 std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State& first,
-                                                  std::optional<CommittedFrames> kept) {
+                                                  const std::optional<Continuation>& continuation) {
     if (!deck.trajectory) {
         return nullptr;
     }
@@ -56,7 +56,7 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
                                    .creator_version = build_info().version,
                                    .author = user(),
                                    .title = deck.title,
-                                   .kept = kept});
+                                   .kept = kept(continuation, &CommittedOutputs::trajectory)});
 }
 
 std::string save_failure(const Deck& deck, const State& state) {
@@ -69,12 +69,10 @@ std::string save_failure(const Deck& deck, const State& state) {
     return fmt::format("\n  the configuration is in {}", (deck.directory / name).string());
 }
 
-RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<EarlierParts>& earlier)
+RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<Continuation>& continuation)
     : deck_(deck),
       execution_(std::move(execution)),
-      began_(earlier ? earlier->began : now()),
-      resumed_at_steps_(earlier ? earlier->resumed_at_steps : std::vector<Index>{}),
-      steps_added_(earlier ? earlier->steps_added : 0) {
+      parts_(continuation ? continuation->earlier : EarlierParts{.began = now(), .resumed_at_steps = {}}) {
     write(false, 0.0, std::nullopt);
 }
 
@@ -103,12 +101,12 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                    {"kind", few_body ? "few-body" : "fluid"},
                    {"seed", few_body ? Data(nullptr) : Data(deck_.system().integer("seed"))},
                    {"units", few_body ? "the deck's own" : "reduced"},
-                   {"began", began_},
+                   {"began", parts_.began},
                    {"ended", finished ? Data(now()) : Data(nullptr)},
                    {"finished", finished},
                    {"seconds_in_time_loop", finished ? Data(seconds) : Data(nullptr)},
-                   {"resumed_at_steps", resumed_at_steps_},
-                   {"steps_added", steps_added_}};
+                   {"resumed_at_steps", parts_.resumed_at_steps},
+                   {"steps_added", parts_.steps_added}};
     if (phases) {
         record["seconds_per_phase"] = phases_data(*phases);
     }

@@ -13,8 +13,8 @@
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/run/continuation.hpp"
 #include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/study/child_run.hpp"
 #include "ljmd/study/sweep_record.hpp"
 
@@ -56,8 +56,8 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
     const RecordedRun run = recorded_run(directory);
     found.total_steps = total_steps(run.deck.stages);
     try {
-        if (const auto point = find_resume_point(run.deck)) {
-            found.step = point->head.step;
+        if (const auto continuation = find_continuation(run.deck)) {
+            found.step = continuation->head.step;
         }
     } catch (const CheckpointError&) {
         found.step.reset();  // `ljmd info` for this run shows what is wrong with its checkpoints

@@ -337,8 +337,8 @@ TEST_CASE("bodies that leave the range of numbers end the run, and the last chec
     Recorder listener;
     CHECK_THROWS_WITH(run_deck(deck, system, listener), Contains("the run has blown up. Is the time step too large"));
     CHECK_THAT(content_of(deck.directory / "thermo.csv"), !Contains("inf") && !Contains("nan"));
-    REQUIRE(find_resume_point(deck).has_value());
-    CHECK(find_resume_point(deck)->head.step == 100);  // velocities can be squared until step 134
+    REQUIRE(find_continuation(deck).has_value());
+    CHECK(find_continuation(deck)->head.step == 100);  // velocities can be squared until step 134
 }
 
 TEST_CASE("run.json of few bodies tells that the run has ended") {

@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const fuzz::CheckpointContent content(std::as_bytes(std::span(data, size)));
         const fuzz::RunFolder& folder = content.head.atoms == 1 ? radial : orbit;
         RunControl control;
-        control.resumed = fuzz::found_again(folder, content);
+        control.continuation = fuzz::found_again(folder, content);
         FewBodySystem system = make_few_body_system(folder.deck());
         fuzz::Quiet listener;
         static_cast<void>(run_deck(folder.deck(), system, listener, control));

@@ -12,8 +12,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const fuzz::CheckpointContent content(std::as_bytes(std::span(data, size)));
         const fuzz::RunFolder& folder = content.head.atoms == 8 ? constant_pressure : fluid;
         RunControl control;
-        control.resumed = fuzz::found_again(folder, content);
-        const CheckpointHead& head = control.resumed->point.head;
+        control.continuation = fuzz::found_again(folder, content);
+        const CheckpointHead& head = control.continuation->head;
         FluidSystem simulation = empty_fluid(fluid_spec(folder.deck()), head.atoms, Box(head.edges),
                                              Execution(execution_options(folder.deck())));
         fuzz::Quiet listener;

@@ -63,7 +63,7 @@ struct CheckpointContent {
 
 /// The checkpoint as the newest one of that deck's run. Version and deck are made to be right: what is refused for
 /// these is not looked at any further.
-inline RunControl::Resumed found_again(const RunFolder& folder, CheckpointContent content) {
+inline Continuation found_again(const RunFolder& folder, CheckpointContent content) {
     const Deck& deck = folder.deck();
     content.head.version = build_info().version;
     content.head.deck_hash = deck_hash(deck);
@@ -73,7 +73,7 @@ inline RunControl::Resumed found_again(const RunFolder& folder, CheckpointConten
     bytes.insert(bytes.end(), content.rest.begin(), content.rest.end());
     folder.prepare();
     CheckpointStore(deck.directory, 1).write(bytes);
-    return {find_resume_point(deck).value(), {}};
+    return find_continuation(deck).value();
 }
 
 }  // namespace ljmd::fuzz

@@ -64,7 +64,7 @@ void write_checkpoints(const fuzz::FuzzedDeck& fuzzed, const fs::path& corpora, 
             run(deck, listener);
         } catch (const Stopped&) {
         }
-        const auto point = find_resume_point(deck);
+        const auto point = find_continuation(deck);
         write(corpora / target / fmt::format("{}-after-{}", name, point->head.step), point->file.content);
         if (step == stage) {
             fs::copy_file(point->file.path, corpora / "checkpoint_file" / name, fs::copy_options::overwrite_existing);

@@ -42,5 +42,5 @@ TEST_CASE("files are there once the run begins, and not before") {
     CHECK(listener.steps == std::vector<Index>{3});
     CHECK(outputs.checkpoint_is_due(3, true));
     outputs.checkpoint(fluid.state, {}, [&fluid](Archive& a) { a(fluid.state); });
-    CHECK(find_resume_point(deck));
+    CHECK(find_continuation(deck));
 }

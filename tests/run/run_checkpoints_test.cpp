@@ -6,7 +6,6 @@
 #include <csignal>
 #include <set>
 
-#include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -35,21 +34,6 @@ std::string outputs_of(const std::filesystem::path& directory) {
         all += fmt::format("== {}\n{}", file.filename().string(), content_of(file));
     }
     return all + content_of(directory / "results.json");
-}
-
-/// @param threads  0: as OMP_NUM_THREADS says
-/// @return the step from which the run in the directory was gone on with
-Index resume(const std::filesystem::path& directory, int threads = 0) {
-    RecordedRun run = recorded_run(directory);
-    auto point = find_resume_point(run.deck);
-    REQUIRE(point.has_value());
-    const Index step = point->head.step;
-    run.earlier.resumed_at_steps.push_back(step);
-    RunControl control;
-    control.resumed.emplace(RunControl::Resumed{std::move(*point), run.earlier});
-    Recorder listener;
-    run_in(run.deck, listener, control, threads);
-    return step;
 }
 
 /// Stop a run at every step and go on with it: the end must be the end of the run that was not stopped.
@@ -217,9 +201,9 @@ TEST_CASE("of a damaged newest checkpoint the older one is taken, and that is sa
     const DeckFolder folder(with_files);
     const Deck deck = folder.load({"output.checkpoint.every=10"});
     run_until(deck, 35);
-    const auto newest = find_resume_point(deck)->file.path;
+    const auto newest = find_continuation(deck)->file.path;
     std::filesystem::resize_file(newest, std::filesystem::file_size(newest) - 1);
-    const auto point = find_resume_point(recorded_run(deck.directory).deck);
+    const auto point = find_continuation(recorded_run(deck.directory).deck);
     REQUIRE(point.has_value());
     CHECK(point->head.step == 20);
     REQUIRE(point->warnings.size() == 1);
@@ -230,87 +214,6 @@ TEST_CASE("of a damaged newest checkpoint the older one is taken, and that is sa
     const Deck whole = whole_folder.load();
     run_until(whole, total_steps(whole.stages));
     CHECK(outputs_of(deck.directory) == outputs_of(whole.directory));
-}
-
-TEST_CASE("checkpoints of another deck, of another version, or without a sound one are refused") {
-    const DeckFolder folder;
-    Deck deck = folder.load({"output.checkpoint.every=10"});
-    run_until(deck, 35);
-    Deck other = deck;
-    other.settings.emplace_back("system.density=0.7");
-    CHECK_THROWS_AS(find_resume_point(other), CheckpointError);
-    CHECK_THROWS_WITH(find_resume_point(other), Contains("belongs to another deck"));
-    for (const std::string& name : checkpoint_names()) {
-        if (std::filesystem::exists(deck.directory / name)) {
-            std::ofstream(deck.directory / name) << "nonsense";
-        }
-    }
-    CHECK_THROWS_WITH(find_resume_point(deck), Contains("no checkpoint can be used") && Contains("not a checkpoint"));
-    for (const std::string& name : checkpoint_names()) {
-        std::filesystem::remove(deck.directory / name);
-    }
-    CHECK_FALSE(find_resume_point(deck).has_value());
-}
-
-TEST_CASE("a checkpoint that no run of its deck can have written is refused, though its checksum is right") {
-    const DeckFolder folder;
-    const Deck deck = folder.load({"output.checkpoint.every=10"});
-    run_until(deck, 35);
-    const ResumePoint sound = find_resume_point(deck).value();
-    REQUIRE(sound.head.position.stage == 1);
-    Archive head_alone;
-    CheckpointHead head = sound.head;
-    head_alone(head);
-    const std::vector<std::byte> rest(sound.file.content.begin() + std::ssize(head_alone.bytes()),
-                                      sound.file.content.end());
-    const auto write = [&] {
-        Archive a;
-        a(head);
-        std::vector<std::byte> content(a.bytes().begin(), a.bytes().end());
-        content.insert(content.end(), rest.begin(), rest.end());
-        CheckpointStore store(deck.directory, 2);
-        store.continue_after(sound.file.generation);
-        store.write(content);
-    };
-    std::string why;
-    SECTION("stage") {
-        head.position.stage = 2;
-        why = "in a stage that the deck does not have";
-    }
-    SECTION("version of the program") {
-        head.version += "x";
-        why = fmt::format("was written by ljmd {}; this is {}", head.version, build_info().version);
-    }
-    SECTION("step of the run") {
-        head.step += 1;
-        why = "at a step that the deck does not have";
-    }
-    SECTION("step of the stage") {
-        head.position.steps = -1;
-        why = "at a step that the deck does not have";
-    }
-    SECTION("atoms") {
-        head.atoms = Index{1} << 40;
-        why = "fewer atoms than it says";
-    }
-    SECTION("box") {
-        head.edges[1] = GENERATE(-1.0, 1e-300, 3.9);  // the cutoff is 2
-        why = "has a box that the deck cannot have";
-    }
-    SECTION("outputs") {
-        head.outputs.thermo = -1;
-        why = "outputs of less than nothing";
-    }
-    SECTION("time") {
-        head.position.first_time += 0.5;
-        write();
-        CHECK(find_resume_point(deck).has_value());
-        CHECK_THROWS_WITH(resume(deck.directory), Contains("its state is one of another time"));
-        return;
-    }
-    write();
-    CHECK_THROWS_AS(find_resume_point(deck), CheckpointError);
-    CHECK_THROWS_WITH(find_resume_point(deck), Contains(why));
 }
 
 TEST_CASE("outputs that are shorter than the checkpoint knew them are refused, and nothing is touched") {
@@ -372,7 +275,7 @@ TEST_CASE("checkpoints are written by wall time, and as many are kept as is wish
     const DeckFolder folder;
     const Deck deck = folder.load({"output.checkpoint={every=\"0.000001 s\",keep=3}", "stage.production.steps=3000"});
     run_until(deck, 2500);
-    CHECK(find_resume_point(deck)->head.step > 2000);  // at the end of the first stage, were it for steps alone
+    CHECK(find_continuation(deck)->head.step > 2000);  // at the end of the first stage, were it for steps alone
     const auto names = checkpoint_names();
     CHECK(std::count_if(names.begin(), names.end(),
                         [&](const std::string& name) { return std::filesystem::exists(deck.directory / name); }) == 3);

@@ -8,6 +8,7 @@
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/few_body.hpp"
+#include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 
@@ -41,9 +42,10 @@ inline void run_in(const Deck& deck, RunListener& listener, const RunControl& co
         static_cast<void>(run_deck(deck, system, listener, control));
         return;
     }
-    FluidSystem simulation = control.resumed ? empty_fluid(fluid_spec(deck), control.resumed->point.head.atoms,
-                                                           Box(control.resumed->point.head.edges), execution)
-                                             : make_fluid(fluid_spec(deck, find_start(deck)), execution, no_warnings);
+    FluidSystem simulation = control.continuation
+                                 ? empty_fluid(fluid_spec(deck), control.continuation->head.atoms,
+                                               Box(control.continuation->head.edges), execution)
+                                 : make_fluid(fluid_spec(deck, find_start(deck)), execution, no_warnings);
     static_cast<void>(run_deck(deck, simulation, listener, control));
 }
 
@@ -60,6 +62,17 @@ inline void run_until(const Deck& deck, Index step, int threads = 0) {
         run_in(deck, listener, {}, threads);
     } catch (const Killed&) {
     }
+}
+
+/// Resume the run in a directory. @param threads  0: as OMP_NUM_THREADS says
+/// @return the step from which it was resumed
+inline Index resume(const std::filesystem::path& directory, int threads = 0) {
+    const RecordedRun run = recorded_run(directory);
+    RunControl control{.continuation = find_continuation(run.deck, run.earlier)};
+    REQUIRE(control.continuation.has_value());
+    Recorder listener;
+    run_in(run.deck, listener, control, threads);
+    return control.continuation->head.step;
 }
 
 /// The header of a CSV file.

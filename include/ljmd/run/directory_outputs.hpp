@@ -5,6 +5,7 @@
 #include "ljmd/engine/run_measurement.hpp"
 #include "ljmd/engine/run_outputs.hpp"
 #include "ljmd/run/run.hpp"
+#include "ljmd/run/run_checkpoints.hpp"
 #include "ljmd/run/run_directory.hpp"
 
 namespace ljmd {
@@ -20,9 +21,9 @@ class DirectoryOutputs : public RunOutputs {
     /// @return the position to resume the time loop from  @throws CheckpointError, FileError
     template <class System>
     [[nodiscard]] std::optional<LoopPosition> begin(RunMeasurement& measurement, System& system) {
-        const std::optional<ResumedOutputs> resumed = restore(measurement, system.state);
-        files_.emplace(deck_, system, resumed);
-        return from_;
+        restore(measurement, system.state);
+        files_.emplace(deck_, system, control_.continuation);
+        return control_.continuation ? std::optional(control_.continuation->head.position) : std::nullopt;
     }
 
     [[nodiscard]] RunDirectory& files() { return *files_; }
@@ -38,13 +39,12 @@ class DirectoryOutputs : public RunOutputs {
                     const std::function<void(Archive&)>& archive) override;
 
   private:
-    std::optional<ResumedOutputs> restore(RunMeasurement& measurement, const State& state);
+    void restore(RunMeasurement& measurement, const State& state);
 
     const Deck& deck_;
     RunListener& listener_;
     const RunControl& control_;
     RunCheckpoints checkpoints_;
-    std::optional<LoopPosition> from_;   ///< of a resumed run
     std::optional<RunDirectory> files_;  ///< opened when it is known that the run can begin
 };
 

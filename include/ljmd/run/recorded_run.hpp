@@ -7,7 +7,7 @@
 
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/model/state.hpp"
-#include "ljmd/run/run_record.hpp"
+#include "ljmd/run/continuation.hpp"
 
 namespace ljmd {
 

@@ -8,9 +8,8 @@
 #include "ljmd/engine/few_body_measurement.hpp"
 #include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/engine/run_result.hpp"
+#include "ljmd/run/continuation.hpp"
 #include "ljmd/run/interruption.hpp"
-#include "ljmd/run/run_checkpoints.hpp"
-#include "ljmd/run/run_record.hpp"
 
 namespace ljmd {
 
@@ -30,14 +29,8 @@ class RunListener {
 
 /// Run options that are not in the deck.
 struct RunControl {
-    Interruption interruption{};  ///< when to stop, with a checkpoint
-
-    /// Resume from a checkpoint.
-    struct Resumed {
-        ResumePoint point;
-        EarlierParts earlier;
-    };
-    std::optional<Resumed> resumed = {};
+    Interruption interruption{};                    ///< when to stop, with a checkpoint
+    std::optional<Continuation> continuation = {};  ///< from where to resume
 
     /// Called after the first checkpoint: the run can now be resumed.
     std::function<void()> has_begun = {};

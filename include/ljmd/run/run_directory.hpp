@@ -15,7 +15,7 @@
 #include "ljmd/io/tables/few_body_csv.hpp"
 #include "ljmd/io/tables/thermo_csv.hpp"
 #include "ljmd/model/state.hpp"
-#include "ljmd/run/run_checkpoints.hpp"
+#include "ljmd/run/continuation.hpp"
 #include "ljmd/run/run_record.hpp"
 
 namespace ljmd {
@@ -44,15 +44,9 @@ void make_directory(const std::filesystem::path& directory);
 /// @throws FileError  it cannot be created or cleared
 void prepare_directory(const std::filesystem::path& directory);
 
-/// The state of the output files of a resumed run.
-struct ResumedOutputs {
-    CommittedOutputs kept;
-    EarlierParts earlier;
-};
-
 /// Refuse files that cannot be those of the run, as far as this shows without reading them. Called before any of them
 /// is changed. @throws CheckpointError
-void check_outputs(const Deck& deck, const ResumedOutputs& resumed);
+void check_outputs(const Deck& deck, const Continuation& continuation);
 
 /// What a run writes at its end.
 struct FinalOutputs {
@@ -66,9 +60,9 @@ struct FinalOutputs {
 class RunDirectory {
   public:
     /// Opens the outputs and writes run.json.
-    /// @param resumed  continue the files of an interrupted run  @throws FileError, CheckpointError
-    RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<ResumedOutputs>& resumed = {});
-    RunDirectory(const Deck& deck, const FewBodySystem& system, const std::optional<ResumedOutputs>& resumed = {});
+    /// @param continuation  continue the files of an interrupted run  @throws FileError, CheckpointError
+    RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<Continuation>& continuation = {});
+    RunDirectory(const Deck& deck, const FewBodySystem& system, const std::optional<Continuation>& continuation = {});
 
     /// @pre the row is one of the kind of system that the directory was opened for
     void write(const ThermoRow& row);
