@@ -9,7 +9,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
-#include "ljmd/deck/fluid.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/deck/sampled_steps.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/run/footnotes.hpp"
@@ -120,9 +120,7 @@ Data column_data(const ThermoReport& report, const ThermoReport::Column& column)
 }  // namespace
 
 ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
-    if (run.deck.kind == DeckKind::few_body) {
-        throw InputError("a few-body run has no equilibrium: `ljmd analyze` wants one of a fluid");
-    }
+    require_fluid(run.deck, "a few-body run has no equilibrium: `ljmd analyze` wants one of a fluid");
     const std::filesystem::path path = run.deck.directory / "thermo.csv";
     DataTable table = read_growing_csv(path);
     const SampledSteps sampled(run.deck.stages);

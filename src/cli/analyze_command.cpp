@@ -9,6 +9,7 @@
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_execution.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
@@ -133,10 +134,8 @@ void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
         Diagnostics diagnostics;
         deck = load_deck(options.deck, {}, true, diagnostics);
         diagnostics.throw_if_errors();
-        if (deck->kind == DeckKind::few_body) {
-            throw InputError(
-                fmt::format("{} is a few-body deck: a trajectory of a fluid wants that of one", options.deck));
-        }
+        require_fluid(*deck,
+                      fmt::format("{} is a few-body deck: a trajectory of a fluid wants that of one", options.deck));
     }
     const fs::path path(options.path);
     const fs::path directory =
@@ -146,9 +145,7 @@ void analyze_file(const AnalyzeOptions& options, const Wanted& wanted) {
 
 /// The trajectory written by a run.
 fs::path trajectory_of(const Deck& deck) {
-    if (deck.kind == DeckKind::few_body) {
-        throw InputError("a few-body run has no box: `ljmd analyze` wants one of a fluid");
-    }
+    require_fluid(deck, "a few-body run has no box: `ljmd analyze` wants one of a fluid");
     if (!deck.trajectory) {
         throw DataError(
             fmt::format("{} has no trajectory: its deck has no 'trajectory' in [output]", deck.directory.string()));

@@ -15,6 +15,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/deck_sense.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/deck/few_body_check.hpp"
 #include "ljmd/deck/forecast.hpp"
 #include "ljmd/deck/start_sense.hpp"
@@ -51,7 +52,15 @@ Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
     return std::move(*deck);
 }
 
-/// A fluid before its atoms are placed, and what will compute it.
+/// A run before its system is made, and what will compute it.
+struct CheckedRun {
+    std::optional<Start> start;  ///< of a fluid; few bodies stand in the deck
+    Execution execution;
+
+    [[nodiscard]] std::optional<Index> atoms() const { return start ? std::optional(start->atoms) : std::nullopt; }
+};
+
+/// The same of a fluid.
 struct CheckedFluid {
     Start start;
     Execution execution;
@@ -69,6 +78,18 @@ CheckedFluid checked_fluid(const Deck& deck, const DeckOptions& options, Diagnos
         print_warnings(diagnostics);
     }
     return {std::move(start), std::move(execution)};
+}
+
+/// All warnings about a few-body deck are known when it has been read.
+CheckedRun checked_run(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
+    if (deck.kind == DeckKind::fluid) {
+        auto [start, execution] = checked_fluid(deck, options, diagnostics);
+        return {std::move(start), std::move(execution)};
+    }
+    if (!options.quiet) {
+        print_warnings(diagnostics);
+    }
+    return {std::nullopt, Execution()};
 }
 
 std::string check_json(const Deck& deck, const Start& start, const Forecast& forecast) {
@@ -92,9 +113,7 @@ struct Exportable {
 };
 
 void refuse_bodies(const Deck& deck) {
-    if (deck.kind == DeckKind::few_body) {
-        throw InputError("a few-body deck has no box and no pair potential: `ljmd export` wants a fluid");
-    }
+    require_fluid(deck, "a few-body deck has no box and no pair potential: `ljmd export` wants a fluid");
 }
 
 Exportable end_of_run(const DeckOptions& options, Diagnostics& diagnostics) {
@@ -166,37 +185,6 @@ std::optional<double> wall_time(const std::string& text) {
     return seconds;
 }
 
-void run_fluid(Deck& deck, CheckedFluid fluid, const DeckOptions& options, RunControl& control) {
-    // Create the start before any file is touched: if it fails, an earlier run must not be lost.
-    check_directory(deck, options.force);
-    Progress progress(fluid.start.atoms, total_steps(deck.stages), options.quiet);
-    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution,
-                                        [&](const std::string& text) { progress.warning(text); });
-    install_stop_handlers();  // before this, nothing would be lost
-    RunLock lock(deck, options.force, warn);
-    control.has_begun = [&lock] { lock.has_begun(); };
-    print_document(results_report(deck, run_deck(deck, simulation, progress, control)), options.json);
-    lock.warn_if_moved();
-}
-
-/// All warnings about a few-body deck are known when it has been read.
-void print_body_warnings(const DeckOptions& options, const Diagnostics& diagnostics) {
-    if (!options.quiet) {
-        print_warnings(diagnostics);
-    }
-}
-
-void run_bodies(Deck& deck, const DeckOptions& options, RunControl& control) {
-    check_directory(deck, options.force);
-    FewBodySystem system = make_few_body_system(deck);
-    Progress progress(std::nullopt, total_steps(deck.stages), options.quiet);
-    install_stop_handlers();
-    RunLock lock(deck, options.force, warn);
-    control.has_begun = [&lock] { lock.has_begun(); };
-    print_document(results_report(deck, run_deck(deck, system, progress, control)), options.json);
-    lock.warn_if_moved();
-}
-
 void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
     Progress progress(std::nullopt, total_steps(deck.stages), options.quiet);
     const GslComparison comparison = compare_with_gsl(deck, progress);
@@ -258,12 +246,17 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
     if (!out.empty()) {
         deck.directory = out;
     }
-    if (deck.kind == DeckKind::few_body) {
-        print_body_warnings(options, diagnostics);
-        run_bodies(deck, options, control);
-    } else {
-        run_fluid(deck, checked_fluid(deck, options, diagnostics), options, control);
-    }
+    CheckedRun checked = checked_run(deck, options, diagnostics);
+    // Make the system before any file is touched: if that fails, an earlier run must not be lost.
+    check_directory(deck, options.force);
+    Progress progress(checked.atoms(), total_steps(deck.stages), options.quiet);
+    AnySystem system = make_system(deck, std::move(checked.start), checked.execution,
+                                   [&](const std::string& text) { progress.warning(text); });
+    install_stop_handlers();  // before this, nothing would be lost
+    RunLock lock(deck, options.force, warn);
+    control.has_begun = [&lock] { lock.has_begun(); };
+    print_document(run_deck(deck, system, progress, control), options.json);
+    lock.warn_if_moved();
 }
 
 void resume_command(const ResumeOptions& options) {
@@ -283,9 +276,9 @@ void resume_command(const ResumeOptions& options) {
     const CheckpointHead& from = control.continuation->head;
     const Execution execution(
         execution_options(run.deck, options.threads > 0 ? options.threads : run.threads, run.simd));
-    const bool bodies = run.deck.kind == DeckKind::few_body;
-    Progress progress(bodies ? std::nullopt : std::optional(from.atoms), total_steps(run.deck.stages), options.quiet,
-                      from.step);
+    AnySystem system = empty_system(run.deck, from.atoms, from.edges, execution);
+    Progress progress(std::holds_alternative<FluidSystem>(system) ? std::optional(from.atoms) : std::nullopt,
+                      total_steps(run.deck.stages), options.quiet, from.step);
     for (const std::string& warning : control.continuation->warnings) {
         progress.warning(warning);
     }
@@ -298,27 +291,20 @@ void resume_command(const ResumeOptions& options) {
                               from.step, options.directory)
                 : fmt::format("going on after step {} of {}\n", from.step, total_steps(run.deck.stages)));
     }
-    if (bodies) {
-        FewBodySystem system = make_few_body_system(run.deck, execution);
-        print_document(results_report(run.deck, run_deck(run.deck, system, progress, control)), options.json);
-    } else {
-        FluidSystem fluid = empty_fluid(fluid_spec(run.deck), from.atoms, Box(from.edges), execution);
-        print_document(results_report(run.deck, run_deck(run.deck, fluid, progress, control)), options.json);
-    }
+    print_document(run_deck(run.deck, system, progress, control), options.json);
     lock->warn_if_moved();
 }
 
 void check_command(const DeckOptions& options) {
     Diagnostics diagnostics;
     const Deck deck = load(options, diagnostics);
-    if (deck.kind == DeckKind::few_body) {
-        print_body_warnings(options, diagnostics);
+    const auto [start, execution] = checked_run(deck, options, diagnostics);
+    if (!start) {
         print_document(few_body_check_report(deck), options.json);
         return;
     }
-    const auto [start, execution] = checked_fluid(deck, options, diagnostics);
-    const Forecast cost = forecast(deck, start, execution);
-    print_result(options.json ? check_json(deck, start, cost) : check_report(deck, start, cost));
+    const Forecast cost = forecast(deck, *start, execution);
+    print_result(options.json ? check_json(deck, *start, cost) : check_report(deck, *start, cost));
 }
 
 void compare_command(const DeckOptions& options, const CrosscheckOptions& compared, const std::string& out) {
@@ -337,12 +323,11 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
     const Deck deck = load(options, diagnostics);
     if (compared.with == "gsl") {
         compare_bodies(deck, options, out);
-    } else if (deck.kind == DeckKind::few_body) {
-        throw InputError(fmt::format("{} is a few-body deck, which '{}' does not take; '--with gsl' compares it",
-                                     deck.path, compared.with));
-    } else {
-        compare_fluid(deck, checked_fluid(deck, options, diagnostics), options, compared, out);
+        return;
     }
+    require_fluid(deck, fmt::format("{} is a few-body deck, which '{}' does not take; '--with gsl' compares it",
+                                    deck.path, compared.with));
+    compare_fluid(deck, checked_fluid(deck, options, diagnostics), options, compared, out);
 }
 
 void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
@@ -372,9 +357,7 @@ void bench_command(const DeckOptions& options) {
     }
     Diagnostics diagnostics;
     Deck deck = load(chosen, diagnostics);
-    if (deck.kind == DeckKind::few_body) {
-        throw InputError("a few-body deck has no speed worth measuring: `ljmd bench` wants a fluid");
-    }
+    require_fluid(deck, "a few-body deck has no speed worth measuring: `ljmd bench` wants a fluid");
     CheckedFluid fluid = checked_fluid(deck, chosen, diagnostics);
     const BenchResult result = bench(std::move(deck), std::move(fluid.start), fluid.execution);
     print_result(options.json ? bench_json(result) : bench_report(result));

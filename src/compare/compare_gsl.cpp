@@ -119,12 +119,9 @@ class Comparer : private StepObserver {
 }  // namespace
 
 GslComparison compare_with_gsl(const Deck& deck, RunListener& listener) {
-    if (deck.kind != DeckKind::few_body) {
-        throw InputError(
-            fmt::format("{} is the deck of a fluid, whose motion is too chaotic to be followed; 'gsl' compares "
-                        "few-body decks, 'openmm' and 'lammps' fluids",
-                        deck.path));
-    }
+    require_few_bodies(deck, fmt::format("{} is the deck of a fluid, whose motion is too chaotic to be followed; "
+                                         "'gsl' compares few-body decks, 'openmm' and 'lammps' fluids",
+                                         deck.path));
     for (const Stage& stage : deck.stages) {
         if (stage.reverse) {
             throw InputError(

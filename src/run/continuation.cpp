@@ -6,8 +6,7 @@
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_sense.hpp"
-#include "ljmd/model/box.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/run/run_record.hpp"
 
 namespace ljmd {
@@ -16,16 +15,6 @@ namespace {
 
 /// Minimum bytes per atom in a checkpoint: three vectors of four numbers, mass, id and image.
 constexpr Index bytes_per_atom = 3 * 4 * 8 + 8 + 8 + 3 * 4;
-
-bool is_possible_box(const Deck& deck, Index atoms, const Vec3& edges) {
-    try {
-        Diagnostics diagnostics;
-        check_box(deck.root, atoms, Box(edges), diagnostics);
-        return !diagnostics.has_errors();
-    } catch (const ContractViolation&) {  // no box has these edges
-        return false;
-    }
-}
 
 /// Why no run of the deck can have written this checkpoint; empty if one can.
 std::string impossible(const CheckpointHead& head, const Deck& deck, std::size_t bytes) {
@@ -41,7 +30,7 @@ std::string impossible(const CheckpointHead& head, const Deck& deck, std::size_t
     if (head.atoms < 1 || head.atoms > static_cast<Index>(bytes) / bytes_per_atom) {
         return "has fewer atoms than it says";
     }
-    if (deck.kind == DeckKind::fluid && !is_possible_box(deck, head.atoms, head.edges)) {
+    if (!is_possible_box(deck, head.atoms, head.edges)) {
         return "has a box that the deck cannot have";
     }
     if (head.outputs.thermo < 0 || head.outputs.trajectory.bytes < 0 || head.outputs.trajectory.frames < 0) {

@@ -11,6 +11,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/run/continuation.hpp"
@@ -110,7 +111,7 @@ Data data_of(const Contents& contents) {
     }
     return {{"deck", deck.path},
             {"title", deck.title},
-            {"kind", deck.kind == DeckKind::few_body ? "few-body" : "fluid"},
+            {"kind", kind_name(deck)},
             {"finished", contents.run.finished},
             {"running", contents.running},
             {"began", contents.run.earlier.began},

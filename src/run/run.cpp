@@ -57,4 +57,9 @@ FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& lis
     return result;
 }
 
+Document run_deck(const Deck& deck, AnySystem& system, RunListener& listener, const RunControl& control) {
+    return std::visit([&](auto& each) { return results_report(deck, run_deck(deck, each, listener, control)); },
+                      system);
+}
+
 }  // namespace ljmd

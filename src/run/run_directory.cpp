@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/fluid.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/io/files/checkpoint_file.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
@@ -78,8 +78,8 @@ void check_directory(const Deck& deck, bool force) {
 
 void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, const std::string& consequence) {
     std::vector<fs::path> inputs{deck.path};
-    if (deck.kind == DeckKind::fluid && deck.system().has("file")) {
-        inputs.push_back(configuration_file(deck.system().text("file")));
+    if (const auto start = start_file(deck)) {
+        inputs.push_back(*start);
     }
     for (const fs::path& input : inputs) {
         for (const fs::path& output : outputs) {

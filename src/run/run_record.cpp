@@ -10,6 +10,7 @@
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
@@ -98,7 +99,7 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                    {"deck", deck_.source},
                    {"settings", deck_.settings},
                    {"deck_hash", deck_hash(deck_)},
-                   {"kind", few_body ? "few-body" : "fluid"},
+                   {"kind", kind_name(deck_)},
                    {"seed", few_body ? Data(nullptr) : Data(deck_.system().integer("seed"))},
                    {"units", few_body ? "the deck's own" : "reduced"},
                    {"began", parts_.began},

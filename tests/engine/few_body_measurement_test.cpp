@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/few_body.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "run/run_fixtures.hpp"

@@ -8,8 +8,7 @@
 
 #include "fuzzed_decks.hpp"
 #include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/few_body.hpp"
-#include "ljmd/deck/fluid.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/run/run.hpp"
 #include "resumed_run.hpp"
@@ -41,14 +40,10 @@ struct StopAt : RunListener {
 };
 
 void run(const Deck& deck, RunListener& listener) {
-    if (deck.kind == DeckKind::few_body) {
-        FewBodySystem system = make_few_body_system(deck);
-        static_cast<void>(run_deck(deck, system, listener));
-    } else {
-        FluidSystem simulation = make_fluid(fluid_spec(deck, find_start(deck)), Execution(execution_options(deck)),
-                                            [](const std::string&) {});
-        static_cast<void>(run_deck(deck, simulation, listener));
-    }
+    const bool fluid = kind_name(deck) == "fluid";
+    AnySystem system = make_system(deck, fluid ? std::optional(find_start(deck)) : std::nullopt,
+                                   Execution(execution_options(deck)), [](const std::string&) {});
+    static_cast<void>(run_deck(deck, system, listener));
 }
 
 /// The contents of the checkpoints that the run of a deck writes: at its start, on its way, at the end of a stage.

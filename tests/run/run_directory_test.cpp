@@ -5,6 +5,7 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/run.hpp"
 #include "run/run_fixtures.hpp"
 

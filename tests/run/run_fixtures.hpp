@@ -7,7 +7,6 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/deck/deck_execution.hpp"
-#include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
@@ -34,19 +33,19 @@ struct Recorder : RunListener {
 /// What ends a run between writing and the next checkpoint, as a kill would.
 struct Killed {};
 
+/// The system of a deck of either kind at its start, made without a warning.
+inline AnySystem start_of(const Deck& deck, const Execution& execution) {
+    const bool fluid = kind_name(deck) == "fluid";
+    return make_system(deck, fluid ? std::optional(find_start(deck)) : std::nullopt, execution, no_warnings);
+}
+
 /// Run a deck of either kind, from its start or from a checkpoint. @param threads  0: as OMP_NUM_THREADS says
 inline void run_in(const Deck& deck, RunListener& listener, const RunControl& control = {}, int threads = 0) {
     const Execution execution(execution_options(deck, threads));
-    if (deck.kind == DeckKind::few_body) {
-        FewBodySystem system = make_few_body_system(deck, execution);
-        static_cast<void>(run_deck(deck, system, listener, control));
-        return;
-    }
-    FluidSystem simulation = control.continuation
-                                 ? empty_fluid(fluid_spec(deck), control.continuation->head.atoms,
-                                               Box(control.continuation->head.edges), execution)
-                                 : make_fluid(fluid_spec(deck, find_start(deck)), execution, no_warnings);
-    static_cast<void>(run_deck(deck, simulation, listener, control));
+    AnySystem system = control.continuation ? empty_system(deck, control.continuation->head.atoms,
+                                                           control.continuation->head.edges, execution)
+                                            : start_of(deck, execution);
+    static_cast<void>(run_deck(deck, system, listener, control));
 }
 
 /// Run the deck and stop it dead in the step after this one. @param threads  0: as OMP_NUM_THREADS says

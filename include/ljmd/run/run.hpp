@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "ljmd/deck/deck.hpp"
+#include "ljmd/core/document.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/engine/few_body_measurement.hpp"
-#include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/engine/run_result.hpp"
 #include "ljmd/run/continuation.hpp"
 #include "ljmd/run/interruption.hpp"
@@ -44,5 +44,8 @@ struct RunControl {
 /// @throws PhysicsError, FileError, CheckpointError, Interrupted; files written until then stay
 RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control = {});
 FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control = {});
+
+/// The same for a system of either kind. @return the report of its results
+Document run_deck(const Deck& deck, AnySystem& system, RunListener& listener, const RunControl& control = {});
 
 }  // namespace ljmd

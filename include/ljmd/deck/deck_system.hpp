@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "ljmd/deck/deck.hpp"
+#include "ljmd/deck/fluid.hpp"
+#include "ljmd/engine/few_body_system.hpp"
+#include "ljmd/engine/fluid_system.hpp"
+
+namespace ljmd {
+
+/// What a run of a deck moves and measures.
+using AnySystem = std::variant<FluidSystem, FewBodySystem>;
+
+/// The system of a deck at its start.
+/// @param start  of a fluid, from find_start(); none for few bodies
+/// @param warn   receives one line per remark for the user
+/// @throws DataError, PhysicsError as make_fluid()
+[[nodiscard]] AnySystem make_system(const Deck& deck, std::optional<Start> start, const Execution& execution,
+                                    const std::function<void(const std::string&)>& warn);
+
+/// The system of a deck before a checkpoint is read into it.
+/// @param edges  of the box; no matter for few bodies, which have none
+[[nodiscard]] AnySystem empty_system(const Deck& deck, Index atoms, const Vec3& edges, const Execution& execution);
+
+/// Whether a system of the deck can have a box with these edges, which say nothing about few bodies.
+[[nodiscard]] bool is_possible_box(const Deck& deck, Index atoms, const Vec3& edges);
+
+/// "fluid" or "few-body", as in run.json.
+[[nodiscard]] std::string kind_name(const Deck& deck);
+
+/// Refuse a deck of the other kind. @param otherwise  says what it lacks  @throws InputError
+void require_fluid(const Deck& deck, const std::string& otherwise);
+void require_few_bodies(const Deck& deck, const std::string& otherwise);
+
+/// The file that a run starts from; nothing if its start is made, or its bodies are in the deck.
+[[nodiscard]] std::optional<std::filesystem::path> start_file(const Deck& deck);
+
+}  // namespace ljmd
