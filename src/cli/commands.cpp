@@ -289,7 +289,7 @@ void resume_command(const ResumeOptions& options) {
                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
                               "ljmd resume {} --steps +N\n",
                               from.step, options.directory)
-                : fmt::format("going on after step {} of {}\n", from.step, total_steps(run.deck.stages)));
+                : fmt::format("resuming after step {} of {}\n", from.step, total_steps(run.deck.stages)));
     }
     print_document(run_deck(run.deck, system, progress, control), options.json);
     lock->warn_if_moved();

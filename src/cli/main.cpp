@@ -198,7 +198,7 @@ int main(int argc, char** argv) {
     run.add_option("--out", out, "output directory, instead of the deck's")->type_name("DIR");
     run.add_option("--walltime", walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
         ->type_name("TIME");
-    CLI::App& resume = *app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+    CLI::App& resume = *app.add_subcommand("resume", "resume a run that was stopped, from its last checkpoint");
     resume.add_option("directory", resumed.directory, "directory of the run")->required()->type_name("RUNDIR");
     resume.add_option("--steps", resumed.more_steps, "make the last stage that much longer: +N")
         ->type_name("+N")
@@ -243,7 +243,7 @@ int main(int argc, char** argv) {
     eos.add_flag("--json", state.json, "print it as JSON");
     ljmd::ReproduceOptions table{.what = "", .out = "runs/verlet1967"};
     CLI::App& reproduce = *app.add_subcommand(
-        "reproduce", "compute a published table anew, with error bars; what was stopped is gone on with");
+        "reproduce", "compute a published table anew, with error bars; an interrupted one is resumed");
     reproduce.add_option("table", table.what, "verlet1967: Phys. Rev. 159, 98")->required()->type_name("TABLE");
     reproduce.add_option("--rows", table.rows, "some of the rows: a density, or density:temperature")
         ->type_name("RHO[:T],...")
@@ -257,8 +257,8 @@ int main(int argc, char** argv) {
     reproduce.add_flag("--quiet", table.quiet, "no progress");
     reproduce.add_flag("--json", table.json, "print the table as JSON");
     ljmd::SweepOptions swept;
-    CLI::App& sweep = *app.add_subcommand(
-        "sweep", "run a deck at many settings, several at a time; what was stopped is gone on with");
+    CLI::App& sweep =
+        *app.add_subcommand("sweep", "run a deck at many settings, several at a time; an interrupted sweep is resumed");
     add_sweep_options(sweep, swept);
     ljmd::AnalyzeOptions analyzed;
     CLI::App& analyze = *app.add_subcommand(

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ljmd/deck/fluid.hpp"
-#include "ljmd/engine/asked_temperature.hpp"
+#include "ljmd/engine/requested_temperature.hpp"
 #include "ljmd/reference/freezing.hpp"
 
 namespace ljmd {
@@ -13,7 +13,7 @@ namespace ljmd {
 void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
     const bool box_changes = std::ranges::any_of(
         deck.stages, [](const Stage& stage) { return stage.steps > 0 && stage.barostat.has_value(); });
-    const auto temperature = asked_temperature(fluid_spec(deck));
+    const auto temperature = requested_temperature(fluid_spec(deck));
     if (box_changes || !temperature || deck.potential().text("type") != "lennard-jones") {
         return;
     }

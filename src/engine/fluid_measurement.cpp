@@ -255,7 +255,7 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
                      density(),
                      state.box().edges(),
                      averages_.averages(),
-                     asked_temperature(spec_),
+                     requested_temperature(spec_),
                      {},
                      order_at_sampling_,
                      stages_,
@@ -265,11 +265,11 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
                      phases(loop),
                      first_,
                      last_};
-    if (!result.stages.empty() && result.stages.back().checksum_at_end.empty()) {  // it goes on
+    if (!result.stages.empty() && result.stages.back().checksum_at_end.empty()) {  // its last stage has not ended
         complete(result.stages.back());
     }
     if (averages_.samples() > 0) {
-        result.at_asked = at_asked_temperature(spec_, density(), averages_);
+        result.at_requested = at_requested_temperature(spec_, density(), averages_);
     }
     for (const auto& analysis : fluid_.analyses) {
         std::ranges::move(analysis->tables(), std::back_inserter(result.tables));

@@ -81,7 +81,7 @@ std::optional<Continuation> find_continuation(const Deck& deck, EarlierParts ear
         throw CheckpointError(fmt::format("{} {}", name, why));
     }
     for (const std::string& line : found.damaged) {
-        continuation.warnings.push_back(fmt::format("{}; going on from {}", line, name));
+        continuation.warnings.push_back(fmt::format("{}; resuming from {}", line, name));
     }
     continuation.earlier.resumed_at_steps.push_back(continuation.head.step);
     return continuation;

@@ -70,7 +70,7 @@ std::string text_of(const Contents& contents, const fs::path& directory) {
     text += fmt::format("deck          {}\nbegan         {}\n", printable(deck.path, longest_words),
                         printable(contents.run.earlier.began, longest_words));
     if (!contents.run.earlier.resumed_at_steps.empty()) {
-        text += fmt::format("gone on       after steps {}\n", fmt::join(contents.run.earlier.resumed_at_steps, ", "));
+        text += fmt::format("resumed       after steps {}\n", fmt::join(contents.run.earlier.resumed_at_steps, ", "));
     }
     text += fmt::format("finished      {}\n", contents.run.finished ? "yes"
                                               : contents.running    ? "no, it is running"

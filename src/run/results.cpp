@@ -92,7 +92,7 @@ std::vector<std::string> table_line(const ObservableAverage& average, const std:
     return line;
 }
 
-Data at_asked_data(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
+Data at_requested_data(const std::optional<AtRequestedTemperature>& there, const std::optional<SubstanceUnits>& units) {
     if (!there) {
         return nullptr;
     }
@@ -101,8 +101,9 @@ Data at_asked_data(const std::optional<AtAskedTemperature>& there, const std::op
             {"observables", observables_data(there->observables, units)}};
 }
 
-/// Lines below the table: results at the asked temperature.
-std::string at_asked_lines(const std::optional<AtAskedTemperature>& there, const std::optional<SubstanceUnits>& units) {
+/// Lines below the table: results at the requested temperature.
+std::string at_requested_lines(const std::optional<AtRequestedTemperature>& there,
+                               const std::optional<SubstanceUnits>& units) {
     if (!there) {
         return "";
     }
@@ -160,7 +161,7 @@ Document results_report(const Deck& deck, const RunResult& result) {
     text +=
         fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
     text += observables_table(result.averages, deck.units);
-    text += at_asked_lines(result.at_asked, deck.units);
+    text += at_requested_lines(result.at_requested, deck.units);
     text += stage_lines(result.stages, "epsilon per atom and tau");
     text += samples_footnote();
     text += fmt::format("\nfiles: {}\n", deck.directory.string());
@@ -171,8 +172,8 @@ Document results_report(const Deck& deck, const RunResult& result) {
     return {{{"title", deck.title},
              {"system", system},
              {"observables", observables_data(result.averages, deck.units)},
-             {"asked_temperature", result.asked_temperature},
-             {"at_asked_temperature", at_asked_data(result.at_asked, deck.units)},
+             {"asked_temperature", result.requested_temperature},
+             {"at_asked_temperature", at_requested_data(result.at_requested, deck.units)},
              {"translational_order_at_sampling", result.order_at_sampling},
              {"stages", stages},
              {"neighbor_list_rebuilds", result.search.rebuilds},

@@ -64,14 +64,14 @@ void check_directory(const Deck& deck, bool force) {
     const std::vector<fs::path> old = existing_outputs(directory, run_output_names(), "Nothing was run");
     if (!old.empty() && !force) {
         const std::vector<std::string> checkpoints = checkpoint_names();
-        const bool can_go_on = std::any_of(old.begin(), old.end(), [&](const fs::path& file) {
+        const bool can_resume = std::any_of(old.begin(), old.end(), [&](const fs::path& file) {
             return std::find(checkpoints.begin(), checkpoints.end(), file.filename()) != checkpoints.end();
         });
         throw InputError(
             fmt::format("{0} already holds a run ({1}). Nothing was run.\n  choose another directory with --out, "
                         "or replace it with --force{2}",
                         directory.string(), old.front().filename().string(),
-                        can_go_on ? fmt::format(", or go on with it: ljmd resume {}", directory.string()) : ""));
+                        can_resume ? fmt::format(", or resume it: ljmd resume {}", directory.string()) : ""));
     }
     require_no_input(deck, old, "Nothing was run");
 }

@@ -38,7 +38,7 @@ void RunLock::has_begun() {
 void RunLock::warn_if_moved() const {
     if (!directory().is_at_its_path()) {
         warn_(
-            fmt::format("{} was moved or replaced while the run went on: the files of the run are in the directory "
+            fmt::format("{} was moved or replaced during the run: the files of the run are in the directory "
                         "that was moved",
                         directory().path().string()));
     }

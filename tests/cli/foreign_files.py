@@ -106,7 +106,7 @@ def a_run_goes_where_its_directory_is(kind, resumed):
         finally:
             process.kill()
         t.equal(process.returncode, 0, f"exit code; {talk}")
-        t.contains(talk, "warning: out was moved or replaced while the run went on")
+        t.contains(talk, "warning: out was moved or replaced during the run")
         same_files(t, snapshot(t.dir / "out"), before, "what stands at the old path")
         check_same_run(t.dir / "moved", t.dir / "whole")
     return test

@@ -63,7 +63,7 @@ def stopped_by(number):
         t.equal(result.out, "", "stdout")
         t.equal(t.json("out/run.json")["finished"], False, "finished")
         again = t.run_well("resume", "out")
-        t.contains(again.err, "going on after step ")
+        t.contains(again.err, "resuming after step ")
         t.contains(again.out, "compressibility_factor")
         t.run_well("run", "deck.toml", "--out", "whole", "--quiet", *LONG)
         same_run(t, "out", "whole")
@@ -201,7 +201,7 @@ def finished(t):
     result = t.run_well("resume", "out")
     t.contains(result.err, "the run was finished after step 60, its results are written anew; to make it longer: "
                            "ljmd resume out --steps +N\n")
-    t.check("going on" not in result.err, "a finished run goes on")
+    t.check("resuming" not in result.err, "a finished run goes on")
     t.equal(run_outputs(t.dir / "out"), before, "files")
 
 

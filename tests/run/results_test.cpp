@@ -27,8 +27,8 @@ RunResult some_result() {
                          average("potential_energy", "epsilon", -6.08712, 0.00123),
                          average("pressure", "epsilon/sigma^3", 0.5, 0.25),
                          average("compressibility_factor", "1", 0.9, unknown, unknown)},
-            .asked_temperature = 0.722,
-            .at_asked = std::nullopt,
+            .requested_temperature = 0.722,
+            .at_requested = std::nullopt,
             .order_at_sampling = 0.0125,
             .stages = {{"equilibrate", "velocity-verlet", 0, 5000, 0.004, false, true, false, std::nullopt, "a", "b"},
                        {"production", "velocity-verlet", 5000, 25000, 0.004, true, false, false, -1.5e-7, "b", "c"}},
@@ -95,7 +95,8 @@ TEST_CASE("what a run has at the temperature that was asked stands in results.js
     CHECK(found.at("asked_temperature") == 0.722);
     CHECK(found.at("at_asked_temperature").is_null());
     CHECK_THAT(results_report(deck_with(""), result).text, !Contains("brought to"));
-    result.at_asked = AtAskedTemperature{0.73, "thol2016", {average("pressure", "epsilon/sigma^3", 0.52, 0.011)}};
+    result.at_requested =
+        AtRequestedTemperature{0.73, "thol2016", {average("pressure", "epsilon/sigma^3", 0.52, 0.011)}};
     const Data there = results_report(deck_with(""), result).data.at("at_asked_temperature");
     CHECK(there.at("temperature") == 0.73);
     CHECK(there.at("equation_of_state") == "thol2016");
@@ -105,7 +106,7 @@ TEST_CASE("what a run has at the temperature that was asked stands in results.js
     const std::size_t line = table.find("  brought to T = 0.73, which was asked, by the equation of state thol2016:\n");
     REQUIRE(line != std::string::npos);
     CHECK_THAT(table.substr(line), Contains("pressure") && Contains("0.520 +- 0.011"));
-    result.asked_temperature.reset();
+    result.requested_temperature.reset();
     CHECK(results_report(deck_with(""), result).data.at("asked_temperature").is_null());
 }
 

@@ -207,7 +207,7 @@ TEST_CASE("of a damaged newest checkpoint the older one is taken, and that is sa
     REQUIRE(point.has_value());
     CHECK(point->head.step == 20);
     REQUIRE(point->warnings.size() == 1);
-    CHECK_THAT(point->warnings[0], Contains(newest.string()) && Contains("damaged") && Contains("going on from"));
+    CHECK_THAT(point->warnings[0], Contains(newest.string()) && Contains("damaged") && Contains("resuming from"));
     CHECK(resume(deck.directory) == 20);
 
     const DeckFolder whole_folder(with_files);

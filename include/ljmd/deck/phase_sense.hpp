@@ -5,7 +5,7 @@
 
 namespace ljmd {
 
-/// Warn if a deck samples the fluid beyond its freezing density at the temperature that the deck asks for.
+/// Warn if a deck samples the fluid beyond its freezing density at the temperature that the deck requests.
 ///
 /// The freezing density is known only for the full Lennard-Jones potential (see freezing_densities()). The effect of a
 /// cutoff is small compared with the gap between fluid and crystal, so the warning is given for every truncation, and

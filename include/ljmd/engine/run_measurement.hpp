@@ -5,7 +5,7 @@
 
 namespace ljmd {
 
-/// What measures a run while the time loop goes on, and can be resumed with it.
+/// Measures a run during the time loop, and can be resumed with it.
 class RunMeasurement : public StepObserver {
   public:
     /// The run is resumed there; archive() is to read next.

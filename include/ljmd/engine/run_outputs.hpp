@@ -28,7 +28,7 @@ struct FewBodyRow {
     FewBodyTotals values;
 };
 
-/// Where a run puts what it makes while it goes on: files, memory, a screen. The default keeps nothing.
+/// Where a run puts its samples, frames and checkpoints: files, memory, a screen. The default keeps nothing.
 class RunOutputs {
   public:
     virtual ~RunOutputs() = default;

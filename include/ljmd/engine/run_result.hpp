@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
-#include "ljmd/engine/asked_temperature.hpp"
 #include "ljmd/engine/phase_seconds.hpp"
+#include "ljmd/engine/requested_temperature.hpp"
 #include "ljmd/engine/time_loop.hpp"
 #include "ljmd/neighbors/search_statistics.hpp"
 #include "ljmd/observables/analysis.hpp"
@@ -51,9 +51,9 @@ struct RunResult {
     double density;  ///< [sigma^-3]
     Vec3 edges;      ///< [sigma]
     std::vector<ObservableAverage> averages;
-    std::optional<double> asked_temperature;     ///< see asked_temperature()
-    std::optional<AtAskedTemperature> at_asked;  ///< converted, if the run missed that temperature
-    std::optional<double> order_at_sampling;     ///< translational order when sampling began
+    std::optional<double> requested_temperature;         ///< see requested_temperature()
+    std::optional<AtRequestedTemperature> at_requested;  ///< converted, if the run missed that temperature
+    std::optional<double> order_at_sampling;             ///< translational order when sampling began
     std::vector<StageResult> stages;
     std::vector<DataTable> tables;      ///< of the analyses
     std::vector<std::string> warnings;  ///< about the results

@@ -1,4 +1,4 @@
-#include "ljmd/engine/asked_temperature.hpp"
+#include "ljmd/engine/requested_temperature.hpp"
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ constexpr double farthest_shift = 0.1;   // of the temperature: the range in whi
 constexpr double min_full_cutoff = 2.5;  // [sigma]: beyond it, a tail with g = 1 gives the full fluid
 constexpr double thol2015_cutoff = 2.5;  // [sigma]
 
-bool is_off(double asked, const Estimate& found) {
-    return std::abs(found.mean - asked) > std::max(noticeable_errors * found.standard_error, rounding * asked);
+bool is_off(double requested, const Estimate& found) {
+    return std::abs(found.mean - requested) > std::max(noticeable_errors * found.standard_error, rounding * requested);
 }
 
 bool is_held(const FluidSpec& spec) {
@@ -43,9 +43,9 @@ bool is_good_at(const EquationOfState& equation, double temperature, double dens
 
 }  // namespace
 
-std::optional<double> asked_temperature(const FluidSpec& spec) {
+std::optional<double> requested_temperature(const FluidSpec& spec) {
     std::optional<double> latest = spec.temperature;
-    std::optional<double> asked;
+    std::optional<double> requested;
     for (const Stage& stage : spec.stages) {
         if (stage.steps == 0) {
             continue;
@@ -54,21 +54,21 @@ std::optional<double> asked_temperature(const FluidSpec& spec) {
             latest = stage.temperature;
         }
         if (stage.sample) {
-            if (asked && asked != latest) {
+            if (requested && requested != latest) {
                 return std::nullopt;
             }
-            asked = latest;
+            requested = latest;
         }
     }
-    return asked;
+    return requested;
 }
 
 std::string temperature_remark(const FluidSpec& spec, const std::optional<Estimate>& found) {
-    const auto asked = asked_temperature(spec);
-    if (!asked || !found || !std::isfinite(found->standard_error) || !is_off(*asked, *found)) {
+    const auto requested = requested_temperature(spec);
+    if (!requested || !found || !std::isfinite(found->standard_error) || !is_off(*requested, *found)) {
         return "";
     }
-    return fmt::format("asked {}, found {}: {}", in_words(*asked, spec), in_words(found->mean, spec),
+    return fmt::format("asked {}, found {}: {}", in_words(*requested, spec), in_words(found->mean, spec),
                        is_held(spec)
                            ? "the thermostat has not brought it there; equilibrate longer, or take a smaller time step"
                            : "at constant energy the temperature is a result; a canonical thermostat holds it");
@@ -89,27 +89,27 @@ std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
     return std::nullopt;
 }
 
-std::optional<AtAskedTemperature> at_asked_temperature(const FluidSpec& spec, double density,
-                                                       const RunAverages& averages) {
+std::optional<AtRequestedTemperature> at_requested_temperature(const FluidSpec& spec, double density,
+                                                               const RunAverages& averages) {
     if (sampled_ensemble(spec.stages) != Ensemble::constant_energy) {
         return std::nullopt;
     }
-    const auto asked = asked_temperature(spec);
+    const auto requested = requested_temperature(spec);
     const auto equation = equation_of_fluid(spec);
     const MeansOfState means = averages.means_of_state();
     const auto estimate = [&](double value, const Vec3& gradient) { return averages.estimate(value, gradient); };
     const Estimate found = estimate(means[0], Vec3(1.0, 0.0, 0.0));
-    if (!asked || !equation || temperature_remark(spec, found).empty() ||
-        std::abs(found.mean - *asked) > farthest_shift * *asked || !is_good_at(*equation, *asked, density) ||
-        !is_good_at(*equation, found.mean, density)) {
+    if (!requested || !equation || temperature_remark(spec, found).empty() ||
+        std::abs(found.mean - *requested) > farthest_shift * *requested ||
+        !is_good_at(*equation, *requested, density) || !is_good_at(*equation, found.mean, density)) {
         return std::nullopt;
     }
-    const AtTemperature there = at_temperature(*equation, density, *asked, means, estimate);
-    return AtAskedTemperature{*asked,
-                              equation->name,
-                              {{"potential_energy", "U/N", "epsilon", there.potential_energy},
-                               {"pressure", "p", "epsilon/sigma^3", there.pressure},
-                               {"compressibility_factor", "Z", "1", there.compressibility_factor}}};
+    const AtTemperature there = at_temperature(*equation, density, *requested, means, estimate);
+    return AtRequestedTemperature{*requested,
+                                  equation->name,
+                                  {{"potential_energy", "U/N", "epsilon", there.potential_energy},
+                                   {"pressure", "p", "epsilon/sigma^3", there.pressure},
+                                   {"compressibility_factor", "Z", "1", there.compressibility_factor}}};
 }
 
 }  // namespace ljmd

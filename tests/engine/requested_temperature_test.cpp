@@ -1,4 +1,4 @@
-#include "ljmd/engine/asked_temperature.hpp"
+#include "ljmd/engine/requested_temperature.hpp"
 
 #include <cmath>
 
@@ -45,21 +45,22 @@ RunAverages averages_at(double temperature, double swing = 0.01) {
 }  // namespace
 
 TEST_CASE("a deck asks for the temperature that is held where it samples, or was last before") {
-    CHECK(asked_temperature(spec_of({})) == 1.0);
-    CHECK(asked_temperature(spec_of({}, {"stage.equilibrate.temperature=0.7"})) == 0.7);
-    CHECK(asked_temperature(spec_of({{rescaling + "\n", ""}})) == 1.0);
-    CHECK(asked_temperature(
+    CHECK(requested_temperature(spec_of({})) == 1.0);
+    CHECK(requested_temperature(spec_of({}, {"stage.equilibrate.temperature=0.7"})) == 0.7);
+    CHECK(requested_temperature(spec_of({{rescaling + "\n", ""}})) == 1.0);
+    CHECK(requested_temperature(
               spec_of({{sampled, sampled + "thermostat = { type = \"langevin\" }\ntemperature = 0.9\n"}})) == 0.9);
     // What comes after the sampled stage, or has no steps, does not count.
-    CHECK(asked_temperature(spec_of({}, {"stage.equilibrate.temperature=0.7", "stage.equilibrate.steps=0"})) == 1.0);
+    CHECK(requested_temperature(spec_of({}, {"stage.equilibrate.temperature=0.7", "stage.equilibrate.steps=0"})) ==
+          1.0);
     const std::string later =
         "[[stage]]\nname = \"later\"\ntime_step = 0.004\nsteps = 10\ntemperature = 2.0\n" + rescaling;
-    CHECK(asked_temperature(spec_of({{sampled, sampled + later}})) == 1.0);
-    CHECK_FALSE(asked_temperature(spec_of({{sampled, ""}})));
+    CHECK(requested_temperature(spec_of({{sampled, sampled + later}})) == 1.0);
+    CHECK_FALSE(requested_temperature(spec_of({{sampled, ""}})));
     // Two sampled stages that are asked for two temperatures.
-    CHECK_FALSE(asked_temperature(spec_of({{sampled, sampled + later + "\n" + sampled}})));
-    CHECK(asked_temperature(spec_of({{sampled, sampled + later + "\n" + sampled}}, {"stage.later.temperature=1.0"})) ==
-          1.0);
+    CHECK_FALSE(requested_temperature(spec_of({{sampled, sampled + later + "\n" + sampled}})));
+    CHECK(requested_temperature(
+              spec_of({{sampled, sampled + later + "\n" + sampled}}, {"stage.later.temperature=1.0"})) == 1.0);
 }
 
 TEST_CASE("a temperature that is off by more than three errors is remarked on, with what is asked and what is found") {
@@ -98,7 +99,7 @@ TEST_CASE("a fluid has the equation of state of its own truncation, or none") {
 TEST_CASE("what was measured beside the temperature that was asked is brought there, and only then") {
     const FluidSpec spec = full_fluid();
     const RunAverages averages = averages_at(0.96);
-    const auto there = at_asked_temperature(spec, 0.8, averages);
+    const auto there = at_requested_temperature(spec, 0.8, averages);
     REQUIRE(there);
     CHECK(there->temperature == 1.0);
     CHECK(there->equation == "thol2016");
@@ -114,12 +115,12 @@ TEST_CASE("what was measured beside the temperature that was asked is brought th
     CHECK(there->observables[2].name == "compressibility_factor");
     CHECK(there->observables[2].estimate->mean == expected.compressibility_factor.mean);
 
-    CHECK_FALSE(at_asked_temperature(spec, 0.8, averages_at(1.0)));   // found
-    CHECK_FALSE(at_asked_temperature(spec, 0.8, averages_at(0.89)));  // too far
-    CHECK_FALSE(at_asked_temperature(spec, 0.6, averages));           // liquid and vapour
-    CHECK_FALSE(at_asked_temperature(spec_of({}), 0.8, averages));    // no equation
-    CHECK_FALSE(at_asked_temperature(full_fluid({"stage.production.thermostat={ type = \"langevin\" }"}), 0.8,
-                                     averages));  // held
+    CHECK_FALSE(at_requested_temperature(spec, 0.8, averages_at(1.0)));   // found
+    CHECK_FALSE(at_requested_temperature(spec, 0.8, averages_at(0.89)));  // too far
+    CHECK_FALSE(at_requested_temperature(spec, 0.6, averages));           // liquid and vapour
+    CHECK_FALSE(at_requested_temperature(spec_of({}), 0.8, averages));    // no equation
+    CHECK_FALSE(at_requested_temperature(full_fluid({"stage.production.thermostat={ type = \"langevin\" }"}), 0.8,
+                                         averages));  // held
 }
 
 TEST_CASE("runs at constant energy, brought to one temperature, scatter as their errors say") {
@@ -138,8 +139,8 @@ TEST_CASE("runs at constant energy, brought to one temperature, scatter as their
         Recorder listener;
         const RunResult result = run_deck(deck, simulation, listener);
         const auto p = std::ranges::find(result.averages, "pressure", &ObservableAverage::name)->estimate;
-        if (result.at_asked) {
-            found.emplace_back(*p, *result.at_asked->observables[1].estimate);
+        if (result.at_requested) {
+            found.emplace_back(*p, *result.at_requested->observables[1].estimate);
         }
     }
     REQUIRE(found.size() >= seeds / 2);

@@ -10,11 +10,11 @@
 
 namespace ljmd {
 
-/// The temperature that is asked for in the sampled stages of a run: that of their thermostat, else of the last
-/// thermostat before them, else of the start. Nothing if none is asked for, or several.
-[[nodiscard]] std::optional<double> asked_temperature(const FluidSpec& spec);
+/// The temperature requested for the sampled stages of a run: that of their thermostat, else of the last
+/// thermostat before them, else of the start. Nothing if none is requested, or several.
+[[nodiscard]] std::optional<double> requested_temperature(const FluidSpec& spec);
 
-/// A remark if the temperature of a run differs from the one that is asked for by more than three standard errors;
+/// A remark if the temperature of a run differs from the requested one by more than three standard errors;
 /// else empty.
 /// @param found  mean over the sampled stages
 [[nodiscard]] std::string temperature_remark(const FluidSpec& spec, const std::optional<Estimate>& found);
@@ -23,18 +23,18 @@ namespace ljmd {
 /// farther out and with tail corrections, a fluid counts as the full Lennard-Jones fluid.
 [[nodiscard]] std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec);
 
-/// Results of a run at constant energy, converted to the temperature that is asked for.
-struct AtAskedTemperature {
+/// Results of a run at constant energy, converted to the requested temperature.
+struct AtRequestedTemperature {
     double temperature;
     std::string equation;                        ///< equation of state that was used
     std::vector<ObservableAverage> observables;  ///< potential_energy, pressure, compressibility_factor
 };
 
-/// Convert the averages of a run. Nothing if the measured temperature agrees with the asked one (see
+/// Convert the averages of a run. Nothing if the measured temperature agrees with the requested one (see
 /// temperature_remark()), differs from it by more than a tenth, or is held by a thermostat; if the fluid has no
 /// equation of state; or if the state is outside its range or describes no stable phase.
 /// @param averages  not empty
-[[nodiscard]] std::optional<AtAskedTemperature> at_asked_temperature(const FluidSpec& spec, double density,
-                                                                     const RunAverages& averages);
+[[nodiscard]] std::optional<AtRequestedTemperature> at_requested_temperature(const FluidSpec& spec, double density,
+                                                                             const RunAverages& averages);
 
 }  // namespace ljmd
