@@ -27,7 +27,6 @@
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
-#include "ljmd/run/results.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
 #include "ljmd/run/run_lock.hpp"

@@ -7,6 +7,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text_table.hpp"
+#include "ljmd/deck/deck_system.hpp"
 #include "ljmd/engine/time_loop.hpp"
 #include "ljmd/integrators/reference_trajectory.hpp"
 #include "ljmd/io/files/replacement_file.hpp"

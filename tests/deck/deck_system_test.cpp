@@ -34,7 +34,7 @@ TEST_CASE("who wants a deck of one kind refuses the other in words of its own") 
     CHECK_THROWS_WITH(require_few_bodies(fluid, "too many"), "too many");
 }
 
-TEST_CASE("the box of a fluid holds its cutoff; few bodies have none") {
+TEST_CASE("the box of a fluid holds its cutoff, and few bodies have none") {
     const DeckFolder fluid_folder;
     const Deck fluid = fluid_folder.load();  // its cutoff is 2
     CHECK(is_possible_box(fluid, 108, Vec3(4.0, 5.0, 6.0)));
