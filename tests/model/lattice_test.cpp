@@ -157,3 +157,10 @@ TEST_CASE("random positions depend on seed and id only") {
         CHECK(few[i] != others[i]);
     }
 }
+
+TEST_CASE("lattices are found by their names, and no others") {
+    CHECK(lattice_names() == std::vector<std::string>{"fcc", "simple-cubic"});
+    CHECK(find_lattice("fcc") == Lattice::fcc);
+    CHECK(find_lattice("simple-cubic") == Lattice::simple_cubic);
+    CHECK_THROWS_WITH(find_lattice("bcc"), Catch::Contains("unknown lattice 'bcc', allowed: fcc, simple-cubic"));
+}
