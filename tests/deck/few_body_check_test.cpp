@@ -1,5 +1,6 @@
 #include "ljmd/deck/few_body_check.hpp"
 
+#include "ljmd/deck/few_body.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"

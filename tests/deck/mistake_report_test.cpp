@@ -7,7 +7,7 @@ using namespace ljmd::test;
 
 namespace {
 
-const std::string rescale = "thermostat = { type = \"rescale\", every = 5 }";
+const std::string rescale_line = "thermostat = { type = \"rescale\", every = 5 }";
 
 Diagnostic only(const std::vector<Mistake>& mistakes, const Deck& deck) {
     Diagnostics diagnostics;
@@ -34,17 +34,18 @@ TEST_CASE("a mistake is shown at the key to change, in the table, stage or analy
     CHECK(line_shown(of_analysis) == "radius = 2.5");
     const Diagnostic within = only({{"stage", "equilibrate", 0, "is bad", true, {"thermostat.type"}, ""}}, deck);
     CHECK(within.message == "'type' in thermostat is bad");
-    CHECK(line_shown(within) == rescale);
+    CHECK(line_shown(within) == rescale_line);
 }
 
 TEST_CASE("what rests on a value that is wrong in itself is not reported in addition") {
     // The type is wrong, so it is not known whether the barostat has the thermostat that it needs.
     const std::string barostat = "\nbarostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5 }";
-    const auto found = complaints(changed(small_deck, {{rescale, "thermostat = { type = \"langvin\" }" + barostat}}));
+    const auto found =
+        complaints(changed(small_deck, {{rescale_line, "thermostat = { type = \"langvin\" }" + barostat}}));
     REQUIRE(found.size() == 1);
     CHECK(found[0].message.find("langvin") != std::string::npos);
     // And so is the temperature, which the thermostat shares with the start.
     const std::string canonical = "thermostat = { type = \"langevin\" }";
-    CHECK(complaints(changed(small_deck, {{rescale, canonical}, {"temperature = 1.0", "temperature = -1.0"}})).size() ==
-          1);
+    CHECK(complaints(changed(small_deck, {{rescale_line, canonical}, {"temperature = 1.0", "temperature = -1.0"}}))
+              .size() == 1);
 }

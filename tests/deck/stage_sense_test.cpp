@@ -8,14 +8,14 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string fluid_stage = "name = \"production\"";
-const std::string few_body_stage = "name = \"orbits\"";
+const std::string name_of_fluid = "name = \"production\"";
+const std::string name_of_bodies = "name = \"orbits\"";
 
 /// The one thing that is said of a deck of either kind whose stage is called so, and the line it is said of.
 void check_refused(const std::string& name, const std::string& message) {
     const std::string line = "name = \"" + name + "\"";
     for (const std::string& text :
-         {changed(small_deck, {{fluid_stage, line}}), changed(stars_deck, {{few_body_stage, line}})}) {
+         {changed(small_deck, {{name_of_fluid, line}}), changed(stars_deck, {{name_of_bodies, line}})}) {
         INFO(text);
         const auto found = complaints(text);
         REQUIRE(found.size() == 1);
@@ -36,8 +36,8 @@ TEST_CASE("a stage's name is one that can be spoken of, in both kinds of deck") 
     check_refused("a\\u001b[2J", "1 to 64 printable");
     check_refused(std::string(65, 'x'), "1 to 64 printable");
     const std::string longest = "name = \"" + std::string(64, 'x') + "\"";
-    CHECK(complaints(changed(small_deck, {{fluid_stage, longest}})).empty());
-    CHECK(complaints(changed(stars_deck, {{few_body_stage, longest}})).empty());
+    CHECK(complaints(changed(small_deck, {{name_of_fluid, longest}})).empty());
+    CHECK(complaints(changed(stars_deck, {{name_of_bodies, longest}})).empty());
 }
 
 TEST_CASE("two stages of one name are refused at the second, in both kinds of deck") {
