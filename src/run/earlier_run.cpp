@@ -17,10 +17,12 @@ namespace ljmd {
 
 namespace {
 
-// Two names, so that the run of every file beside the folder is known: while files are being moved, these all belong to
-// the earlier run; when all have been moved, to the new one.
+// Three names, so that it is known which run every file belongs to. While files are being moved, those beside the
+// folder all belong to the earlier run; when all have been moved, to the new one. When the new run stays, the files in
+// the folder are only removed, and never put back in its place.
 const std::string moving = ".ljmd-moving";
 const std::string aside = ".ljmd-earlier";
+const std::string replaced = ".ljmd-replaced";
 
 /// Shows why a run failed. It stays, because the error message names it.
 const std::string failure = "failed.xyz";
@@ -81,12 +83,19 @@ void put_back(const OpenDirectory& directory, const std::vector<std::string>& na
     move_back(directory, names);
 }
 
-void remove_aside(const OpenDirectory& directory, const std::vector<std::string>& names) {
-    const OpenDirectory folder = directory.made_within(aside);
+/// Remove a folder and the files in it; those that cannot be removed stay.
+void remove_with_files(const OpenDirectory& directory, const std::string& folder_name,
+                       const std::vector<std::string>& names) {
+    const OpenDirectory folder = directory.made_within(folder_name);
     for (const std::string& name : names) {
         ::unlinkat(folder.descriptor(), name.c_str(), 0);
     }
-    remove_folder(directory, aside);
+    remove_folder(directory, folder_name);
+}
+
+void remove_aside(const OpenDirectory& directory, const std::vector<std::string>& names) {
+    const bool renamed = move(directory, aside, directory, replaced) == 0;
+    remove_with_files(directory, renamed ? replaced : aside, names);
 }
 
 }  // namespace
@@ -126,7 +135,14 @@ void EarlierRun::discard() {
     }
 }
 
+void remove_replaced_run(const OpenDirectory& directory, const std::vector<std::string>& names) {
+    if (is_there(directory, replaced)) {
+        remove_with_files(directory, replaced, names);
+    }
+}
+
 bool settle_earlier_run(const OpenDirectory& directory, const std::vector<std::string>& names) {
+    remove_replaced_run(directory, names);
     if (is_there(directory, moving)) {
         move_back(directory, names);
         return true;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/run/run_directory.hpp"
 
 namespace ljmd {
@@ -29,6 +30,13 @@ RunLock::RunLock(Deck& deck, bool force, Warn warn) : RunLock(made(deck.director
     directory().require_at_its_path();
     earlier_.emplace(directory(), run_output_names());
     deck.locked = directory();
+}
+
+RunLock::~RunLock() {
+    try {
+        remove_replaced_run(directory(), run_output_names());
+    } catch (const FileError&) {  // the next command that locks the directory tries again
+    }
 }
 
 void RunLock::has_begun() {

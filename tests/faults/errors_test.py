@@ -158,17 +158,12 @@ def run_tasks(runner: Runner, folder: Path, form: str, case: Case) -> list[Task]
 
 
 def interrupted_replacement(run: Task, earlier: Path, folder: Path) -> Task:
-    """A run with its first checkpoint, killed before the run that it replaces was removed: that one must not come back."""
+    """A run with its first checkpoint, killed before the run that it replaces was removed, which must not come back."""
     assert run.found is not None
     shutil.copytree(run.found, folder)
     max(folder.glob("checkpoint.?"), key=lambda path: path.stat().st_mtime_ns).unlink()
     shutil.copytree(earlier, folder / ".ljmd-earlier")
-
-    def check(out: Path) -> None:
-        shutil.rmtree(out / ".ljmd-earlier", ignore_errors=True)  # what cannot be removed is left to the next command
-        run.check(out)
-
-    return replace(run, name=f"{run.name}, another set aside", found=folder, check=check)
+    return replace(run, name=f"{run.name}, another set aside", found=folder)
 
 
 def begin_or_go_on(runner: Runner, out: Path, case: Case) -> None:

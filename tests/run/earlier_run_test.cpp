@@ -72,6 +72,36 @@ TEST_CASE("a new run that fails before it has begun leaves the earlier one, and 
     CHECK(std::distance(fs::directory_iterator(folder / ""), fs::directory_iterator()) == 5);
 }
 
+TEST_CASE("a run that was replaced never comes back, even if it could not be removed whole") {
+    const RunFolder folder;
+    fs::create_directory(folder / "failed.xyz");  // which is no file that can be removed
+    EarlierRun earlier(folder.directory(), names);
+    folder.write("run.json", "new");
+    folder.write("checkpoint.1", "new");
+    earlier.discard();
+    CHECK(fs::exists(folder / ".ljmd-replaced/failed.xyz"));
+
+    fs::remove(folder / "checkpoint.1");  // by a user, when the run has ended
+    CHECK_FALSE(settle_earlier_run(folder.directory(), names));
+    const std::map<std::string, std::string> expected{{"run.json", "new"}, {"notes.txt", "mine"}};
+    CHECK(folder.files() == expected);
+
+    fs::remove(folder / ".ljmd-replaced/failed.xyz");
+    remove_replaced_run(folder.directory(), names);
+    CHECK_FALSE(fs::exists(folder / ".ljmd-replaced"));
+}
+
+TEST_CASE("a second run is replaced where not all of the first could be removed") {
+    const RunFolder folder;
+    fs::create_directories(folder / ".ljmd-replaced/of_another_program");
+    EarlierRun earlier(folder.directory(), names);
+    folder.write("run.json", "new");
+    earlier.discard();
+    const std::map<std::string, std::string> expected{{"run.json", "new"}, {"notes.txt", "mine"}};
+    CHECK(folder.files() == expected);
+    CHECK_FALSE(fs::exists(folder / ".ljmd-earlier"));
+}
+
 TEST_CASE("where there is no earlier run nothing is done") {
     const TemporaryFolder folder;
     {
@@ -129,6 +159,8 @@ TEST_CASE("what is in the folder and none of a run stays there") {
     const RunFolder folder;
     fs::create_directory(folder / ".ljmd-earlier");
     folder.write(".ljmd-earlier/notes.txt", "mine");
-    CHECK_FALSE(settle_earlier_run(folder.directory(), names));
-    CHECK(content_of(folder / ".ljmd-earlier/notes.txt") == "mine");
+    for (int time = 0; time < 2; ++time) {
+        CHECK_FALSE(settle_earlier_run(folder.directory(), names));
+        CHECK(content_of(folder / ".ljmd-replaced/notes.txt") == "mine");
+    }
 }

@@ -47,3 +47,18 @@ TEST_CASE("an earlier run is replaced by force alone, and not before the new one
     lock.has_begun();
     CHECK(fs::is_empty(deck.directory));
 }
+
+TEST_CASE("what could not be removed of an earlier run is removed at the end") {
+    const DeckFolder folder;
+    Deck deck = folder.load();
+    fs::create_directory(deck.directory);
+    std::ofstream(deck.directory / "run.json") << "old";
+    {
+        RunLock lock(deck, true, [](const std::string& text) { FAIL("not expected: " + text); });
+        fs::create_directory(deck.directory / ".ljmd-earlier/failed.xyz");  // a file that cannot be removed now
+        lock.has_begun();
+        fs::remove(deck.directory / ".ljmd-replaced/failed.xyz");
+        REQUIRE(fs::exists(deck.directory / ".ljmd-replaced"));
+    }
+    CHECK(fs::is_empty(deck.directory));
+}

@@ -21,7 +21,8 @@ class EarlierRun {
     EarlierRun(const EarlierRun&) = delete;
     EarlierRun& operator=(const EarlierRun&) = delete;
 
-    /// Remove the earlier run: the new one can now be resumed.
+    /// Remove the earlier run: the new one can now be resumed. Files that cannot be removed stay in a folder
+    /// `.ljmd-replaced`, for remove_replaced_run().
     void discard();
 
   private:
@@ -30,8 +31,12 @@ class EarlierRun {
     bool aside_ = false;
 };
 
-/// Clean up after a program that was killed while it replaced a run: remove the earlier run if the new one has a
-/// checkpoint, else put it back in place of the new run's files.
+/// Remove what is left of an earlier run that was discarded. Files that cannot be removed stay.
+/// @pre the directory is locked  @throws FileError
+void remove_replaced_run(const OpenDirectory& directory, const std::vector<std::string>& names);
+
+/// Clean up after a program that was killed while it replaced a run: remove the earlier run if it was discarded or the
+/// new one has a checkpoint, else put it back in place of the new run's files.
 /// @pre the directory is locked  @return whether it was put back  @throws FileError
 bool settle_earlier_run(const OpenDirectory& directory, const std::vector<std::string>& names);
 

@@ -12,7 +12,8 @@
 namespace ljmd {
 
 /// Holds the directory of a run locked while a command writes there. First it cleans up after a program that was killed
-/// while it replaced a run (settle_earlier_run).
+/// while it replaced a run (settle_earlier_run); at the end it removes what could not be removed of a replaced run
+/// before.
 class RunLock {
   public:
     using Warn = std::function<void(const std::string&)>;  ///< receives one line per remark for the user
@@ -24,6 +25,10 @@ class RunLock {
     /// missing. With `force` an earlier run in it is set aside until has_begun().
     /// @throws InputError  as check_directory()  @throws FileError, InUseError; nothing has changed then
     RunLock(Deck& deck, bool force, Warn warn);
+
+    ~RunLock();
+    RunLock(const RunLock&) = delete;
+    RunLock& operator=(const RunLock&) = delete;
 
     [[nodiscard]] const OpenDirectory& directory() const { return lock_.directory(); }
 
