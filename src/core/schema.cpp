@@ -129,6 +129,12 @@ Key& Key::defaults_to(PlainValue value) {
     return *this;
 }
 
+Key& Key::step_interval() {
+    if (kind != Kind::integer) throw ContractViolation("Key::step_interval: '" + name + "' is no integer");
+    is_step_interval = true;
+    return *this;
+}
+
 std::string Key::type() const {
     switch (kind) {
         case Kind::flag:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "ljmd/core/checked_value.hpp"
 #include "ljmd/core/errors.hpp"
@@ -174,9 +175,33 @@ bool Section::has(const std::string& key) const {
     return found != items_.end() && found->second.present;
 }
 
+bool Section::knows(const std::string& key) const {
+    return items_.contains(key);
+}
+
 bool Section::sound(const std::string& key) const {
     const auto found = items_.find(key);
     return found == items_.end() || found->second.sound;
+}
+
+bool Section::all_sound() const {
+    return std::ranges::all_of(items_, [](const auto& entry) { return entry.second.sound; });
+}
+
+bool Section::written(const std::string& key) const {
+    // A default value has the location of its table.
+    const Location value = location(key);
+    return has(key) && std::tie(value.source, value.line, value.column) !=
+                           std::tie(location_.source, location_.line, location_.column);
+}
+
+std::optional<StepInterval> Section::step_interval() const {
+    for (const auto& [key, item] : items_) {
+        if (item.is_step_interval && item.present) {
+            return StepInterval{std::get<std::int64_t>(*item.value), item.location};
+        }
+    }
+    return std::nullopt;
 }
 
 Location Section::location(const std::string& key) const {
@@ -195,7 +220,7 @@ Section validate(const Table& table, const Location& where, const Schema& genera
         const KeyContext context{key, schema.title(), units, diagnostics};
         const Entry* entry = find(table, key.name);
         if (!entry && key.required && !meant.contains(key.name)) report_missing(context, where);
-        Section::Item item{key.kind, {}, {}, entry ? entry->value.location : where, false, true};
+        Section::Item item{key.kind, {}, {}, entry ? entry->value.location : where, false, true, key.is_step_interval};
         item.present = entry || key.required || key.default_value;
         item.sound = entry || !(key.required || meant.contains(key.name));
         if (!is_table_kind(key.kind)) {
@@ -223,6 +248,15 @@ void take(Description& description, const Section& section) {
         if (section.has(key.name) && section.sound(key.name)) {
             description.take(key.name, section.plain(key.name));
         }
+    }
+}
+
+void report_at_keys(const std::vector<std::pair<std::string, std::string>>& mistakes, const Section& section,
+                    Diagnostics& diagnostics) {
+    for (const auto& [key, message] : mistakes) {
+        if (!key.empty() && !section.knows(key))
+            throw ContractViolation("Section " + section.title() + " has no key '" + key + "'");
+        if (section.sound(key)) diagnostics.error(section.location(key), message);
     }
 }
 

@@ -91,6 +91,67 @@ TEST_CASE("members take the values of a table, and keep their defaults where it 
     CHECK(other.start == "euler");
 }
 
+TEST_CASE("texts, vectors, quantities and intervals are bound as numbers are") {
+    struct Other {
+        std::optional<bool> tail;
+        std::string title = "none";
+        std::optional<std::string> file;
+        std::optional<std::string> velocities;
+        std::string name;
+        std::string type;
+        std::vector<double> position;
+        double mass = 0.0;
+        double bound = 0.0;
+        Interval every = {.seconds = 300.0};
+        double unbound = 0.0;
+    } other;
+    Description d;
+    d.flag("tail", other.tail);
+    d.text("title", other.title);
+    d.text("file", other.file);
+    d.choice("velocities", {"maxwell", "file"}, other.velocities);
+    d.required_text("name", other.name);
+    d.required_choice("type", {"fcc", "random"}, other.type);
+    d.required_vector("position", other.position);
+    d.required_quantity("mass", Dimension::mass, other.mass);
+    d.bind(Key::number("depth").above(0.0), other.bound);
+    d.interval("every", other.every);
+    const std::vector<Key> keys = d.keys();
+    REQUIRE(keys.size() == 10);
+    CHECK_FALSE(keys[0].required);
+    CHECK(keys[1].default_value == PlainValue(std::string("none")));
+    CHECK_FALSE(keys[2].required);
+    CHECK(keys[3].choices.size() == 2);
+    CHECK_FALSE(keys[3].required);
+    for (std::size_t k = 4; k < 9; ++k) {
+        CHECK(keys[k].required);
+    }
+    CHECK(keys[7].physical_dimension == Dimension::mass);
+    CHECK(keys[8].low_open);
+    CHECK(keys[9].default_value == PlainValue(std::string("5 min")));
+
+    d.take("tail", PlainValue(true));
+    d.take("file", PlainValue(std::string("a.xyz")));
+    d.take("position", PlainValue(std::vector<double>{1.0, 2.0}));
+    d.take("depth", PlainValue(1.5));
+    d.take("every", PlainValue(std::int64_t{40}));
+    CHECK(other.tail == true);
+    CHECK(other.file == "a.xyz");
+    CHECK(other.position == std::vector<double>{1.0, 2.0});
+    CHECK(other.bound == 1.5);
+    CHECK(other.every.steps == 40);
+    CHECK_FALSE(other.every.seconds.has_value());
+    CHECK(d.values_in_words() ==
+          "tail=true title=none file=a.xyz name= type= position=[1, 2] mass=0 depth=1.5 every=40");
+    d.take("every", PlainValue(std::string("90 s")));
+    CHECK(other.every.seconds == 90.0);
+
+    REQUIRE(d.key_of(&other.bound) != nullptr);
+    CHECK(*d.key_of(&other.bound) == "depth");
+    CHECK(*d.key_of(&other.tail) == "tail");
+    CHECK(d.key_of(&other.unbound) == nullptr);
+}
+
 TEST_CASE("what tells options apart is told in words") {
     Options options;
     Description description;

@@ -77,22 +77,24 @@ TEST_CASE("good values arrive as they are") {
          entry("tail", true), entry("lattice", Table{entry("cells", std::int64_t{6})}, 5), entry("stage", stages)},
         {deck, 1, 1, 5}, schema, std::nullopt, diagnostics);
     CHECK(texts(diagnostics).empty());
-    CHECK(all.number("density") == 0.8442);
-    CHECK(all.integer("steps") == 5);
-    CHECK(all.text("truncation") == "cut");
-    CHECK(all.flag("tail"));
-    CHECK(all.number("skin") == 0.3);
-    CHECK(all.section("lattice").integer("cells") == 6);
+    CHECK(std::get<double>(all.plain("density")) == 0.8442);
+    CHECK(std::get<std::int64_t>(all.plain("steps")) == 5);
+    CHECK(std::get<std::string>(all.plain("truncation")) == "cut");
+    CHECK(std::get<bool>(all.plain("tail")));
+    CHECK(std::get<double>(all.plain("skin")) == 0.3);
+    CHECK(std::get<std::int64_t>(all.section("lattice").plain("cells")) == 6);
     CHECK(all.section("lattice").title() == "lattice");
     REQUIRE(all.sections("stage").size() == 2);
-    CHECK(all.sections("stage")[0].text("name") == "a");
-    CHECK_FALSE(all.sections("stage")[0].flag("sample"));
-    CHECK(all.sections("stage")[1].flag("sample"));
+    CHECK(std::get<std::string>(all.sections("stage")[0].plain("name")) == "a");
+    CHECK_FALSE(std::get<bool>(all.sections("stage")[0].plain("sample")));
+    CHECK(std::get<bool>(all.sections("stage")[1].plain("sample")));
 
     CHECK(all.has("skin"));
     CHECK_FALSE(all.has("title"));
     CHECK_FALSE(all.has("other"));
     CHECK_FALSE(all.has("nonsense"));
+    CHECK(all.knows("title"));
+    CHECK_FALSE(all.knows("nonsense"));
     CHECK(all.title() == "[all]");
     CHECK(all.location("density").line == 2);
     CHECK(all.location("density").column == 9);
@@ -105,16 +107,51 @@ TEST_CASE("good values arrive as they are") {
 
 TEST_CASE("asking a section for what it cannot have is a mistake of the program") {
     const One one(density().optional(), 0.5);
-    CHECK_THROWS_AS(one.section.integer("density"), ContractViolation);
-    CHECK_THROWS_AS(one.section.text("density"), ContractViolation);
-    CHECK_THROWS_AS(one.section.number("skin"), ContractViolation);
+    CHECK_THROWS_AS(one.section.section("density"), ContractViolation);
+    CHECK_THROWS_AS(one.section.sections("density"), ContractViolation);
+    CHECK_THROWS_AS(one.section.plain("skin"), ContractViolation);
     Diagnostics diagnostics;
     const Section empty = validate({}, {}, Schema("[t]", {density().optional()}), std::nullopt, diagnostics);
-    CHECK_THROWS_AS(empty.number("density"), ContractViolation);
+    CHECK_THROWS_AS(empty.plain("density"), ContractViolation);
+}
+
+TEST_CASE("what is written is told from a default, and how often something happens is known by its key") {
+    const Schema schema("[t]", {Key::integer("pace").at_least(1).defaults_to(std::int64_t{4}).step_interval(), steps(),
+                                Key::integer("rest").optional().step_interval()});
+    Diagnostics diagnostics;
+    const Section usual = validate({entry("steps", std::int64_t{3}, 2)}, {deck, 1}, schema, std::nullopt, diagnostics);
+    CHECK(usual.written("steps"));
+    CHECK_FALSE(usual.written("pace"));
+    CHECK_FALSE(usual.written("rest"));
+    REQUIRE(usual.step_interval().has_value());
+    CHECK(usual.step_interval()->every == 4);
+    CHECK(usual.step_interval()->location.line == 1);
+    CHECK(usual.all_sound());
+    const Section given = validate({entry("steps", std::int64_t{3}), entry("pace", std::int64_t{7}, 3)}, {deck, 1},
+                                   schema, std::nullopt, diagnostics);
+    CHECK(given.written("pace"));
+    REQUIRE(given.step_interval().has_value());
+    CHECK(given.step_interval()->every == 7);
+    CHECK(given.step_interval()->location.line == 3);
+    CHECK_FALSE(One(density(), 0.5).section.step_interval().has_value());
+    CHECK_FALSE(validate({}, {deck, 1}, schema, std::nullopt, diagnostics).all_sound());
+    CHECK_THROWS_AS(density().step_interval(), ContractViolation);
+}
+
+TEST_CASE("mistakes are reported at their keys, unless the value was found wrong before") {
+    Diagnostics diagnostics;
+    const Section section = validate({entry("density", -1.0, 2), entry("steps", std::int64_t{3}, 3)}, {deck, 1},
+                                     Schema("[t]", {density(), steps()}), std::nullopt, diagnostics);
+    Diagnostics found;
+    report_at_keys({{"density", "too thin"}, {"steps", "too few"}}, section, found);
+    CHECK(texts(found) == Mistakes{"too few"});
+    CHECK_THROWS_AS(report_at_keys({{"stps", "too few"}}, section, found), ContractViolation);
+    REQUIRE(found.entries().size() == 1);
+    CHECK(found.entries()[0].location.line == 3);
 }
 
 TEST_CASE("numbers: type, range, finiteness") {
-    CHECK(One(density(), std::int64_t{1}).section.number("density") == 1.0);
+    CHECK(std::get<double>(One(density(), std::int64_t{1}).section.plain("density")) == 1.0);
     CHECK(One(density(), 1.5).mistakes().empty());
     CHECK(One(density(), -1.0).mistakes() == Mistakes{"'density' in [t] is -1, allowed: > 0, <= 1.5"});
     CHECK(One(density(), std::int64_t{2}).mistakes() == Mistakes{"'density' in [t] is 2, allowed: > 0, <= 1.5"});
@@ -133,12 +170,12 @@ TEST_CASE("numbers: type, range, finiteness") {
 
     const One zero(temperature(), -0.0);
     CHECK(zero.mistakes().empty());
-    CHECK_FALSE(std::signbit(zero.section.number("temperature")));
+    CHECK_FALSE(std::signbit(std::get<double>(zero.section.plain("temperature"))));
 }
 
 TEST_CASE("integers: no float, no boolean, in range") {
     const std::int64_t most = std::numeric_limits<std::int64_t>::max();
-    CHECK(One(steps(), most).section.integer("steps") == most);
+    CHECK(std::get<std::int64_t>(One(steps(), most).section.plain("steps")) == most);
     CHECK(One(steps(), 5.0).mistakes() == Mistakes{"'steps' in [t] must be an integer, found a float | allowed: >= 0"});
     CHECK(One(steps(), true).mistakes() ==
           Mistakes{"'steps' in [t] must be an integer, found a boolean | allowed: >= 0"});
@@ -153,12 +190,10 @@ TEST_CASE("intervals: a number of steps, or a wall time") {
     const Key every = Key::interval("every").at_least(1).at_most(100).defaults_to("5 min");
     const One steps(every, std::int64_t{7});
     CHECK(steps.mistakes().empty());
-    CHECK(steps.section.interval("every").steps == 7);
-    CHECK_FALSE(steps.section.interval("every").seconds);
+    CHECK(steps.section.plain("every") == PlainValue(std::int64_t{7}));
     const One time(every, text("2 h"));
     CHECK(time.mistakes().empty());
-    CHECK_FALSE(time.section.interval("every").steps);
-    CHECK(time.section.interval("every").seconds == 7200.0);
+    CHECK(time.section.plain("every") == PlainValue(text("2 h")));
     CHECK(One(every, std::int64_t{0}).mistakes() ==
           Mistakes{"'every' in [t] is 0, allowed: >= 1, <= 100 steps, or a number > 0 with s, min, h or d, in quotes"});
     CHECK(One(every, text("often")).mistakes() ==
@@ -166,8 +201,8 @@ TEST_CASE("intervals: a number of steps, or a wall time") {
                    "min, h or d, in quotes"});
     CHECK(One(every, 2.5).mistakes().size() == 1);
     CHECK(One(every, true).mistakes().size() == 1);
-    CHECK(One(every, std::int64_t{1000}).section.interval("every").steps == 100);
-    CHECK(One(every, text("-1 s")).section.interval("every").seconds == 300.0);
+    CHECK(One(every, std::int64_t{1000}).section.plain("every") == PlainValue(std::int64_t{100}));
+    CHECK(One(every, text("-1 s")).section.plain("every") == PlainValue(text("5 min")));
 }
 
 TEST_CASE("flags, texts and choices") {
@@ -191,7 +226,7 @@ TEST_CASE("flags, texts and choices") {
 TEST_CASE("numbers with units become reduced") {
     const One warm(temperature(), text("86.5 K"), argon);
     CHECK(warm.mistakes().empty());
-    CHECK(warm.section.number("temperature") == Approx(86.5 / 119.8).epsilon(1e-14));
+    CHECK(std::get<double>(warm.section.plain("temperature")) == Approx(86.5 / 119.8).epsilon(1e-14));
     CHECK(One(temperature(), text("86.5 K")).mistakes() ==
           Mistakes{"'temperature' in [t]: unit 'K' needs an [argon] table"});
     CHECK(One(temperature(), text("-599 K"), argon).mistakes() ==
@@ -217,7 +252,7 @@ TEST_CASE("numbers with units become reduced") {
 TEST_CASE("quantities always have a unit and stay in SI") {
     const One good(sigma(), text("3.405 angstrom"));
     CHECK(good.mistakes().empty());
-    CHECK(good.section.number("sigma") == Approx(3.405e-10).epsilon(1e-15));
+    CHECK(std::get<double>(good.section.plain("sigma")) == Approx(3.405e-10).epsilon(1e-15));
     CHECK(
         One(sigma(), 3.405).mistakes() ==
         Mistakes{"'sigma' in [t] must be a number with a unit, in quotes, found a float | allowed: angstrom, nm, pm or "
@@ -297,30 +332,31 @@ TEST_CASE("tables and arrays of tables") {
                  std::nullopt, missing);
     CHECK(texts(missing) == Mistakes{"missing table 'system' in the deck | write [system]",
                                      "missing table 'stage' in the deck | write [[stage]]"});
-    CHECK(root.section("system").number("density") > 0.0);
+    CHECK(std::get<double>(root.section("system").plain("density")) > 0.0);
     CHECK(root.sections("stage").empty());
 }
 
 TEST_CASE("after a mistake every value can be used") {
-    CHECK(One(temperature(), -1.0).section.number("temperature") == 0.0);
-    CHECK(One(density(), 2.0).section.number("density") == 1.5);
-    CHECK(One(density(), -2.0).section.number("density") == 1.0);
-    CHECK(One(density(), nan_value).section.number("density") == 1.0);
-    CHECK(One(density(), inf).section.number("density") == 1.5);
-    CHECK(One(density(), text("1 g/cm3")).section.number("density") == 1.0);
-    CHECK(One(Key::number("x").above(2.0), 1.0).section.number("x") == 3.0);
-    CHECK(One(Key::number("x").above(2.0).below(4.0), 1.0).section.number("x") == 3.0);
-    CHECK(One(Key::number("x").below(-4.0), 1.0).section.number("x") == -5.0);
-    CHECK(One(Key::number("x").above(0.0).below(1.0).defaults_to(0.25), -1.0).section.number("x") == 0.25);
-    CHECK(One(Key::number("x").above(0.0).below(0.0), -1.0).section.number("x") == 0.0);
-    CHECK(One(steps(), std::int64_t{-1}).section.integer("steps") == 0);
-    CHECK(One(Key::integer("x").above(3), std::int64_t{3}).section.integer("x") == 4);
-    CHECK(One(steps(), text("x")).section.integer("steps") == 1);
-    CHECK_FALSE(One(Key::flag("tail"), 1.0).section.flag("tail"));
-    CHECK(One(truncation(), text("switchd")).section.text("truncation") == "switched");
-    CHECK(One(truncation(), text("?")).section.text("truncation") == "cut");
-    CHECK(One(Key::text("name"), 1.0).section.text("name").empty());
-    CHECK(One(sigma(), text("wide")).section.number("sigma") == 1.0);
+    CHECK(std::get<double>(One(temperature(), -1.0).section.plain("temperature")) == 0.0);
+    CHECK(std::get<double>(One(density(), 2.0).section.plain("density")) == 1.5);
+    CHECK(std::get<double>(One(density(), -2.0).section.plain("density")) == 1.0);
+    CHECK(std::get<double>(One(density(), nan_value).section.plain("density")) == 1.0);
+    CHECK(std::get<double>(One(density(), inf).section.plain("density")) == 1.5);
+    CHECK(std::get<double>(One(density(), text("1 g/cm3")).section.plain("density")) == 1.0);
+    CHECK(std::get<double>(One(Key::number("x").above(2.0), 1.0).section.plain("x")) == 3.0);
+    CHECK(std::get<double>(One(Key::number("x").above(2.0).below(4.0), 1.0).section.plain("x")) == 3.0);
+    CHECK(std::get<double>(One(Key::number("x").below(-4.0), 1.0).section.plain("x")) == -5.0);
+    CHECK(std::get<double>(One(Key::number("x").above(0.0).below(1.0).defaults_to(0.25), -1.0).section.plain("x")) ==
+          0.25);
+    CHECK(std::get<double>(One(Key::number("x").above(0.0).below(0.0), -1.0).section.plain("x")) == 0.0);
+    CHECK(std::get<std::int64_t>(One(steps(), std::int64_t{-1}).section.plain("steps")) == 0);
+    CHECK(std::get<std::int64_t>(One(Key::integer("x").above(3), std::int64_t{3}).section.plain("x")) == 4);
+    CHECK(std::get<std::int64_t>(One(steps(), text("x")).section.plain("steps")) == 1);
+    CHECK_FALSE(std::get<bool>(One(Key::flag("tail"), 1.0).section.plain("tail")));
+    CHECK(std::get<std::string>(One(truncation(), text("switchd")).section.plain("truncation")) == "switched");
+    CHECK(std::get<std::string>(One(truncation(), text("?")).section.plain("truncation")) == "cut");
+    CHECK(std::get<std::string>(One(Key::text("name"), 1.0).section.plain("name")).empty());
+    CHECK(std::get<double>(One(sigma(), text("wide")).section.plain("sigma")) == 1.0);
 }
 
 TEST_CASE("a section tells stand-ins from what was given") {

@@ -29,16 +29,38 @@ namespace ljmd {
 /// call. The members must live as long as the description.
 class Description {
   public:
+    /// A member that take() does not set.
+    struct Other {
+        const void* address;
+        const Other& operator*() const { return *this; }
+    };
+
     Key& flag(const std::string& name, bool& member);
+    Key& flag(const std::string& name, std::optional<bool>& member);
     Key& integer(const std::string& name, Index& member);
     Key& integer(const std::string& name, std::optional<Index>& member);
     Key& number(const std::string& name, double& member);
     Key& number(const std::string& name, std::optional<double>& member);
+    Key& text(const std::string& name, std::string& member);
+    Key& text(const std::string& name, std::optional<std::string>& member);
     Key& choice(const std::string& name, const std::vector<std::string>& choices, std::string& member);
+    Key& choice(const std::string& name, const std::vector<std::string>& choices, std::optional<std::string>& member);
+    Key& interval(const std::string& name, Interval& member);
+
     Key& required_integer(const std::string& name, Index& member);
     Key& required_number(const std::string& name, double& member);
+    Key& required_text(const std::string& name, std::string& member);
+    Key& required_choice(const std::string& name, const std::vector<std::string>& choices, std::string& member);
+    Key& required_vector(const std::string& name, std::vector<double>& member);
+    Key& required_quantity(const std::string& name, Dimension dimension, double& member);  ///< in SI
+
+    /// A key that was described elsewhere.
+    Key& bind(const Key& key, double& member);
 
     [[nodiscard]] std::vector<Key> keys() const;
+
+    /// The name of the key that is bound to a member, or nullptr.
+    [[nodiscard]] const std::string* key_of(const void* member) const;
 
     /// Give the member of a key a value. @throws ContractViolation when there is no such key, or it holds another type
     void take(const std::string& key, const PlainValue& value);
@@ -46,13 +68,17 @@ class Description {
     /// "start=taylor length=3": what tells options of one kind apart. Absent values are left out.
     [[nodiscard]] std::string values_in_words() const;
 
+  protected:
+    using Member =
+        std::variant<bool*, Index*, double*, std::string*, std::vector<double>*, Interval*, std::optional<bool>*,
+                     std::optional<Index>*, std::optional<double>*, std::optional<std::string>*, Other>;
+    Key& add(const Key& key, Member member);
+
   private:
-    using Member = std::variant<bool*, Index*, double*, std::string*, std::optional<Index>*, std::optional<double>*>;
     struct Item {
         Key key;
         Member member;
     };
-    Key& add(const Key& key, Member member);
 
     std::vector<Item> items_;
 };

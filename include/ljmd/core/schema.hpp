@@ -30,6 +30,12 @@ enum class Kind {
     tables,    ///< an array of tables, [[stage]]
 };
 
+/// How often something happens, in steps or in wall time; one of the two is set.
+struct Interval {
+    std::optional<std::int64_t> steps = {};
+    std::optional<double> seconds = {};  ///< wall time
+};
+
 /// Value of a non-table key, as a default or after validation.
 using PlainValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
@@ -58,6 +64,7 @@ class Key {
     Key& components(Index least, Index most);     ///< allowed number of components of a Kind::vector
     Key& optional(std::string when_absent = {});  ///< may be absent; the text says what happens then
     Key& defaults_to(PlainValue value);           ///< implies optional
+    Key& step_interval();                         ///< an integer: something happens every so many steps of a run
 
     std::string name;
     Kind kind = Kind::text;
@@ -71,6 +78,7 @@ class Key {
     Index min_components = 1;
     Index max_components = 3;
     std::vector<std::string> choices;
+    bool is_step_interval = false;
     bool required = true;
     std::string absent_text;  ///< for optional keys without a default
     std::optional<PlainValue> default_value;

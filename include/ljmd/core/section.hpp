@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/description.hpp"
@@ -13,10 +14,10 @@
 
 namespace ljmd {
 
-/// How often something happens, in steps or in wall time; one of the two is set.
-struct Interval {
-    std::optional<std::int64_t> steps;
-    std::optional<double> seconds;  ///< wall time
+/// Every how many steps something happens, and where that is written.
+struct StepInterval {
+    Index every;
+    Location location;
 };
 
 /// A table of a deck after validation. Every key of the schema has a value of the right type, in its allowed range and
@@ -30,16 +31,33 @@ class Section {
     [[nodiscard]] const std::string& text(const std::string& key) const;  ///< for text and choice
     [[nodiscard]] Interval interval(const std::string& key) const;
     [[nodiscard]] const std::vector<double>& vector(const std::string& key) const;
-    [[nodiscard]] const PlainValue& plain(const std::string& key) const;  ///< of any kind but tables
+
+    /// Value of a key of any kind but tables: numbers in reduced units, but for Kind::quantity, which is in SI.
+    /// @throws ContractViolation if the schema has no such key, or if it is absent
+    [[nodiscard]] const PlainValue& plain(const std::string& key) const;
+
+    /// Inner tables. @throws ContractViolation if the schema has no such key of that kind, or if the key is absent
     [[nodiscard]] const Section& section(const std::string& key) const;
     [[nodiscard]] const std::vector<Section>& sections(const std::string& key) const;
 
     /// True if the key was given or has a default.
     [[nodiscard]] bool has(const std::string& key) const;
 
+    /// True if the schema has the key, also if it is absent.
+    [[nodiscard]] bool knows(const std::string& key) const;
+
     /// False if validation found the key missing or misspelled, or its value wrong, and reported it. The value in the
     /// Section is then a stand-in that says nothing about the deck. A table can be sound although keys in it are not.
     [[nodiscard]] bool sound(const std::string& key) const;
+
+    /// The same of all keys of the table.
+    [[nodiscard]] bool all_sound() const;
+
+    /// Whether the deck or a --set contains the key, so that its value is not the default.
+    [[nodiscard]] bool written(const std::string& key) const;
+
+    /// The value of the first key that is a step interval (see Key::step_interval) and has a value.
+    [[nodiscard]] std::optional<StepInterval> step_interval() const;
 
     /// Place of the value; place of the table if the key is absent, defaulted or unknown to the schema.
     [[nodiscard]] Location location(const std::string& key) const;
@@ -57,6 +75,7 @@ class Section {
         Location location;
         bool present = false;
         bool sound = true;
+        bool is_step_interval = false;
     };
     [[nodiscard]] const Item& item(const std::string& key, Kind kind) const;
 
@@ -81,6 +100,12 @@ class Section {
 /// Give options the values of a table. Absent keys, and those whose values were found missing or wrong, leave them as
 /// they are. @pre the table was validated by a schema with the keys of the description
 void take(Description& description, const Section& section);
+
+/// Report what is wrong with the values of a table, as pairs of key and message, at their places; without a key it is
+/// the table. Values that were found wrong before are left out.
+/// @throws ContractViolation for a key that the table cannot have
+void report_at_keys(const std::vector<std::pair<std::string, std::string>>& mistakes, const Section& section,
+                    Diagnostics& diagnostics);
 
 /// A plug-in with the options of a table. @pre as take()
 template <class Plugin>

@@ -28,7 +28,7 @@ struct Options : ThermostatOptions {
     Index every = 20;
 
     void describe(Description& description) override {
-        description.integer("every", every).at_least(1).meaning("steps between rescalings");
+        description.integer("every", every).at_least(1).step_interval().meaning("steps between rescalings");
     }
     [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
         return std::make_unique<Rescale>(Every(every), bath.temperature);

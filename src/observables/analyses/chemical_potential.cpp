@@ -9,7 +9,7 @@ struct Options : AnalysisOptions {
     std::optional<Index> insertions = {};
 
     void describe(Description& description) override {
-        description.integer("every", every).at_least(1).meaning("steps between configurations");
+        description.integer("every", every).at_least(1).step_interval().meaning("steps between configurations");
         description.integer("insertions", insertions)
             .at_least(1)
             .at_most(1e9)

@@ -27,7 +27,10 @@ struct Options : AnalysisOptions {
             .above(0.0)
             .optional("5 sigma or L/2, whichever is smaller")
             .meaning("largest distance, at most L/2");
-        description.integer("every", every).at_least(1).meaning("steps between configurations that are counted");
+        description.integer("every", every)
+            .at_least(1)
+            .step_interval()
+            .meaning("steps between configurations that are counted");
     }
     [[nodiscard]] Misfits check(const SampledRun& run) const override {
         if (radius && *radius > largest_radius(run.box)) {

@@ -33,7 +33,10 @@ struct Options : AnalysisOptions {
             .meaning(
                 "the density by a sum over atoms for each wave vector, or by a fast Fourier transform; the same to "
                 "1e-10");
-        description.integer("every", every).at_least(1).meaning("steps between configurations that are measured");
+        description.integer("every", every)
+            .at_least(1)
+            .step_interval()
+            .meaning("steps between configurations that are measured");
     }
     [[nodiscard]] Misfits check(const SampledRun& run) const override {
         Misfits misfits;

@@ -19,7 +19,7 @@ Index whole_spacings(double time, double spacing) {
 }  // namespace
 
 void LagOptions::describe(Description& description) {
-    description.integer("every", every).at_least(1).meaning("steps between configurations");
+    description.integer("every", every).at_least(1).step_interval().meaning("steps between configurations");
     description.number("max_time", max_time)
         .dimension(Dimension::time)
         .unit("tau")
