@@ -22,7 +22,7 @@ constexpr std::string_view setting_source = "--set ";
 constexpr std::string_view value_lead = "value = ";  // turns a value into TOML
 
 /// Move a value and its parts to the location of the setting, each with its own column. So the location of a key that
-/// is set differs from that of a default (see is_written).
+/// is set differs from that of a default (see Section::written).
 void relocate(Value& value, const Location& setting, int shift) {
     const auto place = [&](const Location& found) { return Location{setting.source, 0, found.column + shift}; };
     value.location = place(value.location);
@@ -80,7 +80,7 @@ Elements elements_of(Array& array) {
         auto* table = std::get_if<Table>(&value.data);
         if (!table) continue;
         elements.tables.push_back(table);
-        const Entry* entry = find(*table, "name");
+        const Entry* entry = find(*table, element_name);
         const auto* name = entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
         if (name) elements.names.emplace_back(*name, table);
     }

@@ -275,7 +275,7 @@ TEST_CASE("no damage to a deck crashes: it is read, or there is a message") {
         if (!diagnostics.has_errors()) {
             const Section section = validate(deck.table, {deck.source}, deck_schema(), std::nullopt, diagnostics);
             // Usable even after mistakes.
-            const double density = section.section("system").number("density");
+            const double density = std::get<double>(section.section("system").plain("density"));
             if (!(density > 0.0 && density <= 1.5)) return false;
         }
         for (const Diagnostic& diagnostic : diagnostics.entries()) {

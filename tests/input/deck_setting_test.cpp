@@ -131,8 +131,8 @@ TEST_CASE("a table without a name is reached by its number") {
     Diagnostics diagnostics;
     const Section deck = validate(with_settings({"body.2.position=[1.0, 0]"}), {},
                                   Schema("the deck", {argon_schema().keys().back()}), std::nullopt, diagnostics);
-    CHECK(deck.sections("body")[1].vector("position") == std::vector{1.0, 0.0});
-    CHECK(deck.sections("body")[0].vector("position") == std::vector{0.0, 0.5});
+    CHECK(std::get<std::vector<double>>(deck.sections("body")[1].plain("position")) == std::vector{1.0, 0.0});
+    CHECK(std::get<std::vector<double>>(deck.sections("body")[0].plain("position")) == std::vector{0.0, 0.5});
 }
 
 TEST_CASE("a number that no table has is one error") {

@@ -8,6 +8,9 @@
 
 namespace ljmd {
 
+/// The key by which a setting selects an element of an array of tables.
+inline constexpr const char* element_name = "name";
+
 /// Apply one `--set`: "system.density=0.8" sets `density` in the table `system` to 0.8, whether the key was present or
 /// not.
 ///

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ljmd/core/description.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/core/section.hpp"
+
+namespace ljmd {
+
+template <class Options>
+class Placed;
+
+/// Options of a plug-in that are a table of their own, with the places of their values.
+template <class Plugin, class Options>
+struct PlacedChoice {
+    Chosen<Plugin, Options> chosen;
+    Section section;  ///< of the table; its keys are those of the plug-in
+};
+
+/// The keys of a table of a deck: beside what options have (see Description) also inner tables, plug-ins chosen by
+/// name, and keys that exist for one choice only.
+class TableDescription : public Description {
+  public:
+    /// An inner table. One whose key is made optional has all its defaults when it is absent.
+    /// @param title  for messages: "[system]", "lattice"
+    template <class Options>
+    Key& table(const std::string& name, const std::string& title, Placed<Options>& member);
+
+    /// An inner table that may be absent.
+    template <class Options>
+    Key& table(const std::string& name, const std::string& title, std::optional<Placed<Options>>& member);
+
+    /// An array of tables, which must be given.
+    template <class Options>
+    Key& tables(const std::string& name, const std::string& title, std::vector<Placed<Options>>& member);
+
+    /// The choice of a plug-in by its name. Its options are keys of the same table. The plug-in that the member holds
+    /// is the default; if it holds none, the key must be given.
+    template <class Plugin, class Options>
+    Key& plugin(const std::string& name, const std::vector<Plugin>& plugins, Chosen<Plugin, Options>& member);
+
+    /// A table for each plug-in, with its options; those that are present are chosen, in the order of the plug-ins.
+    /// @param absent  what it means that a plug-in has no table
+    template <class Plugin, class Options>
+    void choices(const std::vector<Plugin>& plugins, const std::string& absent,
+                 std::vector<PlacedChoice<Plugin, Options>>& member);
+
+    /// Keys that exist for one choice of another key only.
+    void when(const std::string& selector, const std::string& choice, const Description& keys);
+
+    [[nodiscard]] Schema schema(const std::string& title) const;
+
+    /// The name of the key that is bound to a member. @throws ContractViolation if there is none
+    [[nodiscard]] const std::string& key_of(const void* member) const;
+
+    /// Give all members their values. A value that was found wrong has a stand-in, see validate().
+    /// @param section  validated by schema()
+    void read(const Section& section);
+
+  private:
+    using Reader = std::function<void(const Section&)>;
+    Key& add_other(const Key& key, const void* member, Reader reader);
+    Schema::Selection& selection(const std::string& selector);
+
+    struct Case {
+        std::string selector;
+        std::string choice;
+        Description keys;
+    };
+
+    std::vector<std::string> others_;  ///< keys with a reader
+    std::vector<Reader> readers_;
+    std::vector<Case> cases_;
+    std::vector<Schema::Selection> selections_;
+};
+
+/// "rescale: scale all velocities; langevin: friction and noise": the names of plug-ins with their meanings.
+template <class Plugin>
+[[nodiscard]] std::string meanings_of(const std::vector<Plugin>& plugins) {
+    std::string text;
+    for (const Plugin& plugin : plugins) {
+        text += (text.empty() ? "" : "; ") + plugin.name + ": " + plugin.meaning;
+    }
+    return text;
+}
+
+}  // namespace ljmd
