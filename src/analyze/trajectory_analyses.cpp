@@ -9,6 +9,7 @@
 #include "ljmd/core/registry.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -17,7 +18,9 @@ namespace ljmd {
 
 namespace {
 
-const std::string analysis_table = "analysis";
+const std::string& analysis_table() {
+    return Placed<FluidTables>::key(&FluidTables::analysis);
+}
 
 /// The [analysis] of a deck as written, with its settings; empty if it has none.
 Table written_analysis(const Deck& deck) {
@@ -26,18 +29,14 @@ Table written_analysis(const Deck& deck) {
     for (const std::string& setting : deck.settings) {
         apply_setting(file.table, setting, none);
     }
-    const Entry* entry = find(file.table, analysis_table);
+    const Entry* entry = find(file.table, analysis_table());
     return entry != nullptr ? std::get<Table>(entry->value.data) : Table{};
 }
 
-/// Steps between configurations, from a table of a deck.
-Index steps_between(const Table& table, const AnalysisMethod& method) {
-    if (const Entry* every = find(table, "every")) {
-        return std::get<std::int64_t>(every->value.data);
-    }
+/// The key of an analysis that says how many steps are between configurations.
+Key step_interval_of(const AnalysisMethod& method) {
     const std::vector<Key> keys = keys_of(method);
-    const auto key = std::ranges::find(keys, "every", &Key::name);
-    return std::get<std::int64_t>(*key->default_value);
+    return *std::ranges::find_if(keys, &Key::is_step_interval);
 }
 
 /// The tables of these analyses, with `every` converted to frames.
@@ -47,10 +46,13 @@ Table tables_of(const std::vector<AnalysisMethod>& methods, const Deck* deck, st
     for (const AnalysisMethod& method : methods) {
         Entry* entry = find(written, method.name);
         Table table = entry != nullptr ? std::get<Table>(entry->value.data) : Table{};
-        const Index steps = entry != nullptr ? steps_between(table, method) : 1;
+        const Key key = step_interval_of(method);
+        const Entry* every = find(table, key.name);
+        const Index usual = entry != nullptr ? std::get<std::int64_t>(*key.default_value) : 1;
+        const Index steps = every != nullptr ? std::get<std::int64_t>(every->value.data) : usual;
         const std::int64_t frames = std::max<Index>(steps / steps_apart.value_or(steps), 1);
-        std::erase_if(table, [](const Entry& e) { return e.key == "every"; });
-        table.push_back({"every", {}, Value{frames, {}}});
+        std::erase_if(table, [&key](const Entry& e) { return e.key == key.name; });
+        table.push_back({key.name, {}, Value{frames, {}}});
         tables.push_back({method.name, {}, Value{table, {}}});
     }
     return tables;
@@ -59,19 +61,19 @@ Table tables_of(const std::vector<AnalysisMethod>& methods, const Deck* deck, st
 /// Apply the settings of the command line.
 Table with_settings(Table tables, const std::vector<std::string>& settings, const std::vector<std::string>& names) {
     Table root;
-    root.push_back({analysis_table, {}, Value{std::move(tables), {}}});
+    root.push_back({analysis_table(), {}, Value{std::move(tables), {}}});
     Diagnostics diagnostics;
     for (const std::string& setting : settings) {
         const bool meant = std::ranges::any_of(names, [&](const std::string& name) {
-            return setting.starts_with(fmt::format("{}.{}.", analysis_table, name));
+            return setting.starts_with(fmt::format("{}.{}.", analysis_table(), name));
         });
         if (names.empty()) {
             throw InputError(fmt::format("--set {}: thermo has no settings", setting));
         }
         if (!meant) {
             throw InputError(fmt::format("--set {}: only settings of what is measured can be given, {}.{}.KEY=VALUE",
-                                         setting, analysis_table,
-                                         fmt::join(names, fmt::format(".KEY=VALUE, {}.", analysis_table))));
+                                         setting, analysis_table(),
+                                         fmt::join(names, fmt::format(".KEY=VALUE, {}.", analysis_table()))));
         }
         apply_setting(root, setting, diagnostics);
     }
@@ -83,7 +85,7 @@ Table with_settings(Table tables, const std::vector<std::string>& settings, cons
 SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection) {
     Box box(trajectory.smallest_edges);
     if (deck != nullptr) {
-        box = box_for_cutoff(box, deck->potential().number("cutoff"));
+        box = box_for_cutoff(box, deck->potential().radius);
     }
     SampledRun run = deck != nullptr ? sampled_run(*deck, trajectory.atoms, box)
                                      : SampledRun{trajectory.atoms, box, 1.0, 0, 1, std::nullopt, std::nullopt};
@@ -176,11 +178,7 @@ std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& n
     const Section sections = validate(table, {}, schema, deck != nullptr ? deck->units : std::nullopt, diagnostics);
     for (const AnalysisMethod& method : methods) {
         const Section& section = sections.section(method.name);
-        for (const auto& [key, message] : choose(method, section).options->check(run)) {
-            if (section.sound(key)) {
-                diagnostics.error(section.location(key), message);
-            }
-        }
+        report_at_keys(choose(method, section).options->check(run), section, diagnostics);
     }
     diagnostics.throw_if_errors();
     std::vector<FrameAnalysis> analyses;

@@ -88,7 +88,7 @@ class Pass {
 
     [[nodiscard]] Box box_of(const Configuration& configuration) const {
         const Box box(configuration.edges);
-        return trajectory_.deck == nullptr ? box : box_for_cutoff(box, trajectory_.deck->potential().number("cutoff"));
+        return trajectory_.deck == nullptr ? box : box_for_cutoff(box, trajectory_.deck->potential().radius);
     }
 
     void sample(Index number, std::size_t k, const Configuration& configuration) {

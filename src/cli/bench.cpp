@@ -39,12 +39,12 @@ struct MemoryAtEnd : RunListener {
     double peak = memory("VmHWM");
 };
 
-std::string list_policy(const Section& neighbors) {
-    if (neighbors.text("method") != "verlet-list") {
-        return neighbors.text("method");
+std::string list_policy(const NeighborSpec& neighbors) {
+    if (neighbors.method != "verlet-list") {
+        return neighbors.method;
     }
-    return neighbors.has("every") ? fmt::format("every {} steps, pairs may be missed", neighbors.integer("every"))
-                                  : "by displacement, no pair missed";
+    return neighbors.every ? fmt::format("every {} steps, pairs may be missed", *neighbors.every)
+                           : "by displacement, no pair missed";
 }
 
 }  // namespace

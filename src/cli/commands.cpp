@@ -81,7 +81,7 @@ CheckedFluid checked_fluid(const Deck& deck, const DeckOptions& options, Diagnos
 
 /// All warnings about a few-body deck are known when it has been read.
 CheckedRun checked_run(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
-    if (deck.kind == DeckKind::fluid) {
+    if (deck.kind() == DeckKind::fluid) {
         auto [start, execution] = checked_fluid(deck, options, diagnostics);
         return {std::move(start), std::move(execution)};
     }
@@ -96,7 +96,7 @@ std::string check_json(const Deck& deck, const Start& start, const Forecast& for
     const Data json = {{"deck", deck.path},
                        {"atoms", start.atoms},
                        {"box_edges", Data::list({edges[0], edges[1], edges[2]})},
-                       {"cutoff", deck.potential().number("cutoff")},
+                       {"cutoff", deck.potential().radius},
                        {"largest_cutoff", 0.5 * start.box.shortest_edge()},
                        {"steps", total_steps(deck.stages)},
                        {"memory_bytes", forecast.memory_bytes},
@@ -119,7 +119,7 @@ Exportable end_of_run(const DeckOptions& options, Diagnostics& diagnostics) {
     const Deck deck = recorded_deck(options.deck, options.settings, diagnostics);
     refuse_bodies(deck);
     State state = last_configuration(options.deck, deck);
-    check_box(deck.root, state.count(), state.box(), diagnostics);
+    check_box(deck.fluid(), state.count(), state.box(), diagnostics);
     diagnostics.throw_if_errors();
     return {deck, std::move(state)};
 }

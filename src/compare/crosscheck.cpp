@@ -204,12 +204,12 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
     const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, execution.threads(), options);
     const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(spec, execution)); };
     const EnsembleOptions ensemble = ensemble_options(deck, stage, simulation.state);
-    const bool kernel = deck.neighbors().text("method") == "verlet-list";
+    const bool kernel = deck.neighbors().method == "verlet-list";
     Crosscheck result{.peer = peers.exact->name(),
                       .fast_peer = peers.for_long_runs().name(),
                       .atoms = simulation.state.count(),
                       .steps_before = simulation.state.step,
-                      .search = deck.neighbors().text("method"),
+                      .search = deck.neighbors().method,
                       .simd = kernel ? std::string(name(simulation.force_field.simd())) : "scalar",
                       .precision = std::string(name(simulation.force_field.precision())),
                       .threads = execution.threads(),

@@ -10,7 +10,6 @@
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
@@ -30,8 +29,7 @@ struct Export {
     fs::path directory;
 
     [[nodiscard]] Fluid fluid() const {
-        const Section& potential = deck.potential();
-        return fluid_of(state, pair_potential_of(potential), potential.has("tail") && potential.flag("tail"));
+        return fluid_of(state, pair_potential_of(deck.potential()), deck.potential().has_tail());
     }
     [[nodiscard]] std::string in_directory() const { return fmt::format("cd '{}'", directory.string()); }
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ljmd/deck/deck_sense.hpp"
@@ -28,45 +29,35 @@ bool make_units(double sigma, double epsilon, double mass) {
 /// [argon] is read first, because other values may use its units. Its own mistakes are reported when the whole deck is
 /// validated.
 std::optional<SubstanceUnits> substance_units(const Table& table, Diagnostics& diagnostics) {
-    const Entry* argon = find(table, "argon");
-    if (argon == nullptr || !std::holds_alternative<Table>(argon->value.data)) {
+    const Entry* entry = find(table, Placed<FluidTables>::key(&FluidTables::argon));
+    if (entry == nullptr || !std::holds_alternative<Table>(entry->value.data)) {
         return std::nullopt;
     }
     Diagnostics ignored;
-    const Schema schema = deck_schema(DeckKind::fluid).find("argon")->inner.front();
-    const Section section =
-        validate(std::get<Table>(argon->value.data), argon->key_location, schema, std::nullopt, ignored);
+    const Placed<ArgonTable> argon(validate(std::get<Table>(entry->value.data), entry->key_location,
+                                            Placed<ArgonTable>::schema("[argon]"), std::nullopt, ignored));
     const SubstanceUnits stand_in(1.0, 1.0, 1.0);  // so that the other units can be checked; the deck is refused anyway
     if (ignored.has_errors()) {
         return stand_in;
     }
-    const double sigma = section.number("sigma");
-    const double epsilon = section.number("epsilon");
-    const double mass = section.number("mass");
-    if (!make_units(sigma, epsilon, mass)) {
-        diagnostics.error(argon->key_location, "the values in [argon] make units beyond the range of double precision");
+    if (!make_units(argon.sigma, argon.epsilon, argon.mass)) {
+        diagnostics.error(entry->key_location, "the values in [argon] make units beyond the range of double precision");
         return stand_in;
     }
-    return SubstanceUnits(sigma, epsilon, mass);
-}
-
-/// Add missing tables that have only optional keys: they exist with their defaults.
-void add_optional_tables(Table& table, DeckKind kind, const Location& where) {
-    for (const char* name : {"neighbors", "performance", "output", "analysis"}) {
-        if (deck_schema(kind).find(name) != nullptr && find(table, name) == nullptr) {
-            table.push_back({name, where, Value{Table{}, where}});
-        }
-    }
+    return SubstanceUnits(argon.sigma, argon.epsilon, argon.mass);
 }
 
 /// The tables of a deck determine its kind.
 DeckKind kind_of(const Table& table) {
-    return find(table, "force") != nullptr || find(table, "body") != nullptr ? DeckKind::few_body : DeckKind::fluid;
+    const auto is_there = [&table](const std::string& name) { return find(table, name) != nullptr; };
+    return std::ranges::any_of(marks_of_few_bodies(), is_there) ? DeckKind::few_body : DeckKind::fluid;
 }
 
 /// Explain why a deck that mixes both kinds has many unknown tables.
 void explain_mixture(const Table& table, Diagnostics& diagnostics) {
-    for (const char* name : {"system", "potential", "neighbors", "argon"}) {
+    const auto key = [](auto member) { return Placed<FluidTables>::key(member); };
+    for (const std::string& name : {key(&FluidTables::system), key(&FluidTables::potential),
+                                    key(&FluidTables::neighbors), key(&FluidTables::argon)}) {
         if (const Entry* entry = find(table, name)) {
             diagnostics.error(
                 entry->key_location,
@@ -80,43 +71,21 @@ std::filesystem::path default_directory(const std::filesystem::path& deck) {
     return std::filesystem::path("runs") / deck.stem();
 }
 
-CheckpointOutput checkpoint_output(const Section& output) {
-    if (!output.has("checkpoint")) {
-        constexpr double usual = 300.0;  // [s], as in the schema
-        return {{std::nullopt, usual}, 2};
-    }
-    const Section& checkpoint = output.section("checkpoint");
-    return {checkpoint.interval("every"), static_cast<int>(checkpoint.integer("keep"))};
-}
-
-Deck to_deck(DeckKind kind, const std::filesystem::path& path, const DeckFile& file,
-             const std::vector<std::string>& settings, const std::optional<SubstanceUnits>& units,
-             const Section& root) {
-    Deck deck{kind,
-              path.string(),
-              file.source->text,
-              settings,
-              root.text("title"),
-              units,
-              root,
-              stages_of(root),
-              {},
-              std::nullopt,
-              0,
-              std::nullopt,
-              checkpoint_output(root.section("output"))};
-    const Section& output = root.section("output");
-    deck.directory =
-        output.has("directory") ? std::filesystem::path(output.text("directory")) : default_directory(path);
-    const Index usual = kind == DeckKind::few_body ? 1 : 10;
-    deck.thermo_every = output.has("thermo") ? output.section("thermo").integer("every") : usual;
-    if (output.has("trajectory")) {
-        const Section& t = output.section("trajectory");
-        deck.trajectory = {t.text("format"), t.integer("every"), t.flag("velocities"),
-                           t.has("accelerations") && t.flag("accelerations"),
-                           t.has("units") && t.text("units") == "si"};
-    }
-    return deck;
+template <class Tables>
+Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std::vector<std::string>& settings,
+             const std::optional<SubstanceUnits>& units, const Placed<Tables>& tables) {
+    const auto& output = tables.output;
+    return {.path = path.string(),
+            .source = file.source->text,
+            .settings = settings,
+            .title = tables.title,
+            .units = units,
+            .tables = tables,
+            .stages = stages_of(tables),
+            .directory = output.directory ? std::filesystem::path(*output.directory) : default_directory(path),
+            .thermo_every = output.thermo.every,
+            .trajectory = output.trajectory ? std::optional<TrajectoryOutput>(*output.trajectory) : std::nullopt,
+            .checkpoint = output.checkpoint};
 }
 
 /// @param path  the deck's name in messages
@@ -136,27 +105,28 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
             return std::nullopt;
         }
     }
-    add_optional_tables(file.table, kind, whole);
     const auto units = kind == DeckKind::fluid ? substance_units(file.table, diagnostics) : std::nullopt;
     const Section root = validate(file.table, whole, deck_schema(kind), units, diagnostics);
     // Check sense even if single values are wrong, as far as possible.
     if (kind == DeckKind::few_body) {
-        check_few_body_sense(root, diagnostics);
-    } else if (root.has("system") && root.has("potential") && root.has("stage")) {
-        check_sense(root, units.has_value(), force, diagnostics);
+        const Placed<FewBodyTables> tables(root);
+        check_few_body_sense(tables, diagnostics);
+        if (diagnostics.has_errors()) {
+            return std::nullopt;
+        }
+        check_few_body_effects(tables, diagnostics);
+        return to_deck(path, file, settings, units, tables);
     }
+    const Placed<FluidTables> tables(root);
+    check_sense(tables, units.has_value(), force, diagnostics);
     if (diagnostics.has_errors()) {
         return std::nullopt;
     }
-    const Deck deck = to_deck(kind, path, file, settings, units, root);
-    if (kind == DeckKind::few_body) {
-        check_few_body_effects(root, diagnostics);
-        return deck;
-    }
-    check_effects(root, diagnostics);
-    if (const Section& system = deck.system(); system.has("lattice")) {  // a file is checked later, see check_start
-        check_start_effects(root, false, diagnostics);
-        check_phase(deck, system.number("density"), diagnostics);
+    check_effects(tables, diagnostics);
+    const Deck deck = to_deck(path, file, settings, units, tables);
+    if (tables.system.lattice) {  // a file is checked later, see check_start
+        check_start_effects(tables, false, diagnostics);
+        check_phase(deck, *tables.system.density, diagnostics);
     }
     return deck;
 }

@@ -22,16 +22,6 @@ constexpr double unlikely_cutoff = 6;        // [sigma]; 2.5 to 5 are usual
 // Values that validation found wrong are skipped: their stand-ins say nothing about the deck, and each mistake is
 // reported once.
 
-/// Whether the key has a valid value.
-bool given(const Section& section, const char* key) {
-    return section.has(key) && section.sound(key);
-}
-
-/// Whether the key was left out, not merely misspelt.
-bool absent(const Section& section, const char* key) {
-    return !section.has(key) && section.sound(key);
-}
-
 /// Report an error that --force turns into a warning.
 void unlikely(bool force, const Location& where, const std::string& message, const std::string& hint,
               Diagnostics& diagnostics) {
@@ -42,196 +32,195 @@ void unlikely(bool force, const Location& where, const std::string& message, con
     }
 }
 
-void check_lattice(const Section& root, Diagnostics& diagnostics) {
-    const Section& lattice = root.section("system").section("lattice");
-    if (!lattice.sound("type")) {
+void check_lattice(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+    const Placed<LatticeTable>& lattice = *tables.system.lattice;
+    if (!lattice.sound(&LatticeTable::type)) {
         return;
     }
-    const std::string& type = lattice.text("type");
-    const bool cells = lattice.has("cells");
-    const bool atoms = lattice.has("atoms");
-    if (type == random_lattice) {
-        if (cells) {
-            diagnostics.error(lattice.location("cells"), "'cells' in lattice has no meaning for a random start",
-                              "give 'atoms'");
-        } else if (absent(lattice, "atoms")) {
+    const bool no_cells = lattice.absent(&LatticeTable::cells);
+    const bool no_atoms = lattice.absent(&LatticeTable::atoms);
+    if (lattice.is_random()) {
+        if (lattice.cells) {
+            diagnostics.error(lattice.location(&LatticeTable::cells),
+                              "'cells' in lattice has no meaning for a random start", "give 'atoms'");
+        } else if (no_atoms) {
             diagnostics.error(lattice.location(), "missing key 'atoms' in lattice", "a random start needs it");
         }
-    } else if (cells && atoms) {
-        diagnostics.error(lattice.location("atoms"), "'cells' and 'atoms' in lattice say the same", "give one of them");
-    } else if (absent(lattice, "cells") && absent(lattice, "atoms")) {
+    } else if (lattice.cells && lattice.atoms) {
+        diagnostics.error(lattice.location(&LatticeTable::atoms), "'cells' and 'atoms' in lattice say the same",
+                          "give one of them");
+    } else if (no_cells && no_atoms) {
         diagnostics.error(lattice.location(), "missing key 'cells' in lattice", "or give 'atoms'");
-    } else if (given(lattice, "atoms")) {
-        const Index wanted = lattice.integer("atoms");
-        const Lattice crystal = find_lattice(type);
-        const auto near = nearest_cells(crystal, wanted);
+    } else if (lattice.given(&LatticeTable::atoms)) {
+        const Index wanted = *lattice.atoms;
+        const auto near = nearest_cells(lattice.crystal(), wanted);
         if (near.below != near.above) {
-            diagnostics.error(lattice.location("atoms"),
-                              fmt::format("'atoms' in lattice is {}, which fills no {} crystal", wanted, type),
-                              fmt::format("nearest: {} or {}", lattice_atoms(crystal, near.below),
-                                          lattice_atoms(crystal, near.above)));
+            diagnostics.error(lattice.location(&LatticeTable::atoms),
+                              fmt::format("'atoms' in lattice is {}, which fills no {} crystal", wanted, lattice.type),
+                              fmt::format("nearest: {} or {}", lattice_atoms(lattice.crystal(), near.below),
+                                          lattice_atoms(lattice.crystal(), near.above)));
         }
-    } else if (given(lattice, "cells")) {
-        report(lattice_mistakes({find_lattice(type), lattice.integer("cells")}), root, diagnostics);
+    } else if (lattice.given(&LatticeTable::cells)) {
+        report(lattice_mistakes({lattice.crystal(), *lattice.cells}), tables, diagnostics);
     }
 }
 
-void check_system(const Section& root, bool force, Diagnostics& diagnostics) {
-    const Section& system = root.section("system");
-    if (system.has("lattice") == system.has("file") && system.sound("lattice") && system.sound("file")) {
-        diagnostics.error(system.location("file"), "[system] needs one of 'lattice' and 'file'",
-                          system.has("file") ? "remove one of them" : "e.g. lattice = { type = \"fcc\", cells = 6 }");
+void check_system(const Placed<FluidTables>& tables, bool force, Diagnostics& diagnostics) {
+    const Placed<SystemTable>& system = tables.system;
+    if (system.lattice.has_value() == system.file.has_value() && system.sound(&SystemTable::lattice) &&
+        system.sound(&SystemTable::file)) {
+        diagnostics.error(system.location(&SystemTable::file), "[system] needs one of 'lattice' and 'file'",
+                          system.file ? "remove one of them" : "e.g. lattice = { type = \"fcc\", cells = 6 }");
     }
-    if (given(system, "lattice")) {
-        check_lattice(root, diagnostics);
-        for (const char* key : {"density", "temperature"}) {
-            if (absent(system, key)) {
-                diagnostics.error(system.location(), fmt::format("missing key '{}' in [system]", key),
+    if (system.given(&SystemTable::lattice)) {
+        check_lattice(tables, diagnostics);
+        for (const auto member : {&SystemTable::density, &SystemTable::temperature}) {
+            if (system.absent(member)) {
+                diagnostics.error(system.location(), fmt::format("missing key '{}' in [system]", system.key(member)),
                                   "a start from a lattice needs it");
             }
         }
-        if (system.has("xyz_comment")) {
-            diagnostics.error(system.location("xyz_comment"),
+        if (system.xyz_comment) {
+            diagnostics.error(system.location(&SystemTable::xyz_comment),
                               "'xyz_comment' in [system] belongs to a 'file', but there is none", "remove it");
         }
-        if (system.has("velocities") && system.text("velocities") == "file") {
-            diagnostics.error(system.location("velocities"), "'velocities' in [system] is 'file', but there is no file",
-                              "use 'maxwell'");
+        if (system.wants_velocities_of_file()) {
+            diagnostics.error(system.location(&SystemTable::velocities),
+                              "'velocities' in [system] is 'file', but there is no file", "use 'maxwell'");
         }
     }
-    if (!system.has("lattice") && system.has("velocities") && system.text("velocities") == "maxwell" &&
-        !system.has("temperature")) {
-        diagnostics.error(system.location("velocities"), "missing key 'temperature' in [system]",
+    if (!system.lattice && system.draws_velocities() && !system.temperature) {
+        diagnostics.error(system.location(&SystemTable::velocities), "missing key 'temperature' in [system]",
                           "Maxwell's distribution needs it");
     }
-    if (given(system, "density") && system.number("density") > unlikely_density) {
-        unlikely(force, system.location("density"),
-                 fmt::format("'density' in [system] is {:.6g}, above {}", system.number("density"), unlikely_density),
+    if (system.given(&SystemTable::density) && *system.density > unlikely_density) {
+        unlikely(force, system.location(&SystemTable::density),
+                 fmt::format("'density' in [system] is {:.6g}, above {}", *system.density, unlikely_density),
                  "liquid argon has 0.84, its crystal 1.0", diagnostics);
     }
 }
 
-void check_temperature(const Section& section, bool force, Diagnostics& diagnostics) {
-    if (given(section, "temperature") && section.number("temperature") > unlikely_temperature) {
-        unlikely(force, section.location("temperature"),
-                 fmt::format("'temperature' in {} is {:.6g} epsilon/k_B, above {}", section.title(),
-                             section.number("temperature"), unlikely_temperature),
+/// Of [system] or a stage.
+template <class Table>
+void check_temperature(const Placed<Table>& table, bool force, Diagnostics& diagnostics) {
+    if (table.given(&Table::temperature) && *table.temperature > unlikely_temperature) {
+        unlikely(force, table.location(&Table::temperature),
+                 fmt::format("'temperature' in {} is {:.6g} epsilon/k_B, above {}", table.heading(), *table.temperature,
+                             unlikely_temperature),
                  "for kelvin, give [argon] and write \"86.5 K\"", diagnostics);
     }
 }
 
 constexpr const char* angstrom_hint = "for angstrom, give [argon] and write \"8.5 angstrom\"";
 
-void check_potential(const Section& root, Diagnostics& diagnostics) {
-    const Section& potential = root.section("potential");
-    if (given(potential, "cutoff") && potential.number("cutoff") > unlikely_cutoff) {
-        diagnostics.warning(potential.location("cutoff"),
-                            fmt::format("'cutoff' in [potential] is {:.6g} sigma, more than {}",
-                                        potential.number("cutoff"), unlikely_cutoff),
-                            angstrom_hint);
+void check_potential(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+    const Placed<PotentialTable>& potential = tables.potential;
+    if (potential.given(&PotentialTable::radius) && potential.radius > unlikely_cutoff) {
+        diagnostics.warning(
+            potential.location(&PotentialTable::radius),
+            fmt::format("'cutoff' in [potential] is {:.6g} sigma, more than {}", potential.radius, unlikely_cutoff),
+            angstrom_hint);
     }
-    if (!potential.sound("truncation")) {
+    if (!potential.sound(&PotentialTable::truncation)) {
         return;
     }
-    const std::string& truncation = potential.text("truncation");
-    if (PairPotential::takes_tail(truncation) && absent(potential, "tail")) {
+    if (PairPotential::takes_tail(potential.truncation) && potential.absent(&PotentialTable::tail)) {
         diagnostics.error(potential.location(), "missing key 'tail' in [potential]",
-                          fmt::format("true or false: truncation = \"{}\" leaves the choice", truncation));
+                          fmt::format("true or false: truncation = \"{}\" leaves the choice", potential.truncation));
     }
-    const auto number = [&](const char* key) { return potential.has(key) ? potential.number(key) : 0.0; };
-    const bool tail = given(potential, "tail") && potential.flag("tail");
-    report(potential_mistakes(truncation, {number("cutoff"), number("switch_start")}, tail), root, diagnostics);
+    const bool tail = potential.given(&PotentialTable::tail) && potential.has_tail();
+    report(potential_mistakes(potential.truncation, potential, tail), tables, diagnostics);
 }
 
 /// Refuse settings that only a Verlet list supports.
-void check_search(const Section& root, Diagnostics& diagnostics) {
-    const Section& performance = root.section("performance");
-    const Precision precision =
-        performance.sound("precision") ? precision_of(performance.text("precision")) : Precision::double_precision;
-    if (root.section("neighbors").sound("method")) {
-        report(search_mistakes(neighbor_spec(root.section("neighbors")), precision), root, diagnostics);
+void check_search(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+    const Placed<PerformanceTable>& performance = tables.performance;
+    const Precision precision = performance.sound(&PerformanceTable::precision) ? precision_of(performance.precision)
+                                                                                : Precision::double_precision;
+    if (tables.neighbors.sound(&NeighborSpec::method)) {
+        report(search_mistakes(tables.neighbors, precision), tables, diagnostics);
     }
 }
 
-void check_stages(const Section& root, bool force, Diagnostics& diagnostics) {
-    for (const Section& stage : root.sections("stage")) {
-        if (given(stage, "time_step") && stage.number("time_step") >= unlikely_time_step) {
-            unlikely(force, stage.location("time_step"),
+void check_stages(const Placed<FluidTables>& tables, bool force, Diagnostics& diagnostics) {
+    for (const Placed<FluidStageTable>& stage : tables.stages) {
+        if (stage.given(&StageTable::time_step) && stage.time_step >= unlikely_time_step) {
+            unlikely(force, stage.location(&StageTable::time_step),
                      fmt::format("'time_step' in [[stage]] is {:.6g} tau; from {} on the energy is not conserved",
-                                 stage.number("time_step"), unlikely_time_step),
+                                 stage.time_step, unlikely_time_step),
                      "0.004 is usual", diagnostics);
         }
         check_temperature(stage, force, diagnostics);
     }
-    check_fluid_stages(root, diagnostics);
+    check_fluid_stages(tables, diagnostics);
 }
 
-void check_output(const Section& output, bool has_units, Diagnostics& diagnostics) {
-    if (output.has("directory") && output.text("directory").empty()) {
-        diagnostics.error(output.location("directory"), "'directory' in [output] is empty");
-    }
-    if (output.has("trajectory")) {
-        const Section& trajectory = output.section("trajectory");
-        if (trajectory.text("units") == "si" && !has_units) {
-            diagnostics.error(trajectory.location("units"),
-                              "'units' in trajectory is 'si', which needs an [argon] table");
-        }
+void check_output(const Placed<FluidOutputTable>& output, bool has_units, Diagnostics& diagnostics) {
+    check_directory(output.directory, output.location(&FluidOutputTable::directory), diagnostics);
+    if (output.trajectory && output.trajectory->si() && !has_units) {
+        diagnostics.error(output.trajectory->location(&TrajectoryOutput::units),
+                          "'units' in trajectory is 'si', which needs an [argon] table");
     }
 }
 
 /// Number of atoms of a lattice start; nothing if the deck has too many errors to determine it or the box.
-std::optional<Index> lattice_start(const Section& system) {
-    if (!given(system, "lattice") || !given(system, "density")) {
+std::optional<Index> lattice_start(const Placed<SystemTable>& system) {
+    if (!system.given(&SystemTable::lattice) || !system.given(&SystemTable::density)) {
         return std::nullopt;
     }
-    const Section& lattice = system.section("lattice");
-    if (!given(lattice, "type") || given(lattice, "atoms") == given(lattice, "cells")) {
+    const Placed<LatticeTable>& lattice = *system.lattice;
+    const bool by_cells = lattice.given(&LatticeTable::cells);
+    if (!lattice.given(&LatticeTable::type) || lattice.given(&LatticeTable::atoms) == by_cells) {
         return std::nullopt;
     }
-    const std::string& type = lattice.text("type");
-    const bool by_cells = given(lattice, "cells");
-    if (type == random_lattice) {
-        return by_cells ? std::nullopt : std::optional<Index>(lattice.integer("atoms"));
+    if (lattice.is_random()) {
+        return by_cells ? std::nullopt : lattice.atoms;
     }
-    const Lattice crystal = find_lattice(type);
-    const auto near = by_cells ? NearestCells{lattice.integer("cells"), lattice.integer("cells")}
-                               : nearest_cells(crystal, lattice.integer("atoms"));
+    const Lattice crystal = lattice.crystal();
+    const auto near = by_cells ? NearestCells{*lattice.cells, *lattice.cells} : nearest_cells(crystal, *lattice.atoms);
     return near.below == near.above ? std::optional(lattice_atoms(crystal, near.below)) : std::nullopt;
 }
 
 }  // namespace
 
-void check_sense(const Section& root, bool has_units, bool force, Diagnostics& diagnostics) {
-    const Section& system = root.section("system");
-    if (root.sound("system")) {
-        check_system(root, force, diagnostics);
+void check_sense(const Placed<FluidTables>& tables, bool has_units, bool force, Diagnostics& diagnostics) {
+    const Placed<SystemTable>& system = tables.system;
+    const Placed<PotentialTable>& potential = tables.potential;
+    const bool has_system = tables.sound(&FluidTables::system);
+    if (has_system) {
+        check_system(tables, force, diagnostics);
         check_temperature(system, force, diagnostics);
     }
-    if (root.sound("potential")) {
-        check_potential(root, diagnostics);
+    if (tables.sound(&FluidTables::potential)) {
+        check_potential(tables, diagnostics);
     }
-    if (root.sound("neighbors") && root.sound("performance")) {
-        check_search(root, diagnostics);
+    if (tables.sound(&FluidTables::neighbors) && tables.sound(&FluidTables::performance)) {
+        check_search(tables, diagnostics);
     }
-    check_stages(root, force, diagnostics);
-    check_output(root.section("output"), has_units, diagnostics);
-    if (const auto atoms = root.sound("system") ? lattice_start(system) : std::nullopt) {
-        const Section& potential = root.section("potential");
-        const Box box = cubic_box(*atoms, system.number("density"));
-        check_box(root, *atoms, given(potential, "cutoff") ? box_for_cutoff(box, potential.number("cutoff")) : box,
-                  diagnostics);
+    check_stages(tables, force, diagnostics);
+    check_output(tables.output, has_units, diagnostics);
+    if (const auto atoms = has_system ? lattice_start(system) : std::nullopt) {
+        const Box box = cubic_box(*atoms, *system.density);
+        check_box(tables, *atoms,
+                  potential.given(&PotentialTable::radius) ? box_for_cutoff(box, potential.radius) : box, diagnostics);
     }
 }
 
-void check_box(const Section& root, Index atoms, const Box& box, Diagnostics& diagnostics) {
-    const double cutoff = root.section("potential").number("cutoff");
+void check_directory(const std::optional<std::string>& directory, const Location& where, Diagnostics& diagnostics) {
+    if (directory && directory->empty()) {
+        diagnostics.error(where, "'directory' in [output] is empty");
+    }
+}
+
+void check_box(const Placed<FluidTables>& tables, Index atoms, const Box& box, Diagnostics& diagnostics) {
+    const double cutoff = tables.potential.radius;
     std::vector<Mistake> mistakes = cutoff_mistakes(cutoff, box);
     for (Mistake& mistake : mistakes) {
         mistake.hint += cutoff > unlikely_cutoff ? fmt::format("; {}", angstrom_hint) : "";
     }
-    report(mistakes, root, diagnostics);
-    if (!root.sections("stage").empty()) {
-        check_analyses(root, atoms, box, diagnostics);
+    report(mistakes, tables, diagnostics);
+    if (!tables.stages.empty()) {
+        check_analyses(tables, atoms, box, diagnostics);
     }
 }
 

@@ -9,7 +9,7 @@ namespace ljmd {
 namespace {
 
 bool is_fluid(const Deck& deck) {
-    return deck.kind == DeckKind::fluid;
+    return deck.kind() == DeckKind::fluid;
 }
 
 void require(bool met, const std::string& otherwise) {
@@ -41,7 +41,7 @@ bool is_possible_box(const Deck& deck, Index atoms, const Vec3& edges) {
     }
     try {
         Diagnostics diagnostics;
-        check_box(deck.root, atoms, Box(edges), diagnostics);
+        check_box(deck.fluid(), atoms, Box(edges), diagnostics);
         return !diagnostics.has_errors();
     } catch (const ContractViolation&) {  // no box has these edges
         return false;
@@ -61,8 +61,7 @@ void require_few_bodies(const Deck& deck, const std::string& otherwise) {
 }
 
 std::optional<std::filesystem::path> start_file(const Deck& deck) {
-    return is_fluid(deck) && deck.system().has("file") ? std::optional(configuration_file(deck.system().text("file")))
-                                                       : std::nullopt;
+    return is_fluid(deck) && deck.system().file ? std::optional(configuration_file(*deck.system().file)) : std::nullopt;
 }
 
 }  // namespace ljmd

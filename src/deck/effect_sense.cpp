@@ -3,18 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
-
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace ljmd {
 
 namespace {
 
 /// The steps of a stage: first < n <= last.
+template <class Stage>
 struct StageSteps {
-    const Section& stage;
+    const Placed<Stage>& stage;
     Index first;
     Index last;
 
@@ -23,11 +23,12 @@ struct StageSteps {
     [[nodiscard]] bool has_multiple_of(Index every) const { return last / every > first / every; }
 };
 
-std::vector<StageSteps> steps_of_stages(const Section& root) {
-    std::vector<StageSteps> found;
+template <class Stage>
+std::vector<StageSteps<Stage>> steps_of_stages(const std::vector<Placed<Stage>>& stages) {
+    std::vector<StageSteps<Stage>> found;
     Index step = 0;
-    for (const Section& stage : root.sections("stage")) {
-        found.push_back({stage, step, step + stage.integer("steps")});
+    for (const Placed<Stage>& stage : stages) {
+        found.push_back({stage, step, step + stage.steps});
         step = found.back().last;
     }
     return found;
@@ -37,172 +38,139 @@ std::string steps_in_words(Index steps) {
     return fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
 }
 
-/// The interval of an output in [output], or the default.
-Index interval(const Section& output, const char* what, Index usual) {
-    return output.has(what) ? output.section(what).integer("every") : usual;
-}
+using FluidStageSteps = StageSteps<FluidStageTable>;
 
 /// Warn if a thermostat or barostat never acts because its interval is longer than the stage.
-void check_acts(const StageSteps& steps, const char* bath, Diagnostics& diagnostics) {
-    if (steps.count() == 0 || !steps.stage.has(bath) || !steps.stage.section(bath).has("every")) {
-        return;
-    }
-    const Section& section = steps.stage.section(bath);
-    if (const Index every = section.integer("every"); every > steps.count()) {
-        diagnostics.warning(section.location("every"),
+template <class Bath>
+void check_acts(const FluidStageSteps& steps, const std::optional<Placed<Bath>>& bath, const std::string& name,
+                Diagnostics& diagnostics) {
+    const auto interval = bath ? bath->section().step_interval() : std::nullopt;
+    if (interval && steps.count() > 0 && interval->every > steps.count()) {
+        diagnostics.warning(interval->location,
                             fmt::format("the {} of stage '{}' never acts: it does so every {}, and the stage has {}",
-                                        bath, steps.stage.text("name"), steps_in_words(every), steps.count()));
+                                        name, steps.stage.name, steps_in_words(interval->every), steps.count()));
     }
 }
 
-void check_stage(const StageSteps& steps, Diagnostics& diagnostics) {
-    if (steps.stage.has("temperature") && !steps.stage.has("thermostat")) {
-        diagnostics.warning(steps.stage.location("temperature"),
+void check_stage(const FluidStageSteps& steps, Diagnostics& diagnostics) {
+    const Placed<FluidStageTable>& stage = steps.stage;
+    if (stage.temperature && !stage.thermostat) {
+        diagnostics.warning(stage.location(&FluidStageTable::temperature),
                             "'temperature' in [[stage]] has no effect without a thermostat");
     }
-    check_acts(steps, "thermostat", diagnostics);
-    check_acts(steps, "barostat", diagnostics);
+    check_acts(steps, stage.thermostat, stage.key(&FluidStageTable::thermostat), diagnostics);
+    check_acts(steps, stage.barostat, stage.key(&FluidStageTable::barostat), diagnostics);
 }
 
 /// Warn that no stage is sampled, at the last one, which is usually the one that was meant.
-void warn_of_no_sampling(const StageSteps& last, const std::string& what, Diagnostics& diagnostics) {
-    diagnostics.warning(last.stage.location(), fmt::format("no stage is sampled: {}", what),
+void warn_of_no_sampling(const Location& last_stage, const std::string& what, Diagnostics& diagnostics) {
+    diagnostics.warning(last_stage, fmt::format("no stage is sampled: {}", what),
                         "sample = true in the stage that is to be measured");
 }
 
-void check_sampling(const std::vector<StageSteps>& stages, Index thermo_every, bool analysed,
+void check_sampling(const std::vector<FluidStageSteps>& stages, Index thermo_every, bool analysed,
                     Diagnostics& diagnostics) {
     bool sampled = false;
-    for (const StageSteps& steps : stages) {
-        if (!steps.stage.flag("sample")) {
+    for (const FluidStageSteps& steps : stages) {
+        if (!steps.stage.sample) {
             continue;
         }
         sampled = true;
         if (!steps.has_multiple_of(thermo_every)) {
             diagnostics.warning(
-                steps.stage.location("sample"),
+                steps.stage.location(&StageTable::sample),
                 fmt::format("stage '{}' adds nothing to the averages: samples are the rows of thermo.csv, every {} of "
                             "the run, and none falls into its {}",
-                            steps.stage.text("name"), steps_in_words(thermo_every), steps_in_words(steps.count())),
+                            steps.stage.name, steps_in_words(thermo_every), steps_in_words(steps.count())),
                 "'every' of thermo in [output] sets them");
         }
     }
     if (!sampled) {
         warn_of_no_sampling(
-            stages.back(),
+            stages.back().stage.location(),
             fmt::format("there will be no averages{}", analysed ? ", and nothing of what [analysis] asks for" : ""),
             diagnostics);
     }
 }
 
 /// Warn if an analysis with an interval in steps of the run never sees a sampled stage.
-void check_analysis_looks(const Section& section, const std::string& name, const std::vector<StageSteps>& stages,
-                          Diagnostics& diagnostics) {
-    if (!section.has("every")) {
-        return;
-    }
-    const Index every = section.integer("every");
-    const auto is_sampled = [](const StageSteps& steps) { return steps.stage.flag("sample"); };
-    const auto is_seen = [&](const StageSteps& steps) { return is_sampled(steps) && steps.has_multiple_of(every); };
+void check_analysis_looks(const StepInterval& interval, const std::string& name,
+                          const std::vector<FluidStageSteps>& stages, Diagnostics& diagnostics) {
+    const auto is_sampled = [](const FluidStageSteps& steps) { return steps.stage.sample; };
+    const auto is_seen = [&](const FluidStageSteps& steps) {
+        return is_sampled(steps) && steps.has_multiple_of(interval.every);
+    };
     if (std::ranges::any_of(stages, is_sampled) && std::ranges::none_of(stages, is_seen)) {
-        diagnostics.warning(section.location("every"),
+        diagnostics.warning(interval.location,
                             fmt::format("'{}' in [analysis] measures nothing: it looks every {} of the run, and none "
                                         "falls into a sampled stage",
-                                        name, steps_in_words(every)),
+                                        name, steps_in_words(interval.every)),
                             "give a smaller 'every'");
     }
 }
 
-/// The names of the analyses that [analysis] asks for.
-template <class Method>
-std::vector<std::string> asked_for(const Section& analysis, const std::vector<Method>& methods) {
-    std::vector<std::string> names;
-    for (const Method& method : methods) {
-        if (analysis.has(method.name)) {
-            names.push_back(method.name);
-        }
-    }
-    return names;
-}
-
-void check_trajectory(const Section& output, Index steps, Diagnostics& diagnostics) {
-    if (!output.has("trajectory")) {
-        return;
-    }
-    const Section& trajectory = output.section("trajectory");
-    if (const Index every = trajectory.integer("every"); every > steps) {
-        diagnostics.warning(trajectory.location("every"),
+template <class Trajectory>
+void check_trajectory(const std::optional<Placed<Trajectory>>& trajectory, Index steps, Diagnostics& diagnostics) {
+    if (trajectory && trajectory->every > steps) {
+        diagnostics.warning(trajectory->location(&TrajectoryOutput::every),
                             fmt::format("the trajectory will hold the start alone: its frames come every {}, and the "
                                         "run has {}",
-                                        steps_in_words(every), steps));
+                                        steps_in_words(trajectory->every), steps));
     }
 }
 
 }  // namespace
 
-bool is_written(const Section& section, const std::string& key) {
-    // A default value has the location of its table.
-    const Location value = section.location(key);
-    const Location& table = section.location();
-    return section.has(key) &&
-           std::tie(value.source, value.line, value.column) != std::tie(table.source, table.line, table.column);
-}
-
-void check_effects(const Section& root, Diagnostics& diagnostics) {
-    const Section& neighbors = root.section("neighbors");
-    if (neighbors.text("method") != "verlet-list" && is_written(neighbors, "skin")) {
-        diagnostics.warning(
-            neighbors.location("skin"),
-            fmt::format("'skin' in [neighbors] has no effect with method = \"{}\"", neighbors.text("method")),
-            "only verlet-list keeps a list");
+void check_effects(const FluidTables& tables, Diagnostics& diagnostics) {
+    const Placed<NeighborSpec>& neighbors = tables.neighbors;
+    if (neighbors.method != "verlet-list" && neighbors.written(&NeighborSpec::skin)) {
+        diagnostics.warning(neighbors.location(&NeighborSpec::skin),
+                            fmt::format("'skin' in [neighbors] has no effect with method = \"{}\"", neighbors.method),
+                            "only verlet-list keeps a list");
     }
-    const std::vector<StageSteps> stages = steps_of_stages(root);
-    for (const StageSteps& steps : stages) {
+    const std::vector<FluidStageSteps> stages = steps_of_stages(tables.stages);
+    for (const FluidStageSteps& steps : stages) {
         check_stage(steps, diagnostics);
     }
     if (stages.back().last == 0) {
         return;  // the start is evaluated once, and sampled
     }
-    const Section& output = root.section("output");
-    const Section& analysis = root.section("analysis");
-    const std::vector<std::string> analyses = asked_for(analysis, all_analyses());
-    check_sampling(stages, interval(output, "thermo", 10), !analyses.empty(), diagnostics);
-    for (const std::string& name : analyses) {
-        check_analysis_looks(analysis.section(name), name, stages, diagnostics);
+    const auto& analyses = tables.analysis.asked;
+    check_sampling(stages, tables.output.thermo.every, !analyses.empty(), diagnostics);
+    for (const auto& [chosen, section] : analyses) {
+        if (const auto interval = section.step_interval()) {
+            check_analysis_looks(*interval, chosen.plugin.name, stages, diagnostics);
+        }
     }
-    check_trajectory(output, stages.back().last, diagnostics);
+    check_trajectory(tables.output.trajectory, stages.back().last, diagnostics);
 }
 
-void check_few_body_effects(const Section& root, Diagnostics& diagnostics) {
-    const std::vector<StageSteps> stages = steps_of_stages(root);
-    const std::vector<std::string> analyses = asked_for(root.section("analysis"), all_few_body_analyses());
-    if (analyses.empty()) {
-        for (const StageSteps& steps : stages) {
-            if (is_written(steps.stage, "sample")) {
-                diagnostics.warning(steps.stage.location("sample"),
+void check_few_body_effects(const FewBodyTables& tables, Diagnostics& diagnostics) {
+    const auto stages = steps_of_stages(tables.stages);
+    if (tables.analysis.asked.empty()) {
+        for (const Placed<FewBodyStageTable>& stage : tables.stages) {
+            if (stage.written(&StageTable::sample)) {
+                diagnostics.warning(stage.location(&StageTable::sample),
                                     "'sample' in [[stage]] has no effect without [analysis]");
             }
         }
-    } else if (std::ranges::none_of(stages, [](const StageSteps& steps) { return steps.stage.flag("sample"); })) {
-        warn_of_no_sampling(stages.back(), "nothing of what [analysis] asks for will be found", diagnostics);
+    } else if (std::ranges::none_of(tables.stages, &StageTable::sample)) {
+        warn_of_no_sampling(tables.stages.back().location(), "nothing of what [analysis] asks for will be found",
+                            diagnostics);
     }
-    const Section& force = root.section("force");
-    if (force.text("type") == "newtonian-gravity" && root.sections("body").size() == 1 &&
-        force.number("central_mass") == 0.0) {
-        diagnostics.warning(force.location("gravitational_constant"),
-                            "gravity has no effect on a single body without 'central_mass': it moves straight on");
+    const auto& force = tables.force;
+    const auto bodies = static_cast<Index>(tables.bodies.size());
+    for (const auto& [key, message] : force.method.options->without_effect(bodies)) {
+        diagnostics.warning(force.section().location(key), message);
     }
-    const Section& output = root.section("output");
-    if (output.has("trajectory")) {
-        const Section& trajectory = output.section("trajectory");
-        if (trajectory.text("format") == "csv" && is_written(trajectory, "velocities") &&
-            !trajectory.flag("velocities")) {
-            diagnostics.warning(trajectory.location("velocities"),
-                                "'velocities' in trajectory has no effect: format = \"csv\" always has them");
-        }
+    const auto& trajectory = tables.output.trajectory;
+    if (trajectory && trajectory->format == "csv" && trajectory->written(&TrajectoryOutput::velocities) &&
+        !trajectory->velocities) {
+        diagnostics.warning(trajectory->location(&TrajectoryOutput::velocities),
+                            "'velocities' in trajectory has no effect: format = \"csv\" always has them");
     }
     if (stages.back().last > 0) {
-        check_trajectory(output, stages.back().last, diagnostics);
+        check_trajectory(trajectory, stages.back().last, diagnostics);
     }
 }
 

@@ -14,33 +14,31 @@ Vec3 padded(const std::vector<double>& components) {
 
 }  // namespace
 
-State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptions& force, const Execution& execution) {
+State few_body_start(const std::vector<Placed<BodyTable>>& bodies, const FewBodyForceOptions& force,
+                     const Execution& execution) {
     State state(static_cast<Index>(bodies.size()), std::nullopt, execution);
     auto r = state.write_positions();
     auto v = state.write_velocities();
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         const auto i = static_cast<Index>(k);
-        r.col(i) = padded(bodies[k].vector("position"));
-        v.col(i) = padded(bodies[k].vector("velocity"));
-        state.write_masses()[k] = force.inertia(bodies[k].number("mass"));
+        r.col(i) = padded(bodies[k].position);
+        v.col(i) = padded(bodies[k].velocity);
+        state.write_masses()[k] = force.inertia(bodies[k].mass);
     }
     return state;
 }
 
 FewBodySystem make_few_body_system(const Deck& deck, const Execution& execution) {
-    const ChosenFewBodyForce force = choose(find_few_body_force(deck.force().text("type")), deck.force());
-    FewBodySystem system{few_body_start(deck.bodies(), *force.options, execution),
-                         static_cast<int>(deck.bodies().front().vector("position").size()),
+    const FewBodyTables& tables = deck.few_body();
+    const ChosenFewBodyForce& force = tables.force.method;
+    FewBodySystem system{few_body_start(tables.bodies, *force.options, execution),
+                         static_cast<int>(tables.bodies.front().position.size()),
                          force,
                          force.options->make(),
                          {}};
-    const Section& analysis = deck.root.section("analysis");
     const FewBodyTarget target{system.state.count(), system.dimensions, system.force};
-    for (const auto& method : all_few_body_analyses()) {
-        if (analysis.has(method.name)) {
-            const auto chosen = choose(method, analysis.section(method.name));
-            system.analyses.emplace_back(method.name, chosen.options->make(target));
-        }
+    for (const auto& [chosen, section] : tables.analysis.asked) {
+        system.analyses.emplace_back(chosen.plugin.name, chosen.options->make(target));
     }
     return system;
 }

@@ -49,7 +49,7 @@ double seconds_per_step(const std::string& method, State& state, PairForceField&
 /// Measured seconds per atom for all stages, from a trial of each integrator on a stand-in for the start.
 double seconds_per_atom(const Deck& deck, const Start& start, const Execution& execution) {
     const double density = density_of(start);
-    const double cutoff = deck.potential().number("cutoff");
+    const double cutoff = deck.potential().radius;
     Index cells = nearest_cells(Lattice::fcc, std::min(start.atoms, stand_in_atoms)).above;
     while (2.0 * cutoff > cubic_box(lattice_atoms(Lattice::fcc, cells), density).shortest_edge()) {
         ++cells;
@@ -62,7 +62,7 @@ double seconds_per_atom(const Deck& deck, const Start& start, const Execution& e
     for (Index i = 0; i < atoms; ++i) {
         r.col(i) = sites[static_cast<std::size_t>(i)];
     }
-    const double temperature = deck.system().has("temperature") ? deck.system().number("temperature") : 1.0;
+    const double temperature = deck.system().temperature.value_or(1.0);
     draw_velocities(state, std::min(temperature, hottest_trial), 1);
     PairForceField force_field = make_force_field(fluid_spec(deck), execution);
     std::map<std::string, double> seconds;  // per step, by integrator
@@ -105,7 +105,7 @@ Forecast forecast(const Deck& deck, const Start& start, const Execution& executi
 
 std::string check_report(const Deck& deck, const Start& start, const Forecast& forecast) {
     const Vec3& edges = start.box.edges();
-    const double cutoff = deck.potential().number("cutoff");
+    const double cutoff = deck.potential().radius;
     std::string text = fmt::format("{}: the deck is good. Nothing was run.\n", deck.path);
     text += fmt::format("  atoms     {}\n", start.atoms);
     text += fmt::format("  box       {:.6g} x {:.6g} x {:.6g} sigma^3, density {:.6g} sigma^-3\n", edges[0], edges[1],

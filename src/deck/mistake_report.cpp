@@ -4,16 +4,20 @@
 
 #include <algorithm>
 
+#include "ljmd/core/errors.hpp"
+
 namespace ljmd {
 
 namespace {
 
-const Section& section_of(const Mistake& mistake, const Section& root) {
-    if (mistake.table == "stage") {
-        return root.sections("stage").at(mistake.index);
+/// The table that a mistake is in.
+template <class Tables>
+const Section& section_of(const Mistake& mistake, const Placed<Tables>& tables) {
+    if (mistake.table == tables.key(&Tables::stages)) {
+        return tables.section().sections(mistake.table).at(mistake.index);
     }
-    const Section& table = root.section(mistake.table);
-    return mistake.table == "analysis" ? table.section(mistake.name) : table;
+    const Section& table = tables.section().section(mistake.table);
+    return mistake.table == tables.key(&Tables::analysis) ? table.section(mistake.name) : table;
 }
 
 /// A key in the table that has it.
@@ -28,17 +32,18 @@ struct Place {
 Place place_of(const Section& section, const std::string& path) {
     const std::size_t dot = path.find('.');
     const std::string table = path.substr(0, dot);
-    if (dot == std::string::npos || !section.has(table) || !section.sound(table)) {
-        return {section, table};
+    const bool is_within = dot != std::string::npos && section.has(table) && section.sound(table);
+    const Place place = is_within ? Place{section.section(table), path.substr(dot + 1)} : Place{section, table};
+    if (!place.table.knows(place.key)) {
+        throw ContractViolation("a mistake in '" + path + "', which is no key of " + section.title());
     }
-    return {section.section(table), path.substr(dot + 1)};
+    return place;
 }
 
-}  // namespace
-
-void report(const std::vector<Mistake>& mistakes, const Section& root, Diagnostics& diagnostics) {
+template <class Tables>
+void report_in(const Placed<Tables>& tables, const std::vector<Mistake>& mistakes, Diagnostics& diagnostics) {
     for (const Mistake& mistake : mistakes) {
-        const Section& section = section_of(mistake, root);
+        const Section& section = section_of(mistake, tables);
         const auto is_sound = [&](const std::string& key) { return place_of(section, key).is_sound(); };
         if (std::ranges::all_of(mistake.keys, is_sound)) {
             const auto [table, key] = place_of(section, mistake.keys.front());
@@ -48,6 +53,16 @@ void report(const std::vector<Mistake>& mistakes, const Section& root, Diagnosti
                               mistake.hint);
         }
     }
+}
+
+}  // namespace
+
+void report(const std::vector<Mistake>& mistakes, const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+    report_in(tables, mistakes, diagnostics);
+}
+
+void report(const std::vector<Mistake>& mistakes, const Placed<FewBodyTables>& tables, Diagnostics& diagnostics) {
+    report_in(tables, mistakes, diagnostics);
 }
 
 }  // namespace ljmd

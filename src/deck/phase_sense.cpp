@@ -14,16 +14,16 @@ void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
     const bool box_changes = std::ranges::any_of(
         deck.stages, [](const Stage& stage) { return stage.steps > 0 && stage.barostat.has_value(); });
     const auto temperature = requested_temperature(fluid_spec(deck));
-    if (box_changes || !temperature || deck.potential().text("type") != "lennard-jones") {
+    if (box_changes || !temperature || deck.potential().type != LennardJones::name) {
         return;
     }
     const auto densities = freezing_densities(*temperature);
     if (!densities || density <= densities->freezing) {
         return;
     }
-    const char* key = deck.system().has("density") ? "density" : "file";
+    const Placed<SystemTable>& system = deck.system();
     diagnostics.warning(
-        deck.system().location(key),
+        system.density ? system.location(&SystemTable::density) : system.location(&SystemTable::file),
         fmt::format(
             "the density is {:.6g}: at temperature {:.6g} the fluid of the full Lennard-Jones potential freezes "
             "at {:.4f}, and its crystal melts at {:.4f} (Mastny and de Pablo 2007)",

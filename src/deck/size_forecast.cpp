@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "ljmd/deck/analysis_sense.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 
 namespace ljmd {
@@ -31,21 +30,21 @@ constexpr double thermo_row_si = 350.0;
 constexpr double records = 8e3;  // run.json, results.json, results.txt
 
 double points_around(const Deck& deck, const Start& start) {
-    const double range = deck.potential().number("cutoff") + deck.neighbors().number("skin");
+    const double range = deck.potential().radius + deck.neighbors().skin;
     const double density = static_cast<double>(start.atoms) / start.box.volume();
     return density * 4.0 / 3.0 * std::numbers::pi * range * range * range;
 }
 
 /// Bytes per atom in the pair search.
 double search(const Deck& deck, const Start& start) {
-    const std::string method = deck.neighbors().text("method");
+    const std::string method = deck.neighbors().method;
     if (method == "verlet-list") {
-        const bool mixed = deck.performance().text("precision") == "mixed";
+        const bool mixed = deck.fluid().performance.precision == "mixed";
         return mixed ? atom_on_mixed_list + neighbor_on_mixed_list * points_around(deck, start)
                      : atom_on_list + neighbor_on_list * points_around(deck, start);
     }
     if (method == "cells") {
-        const double halo = 2.0 * deck.potential().number("cutoff");
+        const double halo = 2.0 * deck.potential().radius;
         const double points = (start.box.edges().array() + halo).prod() / start.box.volume();
         return atom_in_cells + point_in_cells * points + image * (points - 1.0);
     }
@@ -55,8 +54,8 @@ double search(const Deck& deck, const Start& start) {
 AnalysisSize analyses(const Deck& deck, const Start& start) {
     const SampledRun run = sampled_run(deck, start.atoms, start.box);
     AnalysisSize sum{0.0};
-    for (const ChosenAnalysis& analysis : chosen_analyses(deck.root.section("analysis"))) {
-        const AnalysisSize size = analysis.options->size(run);
+    for (const auto& asked : deck.fluid().analysis.asked) {
+        const AnalysisSize size = asked.chosen.options->size(run);
         sum.kept += size.kept;
         sum.fixed += size.fixed;
         sum.passing = std::max(sum.passing, size.passing);
@@ -65,7 +64,7 @@ AnalysisSize analyses(const Deck& deck, const Start& start) {
 }
 
 double checkpoint(const Deck& deck, const Start& start, const AnalysisSize& analyses) {
-    const double list = deck.neighbors().text("method") == "verlet-list" ? checkpoint_of_list : 0.0;
+    const double list = deck.neighbors().method == "verlet-list" ? checkpoint_of_list : 0.0;
     return checkpoint_of_few + analyses.kept + (checkpoint_of_atom + list) * static_cast<double>(start.atoms);
 }
 

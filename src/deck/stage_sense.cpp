@@ -9,35 +9,34 @@ namespace {
 
 /// Whether a missing temperature of [system] is allowed: a start from a file with velocities needs none. Otherwise its
 /// absence is reported there.
-bool system_may_lack_temperature(const Section& root) {
-    if (!root.sound("system")) {
-        return false;
-    }
-    const Section& system = root.section("system");
-    return system.sound("temperature") && !system.has("lattice") &&
-           !(system.has("velocities") && system.text("velocities") == "maxwell");
+bool system_may_lack_temperature(const Placed<FluidTables>& tables) {
+    const Placed<SystemTable>& system = tables.system;
+    return tables.sound(&FluidTables::system) && system.sound(&SystemTable::temperature) && !system.lattice &&
+           !system.draws_velocities();
 }
 
-void check_thermostat(const Section& section, const Stage& stage, const Section& root, Diagnostics& diagnostics) {
-    if (!stage_temperature(section, root) && section.sound("temperature") && system_may_lack_temperature(root)) {
-        diagnostics.error(section.section("thermostat").location("type"), "missing key 'temperature' in [[stage]]",
-                          "the thermostat needs it; or give it in [system]");
+void check_thermostat(const Placed<FluidStageTable>& table, const Stage& stage, const Placed<FluidTables>& tables,
+                      Diagnostics& diagnostics) {
+    if (!stage_temperature(table, tables) && table.sound(&FluidStageTable::temperature) &&
+        system_may_lack_temperature(tables)) {
+        diagnostics.error(table.thermostat->location(&ThermostatTable::method),
+                          "missing key 'temperature' in [[stage]]", "the thermostat needs it; or give it in [system]");
     }
     if (!stage.thermostat->plugin.canonical && stage.sample) {
-        diagnostics.warning(section.location("sample"),
+        diagnostics.warning(table.location(&StageTable::sample),
                             "this stage is sampled under a thermostat that samples no ensemble");
     }
 }
 
 }  // namespace
 
-void check_fluid_stages(const Section& root, Diagnostics& diagnostics) {
-    const std::vector<Stage> stages = stages_of(root);
-    report(stage_mistakes(stages), root, diagnostics);
-    report(fluid_stage_mistakes(stages), root, diagnostics);
+void check_fluid_stages(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+    const std::vector<Stage> stages = stages_of(tables);
+    report(stage_mistakes(stages), tables, diagnostics);
+    report(fluid_stage_mistakes(stages), tables, diagnostics);
     for (std::size_t k = 0; k < stages.size(); ++k) {
         if (stages[k].thermostat) {
-            check_thermostat(root.sections("stage")[k], stages[k], root, diagnostics);
+            check_thermostat(tables.stages[k], stages[k], tables, diagnostics);
         }
     }
 }

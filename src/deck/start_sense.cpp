@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "ljmd/deck/deck_sense.hpp"
-#include "ljmd/deck/effect_sense.hpp"
 #include "ljmd/deck/phase_sense.hpp"
 
 namespace ljmd {
@@ -14,10 +13,10 @@ namespace ljmd {
 namespace {
 
 /// Stages with an active thermostat.
-std::vector<const Section*> held_stages(const Section& root) {
-    std::vector<const Section*> held;
-    for (const Section& stage : root.sections("stage")) {
-        if (stage.has("thermostat") && stage.integer("steps") > 0) {
+std::vector<const Placed<FluidStageTable>*> held_stages(const FluidTables& tables) {
+    std::vector<const Placed<FluidStageTable>*> held;
+    for (const Placed<FluidStageTable>& stage : tables.stages) {
+        if (stage.thermostat && stage.steps > 0) {
             held.push_back(&stage);
         }
     }
@@ -25,54 +24,49 @@ std::vector<const Section*> held_stages(const Section& root) {
 }
 
 /// `temperature` in [system] is used for drawn velocities, and for thermostats without a temperature of their own.
-void check_temperature(const Section& root, bool keeps_velocities, Diagnostics& diagnostics) {
-    const Section& system = root.section("system");
-    const std::vector<const Section*> held = held_stages(root);
-    if (!system.has("temperature") ||
-        std::ranges::any_of(held, [](const Section* stage) { return !stage->has("temperature"); })) {
+void check_temperature(const FluidTables& tables, bool keeps_velocities, Diagnostics& diagnostics) {
+    const Placed<SystemTable>& system = tables.system;
+    const auto held = held_stages(tables);
+    if (!system.temperature || std::ranges::any_of(held, [](const auto* stage) { return !stage->temperature; })) {
         return;
     }
-    const double asked = system.number("temperature");
+    const double asked = *system.temperature;
     std::vector<double> own;
     own.reserve(held.size());
-    for (const Section* stage : held) {
-        own.push_back(stage->number("temperature"));
+    for (const auto* stage : held) {
+        own.push_back(*stage->temperature);
     }
     const std::string of_stages =
         held.empty() ? "no stage has a thermostat"
                      : fmt::format("every stage with a thermostat has a 'temperature' of its own ({:.6g})",
                                    fmt::join(own, ", "));
-    const std::string way = held.empty() ? ""
-                                         : fmt::format("; --set stage.{}.temperature={:.6g} sets a stage's",
-                                                       held.back()->text("name"), asked);
+    const std::string way =
+        held.empty() ? "" : fmt::format("; --set stage.{}.temperature={:.6g} sets a stage's", held.back()->name, asked);
     if (keeps_velocities) {
-        diagnostics.warning(system.location("temperature"),
+        diagnostics.warning(system.location(&SystemTable::temperature),
                             fmt::format("'temperature' in [system] has no effect: the velocities are those of 'file', "
                                         "and {}",
                                         of_stages),
                             fmt::format("velocities = \"maxwell\" draws new ones at this temperature{}", way));
     } else if (!held.empty() && std::ranges::find(own, asked) == own.end()) {
-        diagnostics.warning(system.location("temperature"),
+        diagnostics.warning(system.location(&SystemTable::temperature),
                             fmt::format("'temperature' in [system] is {:.6g}, which only the first velocities have: {}",
                                         asked, of_stages),
                             way.substr(std::min<std::size_t>(2, way.size())));
     }
 }
 
-bool has_random_analysis(const Section& analysis) {
-    return std::ranges::any_of(
-        all_analyses(), [&](const AnalysisMethod& method) { return method.is_random && analysis.has(method.name); });
-}
-
 /// Random numbers are used for velocities, positions, stochastic thermostats, barostats and some analyses.
-void check_seed(const Section& root, bool keeps_velocities, Diagnostics& diagnostics) {
-    const Section& system = root.section("system");
-    const auto is_random = [](const Section* stage) {
-        return stage->has("barostat") || !find_thermostat(stage->section("thermostat").text("type")).deterministic;
+void check_seed(const FluidTables& tables, bool keeps_velocities, Diagnostics& diagnostics) {
+    const Placed<SystemTable>& system = tables.system;
+    const auto is_random = [](const auto* stage) {
+        return stage->barostat || !stage->thermostat->method.plugin.deterministic;
     };
-    if (is_written(system, "seed") && keeps_velocities && std::ranges::none_of(held_stages(root), is_random) &&
-        !has_random_analysis(root.section("analysis"))) {
-        diagnostics.warning(system.location("seed"),
+    const bool random_analysis = std::ranges::any_of(
+        tables.analysis.asked, [](const auto& analysis) { return analysis.chosen.plugin.is_random; });
+    if (system.written(&SystemTable::seed) && keeps_velocities &&
+        std::ranges::none_of(held_stages(tables), is_random) && !random_analysis) {
+        diagnostics.warning(system.location(&SystemTable::seed),
                             "'seed' in [system] has no effect: nothing in this run is random, its velocities are those "
                             "of 'file'");
     }
@@ -80,15 +74,15 @@ void check_seed(const Section& root, bool keeps_velocities, Diagnostics& diagnos
 
 }  // namespace
 
-void check_start_effects(const Section& root, bool keeps_velocities, Diagnostics& diagnostics) {
-    check_temperature(root, keeps_velocities, diagnostics);
-    check_seed(root, keeps_velocities, diagnostics);
+void check_start_effects(const FluidTables& tables, bool keeps_velocities, Diagnostics& diagnostics) {
+    check_temperature(tables, keeps_velocities, diagnostics);
+    check_seed(tables, keeps_velocities, diagnostics);
 }
 
 void check_start(const Deck& deck, const Start& start, Diagnostics& diagnostics) {
-    check_box(deck.root, start.atoms, start.box, diagnostics);
+    check_box(deck.fluid(), start.atoms, start.box, diagnostics);
     if (!diagnostics.has_errors()) {
-        check_start_effects(deck.root, keeps_velocities(deck.system(), start), diagnostics);
+        check_start_effects(deck.fluid(), keeps_velocities(deck.system(), start), diagnostics);
         check_phase(deck, static_cast<double>(start.atoms) / start.box.volume(), diagnostics);
     }
 }

@@ -9,6 +9,7 @@
 
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
+#include "ljmd/neighbors/pair_search.hpp"
 
 namespace ljmd {
 
@@ -84,6 +85,24 @@ void judge_choices(const FluidSpec& spec, Complaints& complaints) {
 }
 
 }  // namespace
+
+void NeighborSpec::describe(Description& description) {
+    description.choice("method", pair_search_names(), method).meaning("how pairs are found; all give the same pairs");
+    description.number("skin", skin)
+        .dimension(Dimension::length)
+        .unit("sigma")
+        .at_least(0.0)
+        .at_most(max_skin)
+        .meaning(
+            "the list holds pairs within cutoff + skin, and is rebuilt before any other pair is within the cutoff");
+    description.integer("every", every)
+        .at_least(1)
+        .at_most(static_cast<double>(max_steps))
+        .optional("whenever a pair could be missed")
+        .meaning(
+            "rebuild the list every so many steps, whatever the atoms do, as other programs may: pairs can be missed; "
+            "verlet-list only");
+}
 
 Interaction FluidSpec::interaction() const {
     return {potential, tail ? TailCorrection(potential) : TailCorrection()};

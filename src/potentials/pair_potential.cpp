@@ -141,14 +141,12 @@ std::vector<Key> PairPotential::formula_keys(const std::string& name) {
     return keys;
 }
 
-std::vector<Key> PairPotential::truncation_keys(const std::string& name) {
-    std::vector<Key> keys;
+void PairPotential::describe_truncation(const std::string& name, Description& description, Cutoff& cutoff) {
     for_each_truncation<SomeFormula>([&]<class Pair>() {
         if (Pair::name == name) {
-            keys = Pair::keys();
+            Pair::describe(description, cutoff);
         }
     });
-    return keys;
 }
 
 bool PairPotential::takes_tail(const std::string& name) {

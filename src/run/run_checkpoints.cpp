@@ -17,7 +17,7 @@ constexpr int calls_between_looks = 16;
 RunCheckpoints::RunCheckpoints(const Deck& deck, const Interruption& interruption,
                                const std::optional<Continuation>& continuation, std::function<void()> has_begun)
     : deck_(deck),
-      store_(deck.outputs(), deck.checkpoint.keep),
+      store_(deck.outputs(), static_cast<int>(deck.checkpoint.keep)),
       interruption_(interruption),
       has_begun_(std::move(has_begun)) {
     store_.continue_after(continuation ? continuation->file.generation : 0);

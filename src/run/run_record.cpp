@@ -53,7 +53,7 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
     return make_trajectory_writer(deck.trajectory->format, first,
                                   {.path = deck.outputs() / name,
                                    .velocities = deck.trajectory->velocities,
-                                   .si = deck.trajectory->si ? deck.units : std::nullopt,
+                                   .si = deck.trajectory->si() ? deck.units : std::nullopt,
                                    .creator_version = build_info().version,
                                    .author = user(),
                                    .title = deck.title,
@@ -83,7 +83,7 @@ void RunRecord::finish(double seconds, const std::optional<PhaseSeconds>& phases
 
 void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const {
     const BuildInfo& build = build_info();
-    const bool few_body = deck_.kind == DeckKind::few_body;
+    const bool few_body = deck_.kind() == DeckKind::few_body;
     Data record = {{"program", "ljmd"},
                    {"version", build.version},
                    {"commit", build.commit},
@@ -100,7 +100,7 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                    {"settings", deck_.settings},
                    {"deck_hash", deck_hash(deck_)},
                    {"kind", kind_name(deck_)},
-                   {"seed", few_body ? Data(nullptr) : Data(deck_.system().integer("seed"))},
+                   {"seed", few_body ? Data(nullptr) : Data(deck_.system().seed)},
                    {"units", few_body ? "the deck's own" : "reduced"},
                    {"began", parts_.began},
                    {"ended", finished ? Data(now()) : Data(nullptr)},

@@ -8,7 +8,6 @@
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 
 using namespace ljmd;

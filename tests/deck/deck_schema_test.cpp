@@ -192,9 +192,11 @@ TEST_CASE("every plug-in can be selected by its name") {
     }
     for (const std::string& name : PairPotential::truncation_names()) {
         const std::string tail = PairPotential::takes_tail(name) ? "\ntail = true" : "";
-        check_accepted(changed(
-            small_deck, {{"\"force-shifted\"",
-                          "\"" + name + "\"" + tail + required_of(PairPotential::truncation_keys(name), "\n")}}));
+        Cutoff radii;
+        Description keys;
+        PairPotential::describe_truncation(name, keys, radii);
+        check_accepted(
+            changed(small_deck, {{"\"force-shifted\"", "\"" + name + "\"" + tail + required_of(keys.keys(), "\n")}}));
     }
     for (const std::string& name : pair_search_names()) {
         check_accepted(small_deck + "[neighbors]\nmethod = \"" + name + "\"\n");

@@ -219,10 +219,10 @@ TEST_CASE("a box that is known late is checked in the same way") {
     const DeckFolder folder(changed(small_deck, {{lattice, "file = \"start.xyz\""}}));
     const Deck deck = folder.load();
     Diagnostics good;
-    check_box(deck.root, 100, Box(Vec3(4.0, 5.0, 6.0)), good);
+    check_box(deck.fluid(), 100, Box(Vec3(4.0, 5.0, 6.0)), good);
     CHECK(good.entries().empty());
     Diagnostics bad;
-    check_box(deck.root, 100, Box(Vec3(6.0, 5.0, 3.75)), bad);
+    check_box(deck.fluid(), 100, Box(Vec3(6.0, 5.0, 3.75)), bad);
     REQUIRE(bad.entries().size() == 1);
     CHECK(line_shown(bad.entries()[0]) == "cutoff = 2.0");
     CHECK_THAT(bad.entries()[0].hint, Contains("1.875"));

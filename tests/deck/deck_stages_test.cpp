@@ -13,7 +13,8 @@ namespace {
 std::vector<Stage> stages_in(const std::string& text) {
     Diagnostics ignored;
     const DeckFile file = parse_deck("deck.toml", text, ignored);
-    return stages_of(validate(file.table, {file.source, 0, 0, 1}, deck_schema(DeckKind::fluid), std::nullopt, ignored));
+    return stages_of(Placed<FluidTables>(
+        validate(file.table, {file.source, 0, 0, 1}, deck_schema(DeckKind::fluid), std::nullopt, ignored)));
 }
 
 const std::string rescale = "thermostat = { type = \"rescale\", every = 5 }";
@@ -43,4 +44,19 @@ TEST_CASE("a thermostat of a wrong type is left out, and one without a valid tem
         CHECK(stages[0].temperature > 0.0);
         CHECK(stages[0].thermostat);
     }
+}
+
+TEST_CASE("a few-body stage is sampled unless its table says otherwise, and may take integrators of its own") {
+    const Deck deck =
+        DeckFolder(stars_deck)
+            .load({"stage.orbits.integrator=position-verlet", "stage.orbits.start=euler", "stage.orbits.reverse=true"});
+    const std::vector<Stage> stages = stages_of(deck.few_body());
+    REQUIRE(stages.size() == 1);
+    CHECK(stages[0].sample);
+    CHECK(stages[0].reverse);
+    CHECK(stages[0].integrator.plugin.name == "position-verlet");
+    CHECK(stages[0].integrator.values == "start=euler");
+    CHECK(stages[0].steps == 95);
+    CHECK(stages[0].time_step == 0.01);
+    CHECK_FALSE(stages[0].thermostat);
 }

@@ -20,9 +20,9 @@ TEST_CASE("what a deck leaves out has its default") {
     CHECK(deck->thermo_every == 10);
     CHECK_FALSE(deck->trajectory.has_value());
     CHECK(deck->settings.empty());
-    CHECK(deck->system().integer("seed") == 1);
-    CHECK(deck->neighbors().text("method") == "verlet-list");
-    CHECK(deck->neighbors().number("skin") == 0.3);
+    CHECK(deck->system().seed == 1);
+    CHECK(deck->neighbors().method == "verlet-list");
+    CHECK(deck->neighbors().skin == 0.3);
     REQUIRE(deck->stages.size() == 2);
     CHECK(deck->stages[0].integrator.plugin.name == "velocity-verlet");
     CHECK_FALSE(deck->stages[0].sample);
@@ -48,14 +48,14 @@ TEST_CASE("what a deck says arrives in the run") {
     CHECK(deck->stages[1].temperature == 1.0);
     CHECK(deck->stages[1].sample);
     CHECK(total_steps(deck->stages) == 60);
-    CHECK(deck->neighbors().text("method") == "cells");
+    CHECK(deck->neighbors().method == "cells");
     CHECK(deck->directory == "somewhere/else");
     CHECK(deck->thermo_every == 3);
     REQUIRE(deck->trajectory.has_value());
     CHECK(deck->trajectory->format == "xyz");
     CHECK(deck->trajectory->every == 7);
     CHECK(deck->trajectory->velocities);
-    CHECK(deck->trajectory->si);
+    CHECK(deck->trajectory->si());
     REQUIRE(deck->units.has_value());
     CHECK(deck->units->kelvin() == Approx(119.8).epsilon(1e-14));
 }
@@ -65,7 +65,7 @@ TEST_CASE("settings win over the text, later ones over earlier ones") {
     const std::vector<std::string> settings{"system.density=0.5", "system.density=0.6", "stage.production.steps=100",
                                             "output.thermo.every=2", "title=Another"};
     const Deck deck = folder.load(settings);
-    CHECK(deck.system().number("density") == 0.6);
+    CHECK(deck.system().density == 0.6);
     CHECK(deck.stages[0].steps == 20);
     CHECK(deck.stages[1].steps == 100);
     CHECK(deck.thermo_every == 2);  // a table that the text has not
@@ -109,9 +109,9 @@ TEST_CASE("with a substance, quantities may have units") {
                                                  {"time_step = 0.004", "time_step = \"10 fs\""}}) +
                             argon_table);
     const Deck deck = folder.load();
-    CHECK(deck.system().number("temperature") == Approx(1.0).epsilon(1e-12));
-    CHECK(deck.potential().number("cutoff") == Approx(2.0).epsilon(1e-12));
-    CHECK(deck.system().number("density") == Approx(0.81772).epsilon(1e-4));
+    CHECK(deck.system().temperature.value() == Approx(1.0).epsilon(1e-12));
+    CHECK(deck.potential().radius == Approx(2.0).epsilon(1e-12));
+    CHECK(deck.system().density.value() == Approx(0.81772).epsilon(1e-4));
     CHECK(deck.stages[0].time_step == Approx(0.010 / 2.1564).epsilon(1e-4));  // tau of argon: 2.1564 ps
 }
 

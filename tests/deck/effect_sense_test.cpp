@@ -129,18 +129,3 @@ TEST_CASE("keys of few bodies that have no effect are told of") {
     CHECK(complaints(stars_deck, {"output.trajectory={ every = 5, format = \"h5md\", velocities = false }"}).empty());
     CHECK(complaints(radial_deck).empty());
 }
-
-TEST_CASE("what is written is told from a default, wherever it is written") {
-    const auto written = [](const std::string& text, const std::vector<std::string>& settings) {
-        return is_written(DeckFolder(text).load(settings).neighbors(), "skin");
-    };
-    CHECK_FALSE(written(small_deck, {}));
-    CHECK_FALSE(written(small_deck + "\n[neighbors]\n", {}));
-    CHECK_FALSE(written(small_deck, {"neighbors.method=cells"}));
-    CHECK_FALSE(written(small_deck, {"neighbors={ method = \"cells\" }"}));
-    CHECK(written(small_deck + "\n[neighbors]\nskin = 0.3\n", {}));
-    CHECK(written("neighbors.skin = 0.3\n" + small_deck, {}));
-    CHECK(written("neighbors = { skin = 0.3 }\n" + small_deck, {}));
-    CHECK(written(small_deck, {"neighbors.skin=0.3"}));
-    CHECK(written(small_deck, {"neighbors={ skin = 0.3 }"}));
-}

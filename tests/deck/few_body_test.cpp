@@ -44,8 +44,8 @@ TEST_CASE("what stands for the mass of a pendulum is its moment of inertia") {
                           "position = [1.0]\nvelocity = [0.5]\n\n[[stage]]\nname = \"swing\"\n"
                           "time_step = 0.1\nsteps = 1\n")
                           .load();
-    CHECK(few_body_start(deck.bodies(), *choose(find_few_body_force("pendulum"), deck.force()).options).masses() ==
-          std::vector<double>{12.0});
+    const FewBodyTables& tables = deck.few_body();
+    CHECK(few_body_start(tables.bodies, *tables.force.method.options).masses() == std::vector<double>{12.0});
 }
 
 TEST_CASE("a few-body system has the dimensions and the force of its deck") {

@@ -1,6 +1,7 @@
 #include "ljmd/deck/mistake_report.hpp"
 
 #include "deck/deck_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -11,7 +12,7 @@ const std::string rescale_line = "thermostat = { type = \"rescale\", every = 5 }
 
 Diagnostic only(const std::vector<Mistake>& mistakes, const Deck& deck) {
     Diagnostics diagnostics;
-    report(mistakes, deck.root, diagnostics);
+    report(mistakes, deck.fluid(), diagnostics);
     REQUIRE(diagnostics.entries().size() == 1);
     return diagnostics.entries().front();
 }
@@ -48,4 +49,11 @@ TEST_CASE("what rests on a value that is wrong in itself is not reported in addi
     const std::string canonical = "thermostat = { type = \"langevin\" }";
     CHECK(complaints(changed(small_deck, {{rescale_line, canonical}, {"temperature = 1.0", "temperature = -1.0"}}))
               .size() == 1);
+}
+
+TEST_CASE("a mistake in a key that no deck has is a mistake of the program") {
+    const Deck deck = DeckFolder().load();
+    Diagnostics diagnostics;
+    CHECK_THROWS_AS(report({{"potential", "", 0, "is 2", true, {"cut-off"}, ""}}, deck.fluid(), diagnostics),
+                    ContractViolation);
 }

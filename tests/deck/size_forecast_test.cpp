@@ -70,11 +70,10 @@ TEST_CASE("what an analysis was said to keep is about what it keeps") {
     const Deck deck = folder.load({"stage.production.steps=400"});
     SampledRun run = sampled_run(deck, 108, find_start(deck).box);
     run.interaction = fluid_spec(deck).interaction();
-    for (const AnalysisMethod& method : all_analyses()) {
-        const auto options = choose(method, deck.root.section("analysis").section(method.name)).options;
-        const double said = options->size(run).kept;
-        const double kept = kept_by(*options->make(run), deck, run.steps - 1);
-        INFO(method.name << ": said " << said << ", kept " << kept);
+    for (const auto& [chosen, section] : deck.fluid().analysis.asked) {
+        const double said = chosen.options->size(run).kept;
+        const double kept = kept_by(*chosen.options->make(run), deck, run.steps - 1);
+        INFO(chosen.plugin.name << ": said " << said << ", kept " << kept);
         constexpr double counters = 1000.0;
         CHECK(said < 1.3 * kept + counters);
         CHECK(said > kept / 1.3 - counters);

@@ -14,7 +14,6 @@
 #include "ljmd/compare/lammps.hpp"
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_potential.hpp"
 #include "ljmd/io/files/text_file.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/run/recorded_run.hpp"
@@ -222,7 +221,7 @@ std::map<std::string, double> first_row(const std::filesystem::path& directory) 
 Thermodynamics ours(const Deck& deck, State state) {
     PairForceField force_field = make_force_field(fluid_spec(deck), state.execution());
     const Evaluation evaluation = force_field.evaluate(state, Request::forces_and_energy);
-    const bool tail = deck.potential().has("tail") && deck.potential().flag("tail");
+    const bool tail = deck.potential().has_tail();
     return thermodynamics(state, evaluation,
                           tail ? TailCorrection(pair_potential_of(deck.potential())) : TailCorrection());
 }

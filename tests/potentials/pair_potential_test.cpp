@@ -300,8 +300,13 @@ TEST_CASE("a potential knows its names, keys and cutoff") {
     }
     CHECK(PairPotential::formula_keys("lennard-jones").empty());
     CHECK(PairPotential::formula_keys("morse").size() == 3);
-    CHECK(PairPotential::truncation_keys("switched").at(0).name == "switch_start");
-    CHECK(PairPotential::truncation_keys("cut").empty());
+    Cutoff radii;
+    Description keys;
+    PairPotential::describe_truncation("cut", keys, radii);
+    CHECK(keys.keys().empty());
+    PairPotential::describe_truncation("switched", keys, radii);
+    REQUIRE(keys.key_of(&radii.switch_start) != nullptr);
+    CHECK(*keys.key_of(&radii.switch_start) == "switch_start");
     CHECK(PairPotential::takes_tail("cut"));
     CHECK(PairPotential::takes_tail("switched"));
     CHECK_FALSE(PairPotential::takes_tail("shifted"));
@@ -332,6 +337,9 @@ TEST_CASE("unknown names are refused or have nothing") {
     CHECK_THROWS_AS(made_potential("morse", "smooth", {2.5, 2.0}), InputError);
     CHECK(PairPotential::formula_meaning("buckingham").empty());
     CHECK(PairPotential::formula_keys("buckingham").empty());
-    CHECK(PairPotential::truncation_keys("smooth").empty());
+    Cutoff radii;
+    Description keys;
+    PairPotential::describe_truncation("smooth", keys, radii);
+    CHECK(keys.keys().empty());
     CHECK_FALSE(PairPotential::takes_tail("smooth"));
 }

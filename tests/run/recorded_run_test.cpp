@@ -46,10 +46,10 @@ TEST_CASE("the deck of a run is the one that it was made with, whatever became o
     const auto [directory, state] = run_in(folder, {"potential.cutoff=1.5", "stage.production.time_step=0.001"});
     fs::remove(folder.deck_path());
     const Deck deck = deck_of(directory);
-    CHECK(deck.potential().number("cutoff") == 1.5);
+    CHECK(deck.potential().radius == 1.5);
     CHECK(deck.stages.at(1).time_step == 0.001);
     CHECK(deck.title == "A small liquid");
-    CHECK(deck_of(directory, {"potential.cutoff=1.75"}).potential().number("cutoff") == 1.75);
+    CHECK(deck_of(directory, {"potential.cutoff=1.75"}).potential().radius == 1.75);
 }
 
 TEST_CASE("the last configuration of a run is its state, unwrapped, to the last bit") {

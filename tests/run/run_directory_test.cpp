@@ -165,7 +165,7 @@ TEST_CASE("the frames and files that a deck asks for are written, and no others"
         const std::string name = std::string("out") + format;
         deck.directory = folder / name;
         if (*format != '\0') {
-            deck.trajectory = TrajectoryOutput{format, 4, false, false, false};
+            deck.trajectory = TrajectoryOutput{format, 4};
         }
         FluidSystem simulation = simulation_of(deck);
         prepare_directory(deck.directory);

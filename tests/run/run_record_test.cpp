@@ -109,7 +109,7 @@ TEST_CASE("the trajectory that a deck asks for is opened, and none that it does 
     CHECK(open_trajectory(deck, state) == nullptr);
     CHECK(std::filesystem::is_empty(deck.directory));
     for (const std::string format : {"xyz", "h5md"}) {
-        deck.trajectory = TrajectoryOutput{format, 1, false, false, false};
+        deck.trajectory = TrajectoryOutput{format, 1};
         REQUIRE(open_trajectory(deck, state) != nullptr);
         CHECK(std::filesystem::exists(deck.directory / ("trajectory." + format)));
     }

@@ -52,7 +52,7 @@ TEST_CASE("every row has a deck that is right, with 864 atoms and a name of its 
             const Deck deck = folder.load();
             INFO(row_name(row));
             CHECK(find_start(deck).atoms == 864);
-            CHECK(deck.system().number("density") == row.density);
+            CHECK(deck.system().density == row.density);
             CHECK(deck.stages.back().temperature == row.temperature);
             CHECK(deck.stages.back().steps == length.production);
             CHECK(deck.stages.back().sample);

@@ -3,56 +3,46 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "ljmd/core/diagnostics.hpp"
-#include "ljmd/core/section.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/deck/tables/few_body_tables.hpp"
+#include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/engine/stage.hpp"
 #include "ljmd/io/files/open_directory.hpp"
 
 namespace ljmd {
 
-/// When and how a trajectory is written.
-struct TrajectoryOutput {
-    std::string format;  ///< "h5md", "xyz" or, for few-body systems, "csv"
-    Index every;         ///< [steps]
-    bool velocities;
-    bool accelerations;  ///< csv only
-    bool si;
-};
-
-/// When checkpoints are written, in addition to those at the start, at the ends of stages, and when a run is stopped.
-struct CheckpointOutput {
-    Interval every;
-    int keep;  ///< generations
-};
-
 /// A run as described by its deck: every key consumed, every value in range and in reduced units.
 struct Deck {
-    DeckKind kind;
     std::string path;                   ///< as the user gave it
     std::string source;                 ///< the text of the file
     std::vector<std::string> settings;  ///< the `--set` arguments that were applied, in order
     std::string title;
     std::optional<SubstanceUnits> units;  ///< from [argon]
-    Section root;
+    std::variant<Placed<FluidTables>, Placed<FewBodyTables>> tables;
     std::vector<Stage> stages;
     std::filesystem::path directory;
-    std::optional<OpenDirectory> locked;  ///< the same directory, if a command has locked it; shares the lock
+    std::optional<OpenDirectory> locked = {};  ///< the same directory, if a command has locked it; shares the lock
     Index thermo_every;
     std::optional<TrajectoryOutput> trajectory;
     CheckpointOutput checkpoint;
 
+    [[nodiscard]] DeckKind kind() const {
+        return std::holds_alternative<Placed<FluidTables>>(tables) ? DeckKind::fluid : DeckKind::few_body;
+    }
+
+    // The tables of a deck of that kind.
+    [[nodiscard]] const Placed<FluidTables>& fluid() const { return std::get<Placed<FluidTables>>(tables); }
+    [[nodiscard]] const Placed<FewBodyTables>& few_body() const { return std::get<Placed<FewBodyTables>>(tables); }
+
     // Tables of a fluid.
-    [[nodiscard]] const Section& system() const { return root.section("system"); }
-    [[nodiscard]] const Section& potential() const { return root.section("potential"); }
-    [[nodiscard]] const Section& neighbors() const { return root.section("neighbors"); }
-    [[nodiscard]] const Section& performance() const { return root.section("performance"); }
-    // Tables of a few-body system.
-    [[nodiscard]] const Section& force() const { return root.section("force"); }
-    [[nodiscard]] const std::vector<Section>& bodies() const { return root.sections("body"); }
+    [[nodiscard]] const Placed<SystemTable>& system() const { return fluid().system; }
+    [[nodiscard]] const Placed<PotentialTable>& potential() const { return fluid().potential; }
+    [[nodiscard]] const Placed<NeighborSpec>& neighbors() const { return fluid().neighbors; }
 
     /// The output directory: the locked one, even if its path leads elsewhere by now. @throws FileError
     [[nodiscard]] OpenDirectory outputs() const { return locked ? *locked : OpenDirectory(directory); }

@@ -1,16 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ljmd/core/schema.hpp"
 
 namespace ljmd {
-
-/// Maximum number of steps of a stage, and of a resumed run.
-inline constexpr Index max_steps = 1'000'000'000'000'000;
-
-/// The `type` of a lattice that is none: atoms at random places.
-inline constexpr const char* random_lattice = "random";
 
 /// What a deck describes.
 enum class DeckKind {
@@ -20,11 +15,9 @@ enum class DeckKind {
 
 /// The keys of a deck. Decks are validated with them, and the reference page is made from them.
 [[nodiscard]] Schema deck_schema(DeckKind kind);
-[[nodiscard]] Schema few_body_schema();
 
-/// Common to the stages and outputs of both kinds.
-[[nodiscard]] Schema stage_schema(DeckKind kind, const Key& time_step);
-[[nodiscard]] Schema output_schema(const Schema& thermo, const Schema& trajectory, const std::string& thermo_default);
+/// The tables by which a few-body deck is known: one with any of them is no fluid.
+[[nodiscard]] std::vector<std::string> marks_of_few_bodies();
 
 /// The reference page of all deck keys, in Markdown.
 [[nodiscard]] std::string deck_reference_page();

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "ljmd/core/diagnostics.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/model/box.hpp"
 
 namespace ljmd {
@@ -9,10 +12,13 @@ namespace ljmd {
 /// Check a deck for physical sense: values that are in range but do not fit together, or that are hardly meant. No file
 /// is opened. Impossible values are errors. Unlikely values (a time step of 0.02 or more, a density above 1.5, a
 /// temperature above 50) are errors, or warnings if `force` is set.
-/// @pre root has [system], [potential] and [[stage]]
-void check_sense(const Section& root, bool has_units, bool force, Diagnostics& diagnostics);
+/// @param tables  single values may have been found wrong
+void check_sense(const Placed<FluidTables>& tables, bool has_units, bool force, Diagnostics& diagnostics);
+
+/// Check `directory` in [output] of a deck of either kind. @param where  the place of the key
+void check_directory(const std::optional<std::string>& directory, const Location& where, Diagnostics& diagnostics);
 
 /// Check the cutoff (at most L/2) and the analyses against the box.
-void check_box(const Section& root, Index atoms, const Box& box, Diagnostics& diagnostics);
+void check_box(const Placed<FluidTables>& tables, Index atoms, const Box& box, Diagnostics& diagnostics);
 
 }  // namespace ljmd

@@ -3,18 +3,19 @@
 #include <optional>
 #include <vector>
 
-#include "ljmd/core/section.hpp"
+#include "ljmd/deck/tables/few_body_tables.hpp"
+#include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/engine/stage.hpp"
 
 namespace ljmd {
 
 /// The stages of a deck, which may still have mistakes: a value that validation has found wrong is a stand-in, and a
 /// thermostat or barostat whose type is wrong is left out.
-/// @param root  the deck, of either kind
-[[nodiscard]] std::vector<Stage> stages_of(const Section& root);
+[[nodiscard]] std::vector<Stage> stages_of(const FluidTables& tables);
+[[nodiscard]] std::vector<Stage> stages_of(const FewBodyTables& tables);
 
 /// Target temperature of a stage's thermostat [epsilon/k_B]: `temperature` of the stage, else of the system; nothing if
 /// neither has a valid one.
-[[nodiscard]] std::optional<double> stage_temperature(const Section& stage, const Section& root);
+[[nodiscard]] std::optional<double> stage_temperature(const Placed<FluidStageTable>& stage, const FluidTables& tables);
 
 }  // namespace ljmd

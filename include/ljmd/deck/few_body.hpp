@@ -12,7 +12,7 @@ namespace ljmd {
 /// The bodies of a deck at their start, without a box; ids in the order of the deck. Masses are the inertia that the
 /// force assigns.
 /// @pre position and velocity of every [[body]] have one to three components
-[[nodiscard]] State few_body_start(const std::vector<Section>& bodies, const FewBodyForceOptions& force,
+[[nodiscard]] State few_body_start(const std::vector<Placed<BodyTable>>& bodies, const FewBodyForceOptions& force,
                                    const Execution& execution = {});
 
 /// The system of a few-body deck at its start.

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "ljmd/core/diagnostics.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/deck/tables/few_body_tables.hpp"
 
 namespace ljmd {
 
 /// Check a few-body deck for sense: all vectors have as many components as the force and the other bodies need, no two
 /// bodies are in one place, and analyses refer to existing bodies.
-/// @param root  validated with few_body_schema(); single values may have been found wrong
-void check_few_body_sense(const Section& root, Diagnostics& diagnostics);
+/// @param tables  single values may have been found wrong
+void check_few_body_sense(const Placed<FewBodyTables>& tables, Diagnostics& diagnostics);
 
 }  // namespace ljmd

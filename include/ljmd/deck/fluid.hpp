@@ -27,13 +27,10 @@ struct Start {
 [[nodiscard]] Start find_start(const Deck& deck);
 
 /// Whether a run keeps the velocities of its start file; else they are drawn.
-[[nodiscard]] bool keeps_velocities(const Section& system, const Start& start);
+[[nodiscard]] bool keeps_velocities(const SystemTable& system, const Start& start);
 
 /// sampled_run() of a deck.
 [[nodiscard]] SampledRun sampled_run(const Deck& deck, Index atoms, const Box& box);
-
-/// [neighbors] as a value.
-[[nodiscard]] NeighborSpec neighbor_spec(const Section& neighbors);
 
 /// What a fluid's deck says, as values. Of a start file nothing is read: the configuration is empty.
 [[nodiscard]] FluidSpec fluid_spec(const Deck& deck);

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "ljmd/core/diagnostics.hpp"
-#include "ljmd/core/section.hpp"
+#include "ljmd/deck/tables/fluid_tables.hpp"
 
 namespace ljmd {
 
 /// Check the stages of a fluid: their names, lengths, integrators and baths. Warn of those that are sampled under a
 /// thermostat that samples no ensemble.
-/// @param root  the deck, which may still have mistakes
-void check_fluid_stages(const Section& root, Diagnostics& diagnostics);
+/// @param tables  the deck, which may still have mistakes
+void check_fluid_stages(const Placed<FluidTables>& tables, Diagnostics& diagnostics);
 
 }  // namespace ljmd

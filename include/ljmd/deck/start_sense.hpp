@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ljmd/core/diagnostics.hpp"
-#include "ljmd/core/section.hpp"
 #include "ljmd/deck/fluid.hpp"
 
 namespace ljmd {
@@ -10,7 +9,7 @@ namespace ljmd {
 /// velocities are kept, or are drawn at a temperature that no thermostat holds. `seed`: nothing is random.
 /// @param keeps_velocities  whether those of the start file are kept
 /// @pre  the deck has no errors
-void check_start_effects(const Section& root, bool keeps_velocities, Diagnostics& diagnostics);
+void check_start_effects(const FluidTables& tables, bool keeps_velocities, Diagnostics& diagnostics);
 
 /// Checks of a deck that need its start: cutoff and analyses against the box, keys without effect, and a density beyond
 /// freezing. They are separate for a deck that starts from a file.

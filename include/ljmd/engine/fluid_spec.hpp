@@ -42,6 +42,8 @@ struct NeighborSpec {
     std::string method = "verlet-list";  ///< one of pair_search_names()
     double skin = 0.3;                   ///< [sigma]
     std::optional<Index> every = {};     ///< steps between rebuilds of the list; none: when a pair could be missed
+
+    void describe(Description& description);
 };
 
 /// What a run of a fluid is, as plain values in reduced units: where the atoms are at the start, how they interact,

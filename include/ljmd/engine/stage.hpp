@@ -13,6 +13,9 @@
 
 namespace ljmd {
 
+/// Maximum number of steps of a stage, and of a resumed run.
+inline constexpr Index max_steps = 1'000'000'000'000'000;
+
 /// Steps of one integrator, with at most one thermostat and one barostat: one [[stage]] of a deck.
 struct Stage {
     std::string name;  ///< for messages and results; unique in a run

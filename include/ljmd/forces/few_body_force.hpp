@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/description.hpp"
@@ -35,6 +36,11 @@ class FewBodyForceOptions {
 
     /// Why this start is impossible; nothing if it is possible. @pre positions are finite
     [[nodiscard]] virtual std::optional<ProblemAtStart> check(const State& /*start*/) const { return std::nullopt; }
+
+    /// Which options do nothing for so many bodies, as pairs of key and message.
+    [[nodiscard]] virtual std::vector<std::pair<std::string, std::string>> without_effect(Index /*bodies*/) const {
+        return {};
+    }
 
     /// The force field. It evaluates bodies in the order of their ids, whatever their order in memory, and throws
     /// PhysicsError, which names bodies counted from 1, when a position is not finite or when bodies have collided.

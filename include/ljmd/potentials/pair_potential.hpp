@@ -50,7 +50,8 @@ class PairPotential {
     [[nodiscard]] static std::vector<std::string> truncation_names();
     [[nodiscard]] static std::string formula_meaning(const std::string& formula);
     [[nodiscard]] static std::vector<Key> formula_keys(const std::string& formula);
-    [[nodiscard]] static std::vector<Key> truncation_keys(const std::string& truncation);
+    /// The keys that a truncation has beside the cutoff's radius.
+    static void describe_truncation(const std::string& truncation, Description& description, Cutoff& cutoff);
     /// True if a tail correction with g = 1 makes sense: for `cut` and `switched`.
     [[nodiscard]] static bool takes_tail(const std::string& truncation);
 

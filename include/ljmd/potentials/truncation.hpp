@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
-#include <vector>
 
-#include "ljmd/core/schema.hpp"
+#include "ljmd/core/description.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
@@ -17,6 +16,7 @@ struct Cutoff {
 };
 
 // A truncation wraps a formula u(r), w(r) = -u'(r)/r and is valid for r < rc; pair sums test r < rc.
+// `describe()` names the keys that it has beside the cutoff, each with the member of Cutoff that holds it.
 // `changes_from(cutoff)` is the radius beyond which the truncated force differs from the formula's, where a tail
 // correction begins. Source: Allen and Tildesley, Computer Simulation of Liquids, 2nd ed., section 5.2; the switching
 // polynomial is that of OpenMM and GROMACS (fifth order, two continuous derivatives).
@@ -28,7 +28,7 @@ class Cut {
     static constexpr std::string_view name = "cut";
     static constexpr bool takes_root = Formula::takes_root;
     static constexpr bool takes_tail = true;
-    static std::vector<Key> keys() { return {}; }
+    static void describe(Description& /*description*/, Cutoff& /*cutoff*/) {}
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
 
     Cut(const Formula& formula, const Cutoff&) : formula_(formula) {}
@@ -51,7 +51,7 @@ class Shifted {
     static constexpr std::string_view name = "shifted";
     static constexpr bool takes_root = Formula::takes_root;
     static constexpr bool takes_tail = false;
-    static std::vector<Key> keys() { return {}; }
+    static void describe(Description& /*description*/, Cutoff& /*cutoff*/) {}
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
 
     Shifted(const Formula& formula, const Cutoff& cutoff)
@@ -76,7 +76,7 @@ class ForceShifted {
     static constexpr std::string_view name = "force-shifted";
     static constexpr bool takes_root = true;
     static constexpr bool takes_tail = false;
-    static std::vector<Key> keys() { return {}; }
+    static void describe(Description& /*description*/, Cutoff& /*cutoff*/) {}
     static double changes_from(const Cutoff& cutoff) { return cutoff.radius; }
 
     ForceShifted(const Formula& formula, const Cutoff& cutoff)
@@ -107,13 +107,13 @@ class Switched {
     static constexpr std::string_view name = "switched";
     static constexpr bool takes_root = true;
     static constexpr bool takes_tail = true;
-    static std::vector<Key> keys() {
-        return {Key::number("switch_start")
-                    .dimension(Dimension::length)
-                    .unit("sigma")
-                    .above(0.0)
-                    .meaning("radius at which the switching function starts, below `cutoff`; only with truncation = "
-                             "\"switched\"")};
+    static void describe(Description& description, Cutoff& cutoff) {
+        description.required_number("switch_start", cutoff.switch_start)
+            .dimension(Dimension::length)
+            .unit("sigma")
+            .above(0.0)
+            .meaning(
+                "radius at which the switching function starts, below `cutoff`; only with truncation = \"switched\"");
     }
     static double changes_from(const Cutoff& cutoff) { return cutoff.switch_start; }
 

@@ -133,6 +133,13 @@ struct Options : FewBodyForceOptions {
     [[nodiscard]] std::optional<ProblemAtStart> check(const State& start) const override {
         return NewtonianGravity(gravitational_constant, softening, central_mass).problem_of(bodies_of(start));
     }
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> without_effect(Index bodies) const override {
+        if (bodies > 1 || central_mass > 0.0) {
+            return {};
+        }
+        return {{"gravitational_constant",
+                 "gravity has no effect on a single body without 'central_mass': it moves straight on"}};
+    }
     [[nodiscard]] std::unique_ptr<ForceField> make() const override {
         return std::make_unique<NewtonianGravity>(gravitational_constant, softening, central_mass);
     }

@@ -1,4 +1,4 @@
-#include "ljmd/deck/deck_potential.hpp"
+#include "ljmd/deck/tables/potential_table.hpp"
 
 #include "deck/deck_fixtures.hpp"
 
@@ -20,4 +20,15 @@ TEST_CASE("a deck's potential has its formula, numbers, truncation and radii") {
     CHECK(potential.cutoff().switch_start == 1.5);
     CHECK(potential.parameters() ==
           PairPotential::Parameters{{"well_depth", 2.0}, {"steepness", 6.0}, {"minimum", 1.25}});
+}
+
+TEST_CASE("the keys of a formula and a truncation are known where these are chosen") {
+    using Table = Placed<PotentialTable>;
+    CHECK(Table::key(&PotentialTable::radius) == "cutoff");
+    CHECK(Table::key(&PotentialTable::switch_start) == "switch_start");
+    const auto parsed = DeckFolder().load().potential();
+    CHECK(parsed.has(&PotentialTable::radius));
+    CHECK_FALSE(parsed.has(&PotentialTable::switch_start));
+    CHECK_FALSE(parsed.has_tail());
+    CHECK(pair_potential_of(parsed).parameters().empty());
 }

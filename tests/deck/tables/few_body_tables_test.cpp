@@ -1,5 +1,6 @@
+#include "ljmd/deck/tables/few_body_tables.hpp"
+
 #include "deck/deck_fixtures.hpp"
-#include "ljmd/deck/deck_schema.hpp"
 #include "ljmd/forces/few_body_force.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
@@ -34,7 +35,7 @@ void check_one(const Replacements& replacements, const std::string& message) {
 
 TEST_CASE("what a few-body deck leaves out has its default") {
     const Deck deck = DeckFolder(changed(stars_deck, {{"\n[output]\nthermo = { every = 10 }\n", ""}})).load();
-    CHECK(deck.kind == DeckKind::few_body);
+    CHECK(deck.kind() == DeckKind::few_body);
     CHECK(deck.thermo_every == 1);
     CHECK_FALSE(deck.trajectory.has_value());
     CHECK_FALSE(deck.units.has_value());
@@ -42,13 +43,13 @@ TEST_CASE("what a few-body deck leaves out has its default") {
     CHECK(deck.stages[0].integrator.plugin.name == "velocity-verlet");
     CHECK(deck.stages[0].sample);
     CHECK_FALSE(deck.stages[0].reverse);
-    CHECK(deck.force().number("softening") == 0.0);
+    CHECK(deck.few_body().force.method.values == "gravitational_constant=1 softening=0 central_mass=0");
     const Deck written = DeckFolder(stars_deck).load({"output.trajectory.every=7"});
     REQUIRE(written.trajectory.has_value());
     CHECK(written.trajectory->format == "csv");
     CHECK(written.trajectory->every == 7);
     CHECK_FALSE(written.trajectory->accelerations);
-    CHECK_FALSE(written.trajectory->si);
+    CHECK_FALSE(written.trajectory->si());
 }
 
 TEST_CASE("every force, integrator and analysis of few bodies can be selected by its name") {

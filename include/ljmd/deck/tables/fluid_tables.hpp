@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ljmd/deck/tables/output_table.hpp"
+#include "ljmd/deck/tables/potential_table.hpp"
+#include "ljmd/deck/tables/stage_table.hpp"
+#include "ljmd/deck/tables/system_table.hpp"
+#include "ljmd/engine/fluid_spec.hpp"
+#include "ljmd/input/placed.hpp"
+#include "ljmd/observables/analysis.hpp"
+
+namespace ljmd {
+
+/// [performance]: how forces are computed.
+struct PerformanceTable {
+    std::string precision = "double";
+
+    void describe(Description& description);
+};
+
+/// [analysis] of a fluid.
+struct FluidAnalysisTable {
+    std::vector<PlacedChoice<AnalysisMethod, AnalysisOptions>> asked;
+
+    void describe(TableDescription& description);
+};
+
+/// The deck of a fluid.
+struct FluidTables {
+    std::string title;
+    std::string units = "reduced";
+    std::optional<Placed<ArgonTable>> argon;
+    Placed<SystemTable> system;
+    Placed<PotentialTable> potential;
+    Placed<NeighborSpec> neighbors;
+    Placed<PerformanceTable> performance;
+    std::vector<Placed<FluidStageTable>> stages;
+    Placed<FluidOutputTable> output;
+    Placed<FluidAnalysisTable> analysis;
+
+    void describe(TableDescription& description);
+};
+
+}  // namespace ljmd

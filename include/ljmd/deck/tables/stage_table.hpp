@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ljmd/engine/stage.hpp"
+#include "ljmd/input/placed.hpp"
+
+namespace ljmd {
+
+/// What a [[stage]] of both kinds of decks has.
+struct StageTable {
+    std::string name;
+    ChosenIntegrator integrator = Stage().integrator;
+    double time_step = 0.0;
+    Index steps = 0;
+    bool reverse = Stage().reverse;
+    bool sample = Stage().sample;
+};
+
+/// `thermostat` in [[stage]].
+struct ThermostatTable {
+    ChosenThermostat method = {};
+
+    void describe(TableDescription& description);
+};
+
+/// `barostat` in [[stage]].
+struct BarostatTable {
+    ChosenBarostat method = {};
+
+    void describe(TableDescription& description);
+};
+
+/// [[stage]] of a fluid.
+struct FluidStageTable : StageTable {
+    std::optional<double> temperature;  ///< [epsilon/k_B]
+    std::optional<Placed<ThermostatTable>> thermostat;
+    std::optional<Placed<BarostatTable>> barostat;
+
+    void describe(TableDescription& description);
+};
+
+/// [[stage]] of a few-body deck.
+struct FewBodyStageTable : StageTable {
+    FewBodyStageTable() { sample = true; }
+
+    void describe(TableDescription& description);
+};
+
+}  // namespace ljmd

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ljmd/engine/fluid_spec.hpp"
+#include "ljmd/input/placed.hpp"
+#include "ljmd/model/lattice.hpp"
+
+namespace ljmd {
+
+/// [argon]: a real substance.
+struct ArgonTable {
+    double sigma = 0.0;    ///< [m]
+    double epsilon = 0.0;  ///< [J]
+    double mass = 0.0;     ///< [kg]
+
+    void describe(Description& description);
+};
+
+/// `lattice` in [system]: positions to start from.
+struct LatticeTable {
+    std::string type;
+    std::optional<Index> cells;  ///< along an edge
+    std::optional<Index> atoms;
+
+    void describe(Description& description);
+
+    [[nodiscard]] bool is_random() const;
+    [[nodiscard]] Lattice crystal() const;  ///< @pre !is_random()
+};
+
+/// [system]: atoms and box at the start.
+struct SystemTable {
+    std::optional<Placed<LatticeTable>> lattice;
+    std::optional<std::string> file;
+    std::optional<std::string> xyz_comment;
+    std::optional<double> density;      ///< [sigma^-3]
+    std::optional<double> temperature;  ///< [epsilon/k_B]
+    std::optional<std::string> velocities;
+    Index seed = static_cast<Index>(FluidSpec().seed);
+
+    void describe(TableDescription& description);
+
+    /// Whether the deck asks for velocities from Maxwell's distribution, or for those of the file; it may ask for
+    /// neither.
+    [[nodiscard]] bool draws_velocities() const;
+    [[nodiscard]] bool wants_velocities_of_file() const;
+};
+
+}  // namespace ljmd

@@ -1,0 +1,87 @@
+#include "ljmd/deck/tables/output_table.hpp"
+
+#include <fmt/format.h>
+
+#include "ljmd/engine/fluid_spec.hpp"
+
+namespace ljmd {
+
+namespace {
+
+void describe_every(Description& description, TrajectoryOutput& trajectory) {
+    description.required_integer("every", trajectory.every).at_least(1).meaning("steps between frames");
+}
+
+std::string in_words(Index every) {
+    return every == 1 ? "every step" : fmt::format("every {} steps", every);
+}
+
+std::string in_words(const Interval& wall_time) {
+    return fmt::format("every {:g} minutes", wall_time.seconds.value_or(0.0) / 60.0);
+}
+
+}  // namespace
+
+FluidThermo::FluidThermo() : every(FluidSpec().sample_every) {}
+
+void FluidThermo::describe(Description& description) {
+    description.integer("every", every)
+        .at_least(1)
+        .meaning("steps between rows of thermo.csv, which are also the samples that averages are taken over");
+}
+
+void FewBodyThermo::describe(Description& description) {
+    description.integer("every", every)
+        .at_least(1)
+        .meaning(
+            "steps between rows of thermo.csv, from which the largest deviations in the results are taken; the end has "
+            "a row, too");
+}
+
+void FluidTrajectory::describe(Description& description) {
+    description.choice("format", {"h5md", "xyz"}, format)
+        .meaning("trajectory.h5md (H5MD 1.1) or trajectory.xyz (extended XYZ)");
+    describe_every(description, *this);
+    description.flag("velocities", velocities).meaning("write velocities too");
+    description.choice("units", {"reduced", "si"}, units)
+        .meaning("si (nm, ps; angstrom in extended XYZ) needs [argon]");
+}
+
+void FewBodyTrajectory::describe(Description& description) {
+    description.choice("format", {"csv", "h5md", "xyz"}, format)
+        .meaning(
+            "trajectory.csv (positions and velocities), trajectory.h5md (H5MD 1.1) or trajectory.xyz (extended XYZ)");
+    describe_every(description, *this);
+    description.flag("velocities", velocities).meaning("write velocities to h5md and xyz too; csv always has them");
+    description.flag("accelerations", accelerations).meaning("write accelerations too; csv only");
+}
+
+void CheckpointOutput::describe(Description& description) {
+    description.interval("every", every)
+        .at_least(1)
+        .at_most(static_cast<double>(max_steps))
+        .meaning("steps, or wall time");
+    description.integer("keep", keep)
+        .at_least(1)
+        .at_most(9)
+        .meaning("generations; with 2, a damaged one can be done without");
+}
+
+template <class Thermo, class Trajectory>
+void OutputTable<Thermo, Trajectory>::describe(TableDescription& description) {
+    description.text("directory", directory).optional("runs/ and the deck's name").meaning("where the results go");
+    description.table("thermo", "thermo", thermo)
+        .optional(in_words(thermo.every))
+        .meaning("history of energies, thermo.csv");
+    description.table("trajectory", "trajectory", trajectory).optional("none").meaning("positions against time");
+    description.table("checkpoint", "checkpoint", checkpoint)
+        .optional(in_words(checkpoint.every))
+        .meaning(
+            "what `ljmd resume` goes on from; also written at the start, at the ends of stages, and when the run is "
+            "stopped");
+}
+
+template struct OutputTable<FluidThermo, FluidTrajectory>;
+template struct OutputTable<FewBodyThermo, FewBodyTrajectory>;
+
+}  // namespace ljmd

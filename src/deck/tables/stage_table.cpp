@@ -1,0 +1,75 @@
+#include "ljmd/deck/tables/stage_table.hpp"
+
+#include "ljmd/input/deck_setting.hpp"
+
+namespace ljmd {
+
+namespace {
+
+void describe_beginning(TableDescription& description, StageTable& stage,
+                        const std::vector<IntegratorMethod>& integrators) {
+    description.required_text(element_name, stage.name)
+        .meaning("for messages, results and `--set stage.NAME.key=value`; unique");
+    description.plugin("integrator", integrators, stage.integrator)
+        .meaning("integration scheme; " + meanings_of(integrators));
+}
+
+void describe_steps(TableDescription& description, StageTable& stage) {
+    description.required_integer("steps", stage.steps)
+        .at_least(0)
+        .at_most(static_cast<double>(max_steps))
+        .meaning("number of steps; a run of 0 steps in all evaluates the start once");
+    description.flag("reverse", stage.reverse)
+        .meaning("turn the motion round before the first step: a reversible integrator then goes back the way it came");
+}
+
+std::vector<IntegratorMethod> integrators_of_fluids() {
+    std::vector<IntegratorMethod> integrators = all_integrators();
+    std::erase_if(integrators, [](const IntegratorMethod& method) { return method.unbounded_only; });
+    return integrators;
+}
+
+}  // namespace
+
+void ThermostatTable::describe(TableDescription& description) {
+    const std::vector<ThermostatMethod> thermostats = all_thermostats();
+    description.plugin("type", thermostats, method).meaning(meanings_of(thermostats));
+}
+
+void BarostatTable::describe(TableDescription& description) {
+    const std::vector<BarostatMethod> barostats = all_barostats();
+    description.plugin("type", barostats, method).meaning(meanings_of(barostats));
+}
+
+void FluidStageTable::describe(TableDescription& description) {
+    describe_beginning(description, *this, integrators_of_fluids());
+    description.required_number("time_step", time_step)
+        .dimension(Dimension::time)
+        .unit("tau")
+        .above(0.0)
+        .meaning("below 0.02 unless --force is given");
+    describe_steps(description, *this);
+    description.number("temperature", temperature)
+        .dimension(Dimension::temperature)
+        .unit("epsilon/k_B")
+        .at_least(0.0)
+        .optional("that of [system]")
+        .meaning("what the thermostat holds in this stage");
+    description.table("thermostat", "thermostat", thermostat)
+        .optional("none: constant energy")
+        .meaning("holds the temperature; all but `rescale` go with velocity-verlet");
+    description.table("barostat", "barostat", barostat)
+        .optional("none: constant volume")
+        .meaning("holds the pressure, beside a canonical thermostat");
+    description.flag("sample", sample).meaning("measure observables in this stage");
+}
+
+void FewBodyStageTable::describe(TableDescription& description) {
+    describe_beginning(description, *this, all_integrators());
+    description.required_number("time_step", time_step).above(0.0).meaning("in the deck's unit of time");
+    describe_steps(description, *this);
+    description.flag("sample", sample)
+        .meaning("the analyses look at this stage; sampled stages follow one another, and none runs backwards");
+}
+
+}  // namespace ljmd

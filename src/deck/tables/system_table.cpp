@@ -1,0 +1,92 @@
+#include "ljmd/deck/tables/system_table.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double min_density = 1e-12;  // one atom in a box of 10^4 sigma
+
+constexpr const char* random_places = "random";
+
+constexpr const char* maxwell = "maxwell";
+constexpr const char* of_file = "file";
+
+}  // namespace
+
+void ArgonTable::describe(Description& description) {
+    description.required_quantity("sigma", Dimension::length, sigma)
+        .above(0.0)
+        .meaning("Lennard-Jones length, e.g. \"3.405 angstrom\"");
+    description.required_quantity("epsilon", Dimension::energy, epsilon)
+        .above(0.0)
+        .meaning("Lennard-Jones energy, e.g. \"119.8 K\" (times k_B)");
+    description.required_quantity("mass", Dimension::mass, mass)
+        .above(0.0)
+        .meaning("mass of an atom, e.g. \"39.948 u\"");
+}
+
+void LatticeTable::describe(Description& description) {
+    std::vector<std::string> types = lattice_names();
+    types.emplace_back(random_places);
+    description.required_choice("type", types, type)
+        .meaning("where the atoms start; overlaps of a random start are relaxed before the first step");
+    description.integer("cells", cells)
+        .at_least(1)
+        .at_most(1000)
+        .optional("taken from `atoms`")
+        .meaning("cubic cells along each edge: N = 4 cells^3 (fcc) or cells^3 (simple-cubic)");
+    description.integer("atoms", atoms)
+        .at_least(1)
+        .at_most(1e9)
+        .optional("taken from `cells`")
+        .meaning("number of atoms instead of `cells`; required for random");
+}
+
+bool LatticeTable::is_random() const {
+    return type == random_places;
+}
+
+Lattice LatticeTable::crystal() const {
+    return find_lattice(type);
+}
+
+void SystemTable::describe(TableDescription& description) {
+    description.table("lattice", "lattice", lattice).optional("start from `file`").meaning("positions to start from");
+    description.text("file", file)
+        .optional("start from `lattice`")
+        .meaning(
+            "file to start from (extended XYZ, H5MD, LAMMPS data or NIST configuration, recognised by content), or the "
+            "directory of a finished run");
+    description.text("xyz_comment", xyz_comment)
+        .optional("the comment lines of `file` say all")
+        .meaning("keys that the comment lines of an XYZ `file` lack: 'Lattice=\"20 0 0 0 20 0 0 0 20\" units=si'");
+    description.number("density", density)
+        .dimension(Dimension::density)
+        .unit("sigma^-3")
+        .at_least(min_density)
+        .optional("that of `file`")
+        .meaning("number density N/V; with `file`, box and positions are scaled to it");
+    description.number("temperature", temperature)
+        .dimension(Dimension::temperature)
+        .unit("epsilon/k_B")
+        .at_least(0.0)
+        .optional("from the velocities in `file`")
+        .meaning("temperature of the start, and of thermostats");
+    description.choice("velocities", {maxwell, of_file}, velocities)
+        .optional("file if it has velocities, else maxwell")
+        .meaning("draw velocities from Maxwell's distribution, or keep those of `file`");
+    description.integer("seed", seed)
+        .at_least(0)
+        .meaning(
+            "of all random numbers; a run that goes on from another one's end under a thermostat needs another seed");
+}
+
+bool SystemTable::draws_velocities() const {
+    return velocities == maxwell;
+}
+
+bool SystemTable::wants_velocities_of_file() const {
+    return velocities == of_file;
+}
+
+}  // namespace ljmd
