@@ -124,36 +124,6 @@ const Section::Item& Section::item(const std::string& key, Kind kind) const {
     return found->second;
 }
 
-bool Section::flag(const std::string& key) const {
-    return std::get<bool>(*item(key, Kind::flag).value);
-}
-
-std::int64_t Section::integer(const std::string& key) const {
-    return std::get<std::int64_t>(*item(key, Kind::integer).value);
-}
-
-double Section::number(const std::string& key) const {
-    const auto found = items_.find(key);
-    const bool is_quantity = found != items_.end() && found->second.kind == Kind::quantity;
-    return std::get<double>(*item(key, is_quantity ? Kind::quantity : Kind::number).value);
-}
-
-const std::string& Section::text(const std::string& key) const {
-    const auto found = items_.find(key);
-    const bool is_choice = found != items_.end() && found->second.kind == Kind::choice;
-    return std::get<std::string>(*item(key, is_choice ? Kind::choice : Kind::text).value);
-}
-
-Interval Section::interval(const std::string& key) const {
-    const PlainValue& value = *item(key, Kind::interval).value;
-    if (const auto* steps = std::get_if<std::int64_t>(&value)) return {*steps, std::nullopt};
-    return {std::nullopt, parse_wall_time(std::get<std::string>(value))};
-}
-
-const std::vector<double>& Section::vector(const std::string& key) const {
-    return std::get<std::vector<double>>(*item(key, Kind::vector).value);
-}
-
 const PlainValue& Section::plain(const std::string& key) const {
     const auto found = items_.find(key);
     if (found == items_.end() || !found->second.value) {

@@ -24,14 +24,6 @@ struct StepInterval {
 /// in reduced units, or is optional and absent. The places of values are known, so that later checks can point at them.
 class Section {
   public:
-    /// Values. @throws ContractViolation if the schema has no such key of that kind, or if the key is absent.
-    [[nodiscard]] bool flag(const std::string& key) const;
-    [[nodiscard]] std::int64_t integer(const std::string& key) const;
-    [[nodiscard]] double number(const std::string& key) const;            ///< reduced units; SI for Kind::quantity
-    [[nodiscard]] const std::string& text(const std::string& key) const;  ///< for text and choice
-    [[nodiscard]] Interval interval(const std::string& key) const;
-    [[nodiscard]] const std::vector<double>& vector(const std::string& key) const;
-
     /// Value of a key of any kind but tables: numbers in reduced units, but for Kind::quantity, which is in SI.
     /// @throws ContractViolation if the schema has no such key, or if it is absent
     [[nodiscard]] const PlainValue& plain(const std::string& key) const;
