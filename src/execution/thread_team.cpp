@@ -14,6 +14,7 @@
 #include <system_error>
 #include <thread>
 
+#include "caller_account.hpp"
 #include "signals_blocked.hpp"
 #include "spin_until.hpp"
 #include "worker_account.hpp"
@@ -31,9 +32,6 @@ constexpr std::chrono::microseconds patience{20};
 /// just worked, because the caller's share may take longer.
 constexpr std::chrono::microseconds shortest_spin{50};
 constexpr std::chrono::microseconds longest_spin{1000};
-/// Longer work is corrected for the time in which the caller had no processor. For shorter work the query costs too
-/// much.
-constexpr Nanoseconds long_work{200e3};
 
 /// Twice a cache line, because processors fetch lines in pairs.
 constexpr std::size_t cache_lines = 128;
@@ -51,6 +49,13 @@ class IsCaller {
   private:
     int before_;
 };
+
+/// Processor time of the calling thread.
+Nanoseconds processor_time() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
 
 std::atomic<int> forks = 0;  // number of forks behind this process since the first team was made
 
@@ -93,9 +98,11 @@ struct Failure {
 struct ThreadTeam::Caller {
     Loop loop;
     Clock::time_point now = Clock::now();  ///< last time that it read the clock
-    Index blocks = 0;                      ///< number of blocks that it has computed
-    Nanoseconds worked{0};                 ///< time that these took
-    Failure failure{};                     ///< of all blocks done so far
+    const Clock::time_point began = now;
+    Index blocks = 0;       ///< number of blocks that it has computed
+    Nanoseconds worked{0};  ///< time that these took
+    Nanoseconds waited{0};  ///< time that it has waited for workers
+    Failure failure{};      ///< of all blocks done so far
 
     void compute(Index block) {
         failure.call(loop, block);
@@ -163,6 +170,7 @@ class ThreadTeam::Worker {
                 caller_sleeps_ = false;
             }
             waited_ += caller.lap();
+            caller.waited += waited_;
         }
         if (failure_.what) {
             caller.failure.add(std::exchange(failure_, {}));
@@ -171,8 +179,9 @@ class ThreadTeam::Worker {
 
     /// Decide whether it takes part in the next loops. Called when all of a loop is done.
     /// @param block  mean time that the caller took for a block
-    void settle(Nanoseconds block, Clock::time_point now) {
-        account_.settle(block * static_cast<double>(blocks_), waited_, now);
+    /// @param lost   time that the caller had no processor because of this worker
+    void settle(Nanoseconds block, Nanoseconds lost, Clock::time_point now) {
+        account_.settle(block * static_cast<double>(blocks_), waited_ + lost, now);
     }
 
   private:
@@ -261,7 +270,7 @@ int number_in_team() {
 ThreadTeam::ThreadTeam(int threads) {
     [[maybe_unused]] static const int registered = pthread_atfork(nullptr, nullptr, [] { ++forks; });
     forks_ = forks;
-    time_without_processor();
+    account_ = std::make_unique<CallerAccount>();
     try {
         const SignalsBlocked signals_blocked;  // signals that ask the program to stop are for its first thread
         const auto workers = static_cast<std::size_t>(threads - 1);
@@ -292,15 +301,6 @@ bool ThreadTeam::in_child_process() const {
     return forks_ != forks;
 }
 
-/// Time since the last call in which the calling thread slept, or in which other programs had its processor [ns].
-double ThreadTeam::time_without_processor() {
-    timespec processor{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &processor);
-    const Nanoseconds used = std::chrono::seconds(processor.tv_sec) + std::chrono::nanoseconds(processor.tv_nsec);
-    const double lag = (Nanoseconds(Clock::now().time_since_epoch()) - used).count();
-    return std::max(0.0, lag - std::exchange(processor_lag_, lag));
-}
-
 void ThreadTeam::for_each_block(Index count, Index block_length, BlockFunction function) {
     const Loop loop{count, block_length, function};
     const IsCaller is_caller;
@@ -326,6 +326,7 @@ void ThreadTeam::share_out(Caller& caller) {
     }
     if (present_.empty()) {
         caller.loop.call_all();
+        static_cast<void>(account_->settle(caller.began, Clock::now(), true, Nanoseconds{0}, processor_time));
         return;
     }
     const Index sharers = static_cast<Index>(present_.size()) + 1;
@@ -337,14 +338,17 @@ void ThreadTeam::share_out(Caller& caller) {
         caller.compute(block);
     }
     caller.worked = caller.lap();
-    if (caller.worked > long_work) {
-        caller.worked -= std::min(caller.worked, Nanoseconds(time_without_processor()));
-    }
     for (Worker* worker : present_) {
         worker->finish(caller);
     }
+    const auto lost = account_->settle(caller.began, caller.now, false, caller.waited, processor_time);
+    if (caller.worked > CallerAccount::interval) {
+        caller.worked -= std::min(caller.worked, lost.all);
+    }
     for (Worker* worker : present_) {
-        worker->settle(caller.worked / static_cast<double>(caller.blocks), caller.now);
+        // Whichever worker is in the caller's way: with one less there is room for it, or another loss.
+        worker->settle(caller.worked / static_cast<double>(caller.blocks),
+                       worker == present_.back() ? lost.by_team : Nanoseconds{0}, caller.now);
     }
     if (caller.failure.what) {
         std::rethrow_exception(caller.failure.what);

@@ -30,6 +30,21 @@ TEST_CASE("a helper that has cost more than it saved is on leave for ten times t
     CHECK_FALSE(account.on_leave(start + 31ms));
 }
 
+TEST_CASE("a worker that loses again at once is on leave for longer and longer, up to eighty times the loss") {
+    WorkerAccount account;
+    WorkerAccount::Clock::time_point now = start;
+    for (const auto leave : {30ms, 60ms, 120ms, 240ms, 240ms}) {
+        account.settle(1ms, 4ms, now);
+        CHECK(account.on_leave(now + leave - 1ms));
+        now += leave + 1ms;
+        CHECK_FALSE(account.on_leave(now));
+    }
+    // A worker that was good for as long as it was away is trusted again.
+    now += 300ms;
+    account.settle(1ms, 4ms, now);
+    CHECK_FALSE(account.on_leave(now + 31ms));
+}
+
 TEST_CASE("small losses add up, and gains before them do not count") {
     WorkerAccount account;
     account.settle(1s, 0ms, start);

@@ -11,6 +11,8 @@
 
 namespace ljmd {
 
+class CallerAccount;
+
 /// Reference to a function of (first, last), which must outlive the call.
 class BlockFunction {
   public:
@@ -49,7 +51,8 @@ class ThreadsError : public Error {
 ///   the caller.
 /// - If the caller waits longer for a worker than its blocks have saved, because another program has its processor or
 ///   because the loops are too small, the worker is left out for ten times the loss (src/execution/worker_account.hpp).
-///   So a team is at most about a tenth slower than the caller alone.
+///   So is the last worker if the caller has less of a processor with the team than alone, where other programs have
+///   the rest (src/execution/caller_account.hpp). So a team is at most about a tenth slower than the caller alone.
 class ThreadTeam {
   public:
     /// @param threads  number of threads, the caller included  @pre threads >= 1
@@ -75,10 +78,9 @@ class ThreadTeam {
     class Worker;
     void share_out(Caller& caller);
     [[nodiscard]] bool in_child_process() const;
-    double time_without_processor();
 
-    int forks_;                   ///< number of forks behind this process when the team was made
-    double processor_lag_ = 0.0;  ///< see time_without_processor
+    int forks_;  ///< number of forks behind this process when the team was made
+    std::unique_ptr<CallerAccount> account_;
     std::atomic<bool> at_work_ = false;
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Worker*> present_;  ///< workers that share the present loop
