@@ -45,8 +45,9 @@ constexpr unsigned changing_files =
     set_of(K::create, K::write, K::sync, K::truncate, K::rename, K::remove, K::mkdir, K::link);
 
 /// With the kinds of calls that may end with them, as the manual pages have it.
-constexpr std::array<NamedError, 6> errors{
+constexpr std::array<NamedError, 7> errors{
     {{"EIO", EIO, ~set_of(K::lock, K::spawn)},
+     {"look", EIO, set_of(K::stat)},
      {"EINTR", EINTR, moving_bytes | set_of(K::open, K::create, K::sync, K::close, K::truncate, K::lock)},
      {"ENOSPC", ENOSPC, set_of(K::create, K::write, K::sync, K::close, K::rename, K::mkdir, K::link)},
      {"EACCES", EACCES, set_of(K::open, K::create, K::rename, K::remove, K::mkdir, K::link, K::stat, K::lookup)},

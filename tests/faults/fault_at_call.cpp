@@ -9,6 +9,7 @@
 //                       shortens a file; what becomes of the folder LJMD_FAULT_FOLDER is told in disk.hpp
 //   LJMD_FAULT=EIO:N    of all calls that may end with this error, the N-th does; so for EINTR, ENOSPC, EACCES, EMFILE,
 //                       EAGAIN
+//   LJMD_FAULT=look:N   the N-th look at what a file or folder is ends with EIO
 //   LJMD_FAULT=short:N  the N-th call that reads or writes takes half of the bytes
 //   LJMD_FAULT=clock:S  the clock on the wall jumps at each look, S seconds on and as many back
 //   LJMD_FAULT=count:F  nothing happens, and at the end the file F tells the number of calls of each kind, of those

@@ -39,11 +39,15 @@ Result Hdf5Output::checked(Result result, const std::string& doing) {
     return result;
 }
 
-void Hdf5Output::fail(const std::string& doing, const std::string& cause) {
+void Hdf5Output::abandon() {
     for (Hdf5Handle& dataset : datasets_) {
         dataset.abandon();
     }
     file_.abandon();
+}
+
+void Hdf5Output::fail(const std::string& doing, const std::string& cause) {
+    abandon();
     throw FileError(fmt::format("cannot write '{}': {}: {}", path().string(), doing, cause));
 }
 
@@ -258,9 +262,18 @@ void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t 
     finish_objects();
     overwrite_beginning(place_, objects_);
     const Hdf5Silence silence;
-    open_file(place_);
-    // Extend all series to the end of a chunk before the next step: chunks then get the same places as when entries
-    // came one by one.
+    try {
+        open_file(place_);
+        repeat_records(series, entries, stride);
+        switch_to_appending();
+    } catch (...) {
+        // If HDF5 closed the file now, it would cut it off behind the records that it has made so far.
+        abandon();
+        throw;
+    }
+}
+
+void Hdf5Output::repeat_records(const std::vector<Series*>& series, hsize_t entries, hsize_t stride) {
     for (hsize_t begin = 0; begin < entries; begin += stride) {
         for (Series* one : series) {
             extend(*one, std::min(begin + stride, entries));
@@ -270,7 +283,6 @@ void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t 
         one->dataset = -1;
     }
     datasets_.clear();  // to be reopened in SWMR mode
-    switch_to_appending();
 }
 
 void Hdf5Output::switch_to_appending() {

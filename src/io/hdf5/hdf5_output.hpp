@@ -97,6 +97,8 @@ class Hdf5Output {
     template <class Result>
     Result checked(Result result, const std::string& doing);
     [[noreturn]] void fail(const std::string& doing, const std::string& cause);
+    /// Leave the file as it is on the disk: HDF5 neither writes to it nor shortens it any more.
+    void abandon();
     [[nodiscard]] Hdf5Handle fixed_text_type(const std::vector<std::string>& texts);
     /// Creation properties without time stamps: the same frames give the same file.
     [[nodiscard]] Hdf5Handle without_times(hid_t kind);
@@ -111,6 +113,9 @@ class Hdf5Output {
     void open_file(const OutputPlace& place);
     void open_series(Series& series);
     void extend(Series& series, hsize_t entries);
+    /// Extend all series to the end of a chunk before the next step: chunks then get the same places as when entries
+    /// came one by one. See continue_appending().
+    void repeat_records(const std::vector<Series*>& series, hsize_t entries, hsize_t stride);
     void switch_to_appending();
 
     [[nodiscard]] int descriptor();
