@@ -10,7 +10,7 @@ using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
 
-// Full disks, and what other readers see while a file is written, are tested in h5md_writer_test.cpp.
+// Full disks, and what other readers see while a file is written, are tested in h5md_test.cpp.
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "h5md_writer.hpp"
+#include "../h5md_writer.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>
