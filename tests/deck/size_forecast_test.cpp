@@ -1,5 +1,6 @@
 #include "ljmd/deck/size_forecast.hpp"
 
+#include "deck/every_analysis.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -7,15 +8,10 @@ using namespace ljmd::test;
 
 namespace {
 
-const std::string all_analyses_table = R"(
-[analysis]
-rdf = { every = 2 }
-structure_factor = { every = 2 }
-msd = { every = 1, origins = 5 }
-vacf = { every = 1 }
-viscosity = { every = 1 }
-chemical_potential = { every = 2, insertions = 10 }
-)";
+const std::string all_analyses_table = every_analysis({{"rdf", "{ every = 2 }"},
+                                                       {"structure_factor", "{ every = 2 }"},
+                                                       {"msd", "{ every = 1, origins = 5 }"},
+                                                       {"chemical_potential", "{ every = 2, insertions = 10 }"}});
 
 SizeForecast size_of(const std::vector<std::string>& settings) {
     const DeckFolder folder;

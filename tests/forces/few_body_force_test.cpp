@@ -54,8 +54,10 @@ void for_every_force(const Look& look) {
 
 TEST_CASE("few-body forces are listed by name, in alphabetical order, with what they mean") {
     const auto methods = all_few_body_forces();
-    CHECK(plugin_names(methods) ==
-          std::vector<std::string>{"harmonic", "newtonian-gravity", "pendulum", "radial-kepler"});
+    const std::vector<std::string> names = plugin_names(methods);
+    CHECK(std::ranges::is_sorted(names));
+    const std::vector<std::string> at_least{"harmonic", "newtonian-gravity", "pendulum", "radial-kepler"};
+    CHECK(std::ranges::includes(names, at_least));
     for (const auto& method : methods) {
         CAPTURE(method.name);
         CHECK_FALSE(method.meaning.empty());

@@ -88,14 +88,19 @@ TEST_CASE("what a thermostat does depends on ids and steps, not on the order of 
     }
 }
 
-TEST_CASE("stochastic thermostats do something else with another seed or at another step, and the same with the same") {
-    for (const char* name : {"andersen", "langevin", "stochastic-rescaling"}) {
-        CAPTURE(name);
+TEST_CASE(
+    "canonical thermostats that draw numbers do something else with another seed or at another step, and the same with "
+    "the same") {
+    for (const ThermostatMethod& method : all_thermostats()) {
+        if (method.deterministic || !method.canonical) {
+            continue;
+        }
+        CAPTURE(method.name);
         const auto after = [&](std::uint64_t seed, Index step) {
             State state = test::moving_atoms(1.3);
             HeatBath bath = test::bath_of(state, 0.7);
             bath.seed = seed;
-            test::act(*test::made_thermostat(name, bath, {{"time", 0.05}}), state, step);
+            test::act(*test::made_thermostat(method.name, bath, {{"time", 0.05}}), state, step);
             return state.heat();
         };
         CHECK(after(1, 1) == after(1, 1));

@@ -6,7 +6,8 @@
     check_tree.py --self-test               check that violations are caught, on made-up trees
 
 Rules:
-- every src/<room>/x.cpp has its tests/<room>/x_test.cpp, but for WITHOUT_TEST;
+- every src/<room>/x.cpp has its tests/<room>/x_test.cpp, but for WITHOUT_TEST, and every pair formula the test of its
+  closed form;
 - at the top level stand only the names in TOP_LEVEL;
 - a file in src/ or include/ has at most MAXIMUM_LINES lines;
 - no file asks for fast-math;
@@ -69,10 +70,11 @@ def check_mirror(files):
     complaints = []
     names = {path.as_posix() for path in files}
     for name in sorted(names):
-        match = re.fullmatch(r"src/(.+)\.cpp", name)
+        match = re.fullmatch(r"src/(.+)\.cpp|include/ljmd/(potentials/formulas/.+)\.hpp", name)
         excused = any(fnmatch(name, pattern) for pattern in WITHOUT_TEST)
-        if match and not excused and f"tests/{match.group(1)}_test.cpp" not in names:
-            complaints.append(f"{name}: no tests/{match.group(1)}_test.cpp")
+        test = match and f"tests/{match[1] or match[2]}_test.cpp"
+        if test and not excused and test not in names:
+            complaints.append(f"{name}: no {test}")
     return complaints
 
 
@@ -140,6 +142,7 @@ SOUND = {
 VIOLATIONS = [
     ("src/core/b.cpp", "", "no tests/core/b_test.cpp"),
     ("src/core/deep/b.cpp", "", "no tests/core/deep/b_test.cpp"),
+    ("include/ljmd/potentials/formulas/b.hpp", "", "no tests/potentials/formulas/b_test.cpp"),
     ("tests/core/c_test.cpp", 'TEST_CASE("one; two") {}', "test name"),
     ("tests/core/c_test.cpp", 'TEST_CASE("one", "[long]") {}', "[long] is not looked for"),
     ("notes.txt", "", "not a name for the top level"),

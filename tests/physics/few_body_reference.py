@@ -313,7 +313,6 @@ def orders(program: Program, reference: Reference) -> None:
     O(dt^4)), E counted from the horizontal. Let go there, E = 0, and the angle is of fourth order; which is tried, too.
     """
     problems = (("comet", "kepler-leapfrog", PERIOD, {}), ("pendulum", "pendulum", 8.0, {"body.1.position": [2.0]}))
-    steps_of = {1: 16000, 2: 1000, 4: 250}  # and twice as many
     for method in json.loads(program.ask("info", "--json"))["integrators"]:
         starts = ("taylor", "euler") if method["name"] == "position-verlet" else (None,)
         for (name, deck, time, settings), start in ((problem, start) for problem in problems for start in starts):
@@ -324,7 +323,7 @@ def orders(program: Program, reference: Reference) -> None:
                 error = program.compare(deck, time / 10, 10, settings)["largest_position_error"]
                 reference.expect(f"{label}, error", error, 0.0, 1e-9)
                 continue
-            steps = steps_of[expected]
+            steps = 16000 if expected == 1 else 2000 // 2 ** (expected - 1)  # and twice as many
             errors = [program.compare(deck, time / n, n, settings)["largest_position_error"]
                       for n in (steps, 2 * steps)]
             reference.expect(f"{label}, order", order(*errors), expected, 0.05)

@@ -7,7 +7,7 @@
 
 namespace ljmd::test {
 
-/// Values for the parameters that formulas demand, for tests to which they do not matter.
+/// Values for parameters that formulas demand, for tests to which they do not matter. Others are 1.
 inline const std::map<std::string, double> default_parameters{
     {"well_depth", 1.0}, {"steepness", 6.0}, {"minimum", 1.122462048309373}};
 
@@ -18,7 +18,9 @@ inline PairPotential made_potential(const std::string& formula, const std::strin
     PairPotential::Parameters parameters;
     for (const Key& key : PairPotential::formula_keys(formula)) {
         const auto given = numbers.find(key.name);
-        parameters.emplace_back(key.name, given != numbers.end() ? given->second : default_parameters.at(key.name));
+        const auto usual = default_parameters.find(key.name);
+        const double otherwise = usual != default_parameters.end() ? usual->second : 1.0;
+        parameters.emplace_back(key.name, given != numbers.end() ? given->second : otherwise);
     }
     return PairPotential::make(formula, truncation, cutoff, parameters);
 }
