@@ -1,6 +1,6 @@
 # Plug-ins register themselves by lying in a folder: adding one is adding one file. This module writes the lists.
 
-# ljmd_type_list(<folder of headers> <list name>): a header with `using All<list>s = <list>List<Type, ...>` that includes
+# ljmd_formula_list(<folder of headers> <output>): a header with `using AllFormulas = FormulaList<Type, ...>` that includes
 # every header of the folder; lennard_jones.hpp declares LennardJones.
 function(ljmd_formula_list folder output)
     file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/include/${folder}/*.hpp)
@@ -70,6 +70,7 @@ ljmd_plugin_list(forces/few_body FewBodyForceMethod ljmd/forces/few_body_force.h
 ljmd_plugin_list(integrators/methods IntegratorMethod ljmd/integrators/integrator.hpp all_integrators ljmd_generated_sources)
 ljmd_plugin_list(integrators/barostats BarostatMethod ljmd/integrators/barostat.hpp all_barostats ljmd_generated_sources)
 ljmd_plugin_list(integrators/thermostats ThermostatMethod ljmd/integrators/thermostat.hpp all_thermostats ljmd_generated_sources)
+ljmd_plugin_list(io/formats/trajectories TrajectoryFormat ljmd/io/formats/trajectory_writer.hpp all_trajectory_formats ljmd_generated_sources)
 ljmd_plugin_list(observables/analyses AnalysisMethod ljmd/observables/analysis.hpp all_analyses ljmd_generated_sources)
 ljmd_plugin_list(observables/few_body_analyses FewBodyAnalysisMethod ljmd/observables/few_body/few_body_analysis.hpp all_few_body_analyses ljmd_generated_sources)
 ljmd_plugin_list(reference/equations EquationOfState ljmd/reference/equation_of_state.hpp all_equations_of_state ljmd_generated_sources)

@@ -13,6 +13,7 @@
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
@@ -35,6 +36,8 @@ std::vector<std::string_view> usable_levels() {
 
 /// What decks can select, with the headings of `ljmd info`.
 std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
+    std::vector<std::string> trajectories = plugin_names(all_trajectory_formats());
+    trajectories.emplace_back("csv (few bodies)");
     return {{"potentials", PairPotential::formula_names()},
             {"truncations", PairPotential::truncation_names()},
             {"pair search", pair_search_names()},
@@ -45,7 +48,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> selectable() {
             {"analyses", plugin_names(all_analyses())},
             {"of few bodies", plugin_names(all_few_body_analyses())},
             {"equations", plugin_names(all_equations_of_state())},
-            {"trajectories", {"h5md", "xyz", "csv (few bodies)"}}};
+            {"trajectories", trajectories}};
 }
 
 std::string openmm_line() {
@@ -99,7 +102,8 @@ std::string info_json() {
                        {"barostats", plugin_names(all_barostats())},
                        {"analyses", plugin_names(all_analyses())},
                        {"few_body_analyses", plugin_names(all_few_body_analyses())},
-                       {"equations_of_state", plugin_names(all_equations_of_state())}};
+                       {"equations_of_state", plugin_names(all_equations_of_state())},
+                       {"trajectory_formats", plugin_names(all_trajectory_formats())}};
     return to_json(json) + "\n";
 }
 

@@ -43,8 +43,11 @@ std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& sys
 }  // namespace
 
 std::vector<std::string> run_output_names() {
-    std::vector<std::string> names{"run.json",       "results.json",   "results.txt", "thermo.csv", "trajectory.h5md",
-                                   "trajectory.xyz", "trajectory.csv", "final.xyz",   "failed.xyz"};
+    std::vector<std::string> names{"run.json", "results.json", "results.txt", "thermo.csv"};
+    for (const auto& format : all_trajectory_formats()) {
+        names.push_back("trajectory." + format.name);
+    }
+    names.insert(names.end(), {"trajectory.csv", "final.xyz", "failed.xyz"});
     for (const std::string& name : checkpoint_names()) {
         names.push_back(name);
     }

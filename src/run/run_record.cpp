@@ -49,9 +49,9 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
     if (!deck.trajectory) {
         return nullptr;
     }
-    const std::string name = deck.trajectory->format == "h5md" ? "trajectory.h5md" : "trajectory.xyz";
-    return make_trajectory_writer(deck.trajectory->format, first,
-                                  {.path = deck.outputs() / name,
+    const std::string& format = deck.trajectory->format;
+    return make_trajectory_writer(format, first,
+                                  {.path = deck.outputs() / fmt::format("trajectory.{}", format),
                                    .velocities = deck.trajectory->velocities,
                                    .si = deck.trajectory->si() ? deck.units : std::nullopt,
                                    .creator_version = build_info().version,

@@ -24,7 +24,7 @@ TEST_CASE("info names every plug-in, with keys it is the reference page") {
          {PairPotential::formula_names(), PairPotential::truncation_names(), pair_search_names(),
           plugin_names(all_few_body_forces()), plugin_names(all_integrators()), plugin_names(all_thermostats()),
           plugin_names(all_barostats()), plugin_names(all_analyses()), plugin_names(all_few_body_analyses()),
-          plugin_names(all_equations_of_state())}) {
+          plugin_names(all_equations_of_state()), plugin_names(all_trajectory_formats())}) {
         for (const std::string& name : names) {
             CHECK_THAT(text, Contains(name));
         }
@@ -46,6 +46,7 @@ TEST_CASE("info as JSON has the lists that scripts go through, integrators with 
     CHECK(json.at("analyses") == Data(plugin_names(all_analyses())));
     CHECK(json.at("few_body_analyses") == Data(plugin_names(all_few_body_analyses())));
     CHECK(json.at("equations_of_state") == Data(plugin_names(all_equations_of_state())));
+    CHECK(json.at("trajectory_formats") == Data(plugin_names(all_trajectory_formats())));
     const auto methods = all_integrators();
     REQUIRE(json.at("integrators").size() == methods.size());
     for (std::size_t k = 0; k < methods.size(); ++k) {

@@ -6,7 +6,9 @@
 #include <csignal>
 #include <set>
 
+#include "deck/every_analysis.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
 #include "ljmd/io/formats/trajectory_reader.hpp"
@@ -67,14 +69,11 @@ Index check_every_step(const std::string& text, const std::vector<std::string>& 
 const std::string with_files = small_deck + R"(
 [output]
 trajectory = { format = "xyz", every = 7, velocities = true }
-[analysis]
-rdf = { bins = 20, every = 4 }
-structure_factor = { k_max = 3.0, every = 4 }
-msd = { every = 2, origins = 3 }
-vacf = { every = 1 }
-viscosity = { every = 1 }
-chemical_potential = { every = 3, insertions = 5 }
-)";
+)" +
+                               every_analysis({{"rdf", "{ bins = 20, every = 4 }"},
+                                               {"structure_factor", "{ k_max = 3.0, every = 4 }"},
+                                               {"msd", "{ every = 2, origins = 3 }"},
+                                               {"chemical_potential", "{ every = 3, insertions = 5 }"}});
 
 /// The same of 4 cells^3 atoms in both precisions, while two lists and more come and go.
 void check_every_step(const IntegratorMethod& method, const ThermostatMethod& thermostat, int cells, int threads) {
@@ -114,8 +113,11 @@ TEST_CASE("so it is with every way to the neighbours and in mixed precision") {
     }
 }
 
-TEST_CASE("so it is with frames in H5MD") {
-    check_every_step(changed(with_files, {{"format = \"xyz\"", "format = \"h5md\""}}), {});
+TEST_CASE("so it is with frames in every format") {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
+        INFO(format);
+        check_every_step(changed(with_files, {{"format = \"xyz\"", "format = \"" + format + "\""}}), {});
+    }
 }
 
 TEST_CASE("so it is with every integrator and thermostat of fluids, in both precisions") {
@@ -228,7 +230,7 @@ TEST_CASE("outputs that are shorter than the checkpoint knew them are refused, a
 }
 
 TEST_CASE("all outputs are looked at before the first one is changed") {
-    for (const std::string format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         INFO(format);
         const DeckFolder folder(changed(with_files, {{"\"xyz\"", '"' + format + '"'}}));
         const Deck deck = folder.load({"output.checkpoint.every=10"});

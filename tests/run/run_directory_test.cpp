@@ -5,6 +5,7 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
 #include "ljmd/deck/few_body.hpp"
 #include "ljmd/run/run.hpp"
 #include "run/run_fixtures.hpp"
@@ -16,9 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> own_names{"run.json",       "results.json",   "results.txt",     "thermo.csv",
-                                         "rdf.csv",        "orbit.csv",      "oscillation.csv", "trajectory.h5md",
-                                         "trajectory.xyz", "trajectory.csv", "final.xyz",       "failed.xyz"};
+std::vector<std::string> own_names() {
+    std::vector<std::string> names{"run.json",  "results.json",    "results.txt",    "thermo.csv", "rdf.csv",
+                                   "orbit.csv", "oscillation.csv", "trajectory.csv", "final.xyz",  "failed.xyz"};
+    for (const TrajectoryFormat& format : all_trajectory_formats()) {
+        names.push_back("trajectory." + format.name);
+    }
+    return names;
+}
 
 void write_text(const fs::path& path, const std::string& text) {
     std::ofstream(path) << text;
@@ -84,7 +90,7 @@ TEST_CASE("a directory is good when it is not there, empty, or holds the files o
 }
 
 TEST_CASE("any file of an earlier run is a reason to refuse, and stays as it is") {
-    for (const std::string& name : own_names) {
+    for (const std::string& name : own_names()) {
         const DeckFolder folder;
         const Deck deck = folder.load();
         fs::create_directory(deck.directory);
@@ -101,7 +107,7 @@ TEST_CASE("with force a run replaces its own files and no others") {
     const DeckFolder folder;
     const Deck deck = folder.load();
     fs::create_directory(deck.directory);
-    for (const std::string& name : own_names) {
+    for (const std::string& name : own_names()) {
         write_text(deck.directory / name, "old");
     }
     write_text(deck.directory / "notes.txt", "mine");
@@ -160,11 +166,12 @@ TEST_CASE("a run does not replace the file that it starts from, by whatever name
 
 TEST_CASE("the frames and files that a deck asks for are written, and no others") {
     const DeckFolder folder;
-    for (const char* format : {"", "xyz", "h5md"}) {
+    std::vector<std::string> formats = plugin_names(all_trajectory_formats());
+    formats.emplace_back();
+    for (const std::string& format : formats) {
         Deck deck = folder.load();
-        const std::string name = std::string("out") + format;
-        deck.directory = folder / name;
-        if (*format != '\0') {
+        deck.directory = folder / ("out" + format);
+        if (!format.empty()) {
             deck.trajectory = TrajectoryOutput{format, 4};
         }
         FluidSystem simulation = simulation_of(deck);
@@ -182,9 +189,9 @@ TEST_CASE("the frames and files that a deck asks for are written, and no others"
         for (const auto& [file, content] : contents(deck.directory)) {
             all += file + " ";
         }
-        const std::string trajectory = *format == '\0' ? "" : std::string("trajectory.") + format + " ";
+        const std::string trajectory = format.empty() ? "" : "trajectory." + format + " ";
         CHECK(all == "final.xyz results.json results.txt run.json thermo.csv " + trajectory);
-        if (std::string(format) == "xyz") {
+        if (format == "xyz") {
             const std::string text = content_of(deck.directory / "trajectory.xyz");
             CHECK_THAT(text, Contains("step=0") && Contains("step=4") && Contains("step=8") && !Contains("step=10"));
         }
@@ -194,7 +201,9 @@ TEST_CASE("the frames and files that a deck asks for are written, and no others"
 TEST_CASE("a few-body run writes the trajectory that its deck asks for, and no other") {
     CHECK(files_of(stars_deck, {}) == always);
     CHECK(files_of(stars_deck, {"output.trajectory.every=1"}) == together(always, "trajectory.csv"));
-    for (const std::string format : {"csv", "xyz", "h5md"}) {
+    std::vector<std::string> formats = plugin_names(all_trajectory_formats());
+    formats.emplace_back("csv");
+    for (const std::string& format : formats) {
         CHECK(files_of(stars_deck, {"output.trajectory.every=1", "output.trajectory.format=" + format}) ==
               together(always, "trajectory." + format));
     }

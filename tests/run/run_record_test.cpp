@@ -4,6 +4,7 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/core/build_info.hpp"
+#include "ljmd/core/registry.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/run_directory.hpp"
@@ -108,7 +109,7 @@ TEST_CASE("the trajectory that a deck asks for is opened, and none that it does 
     const State state(2);
     CHECK(open_trajectory(deck, state) == nullptr);
     CHECK(std::filesystem::is_empty(deck.directory));
-    for (const std::string format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         deck.trajectory = TrajectoryOutput{format, 1};
         REQUIRE(open_trajectory(deck, state) != nullptr);
         CHECK(std::filesystem::exists(deck.directory / ("trajectory." + format)));

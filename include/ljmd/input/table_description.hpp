@@ -81,11 +81,13 @@ class TableDescription : public Description {
 };
 
 /// "rescale: scale all velocities; langevin: friction and noise": the names of plug-ins with their meanings.
+/// @param what  the member that is told of each
 template <class Plugin>
-[[nodiscard]] std::string meanings_of(const std::vector<Plugin>& plugins) {
+[[nodiscard]] std::string meanings_of(const std::vector<Plugin>& plugins,
+                                      std::string Plugin::*what = &Plugin::meaning) {
     std::string text;
     for (const Plugin& plugin : plugins) {
-        text += (text.empty() ? "" : "; ") + plugin.name + ": " + plugin.meaning;
+        text += (text.empty() ? "" : "; ") + plugin.name + ": " + plugin.*what;
     }
     return text;
 }

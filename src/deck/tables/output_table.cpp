@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "ljmd/core/registry.hpp"
 #include "ljmd/engine/fluid_spec.hpp"
+#include "ljmd/input/table_description.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
 
 namespace ljmd {
 
@@ -39,20 +42,23 @@ void FewBodyThermo::describe(Description& description) {
 }
 
 void FluidTrajectory::describe(Description& description) {
-    description.choice("format", {"h5md", "xyz"}, format)
-        .meaning("trajectory.h5md (H5MD 1.1) or trajectory.xyz (extended XYZ)");
+    const std::vector<TrajectoryFormat> formats = all_trajectory_formats();
+    description.choice("format", plugin_names(formats), format)
+        .meaning("of the file trajectory.h5md and so on; " + meanings_of(formats));
     describe_every(description, *this);
     description.flag("velocities", velocities).meaning("write velocities too");
     description.choice("units", {"reduced", "si"}, units)
-        .meaning("si (nm, ps; angstrom in extended XYZ) needs [argon]");
+        .meaning(fmt::format("si ({}) needs [argon]", meanings_of(formats, &TrajectoryFormat::si_units)));
 }
 
 void FewBodyTrajectory::describe(Description& description) {
-    description.choice("format", {"csv", "h5md", "xyz"}, format)
-        .meaning(
-            "trajectory.csv (positions and velocities), trajectory.h5md (H5MD 1.1) or trajectory.xyz (extended XYZ)");
+    const std::vector<TrajectoryFormat> formats = all_trajectory_formats();
+    std::vector<std::string> names = plugin_names(formats);
+    names.insert(names.begin(), "csv");
+    description.choice("format", names, format)
+        .meaning("of the file trajectory.csv and so on; csv: positions and velocities; " + meanings_of(formats));
     describe_every(description, *this);
-    description.flag("velocities", velocities).meaning("write velocities to h5md and xyz too; csv always has them");
+    description.flag("velocities", velocities).meaning("write velocities too; csv always has them");
     description.flag("accelerations", accelerations).meaning("write accelerations too; csv only");
 }
 

@@ -1,6 +1,10 @@
 #include "ljmd/deck/tables/stage_table.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "ljmd/input/deck_setting.hpp"
+#include "ljmd/input/table_description.hpp"
 
 namespace ljmd {
 
@@ -27,6 +31,16 @@ std::vector<IntegratorMethod> integrators_of_fluids() {
     std::vector<IntegratorMethod> integrators = all_integrators();
     std::erase_if(integrators, [](const IntegratorMethod& method) { return method.unbounded_only; });
     return integrators;
+}
+
+std::string meaning_of_thermostats() {
+    std::vector<std::string> others;
+    for (const ThermostatMethod& method : all_thermostats()) {
+        if (!method.every_step) {
+            others.push_back(fmt::format("`{}`", method.name));
+        }
+    }
+    return fmt::format("holds the temperature; all but {} go with velocity-verlet", fmt::join(others, ", "));
 }
 
 }  // namespace
@@ -57,7 +71,7 @@ void FluidStageTable::describe(TableDescription& description) {
         .meaning("what the thermostat holds in this stage");
     description.table("thermostat", "thermostat", thermostat)
         .optional("none: constant energy")
-        .meaning("holds the temperature; all but `rescale` go with velocity-verlet");
+        .meaning(meaning_of_thermostats());
     description.table("barostat", "barostat", barostat)
         .optional("none: constant volume")
         .meaning("holds the pressure, beside a canonical thermostat");

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ase_units.hpp"
-#include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "unit_scale.hpp"
 
@@ -54,40 +53,6 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocit
         fmt::format_to(std::back_inserter(line), " {}\n", id + 1);
         file.write(line);
     }
-}
-
-ExtendedXyzWriter::ExtendedXyzWriter(const State& first, const TrajectoryOptions& options)
-    : file_(options.path, options.kept ? std::optional(options.kept->bytes) : std::nullopt),
-      velocities_(options.velocities),
-      si_(options.si),
-      count_(first.count()),
-      has_box_(first.has_box()) {
-    options.path.directory.sync();
-}
-
-void ExtendedXyzWriter::write(const State& state) {
-    if (state.count() != count_ || state.has_box() != has_box_) {
-        throw ContractViolation("a trajectory keeps its number of atoms and its kind of box");
-    }
-    write_extended_xyz_frame(file_, state, velocities_, si_);
-    file_.flush();
-}
-
-CommittedFrames ExtendedXyzWriter::commit() {
-    return {.bytes = file_.commit()};
-}
-
-void ExtendedXyzWriter::close() {
-    file_.close_on_disk();
-}
-
-double extended_xyz_bytes(Index atoms, Index frames, bool velocities) {
-    constexpr double header = 200.0;
-    constexpr double number = 20.0;
-    constexpr double species_and_id = 8.0;
-    const double vectors = velocities ? 3.0 : 1.0;  // position, velocity, momentum
-    return static_cast<double>(frames) *
-           (header + (species_and_id + 3.0 * vectors * number) * static_cast<double>(atoms));
 }
 
 void write_configuration(const OutputPlace& place, const State& state, bool velocities) {

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "io/output_fixtures.hpp"
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
 #include "ljmd/io/formats/trajectory_reader.hpp"
 #include "ljmd/io/hdf5/hdf5_handle.hpp"
 
@@ -14,7 +17,7 @@ using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
 
-// What the formats hold is tested in extended_xyz_writer_test.cpp and h5md_writer_test.cpp; here, what both promise.
+// What each format holds is tested in tests/io/formats/trajectories; here, what all promise.
 
 namespace {
 
@@ -45,7 +48,7 @@ State sample() {
 
 /// All that the frames of a file hold, as text.
 std::string frames_of(const std::filesystem::path& path, const std::string& format) {
-    if (format == "xyz") {
+    if (format != "h5md") {
         return content_of(path);
     }
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose);
@@ -65,7 +68,7 @@ std::string frames_of(const std::filesystem::path& path, const std::string& form
 }  // namespace
 
 TEST_CASE("a trajectory file is there at once, in the place of an older one, and writing it leaves the state alone") {
-    for (const char* format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         INFO(format);
         const TemporaryFolder folder;
         const auto path = folder / "t";
@@ -89,7 +92,7 @@ TEST_CASE("a trajectory file is there at once, in the place of an older one, and
 }
 
 TEST_CASE("a trajectory is of one system") {
-    for (const char* format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         INFO(format);
         const TemporaryFolder folder;
         const State state = sample();
@@ -103,18 +106,19 @@ TEST_CASE("a trajectory is of one system") {
 
 TEST_CASE("a trajectory that cannot be created is an error that names it, a format that there is not is one too") {
     const TemporaryFolder folder;
-    for (const char* format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         CHECK_THROWS_AS(make_trajectory_writer(format, sample(), {.path = folder / "none" / "t"}), FileError);
         CHECK_THROWS_WITH(make_trajectory_writer(format, sample(), {.path = folder / "none" / "t"}),
                           Contains("none/t"));
     }
-    CHECK_THROWS_AS(make_trajectory_writer("dcd", sample(), {.path = folder / "t"}), InputError);
-    CHECK_THROWS_WITH(make_trajectory_writer("", sample(), {.path = folder / "t"}), Contains("'h5md' and 'xyz'"));
+    CHECK_THROWS_AS(make_trajectory_writer("no such format", sample(), {.path = folder / "t"}), InputError);
+    CHECK_THROWS_WITH(make_trajectory_writer("", sample(), {.path = folder / "t"}),
+                      Contains("unknown trajectory format ''") && Contains("h5md") && Contains("xyz"));
     CHECK(folder.count_files() == 0);
 }
 
 TEST_CASE("a trajectory is gone on with from the frames that are kept, whether it was closed or not") {
-    for (const char* format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         for (const bool closed : {true, false}) {
             INFO(format << (closed ? ", closed" : ", left open"));
             const TemporaryFolder folder;
@@ -158,7 +162,7 @@ TEST_CASE("a trajectory is gone on with from the frames that are kept, whether i
 }
 
 TEST_CASE("a trajectory that was resumed is committed as it was, before its first new frame") {
-    for (const char* format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         INFO(format);
         const TemporaryFolder folder;
         TrajectoryOptions options{.path = folder / "t", .velocities = true};
@@ -179,7 +183,7 @@ TEST_CASE("a trajectory that was resumed is committed as it was, before its firs
 }
 
 TEST_CASE("a trajectory that has lost frames is not gone on with and not touched") {
-    for (const char* format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         INFO(format);
         const TemporaryFolder folder;
         const auto path = folder / "t";
@@ -193,6 +197,52 @@ TEST_CASE("a trajectory that has lost frames is not gone on with and not touched
         CHECK_THROWS_AS(make_trajectory_writer(format, sample(), options), CheckpointError);
         CHECK(content_of(path) == before);
         CHECK(folder.count_files() == 1);
+    }
+}
+
+TEST_CASE("formats are listed by name, in alphabetical order, with what they are called") {
+    const auto formats = all_trajectory_formats();
+    const std::vector<std::string> names = plugin_names(formats);
+    CHECK(std::ranges::is_sorted(names));
+    CHECK(std::ranges::adjacent_find(names) == names.end());
+    CHECK(std::ranges::find(names, "csv") == names.end());  // the name of the table of few bodies
+    for (const TrajectoryFormat& format : formats) {
+        CHECK_FALSE(format.meaning.empty());
+        CHECK_FALSE(format.si_units.empty());
+    }
+}
+
+TEST_CASE("a format that is said to be read gives back what was written, to the last bit, and no other is read") {
+    for (const TrajectoryFormat& format : all_trajectory_formats()) {
+        INFO(format.name);
+        const TemporaryFolder folder;
+        State state = sample();
+        state.write_positions().col(0) = Vec3(1.0 / 3.0, 17.0, -0.1);
+        state.write_velocities().col(1) = Vec3(1.0 / 7.0, -1e-300, 2e10);
+        state.wrap();
+        state.step = 50;
+        state.time = 0.1;
+        const TrajectoryOptions options{.path = folder / "t", .velocities = true};
+        const auto writer = make_trajectory_writer(format.name, state, options);
+        writer->write(state);
+        writer->close();
+        if (!format.is_read) {
+            CHECK_THROWS_AS(open_trajectory(folder / "t", std::nullopt), DataError);
+            continue;
+        }
+        Frame frame;
+        REQUIRE(open_trajectory(folder / "t", std::nullopt)->next(frame));
+        const Configuration& found = frame.configuration;
+        CHECK(found.edges == state.box().edges());
+        CHECK(found.step == 50);
+        CHECK(found.time == 0.1);
+        const auto index_of = state.index_of();
+        REQUIRE(found.positions.size() == 3);
+        REQUIRE(found.velocities.size() == 3);
+        for (std::size_t id = 0; id < 3; ++id) {
+            CHECK(found.positions[id] == state.unwrapped(index_of[id]));
+            CHECK(found.velocities[id] == Vec3(static_cast<const State&>(state).velocities().col(index_of[id])));
+        }
     }
 }
 
@@ -251,6 +301,9 @@ Cost cost_of(const std::string& format, int frames) {
     const Transfer closed = Transfer::until_now();
     make_trajectory_writer(format, state, options)->close();
     cost.resuming = Transfer::until_now() - closed;
+    if (!find_plugin(all_trajectory_formats(), format, "format").is_read) {
+        return cost;
+    }
     const Transfer resumed = Transfer::until_now();
     const auto reader = open_trajectory(options.path.path(), std::nullopt);
     Frame frame;
@@ -271,7 +324,7 @@ TEST_CASE("a frame costs the same in a long trajectory as in a short one, and so
         WARN("this system does not count what a process reads and writes");
         return;
     }
-    for (const char* format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         INFO(format);
         constexpr int frames = 512;
         const Cost one = cost_of(format, frames);
@@ -279,7 +332,7 @@ TEST_CASE("a frame costs the same in a long trajectory as in a short one, and so
         CHECK(four.writing.bytes_written < 4.2 * one.writing.bytes_written);
         CHECK(four.writing.writes < 4.2 * one.writing.writes);
         CHECK(four.writing.bytes_read < 4.2 * one.writing.bytes_read + 4096.0);
-        CHECK(four.reading.bytes_read < 4.2 * one.reading.bytes_read);
+        CHECK(four.reading.bytes_read <= 4.2 * one.reading.bytes_read);
         // Nothing for a frame: records about chunks, if anything.
         CHECK(one.resuming.bytes_written < 16.0 * 1024.0);
         CHECK(four.resuming.bytes_written < one.resuming.bytes_written + 4096.0);
@@ -293,7 +346,7 @@ TEST_CASE("a frame costs the same in a long trajectory as in a short one, and so
 }
 
 TEST_CASE("the bytes that a trajectory was said to take are about those of its file") {
-    for (const std::string format : {"xyz", "h5md"}) {
+    for (const std::string& format : plugin_names(all_trajectory_formats())) {
         for (const Index atoms : {3, 108, 4000}) {
             for (const Index frames : {1, 10, 100}) {
                 for (const bool velocities : {false, true}) {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 
 #include "ljmd/core/units.hpp"
+#include "ljmd/io/files/open_directory.hpp"
 #include "ljmd/io/files/output_file.hpp"
-#include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -25,25 +24,6 @@ namespace ljmd {
 /// @throws FileError
 void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocities,
                               const std::optional<SubstanceUnits>& si);
-
-/// A trajectory in extended XYZ.
-class ExtendedXyzWriter : public TrajectoryWriter {
-  public:
-    ExtendedXyzWriter(const State& first, const TrajectoryOptions& options);
-    void write(const State& state) override;
-    CommittedFrames commit() override;
-    void close() override;
-
-  private:
-    OutputFile file_;
-    bool velocities_;
-    std::optional<SubstanceUnits> si_;
-    Index count_;
-    bool has_box_;
-};
-
-/// See trajectory_bytes().
-[[nodiscard]] double extended_xyz_bytes(Index atoms, Index frames, bool velocities);
 
 /// Write one configuration in reduced units, from which a later run can start. The file is replaced atomically.
 /// Positions are unwrapped, so that displacements continue.

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/units.hpp"
 #include "ljmd/io/files/open_directory.hpp"
+#include "ljmd/io/files/output_file.hpp"
 #include "ljmd/model/state.hpp"
 
 namespace ljmd {
@@ -69,18 +72,42 @@ class TrajectoryWriter {
     TrajectoryWriter& operator=(const TrajectoryWriter&) = default;
 };
 
-/// Create a file without frames, replacing one of that name; or continue an existing one, whether it was closed or not.
+/// Creates a file without frames, replacing one of that name; or continues an existing one, closed or not.
+/// The first state decides the number of atoms and whether there is a box; it is not written.
+using MakeTrajectory =
+    std::function<std::unique_ptr<TrajectoryWriter>(const State& first, const TrajectoryOptions& options)>;
+
+/// A format in which runs write trajectories. Each is one file in src/io/formats/trajectories.
 ///
-/// @param format  "h5md" (H5MD 1.1, the name should end in .h5md) or "xyz" (extended XYZ)
-/// @param first   decides the number of atoms and whether there is a box; it is not written
+/// Every format holds periodic boxes and, for few bodies, none; velocities where asked for; reduced and SI units; the
+/// step and the time of each frame. Nothing that a later frame depends on is kept but CommittedFrames.
+struct TrajectoryFormat {
+    std::string name;      ///< as a deck selects it; the file is trajectory.<name>
+    std::string meaning;   ///< what the format is called, for the reference page: "extended XYZ"
+    std::string si_units;  ///< of length and time in files in SI units: "angstrom, ps"
+    bool is_read;          ///< open_trajectory() reads it, so `ljmd analyze` can
+    MakeTrajectory make;
+    /// Approximate size of a file with so many frames of a fluid [bytes].
+    std::function<double(Index atoms, Index frames, bool velocities)> bytes;
+};
+
+/// Every format, in alphabetical order.
+[[nodiscard]] std::vector<TrajectoryFormat> all_trajectory_formats();
+
+/// Appends one frame to a text file.
+using WriteFrame = std::function<void(OutputFile& file, const State& state, const TrajectoryOptions& options)>;
+
+/// TrajectoryFormat::make of a text format, whose file is one frame after the other.
+[[nodiscard]] MakeTrajectory text_trajectory(const WriteFrame& write_frame);
+
+/// A trajectory in the format of this name, see MakeTrajectory.
 /// @throws InputError  unknown format
 /// @throws FileError   the file cannot be created
 /// @throws CheckpointError  the file to continue is missing, or its frames are not those that were committed
 [[nodiscard]] std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::string& format, const State& first,
                                                                        const TrajectoryOptions& options);
 
-/// Approximate size in bytes of a file with this many frames of a fluid. H5MD files grow by chunks, see H5mdWriter.
-/// @pre a format of make_trajectory_writer()
+/// TrajectoryFormat::bytes of the format of this name. @throws InputError  unknown format
 [[nodiscard]] double trajectory_bytes(const std::string& format, Index atoms, Index frames, bool velocities);
 
 }  // namespace ljmd
