@@ -39,8 +39,9 @@ function(ljmd_compile_together target)
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     # Warnings of what only the sources of a group are to each other.
+    set(before "#pragma GCC diagnostic ignored \"-Wshadow\"")
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-        set_property(TARGET ${target} PROPERTY UNITY_BUILD_CODE_BEFORE_INCLUDE
-            "#pragma GCC diagnostic ignored \"-Wshadow\"\n#pragma GCC diagnostic ignored \"-Wsubobject-linkage\"")
+        string(APPEND before "\n#pragma GCC diagnostic ignored \"-Wsubobject-linkage\"")
     endif()
+    set_property(TARGET ${target} PROPERTY UNITY_BUILD_CODE_BEFORE_INCLUDE "${before}")
 endfunction()
