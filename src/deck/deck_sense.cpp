@@ -76,7 +76,8 @@ void check_system(const Placed<FluidTables>& tables, bool force, Diagnostics& di
         check_lattice(tables, diagnostics);
         for (const auto member : {&SystemTable::density, &SystemTable::temperature}) {
             if (system.absent(member)) {
-                diagnostics.error(system.location(), fmt::format("missing key '{}' in [system]", system.key(member)),
+                diagnostics.error(system.location(),
+                                  fmt::format("missing key '{}' in [system]", Placed<SystemTable>::key(member)),
                                   "a start from a lattice needs it");
             }
         }

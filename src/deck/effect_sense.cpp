@@ -58,8 +58,8 @@ void check_stage(const FluidStageSteps& steps, Diagnostics& diagnostics) {
         diagnostics.warning(stage.location(&FluidStageTable::temperature),
                             "'temperature' in [[stage]] has no effect without a thermostat");
     }
-    check_acts(steps, stage.thermostat, stage.key(&FluidStageTable::thermostat), diagnostics);
-    check_acts(steps, stage.barostat, stage.key(&FluidStageTable::barostat), diagnostics);
+    check_acts(steps, stage.thermostat, Placed<FluidStageTable>::key(&FluidStageTable::thermostat), diagnostics);
+    check_acts(steps, stage.barostat, Placed<FluidStageTable>::key(&FluidStageTable::barostat), diagnostics);
 }
 
 /// Warn that no stage is sampled, at the last one, which is usually the one that was meant.

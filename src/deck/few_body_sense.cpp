@@ -35,8 +35,8 @@ std::optional<int> check_dimensions(const std::vector<Placed<BodyTable>>& bodies
             } else if (components != *dimensions) {
                 agree = false;
                 diagnostics.error(body.location(member),
-                                  fmt::format("'{}' of body {} has {}, but the deck began with {}", body.key(member),
-                                              k + 1, count(components), *dimensions),
+                                  fmt::format("'{}' of body {} has {}, but the deck began with {}",
+                                              Placed<BodyTable>::key(member), k + 1, count(components), *dimensions),
                                   fmt::format("all vectors of this deck have {}", count(*dimensions)));
             }
         }

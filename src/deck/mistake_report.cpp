@@ -13,11 +13,11 @@ namespace {
 /// The table that a mistake is in.
 template <class Tables>
 const Section& section_of(const Mistake& mistake, const Placed<Tables>& tables) {
-    if (mistake.table == tables.key(&Tables::stages)) {
+    if (mistake.table == Placed<Tables>::key(&Tables::stages)) {
         return tables.section().sections(mistake.table).at(mistake.index);
     }
     const Section& table = tables.section().section(mistake.table);
-    return mistake.table == tables.key(&Tables::analysis) ? table.section(mistake.name) : table;
+    return mistake.table == Placed<Tables>::key(&Tables::analysis) ? table.section(mistake.name) : table;
 }
 
 /// A key in the table that has it.
