@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "ljmd/core/errors.hpp"
 #include "potentials/made_potential.hpp"
 
 using namespace ljmd;
@@ -60,6 +61,10 @@ TEST_CASE("every formula and truncation has the second virial coefficient of its
             const PairPotential potential = made_potential(formula, truncation, {.radius = rc, .switch_start = 2.0});
             for (const double temperature : {0.7, 2.0}) {
                 INFO(formula << ", " << truncation << ", temperature " << temperature);
+                if (potential(1e-3).u < -1e3) {  // atoms that meet fall into each other
+                    CHECK_THROWS_AS(second_virial_coefficient(potential, temperature), PhysicsError);
+                    continue;
+                }
                 CHECK(second_virial_coefficient(potential, temperature) ==
                       Approx(by_midpoints(potential, temperature, 0.0, rc)).epsilon(1e-8));
             }

@@ -9,6 +9,7 @@ namespace ljmd {
 ///     B2(T) = -2 pi * integral from 0 to rc of (exp(-u(r)/T) - 1) r^2 dr,   Z = 1 + B2 rho + O(rho^2).
 ///
 /// @pre temperature > 0
+/// @throws PhysicsError  the integral does not converge, because u falls without bound towards r = 0 (Buckingham)
 /// Source: J. O. Hirschfelder, C. F. Curtiss, R. B. Bird, Molecular Theory of Gases and Liquids (1954), section 3.1.
 [[nodiscard]] double second_virial_coefficient(const PairPotential& potential, double temperature);
 
