@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/engine/stage.hpp"
 #include "ljmd/io/tables/json_file.hpp"
 
 namespace ljmd {
