@@ -40,7 +40,7 @@ struct MemoryAtEnd : RunListener {
 };
 
 std::string list_policy(const NeighborSpec& neighbors) {
-    if (neighbors.method != "verlet-list") {
+    if (!neighbors.keeps_list()) {
         return neighbors.method;
     }
     return neighbors.every ? fmt::format("every {} steps, pairs may be missed", *neighbors.every)

@@ -204,7 +204,7 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
     const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, execution.threads(), options);
     const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(spec, execution)); };
     const EnsembleOptions ensemble = ensemble_options(deck, stage, simulation.state);
-    const bool kernel = deck.neighbors().method == "verlet-list";
+    const bool kernel = deck.neighbors().keeps_list();
     Crosscheck result{.peer = peers.exact->name(),
                       .fast_peer = peers.for_long_runs().name(),
                       .atoms = simulation.state.count(),

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/neighbors/verlet_list.hpp"
+
 namespace ljmd {
 
 namespace {
@@ -123,10 +125,10 @@ void check_trajectory(const std::optional<Placed<Trajectory>>& trajectory, Index
 
 void check_effects(const FluidTables& tables, Diagnostics& diagnostics) {
     const Placed<NeighborSpec>& neighbors = tables.neighbors;
-    if (neighbors.method != "verlet-list" && neighbors.written(&NeighborSpec::skin)) {
+    if (!neighbors.keeps_list() && neighbors.written(&NeighborSpec::skin)) {
         diagnostics.warning(neighbors.location(&NeighborSpec::skin),
                             fmt::format("'skin' in [neighbors] has no effect with method = \"{}\"", neighbors.method),
-                            "only verlet-list keeps a list");
+                            fmt::format("only {} keeps a list", VerletList::name));
     }
     const std::vector<FluidStageSteps> stages = steps_of_stages(tables.stages);
     for (const FluidStageSteps& steps : stages) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/neighbors/linked_cells.hpp"
 
 namespace ljmd {
 
@@ -37,13 +38,12 @@ double points_around(const Deck& deck, const Start& start) {
 
 /// Bytes per atom in the pair search.
 double search(const Deck& deck, const Start& start) {
-    const std::string method = deck.neighbors().method;
-    if (method == "verlet-list") {
+    if (deck.neighbors().keeps_list()) {
         const bool mixed = deck.fluid().performance.precision == "mixed";
         return mixed ? atom_on_mixed_list + neighbor_on_mixed_list * points_around(deck, start)
                      : atom_on_list + neighbor_on_list * points_around(deck, start);
     }
-    if (method == "cells") {
+    if (deck.neighbors().method == LinkedCells::name) {
         const double halo = 2.0 * deck.potential().radius;
         const double points = (start.box.edges().array() + halo).prod() / start.box.volume();
         return atom_in_cells + point_in_cells * points + image * (points - 1.0);
@@ -64,7 +64,7 @@ AnalysisSize analyses(const Deck& deck, const Start& start) {
 }
 
 double checkpoint(const Deck& deck, const Start& start, const AnalysisSize& analyses) {
-    const double list = deck.neighbors().method == "verlet-list" ? checkpoint_of_list : 0.0;
+    const double list = deck.neighbors().keeps_list() ? checkpoint_of_list : 0.0;
     return checkpoint_of_few + analyses.kept + (checkpoint_of_atom + list) * static_cast<double>(start.atoms);
 }
 

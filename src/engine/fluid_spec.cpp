@@ -86,6 +86,10 @@ void judge_choices(const FluidSpec& spec, Complaints& complaints) {
 
 }  // namespace
 
+bool NeighborSpec::keeps_list() const {
+    return method == VerletList::name;
+}
+
 void NeighborSpec::describe(Description& description) {
     description.choice("method", pair_search_names(), method).meaning("how pairs are found; all give the same pairs");
     description.number("skin", skin)

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t longest_name = 64;
 constexpr double max_total_steps = 0x1p62;
-constexpr const char* list_method = "verlet-list";
 
 /// Collects mistakes in one part of a specification.
 class Mistakes {
@@ -201,16 +200,16 @@ std::vector<Mistake> search_mistakes(const NeighborSpec& neighbors, Precision pr
     if (neighbors.every && *neighbors.every < 1) {
         found.add_of_key({"every"}, fmt::format("is {}, it must be at least 1", *neighbors.every));
     }
-    if (neighbors.every && neighbors.method != list_method) {
+    if (neighbors.every && !neighbors.keeps_list()) {
         found.add_of_key({"every", "method"}, fmt::format("has no meaning for method = \"{}\"", neighbors.method),
                          "only a list is kept for some steps");
     }
     std::vector<Mistake> all = found.take();
-    if (precision == Precision::mixed && neighbors.method != list_method) {
+    if (precision == Precision::mixed && !neighbors.keeps_list()) {
         Mistakes of_precision("performance");
         of_precision.add_of_key({"precision"},
                                 fmt::format("is 'mixed', which method = \"{}\" does not have", neighbors.method),
-                                fmt::format("{} has it", list_method));
+                                fmt::format("{} has it", VerletList::name));
         of_precision.move_to(all);
     }
     return all;

@@ -43,6 +43,9 @@ struct NeighborSpec {
     double skin = 0.3;                   ///< [sigma]
     std::optional<Index> every = {};     ///< steps between rebuilds of the list; none: when a pair could be missed
 
+    /// Whether the method keeps a list for several steps: only then do skin and every have a meaning.
+    [[nodiscard]] bool keeps_list() const;
+
     void describe(Description& description);
 };
 
