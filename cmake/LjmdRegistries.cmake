@@ -62,7 +62,6 @@ std::vector<${type}> ${function}() { return {@calls@}; }
 }  // namespace ljmd
 " @ONLY)
     set(${variable} ${${variable}} ${path} PARENT_SCOPE)
-    set(ljmd_plugin_folders ${ljmd_plugin_folders} ${folder} PARENT_SCOPE)
 endfunction()
 
 ljmd_formula_list(ljmd/potentials/formulas ljmd/potentials/formula_list.hpp)

@@ -3,19 +3,18 @@
 # does, so that what a source forgets to include shows.
 option(LJMD_UNITY_BUILD "Compile the sources of a folder several at a time" ON)
 
-# ljmd_compile_together(<target> <source>...), but for what these folders hold, in src and in tests:
+# ljmd_compile_together(<target> <source>...), but for what these folders hold:
 # - rooms with loops that have to be fast: what the compiler inlines there is to depend on no other source;
-# - plug-ins and formats, which are written after each other's model, with the same names for what only they see;
+# - equations of state and tests of formats, where each source has the same names for what only it sees;
 # - what is compiled as another standard of C++.
 function(ljmd_compile_together target)
     if(NOT LJMD_UNITY_BUILD)
         return()
     endif()
     set(most 12)
-    list(JOIN ljmd_plugin_folders | plugins)
     set(sources ${ARGN})
     list(FILTER sources EXCLUDE REGEX
-         "/src/(execution|model|domain|neighbors|forces|integrators)/|/(${plugins}|io/formats|compare/openmm)/[^/]*$")
+         "/src/(execution|model|domain|neighbors|forces|integrators|reference/equations)/|/tests/io/formats/|/compare/openmm/")
     set(folders "")
     foreach(source IN LISTS sources)
         get_filename_component(folder ${source} DIRECTORY)

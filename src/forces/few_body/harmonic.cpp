@@ -19,7 +19,7 @@ class Harmonic : public ForceField {
     double stiffness_;
 };
 
-struct Options : FewBodyForceOptions {
+struct HarmonicOptions : FewBodyForceOptions {
     double stiffness = 0.0;
 
     void describe(Description& description) override {
@@ -36,7 +36,7 @@ FewBodyForceMethod harmonic() {
             .meaning = "every body on a spring to the origin, f = -k r",
             .min_dimensions = 1,
             .max_dimensions = 3,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<HarmonicOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -111,7 +111,7 @@ class NewtonianGravity : public ForceField {
     double central_mass_;
 };
 
-struct Options : FewBodyForceOptions {
+struct NewtonianGravityOptions : FewBodyForceOptions {
     double gravitational_constant = 0.0;
     double softening = 0.0;
     double central_mass = 0.0;
@@ -167,7 +167,7 @@ FewBodyForceMethod newtonian_gravity() {
             .min_dimensions = 1,
             .max_dimensions = 3,
             .attracts = true,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<NewtonianGravityOptions>(); }};
 }
 
 }  // namespace ljmd

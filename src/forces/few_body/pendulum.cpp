@@ -24,7 +24,7 @@ class Pendulum : public ForceField {
     double strength_;  // g/l
 };
 
-struct Options : FewBodyForceOptions {
+struct PendulumOptions : FewBodyForceOptions {
     double gravity = 0.0;
     double length = 0.0;
 
@@ -63,7 +63,7 @@ FewBodyForceMethod pendulum() {
             .meaning = "plane pendulum, the coordinate is its angle in radians, theta'' = -(g/l) sin theta",
             .min_dimensions = 1,
             .max_dimensions = 1,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<PendulumOptions>(); }};
 }
 
 }  // namespace ljmd

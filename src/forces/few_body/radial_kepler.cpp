@@ -35,7 +35,7 @@ class RadialKepler : public ForceField {
     double h2_;
 };
 
-struct Options : FewBodyForceOptions {
+struct RadialKeplerOptions : FewBodyForceOptions {
     double gravitational_parameter_of_both = 0.0;
     double angular_momentum = 0.0;
 
@@ -81,7 +81,7 @@ FewBodyForceMethod radial_kepler() {
             .min_dimensions = 1,
             .max_dimensions = 1,
             .has_polar_angle = true,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<RadialKeplerOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -60,7 +60,7 @@ class StochasticCellRescaling : public Barostat {
     Random random_;
 };
 
-struct Options : BarostatOptions {
+struct StochasticCellRescalingOptions : BarostatOptions {
     double pressure = 0.0;
     double time = 2.0;
     double compressibility = 0.05;
@@ -113,7 +113,7 @@ BarostatMethod stochastic_cell_rescaling() {
             .meaning =
                 "scale the box so that its volume fluctuates as at constant pressure (Bernetti and Bussi 2020); "
                 "isothermal-isobaric with a canonical thermostat",
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<StochasticCellRescalingOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -33,7 +33,7 @@ class Andersen : public Thermostat {
     Random velocities_;
 };
 
-struct Options : ThermostatOptions {
+struct AndersenOptions : ThermostatOptions {
     double time = 1.0;
 
     void describe(Description& description) override {
@@ -56,7 +56,7 @@ ThermostatMethod andersen() {
             .conserves_momentum = false,
             .every_step = true,
             .deterministic = false,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<AndersenOptions>(); }};
 }
 
 }  // namespace ljmd

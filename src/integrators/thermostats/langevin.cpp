@@ -30,7 +30,7 @@ class Langevin : public Thermostat {
     Random random_;
 };
 
-struct Options : ThermostatOptions {
+struct LangevinOptions : ThermostatOptions {
     double time = 1.0;
 
     void describe(Description& description) override {
@@ -58,7 +58,7 @@ ThermostatMethod langevin() {
             .conserves_momentum = false,
             .every_step = true,
             .deterministic = false,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<LangevinOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -91,7 +91,7 @@ class NoseHooverChain : public Thermostat {
     double half_step_;
 };
 
-struct Options : ThermostatOptions {
+struct NoseHooverChainOptions : ThermostatOptions {
     double time = 0.5;
     Index length = 3;
 
@@ -128,7 +128,7 @@ ThermostatMethod nose_hoover_chain() {
             .conserves_momentum = true,
             .every_step = true,
             .deterministic = true,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<NoseHooverChainOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -24,7 +24,7 @@ class Rescale : public Thermostat {
     double temperature_;
 };
 
-struct Options : ThermostatOptions {
+struct RescaleOptions : ThermostatOptions {
     Index every = 20;
 
     void describe(Description& description) override {
@@ -47,7 +47,7 @@ ThermostatMethod rescale() {
             .conserves_momentum = true,
             .every_step = false,
             .deterministic = true,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<RescaleOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -40,7 +40,7 @@ class StochasticRescaling : public Thermostat {
     Random random_;
 };
 
-struct Options : ThermostatOptions {
+struct StochasticRescalingOptions : ThermostatOptions {
     double time = 0.5;
 
     void describe(Description& description) override {
@@ -71,7 +71,7 @@ ThermostatMethod stochastic_rescaling() {
             .conserves_momentum = true,
             .every_step = true,
             .deterministic = false,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<StochasticRescalingOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -4,7 +4,7 @@ namespace ljmd {
 
 namespace {
 
-struct Options : AnalysisOptions {
+struct ChemicalPotentialOptions : AnalysisOptions {
     Index every = 200;
     std::optional<Index> insertions = {};
 
@@ -39,7 +39,7 @@ AnalysisMethod chemical_potential() {
             .follows_time = false,
             .needs = {.velocities = true, .interaction = true},
             .is_random = true,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<ChemicalPotentialOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -6,11 +6,11 @@ namespace ljmd {
 
 namespace {
 
-constexpr UsualLags usual{.every = 50, .max_time = 10.0, .share = 0.2};
+constexpr UsualLags usual_msd_lags{.every = 50, .max_time = 10.0, .share = 0.2};
 constexpr double default_fit_start = 0.2;  // fraction of the largest time: beyond the motion of an atom in its cage
 
-struct Options : AnalysisOptions {
-    LagOptions lags{usual};
+struct MsdOptions : AnalysisOptions {
+    LagOptions lags{usual_msd_lags};
     Index origins = 50;
     std::optional<double> fit_start = {};
 
@@ -73,7 +73,7 @@ AnalysisMethod msd() {
             .files = {"msd"},
             .follows_time = true,
             .needs = {.unwrapped_positions = true},
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<MsdOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -14,7 +14,7 @@ double largest_radius(const Box& box) {
     return 0.5 * box.shortest_edge();
 }
 
-struct Options : AnalysisOptions {
+struct RdfOptions : AnalysisOptions {
     Index bins = 250;
     std::optional<double> radius = {};
     Index every = 200;
@@ -70,7 +70,7 @@ AnalysisMethod rdf() {
             .files = {"rdf", "sk_from_rdf"},
             .follows_time = false,
             .needs = {.fixed_box = false},
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<RdfOptions>(); }};
 }
 
 }  // namespace ljmd

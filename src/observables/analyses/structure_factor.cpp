@@ -16,7 +16,7 @@ double grid_points(const Box& box, double k_max) {
     return box.volume() * std::pow(per_length * k_max, 3);
 }
 
-struct Options : AnalysisOptions {
+struct StructureFactorOptions : AnalysisOptions {
     double k_max = 15.0;
     double width = 0.1;
     std::string method = "grid";
@@ -80,7 +80,7 @@ AnalysisMethod structure_factor() {
             .meaning = "structure factor S(k), written to sk.csv",
             .files = {"sk"},
             .follows_time = false,
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<StructureFactorOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -4,10 +4,10 @@ namespace ljmd {
 
 namespace {
 
-constexpr UsualLags usual{.every = 5, .max_time = 4.0, .share = 0.1};
+constexpr UsualLags usual_vacf_lags{.every = 5, .max_time = 4.0, .share = 0.1};
 
-struct Options : AnalysisOptions {
-    LagOptions lags{usual};
+struct VacfOptions : AnalysisOptions {
+    LagOptions lags{usual_vacf_lags};
 
     void describe(Description& description) override { lags.describe(description); }
     [[nodiscard]] Misfits check(const SampledRun& run) const override { return lags.check(run, "vacf"); }
@@ -37,7 +37,7 @@ AnalysisMethod vacf() {
             .files = {"vacf", "vibrational_spectrum"},
             .follows_time = true,
             .needs = {.velocities = true},
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<VacfOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -4,10 +4,10 @@ namespace ljmd {
 
 namespace {
 
-constexpr UsualLags usual{.every = 5, .max_time = 5.0, .share = 0.05};
+constexpr UsualLags usual_viscosity_lags{.every = 5, .max_time = 5.0, .share = 0.05};
 
-struct Options : AnalysisOptions {
-    LagOptions lags{usual};
+struct ViscosityOptions : AnalysisOptions {
+    LagOptions lags{usual_viscosity_lags};
 
     void describe(Description& description) override { lags.describe(description); }
     [[nodiscard]] Misfits check(const SampledRun& run) const override { return lags.check(run, "viscosity"); }
@@ -35,7 +35,7 @@ AnalysisMethod viscosity() {
             .files = {"stress_autocorrelation"},
             .follows_time = true,
             .needs = {.velocities = true, .interaction = true},
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<ViscosityOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -44,7 +44,7 @@ class Closest : public FewBodyAnalysis {
     ClosestApproach approach_;
 };
 
-struct Options : FewBodyAnalysisOptions {
+struct ClosestApproachOptions : FewBodyAnalysisOptions {
     [[nodiscard]] Misfits check(const FewBodyTarget& target) const override {
         return target.bodies < 2 ? Misfits{{"", "closest_approach needs two bodies"}} : Misfits{};
     }
@@ -60,7 +60,7 @@ FewBodyAnalysisMethod closest_approach() {
     return {.name = "closest_approach",
             .meaning =
                 "the smallest distance between any two bodies, when, and which; fixed steps must resolve the encounter",
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<ClosestApproachOptions>(); }};
 }
 
 }  // namespace ljmd

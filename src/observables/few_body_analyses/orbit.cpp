@@ -197,7 +197,7 @@ class Orbit : public FewBodyAnalysis {
     std::optional<OrbitalElements> last_;
 };
 
-struct Options : FewBodyAnalysisOptions {
+struct OrbitOptions : FewBodyAnalysisOptions {
     Index body = 0;
     std::optional<Index> about = {};
 
@@ -248,7 +248,7 @@ struct Options : FewBodyAnalysisOptions {
 FewBodyAnalysisMethod orbit() {
     return {.name = "orbit",
             .meaning = "apsides of one body's path, with period and precession, and its orbital elements: orbit.csv",
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<OrbitOptions>(); }};
 }
 
 }  // namespace ljmd

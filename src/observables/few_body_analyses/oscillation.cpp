@@ -41,7 +41,7 @@ class Oscillation : public FewBodyAnalysis {
     ZeroCrossings crossings_;
 };
 
-struct Options : FewBodyAnalysisOptions {
+struct OscillationOptions : FewBodyAnalysisOptions {
     Index body = 1;
     Index component = 1;
 
@@ -73,7 +73,7 @@ struct Options : FewBodyAnalysisOptions {
 FewBodyAnalysisMethod oscillation() {
     return {.name = "oscillation",
             .meaning = "passages of a coordinate through zero, with period and amplitude: oscillation.csv",
-            .options = [] { return std::make_unique<Options>(); }};
+            .options = [] { return std::make_unique<OscillationOptions>(); }};
 }
 
 }  // namespace ljmd

@@ -281,7 +281,7 @@ void H5mdWriter::close() {
     }
 }
 
-double bytes(Index atoms, Index frames, bool velocities) {
+double h5md_bytes(Index atoms, Index frames, bool velocities) {
     constexpr double metadata = 16e3;
     constexpr double of_atom = 3.0 * 8.0;   // species, id, mass
     constexpr double small_entries = 88.0;  // of a frame: step, time, edges
@@ -325,7 +325,7 @@ TrajectoryFormat h5md() {
             .make = [](const State& first, const TrajectoryOptions& options) -> std::unique_ptr<TrajectoryWriter> {
                 return std::make_unique<H5mdWriter>(first, options);
             },
-            .bytes = bytes};
+            .bytes = h5md_bytes};
 }
 
 }  // namespace ljmd

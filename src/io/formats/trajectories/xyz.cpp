@@ -9,7 +9,7 @@ void write_frame(OutputFile& file, const State& state, const TrajectoryOptions& 
     write_extended_xyz_frame(file, state, options.velocities, options.si);
 }
 
-double bytes(Index atoms, Index frames, bool velocities) {
+double xyz_bytes(Index atoms, Index frames, bool velocities) {
     constexpr double header = 200.0;
     constexpr double number = 20.0;
     constexpr double species_and_id = 8.0;
@@ -27,7 +27,7 @@ TrajectoryFormat xyz() {
             .si_units = "angstrom, ps",
             .is_read = true,
             .make = text_trajectory(write_frame),
-            .bytes = bytes};
+            .bytes = xyz_bytes};
 }
 
 }  // namespace ljmd
