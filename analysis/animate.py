@@ -25,7 +25,7 @@ import run_directory  # noqa: E402
 import style  # noqa: E402
 from animation_scenes import BoxScene, PathScene  # noqa: E402
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter  # noqa: E402
-from run_directory import RunDirectoryError, damaged, reports_errors  # noqa: E402
+from checked_files import RunDirectoryError, damaged, reports_errors  # noqa: E402
 
 FORMATS = ("gif", "mp4")  # in the order in which they are made
 DPI = 100

@@ -8,12 +8,12 @@ from typing import Optional
 import few_body_run
 import matplotlib.colors
 import numpy as np
-import run_directory
+import checked_files
 import style
 import trajectory
 from few_body_run import FewBodyRun
 from matplotlib.collections import EllipseCollection, LineCollection
-from run_directory import RunDirectoryError, damaged
+from checked_files import RunDirectoryError, damaged
 from style import plt
 from trajectory import Trajectory
 
@@ -83,7 +83,7 @@ class BoxScene:
         self.frames, self.positions = frames, wrapped(frames)
         self.rows = np.arange(len(self.positions))
         self.figure, self.axes = plt.subplots(figsize=(INCHES, INCHES), constrained_layout=True)
-        record = run_directory.read_json(directory / "run.json")
+        record = checked_files.read_json(directory / "run.json")
         diameter = atom_diameter(directory / "run.json", record, frames.length_unit)
         size = np.full(self.positions.shape[1], diameter)
         self.atoms = self.axes.add_collection(
@@ -103,7 +103,7 @@ class BoxScene:
         self.axes.set_xlabel(f"$x${unit}")
         self.axes.set_ylabel(f"$y${unit}")
         self.axes.grid(False)
-        self.title = style.plain(run_directory.field(directory / "run.json", record, "title", str, default=""))
+        self.title = style.plain(checked_files.field(directory / "run.json", record, "title", str, default=""))
 
     def draw(self, frame: int) -> None:
         """Show the atoms of one of the frames, the nearest on top."""
@@ -124,7 +124,7 @@ def atom_diameter(path: Path, record: dict, unit: str) -> float:
     """One sigma in the unit of length of the trajectory."""
     if unit not in ("nm", "angstrom"):
         return 1.0
-    sigma = run_directory.field(path, run_directory.field(path, record, "argon", dict), "sigma_nm", float)
+    sigma = checked_files.field(path, checked_files.field(path, record, "argon", dict), "sigma_nm", float)
     return sigma * (ANGSTROM if unit == "angstrom" else 1.0)
 
 

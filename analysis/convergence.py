@@ -32,7 +32,7 @@ import deck  # noqa: E402
 import fitting  # noqa: E402
 import style  # noqa: E402
 from fitting import PowerLaw  # noqa: E402
-from run_directory import RunDirectoryError, reports_errors  # noqa: E402
+from checked_files import RunDirectoryError, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
 ROUND_OFF = 1e-11

@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any, Sequence
 
-from run_directory import RunDirectoryError, damaged, field, read_json, read_text
+from checked_files import RunDirectoryError, damaged, field, read_json, read_text
 
 KEY_PART = re.compile(r'"([^"]*)"|([^."]+)')
 

@@ -31,7 +31,7 @@ import fitting  # noqa: E402
 import style  # noqa: E402
 from few_body_run import FewBodyRun  # noqa: E402
 from fitting import PowerLaw  # noqa: E402
-from run_directory import RunDirectoryError, damaged, reports_errors  # noqa: E402
+from checked_files import RunDirectoryError, damaged, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
 ROUND_OFF = 2.2e-16

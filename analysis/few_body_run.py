@@ -9,7 +9,8 @@ from typing import Optional
 import numpy as np
 import trajectory
 import unfinished_run
-from run_directory import RunDirectoryError, Table, damaged, field, has_ended, kind_of, read_json, read_table
+from checked_files import RunDirectoryError, Table, damaged, field, read_json, read_table
+from run_directory import has_ended, kind_of
 from trajectory import Trajectory
 from unfinished_run import System
 

@@ -25,9 +25,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import style  # noqa: E402
-from run_directory import (  # noqa: E402
-    RunDirectoryError, Table, damaged, field, read_json, read_table, reports_errors,
-)
+from checked_files import RunDirectoryError, Table, damaged, field, read_json, read_table, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
 PROGRAMS = {"openmm": "OpenMM", "lammps": "LAMMPS"}

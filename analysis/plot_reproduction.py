@@ -24,7 +24,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import style  # noqa: E402
 from matplotlib.colors import LogNorm  # noqa: E402
-from run_directory import Table, damaged, field, read_json, read_table, reports_errors  # noqa: E402
+from checked_files import Table, damaged, field, read_json, read_table, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
 ISOTHERM_COLUMNS = ("T", "rho", "Z_thol2016", "Z_kolafa_nezbeda1994")

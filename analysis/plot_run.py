@@ -23,10 +23,13 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import few_body_pictures  # noqa: E402
 import few_body_run  # noqa: E402
+import checked_files  # noqa: E402
 import run_directory  # noqa: E402
 import structure_pictures  # noqa: E402
 import style  # noqa: E402
-from run_directory import RunDirectory, Stage, Table, reports_errors  # noqa: E402
+from checked_files import Table, reports_errors  # noqa: E402
+from run_directory import RunDirectory  # noqa: E402
+from stage import Stage  # noqa: E402
 from style import plt  # noqa: E402
 
 BLOCKS = 20
@@ -170,7 +173,7 @@ def plot_thermo(run: RunDirectory) -> plt.Figure:
     """Temperature, energies per atom and pressure against time, one panel each."""
     names = [name for name in PANELS if np.isfinite(run.thermo[name]).any()]
     if not names:
-        raise run_directory.damaged(run.path / "thermo.csv", f"no numbers in {', '.join(PANELS)}")
+        raise checked_files.damaged(run.path / "thermo.csv", f"no numbers in {', '.join(PANELS)}")
     time = run.thermo["time"]
     sampled_stages = [stage for stage in run.stages if stage.sampled]
     sampled = np.zeros(time.size, dtype=bool)

@@ -29,7 +29,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import style  # noqa: E402
-from run_directory import RunDirectoryError, damaged, field, read_json, read_text, reports_errors  # noqa: E402
+from checked_files import RunDirectoryError, damaged, field, read_json, read_text, reports_errors  # noqa: E402
 from style import plt  # noqa: E402
 
 USUAL = ("pressure", "total_energy")

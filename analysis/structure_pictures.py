@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Optional
 
 import numpy as np
-import run_directory
+import checked_files
 import style
-from run_directory import RunDirectory, Table
+from checked_files import Table
+from run_directory import RunDirectory
 from style import plt
 
 SIZE = (7.0, 4.5)
@@ -44,7 +45,7 @@ def structure_factor(run: RunDirectory, table: Table) -> plt.Figure:
     k, s = table["k"], table["S"]
     path = run.path / "sk_from_rdf.csv"
     if path.exists():
-        other = run_directory.read_table(path, ("k", "S"), increasing=("k",))
+        other = checked_files.read_table(path, ("k", "S"), increasing=("k",))
         near = other["k"] <= k[-1]
         axes.plot(other["k"][near], other["S"][near], color=style.ORANGE, linewidth=1.0, label="from g(r)")
     draw_band(axes, k, s, table["S_standard_error"], style.BLUE, "from the density")
@@ -138,9 +139,9 @@ PICTURES = {
 def read(path: Path, first: str, others: tuple[str, ...]) -> Optional[Table]:
     """A table whose first column increases, and whose other columns have a number in every row, errors excepted; None
     when one of them has no value at all."""
-    table = run_directory.read_table(path, (first, *others), increasing=(first,))
+    table = checked_files.read_table(path, (first, *others), increasing=(first,))
     drawn = [name for name in others if not name.endswith("_standard_error")]
-    return table if run_directory.has_values(path, table, drawn) else None
+    return table if checked_files.has_values(path, table, drawn) else None
 
 
 def only_tables(path: Path) -> bool:

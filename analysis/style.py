@@ -10,7 +10,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
-from run_directory import RunDirectoryError  # noqa: E402
+from checked_files import RunDirectoryError  # noqa: E402
 
 DPI = 200
 FORMATS = (".png", ".pdf", ".svg")

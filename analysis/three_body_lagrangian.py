@@ -30,7 +30,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import deck  # noqa: E402
 import few_body_run  # noqa: E402
 from few_body_run import FewBodyRun  # noqa: E402
-from run_directory import RunDirectoryError, damaged, reports_errors  # noqa: E402
+from checked_files import RunDirectoryError, damaged, reports_errors  # noqa: E402
 
 TOLERANCE = 1e-12
 BODIES = 3

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Iterator, Optional
 
 import numpy as np
-from run_directory import Table, damaged, read_table
+from checked_files import Table, damaged, read_table
 
 H5MD_GROUP = "particles/trajectory"
 LATTICE = re.compile(r'\bLattice="([^"]*)"')

@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import deck
-from run_directory import Stage, damaged, field
+from checked_files import damaged, field
+from stage import Stage
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
 sys.path.insert(0, str(ANALYSIS))
 
 import numpy as np  # noqa: E402
-from run_directory import RunDirectoryError  # noqa: E402
+from checked_files import RunDirectoryError  # noqa: E402
 
 EIGHT = {  # Chenciner and Montgomery's figure eight: three equal masses with G = 1, positions and velocities
     "positions": [[0.97000436, -0.24308753], [-0.97000436, 0.24308753], [0.0, 0.0]],

@@ -13,6 +13,7 @@ from typing import Any
 import fixtures
 import numpy as np
 import plot_run
+import checked_files
 import run_directory
 import style
 from fixtures import edit, png_size
@@ -280,7 +281,7 @@ def test_damaged_rdf(tmp: Path) -> None:
     (run / "rdf.csv").write_text("\n".join([*lines[:5], "0.09,,0.01", *lines[6:]]))
     try:
         run_directory.load(run)
-    except run_directory.RunDirectoryError as error:
+    except checked_files.RunDirectoryError as error:
         assert error.exit_code == 3 and "rdf.csv: line 6: column 'g'" in str(error), error
     else:
         raise AssertionError("a gap in g was accepted")

@@ -41,7 +41,7 @@ from ljmd_program import Ljmd, Variant  # noqa: E402
 from openmm_program import OpenMM  # noqa: E402
 from programs import Measurement, Program, ProgramFailed  # noqa: E402
 from report import Record  # noqa: E402
-from run_directory import RunDirectoryError, reports_errors  # noqa: E402
+from checked_files import RunDirectoryError, reports_errors  # noqa: E402
 from workload import Case  # noqa: E402
 
 PEERS: dict[str, Callable[[], Program]] = {

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any, Iterable, Sequence
 
 import ratios
-import run_directory
+import checked_files
 import workload
 
 SCHEMA = "ljmd-benchmark"
@@ -63,14 +63,14 @@ def write(record: Record, path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(record, indent=1) + "\n")
     except OSError as error:
-        raise run_directory.RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
+        raise checked_files.RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
 
 
 def read(path: Path) -> Record:
     """A record that `write` wrote. Raises RunDirectoryError for anything else."""
-    record = run_directory.read_json(path)
+    record = checked_files.read_json(path)
     if record.get("schema") != SCHEMA or record.get("version") != VERSION:
-        raise run_directory.damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
+        raise checked_files.damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
     return record
 
 

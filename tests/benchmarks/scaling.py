@@ -37,13 +37,13 @@ import command_line  # noqa: E402
 import ljmd_program  # noqa: E402
 import machine  # noqa: E402
 import report  # noqa: E402
-import run_directory  # noqa: E402
+import checked_files  # noqa: E402
 import scaling_cases  # noqa: E402
 import style  # noqa: E402
 import workload  # noqa: E402
 from ljmd_program import Ljmd, Variant  # noqa: E402
 from programs import ProgramFailed  # noqa: E402
-from run_directory import RunDirectoryError, reports_errors  # noqa: E402
+from checked_files import RunDirectoryError, reports_errors  # noqa: E402
 from scaling_cases import System  # noqa: E402
 from style import plt  # noqa: E402
 
@@ -221,9 +221,9 @@ def say(line: str) -> None:
 
 
 def read(path: Path) -> dict[str, Any]:
-    record = run_directory.read_json(path)
+    record = checked_files.read_json(path)
     if record.get("schema") != SCHEMA or record.get("version") != VERSION:
-        raise run_directory.damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
+        raise checked_files.damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
     return record
 
 
