@@ -12,8 +12,8 @@ what they write through OutputFile: these report errors of one type, with path a
 
 import re
 import sys
-import tempfile
-from pathlib import Path
+
+import lint
 
 # file -> why it may call what others may not
 ALLOWED = {
@@ -46,18 +46,13 @@ RULES = [
 ]
 
 
-def without_comments(text):
-    text = re.sub(r"/\*.*?\*/", lambda match: re.sub(r"[^\n]", " ", match.group()), text, flags=re.S)
-    return re.sub(r"//[^\n]*", "", text)
-
-
 def check(root):
     complaints = []
-    for path in sorted([*(root / "src").rglob("*.?pp"), *(root / "include").rglob("*.?pp")]):
+    for path in lint.sources(root):
         name = path.relative_to(root).as_posix()
         if name in ALLOWED:
             continue
-        for number, line in enumerate(without_comments(path.read_text(encoding="utf-8")).splitlines(), 1):
+        for number, line in enumerate(lint.without_comments(path.read_text(encoding="utf-8")).splitlines(), 1):
             if line.lstrip().startswith("#include"):
                 continue
             for pattern, advice in RULES:
@@ -94,36 +89,9 @@ VIOLATIONS = [
 
 
 def self_test():
-    failures = []
-    with tempfile.TemporaryDirectory() as folder:
-        source = Path(folder) / "src" / "run" / "x.cpp"
-        source.parent.mkdir(parents=True)
-        source.write_text(SOUND, encoding="utf-8")
-        if complaints := check(Path(folder)):
-            failures.append(f"a sound tree gave {complaints}")
-        for line in VIOLATIONS:
-            source.write_text(SOUND + line + "\n", encoding="utf-8")
-            if len(check(Path(folder))) != 1:
-                failures.append(f"'{line}': expected one complaint, got {check(Path(folder))}")
-        (source.parents[1] / "io" / "files").mkdir(parents=True)
-        (source.parents[1] / "io" / "files" / "file_system.cpp").write_text(VIOLATIONS[0], encoding="utf-8")
-        source.write_text(SOUND, encoding="utf-8")
-        if complaints := check(Path(folder)):
-            failures.append(f"what is allowed gave {complaints}")
-    print("\n".join(failures) or f"{len(VIOLATIONS)} violations caught")
-    return 1 if failures else 0
-
-
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if len(arguments) != 1:
-        print(__doc__)
-        return 2
-    complaints = check(Path(arguments[0]))
-    print("\n".join(complaints) or "no violation")
-    return 1 if complaints else 0
+    sound = {"src/run/x.cpp": SOUND, "src/io/files/file_system.cpp": VIOLATIONS[0]}  # the latter is in ALLOWED
+    return lint.self_test(check, sound, [("src/run/x.cpp", SOUND + line + "\n", "src/run/x.cpp") for line in VIOLATIONS])
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(lint.main(sys.argv[1:], __doc__, check, self_test))

@@ -14,8 +14,8 @@ include/
 
 import re
 import sys
-import tempfile
-from pathlib import Path
+
+import lint
 
 # file -> what it needs sections for
 SECTIONS = {
@@ -50,16 +50,11 @@ LOOK_UPS = [
 ]
 
 
-def without_comments(text):
-    text = re.sub(r"/\*.*?\*/", lambda match: re.sub(r"[^\n]", " ", match.group()), text, flags=re.S)
-    return re.sub(r"//[^\n]*", "", text)
-
-
 def check(root):
     complaints = []
-    for path in sorted([*(root / "src").rglob("*.?pp"), *(root / "include").rglob("*.?pp")]):
+    for path in lint.sources(root):
         name = path.relative_to(root).as_posix()
-        text = without_comments(path.read_text(encoding="utf-8"))
+        text = lint.without_comments(path.read_text(encoding="utf-8"))
         rules = [] if name in SECTIONS else [(SECTION, "read the table into a struct, see Placed")]
         if not name.startswith(tuple(OTHER_NAMES)):
             rules += LOOK_UPS
@@ -99,37 +94,13 @@ VIOLATIONS = [
 
 
 def self_test():
-    failures = []
-    with tempfile.TemporaryDirectory() as folder:
-        source = Path(folder) / "src" / "run" / "x.cpp"
-        source.parent.mkdir(parents=True)
-        source.write_text(SOUND, encoding="utf-8")
-        if complaints := check(Path(folder)):
-            failures.append(f"a sound tree gave {complaints}")
-        for line in VIOLATIONS:
-            source.write_text(SOUND + line + "\n", encoding="utf-8")
-            if len(check(Path(folder))) != 1:
-                failures.append(f"'{line}': expected one complaint, got {check(Path(folder))}")
-        for name, line in [("src/deck/deck.cpp", VIOLATIONS[0]), ("src/io/dump.cpp", 'x = dump.has("mass");')]:
-            (Path(folder) / name).parent.mkdir(parents=True)
-            (Path(folder) / name).write_text(line, encoding="utf-8")
-        source.write_text(SOUND, encoding="utf-8")
-        if complaints := check(Path(folder)):
-            failures.append(f"what is allowed gave {complaints}")
-    print("\n".join(failures) or f"{len(VIOLATIONS)} violations caught")
-    return 1 if failures else 0
-
-
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if len(arguments) != 1:
-        print(__doc__)
-        return 2
-    complaints = check(Path(arguments[0]))
-    print("\n".join(complaints) or "no violation")
-    return 1 if complaints else 0
+    sound = {
+        "src/run/x.cpp": SOUND,
+        "src/deck/deck.cpp": VIOLATIONS[0],  # in SECTIONS
+        "src/io/dump.cpp": 'x = dump.has("mass");',  # in OTHER_NAMES
+    }
+    return lint.self_test(check, sound, [("src/run/x.cpp", SOUND + line + "\n", "src/run/x.cpp") for line in VIOLATIONS])
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(lint.main(sys.argv[1:], __doc__, check, self_test))

@@ -18,9 +18,10 @@ import json
 import re
 import subprocess
 import sys
-import tempfile
 from fnmatch import fnmatch
 from pathlib import Path
+
+import lint
 
 # sources without a test of their own -> why
 WITHOUT_TEST = {
@@ -156,36 +157,15 @@ VIOLATIONS = [
 
 
 def self_test():
-    failures = []
-    for name, text, expected in [(None, None, None), *VIOLATIONS]:
-        with tempfile.TemporaryDirectory() as folder:
-            for path, content in {**SOUND, **({name: text} if name else {})}.items():
-                (Path(folder) / path).parent.mkdir(parents=True, exist_ok=True)
-                (Path(folder) / path).write_text(content, encoding="utf-8")
-            complaints = check(Path(folder))
-            if name is None and complaints:
-                failures.append(f"a sound tree gave {complaints}")
-            if name is not None and not any(expected in complaint for complaint in complaints):
-                failures.append(f"{name}: expected '{expected}', got {complaints}")
-    if not check_commands([{"file": "x.cpp", "command": "g++ -Ofast -c x.cpp"}]):
-        failures.append("-Ofast in a compiler's command went unseen")
-    print("\n".join(failures) or f"{len(VIOLATIONS) + 1} violations caught")
-    return 1 if failures else 0
+    found = check_commands([{"file": "x.cpp", "command": "g++ -Ofast -c x.cpp"}])
+    return lint.self_test(check, SOUND, VIOLATIONS, [] if found else ["-Ofast in a compiler's command went unseen"])
 
 
 def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
     if len(arguments) == 2 and arguments[0] == "--compile-commands":
         entries = json.loads(Path(arguments[1]).read_text(encoding="utf-8"))
-        complaints = check_commands(entries) if entries else [f"{arguments[1]} is empty"]
-    elif len(arguments) == 1:
-        complaints = check(Path(arguments[0]))
-    else:
-        print(__doc__)
-        return 2
-    print("\n".join(complaints) or "no violation")
-    return 1 if complaints else 0
+        return lint.report(check_commands(entries) if entries else [f"{arguments[1]} is empty"])
+    return lint.main(arguments, __doc__, check, self_test)
 
 
 if __name__ == "__main__":
