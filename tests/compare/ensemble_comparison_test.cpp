@@ -5,18 +5,11 @@
 #include <random>
 
 #include "compare/made_peer.hpp"
-#include "physics/liquid.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 
 namespace {
-
-Fluid warm_crystal() {
-    State state = crystal(3, 0.8442);
-    draw_velocities(state, 0.7, 5);
-    return fluid_of(state, PairPotential::lennard_jones("force-shifted", {2.5, 2.0}), false);
-}
 
 EnsembleOptions options_for(const Fluid& fluid) {
     return {.integrator = "velocity-verlet",

@@ -9,8 +9,17 @@
 #include "ljmd/compare/point_comparison.hpp"
 #include "ljmd/compare/trajectory_comparison.hpp"
 #include "ljmd/forces/pair_force_field.hpp"
+#include "ljmd/model/velocities.hpp"
+#include "physics/liquid.hpp"
 
 namespace ljmd::test {
+
+/// A fluid for comparisons: 108 atoms in a crystal at T = 0.7.
+inline Fluid warm_crystal() {
+    State state = crystal(3, 0.8442);
+    draw_velocities(state, 0.7, 5);
+    return fluid_of(state, PairPotential::lennard_jones("force-shifted", {2.5, 2.0}), false);
+}
 
 /// A peer that is ljmd itself, with mistakes made on purpose.
 class MadePeer : public Peer {

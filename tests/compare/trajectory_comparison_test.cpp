@@ -6,18 +6,11 @@
 
 #include "compare/made_peer.hpp"
 #include "ljmd/forces/pair_force_field.hpp"
-#include "physics/liquid.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
 
 namespace {
-
-Fluid warm_crystal() {
-    State state = crystal(3, 0.8442);
-    draw_velocities(state, 0.7, 5);
-    return fluid_of(state, PairPotential::lennard_jones("force-shifted", {2.5, 2.0}), false);
-}
 
 TrajectoryComparison compared(MadePeer& peer, const std::vector<Index>& steps) {
     return compare_trajectories(

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "io/output_fixtures.hpp"
+#include "io/three_atoms.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 
@@ -11,31 +12,9 @@ using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
 
-namespace {
-
-/// Three atoms in memory order 2, 0, 1, the second of which has left the box.
-State sample(const std::optional<Box>& box = Box(Vec3(4.0, 5.0, 6.5))) {
-    State state(3, box);
-    state.write_positions().col(0) = Vec3(0.5, 1.0, 1.5);
-    state.write_positions().col(1) = Vec3(-1.25, 5.5, 13.75);
-    state.write_positions().col(2) = Vec3(3.0, 3.25, 3.5);
-    state.write_velocities().col(0) = Vec3(1.0, 0.0, -1.0);
-    state.write_velocities().col(1) = Vec3(0.1, 0.2, 0.3);
-    state.write_velocities().col(2) = Vec3(1e-5, -2.5e10, 0.0);
-    if (box) {
-        state.wrap();
-    }
-    state.reorder({2, 0, 1});
-    state.time = 0.3;
-    state.step = 75;
-    return state;
-}
-
-}  // namespace
-
 TEST_CASE("an extended XYZ frame is written to the letter, atoms by id and unwrapped") {
     const TemporaryFolder folder;
-    write_configuration(folder / "final.xyz", sample(), true);
+    write_configuration(folder / "final.xyz", three_atoms(), true);
     CHECK(content_of(folder / "final.xyz") ==
           "3\n"
           "Lattice=\"4 0 0 0 5 0 0 0 6.5\" Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3:id:I:1 pbc=\"T T T\" "
@@ -47,7 +26,7 @@ TEST_CASE("an extended XYZ frame is written to the letter, atoms by id and unwra
 
 TEST_CASE("velocities are optional, and without a box there is no lattice") {
     const TemporaryFolder folder;
-    write_configuration(folder / "final.xyz", sample(std::nullopt), false);
+    write_configuration(folder / "final.xyz", three_atoms(std::nullopt), false);
     CHECK(content_of(folder / "final.xyz") ==
           "3\n"
           "Properties=species:S:1:pos:R:3:id:I:1 pbc=\"F F F\" Time=0.3 step=75 units=reduced positions=unwrapped\n"
@@ -91,7 +70,7 @@ TEST_CASE("numbers read back to the same double") {
 
 TEST_CASE("a later run starts from exactly the same configuration") {
     const TemporaryFolder folder;
-    State state = sample(Box(Vec3(10.0 / 3.0, 10.0 / 7.0, 1e3 / 17.0)));
+    State state = three_atoms(Box(Vec3(10.0 / 3.0, 10.0 / 7.0, 1e3 / 17.0)));
     state.write_velocities().col(0) = Vec3(1.0 / 3.0, -std::sqrt(2.0), 1e-300);
     write_configuration(folder / "final.xyz", state, true);
     const Configuration read = read_configuration(folder / "final.xyz", std::nullopt);
@@ -110,7 +89,7 @@ TEST_CASE("a later run starts from exactly the same configuration") {
 TEST_CASE("a final configuration that cannot be written leaves the old one and nothing else") {
     const TemporaryFolder folder;
     const auto path = folder / "final.xyz";
-    write_configuration(path, sample(), true);
+    write_configuration(path, three_atoms(), true);
     const std::string old = content_of(path);
     State large(1000, Box(Vec3(9.0, 9.0, 9.0)));
     {

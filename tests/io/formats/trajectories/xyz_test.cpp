@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "io/output_fixtures.hpp"
+#include "io/three_atoms.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/units.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
@@ -15,24 +16,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// Three atoms in memory order 2, 0, 1, the second of which has left the box.
-State sample(const std::optional<Box>& box = Box(Vec3(4.0, 5.0, 6.5))) {
-    State state(3, box);
-    state.write_positions().col(0) = Vec3(0.5, 1.0, 1.5);
-    state.write_positions().col(1) = Vec3(-1.25, 5.5, 13.75);
-    state.write_positions().col(2) = Vec3(3.0, 3.25, 3.5);
-    state.write_velocities().col(0) = Vec3(1.0, 0.0, -1.0);
-    state.write_velocities().col(1) = Vec3(0.1, 0.2, 0.3);
-    state.write_velocities().col(2) = Vec3(1e-5, -2.5e10, 0.0);
-    if (box) {
-        state.wrap();
-    }
-    state.reorder({2, 0, 1});
-    state.time = 0.3;
-    state.step = 75;
-    return state;
-}
-
 SubstanceUnits argon() {
     constexpr double boltzmann = 1.380649e-23;
     constexpr double dalton = 1.66053906660e-27;
@@ -43,7 +26,7 @@ SubstanceUnits argon() {
 
 TEST_CASE("an SI trajectory reads back as the reduced state that it was written from") {
     const TemporaryFolder folder;
-    const State state = sample();
+    const State state = three_atoms();
     const TrajectoryOptions options{.path = folder / "a.xyz", .velocities = true, .si = argon()};
     make_trajectory_writer("xyz", state, options)->write(state);
     const Configuration read = read_configuration(folder / "a.xyz", argon());
@@ -59,7 +42,7 @@ TEST_CASE("an SI trajectory reads back as the reduced state that it was written 
 
 TEST_CASE("SI frames are argon in angstrom, angstrom per picosecond and picoseconds") {
     const TemporaryFolder folder;
-    const State state = sample();
+    const State state = three_atoms();
     const TrajectoryOptions options{.path = folder / "a.xyz", .velocities = true, .si = argon()};
     make_trajectory_writer("xyz", state, options)->write(state);
     std::istringstream text(content_of(folder / "a.xyz"));
@@ -86,7 +69,7 @@ TEST_CASE("SI frames are argon in angstrom, angstrom per picosecond and picoseco
 
 TEST_CASE("a trajectory holds one frame after the other, each in the file when write returns") {
     const TemporaryFolder folder;
-    State state = sample();
+    State state = three_atoms();
     const auto writer = make_trajectory_writer("xyz", state, {.path = folder / "a.xyz"});
     writer->write(state);
     const std::string first = content_of(folder / "a.xyz");
@@ -105,7 +88,7 @@ TEST_CASE("a trajectory holds one frame after the other, each in the file when w
 
 TEST_CASE("a full disk is an error, and the frames before it stay whole") {
     const TemporaryFolder folder;
-    const State state = sample();
+    const State state = three_atoms();
     const auto writer = make_trajectory_writer("xyz", state, {.path = folder / "a.xyz"});
     writer->write(state);
     const std::string one = content_of(folder / "a.xyz");
