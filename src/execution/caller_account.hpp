@@ -6,11 +6,11 @@
 
 namespace ljmd {
 
-/// Account of the time in which the caller of a team's loops had no processor, although it wanted one.
+/// Account of the time in which the caller of a team's loops was ready to run, but had no processor.
 ///
-/// Where other programs are busy, a worker that computes or spins may drive its own caller from a processor, for
-/// milliseconds at a time. Only the processor time that the system has given to the caller's thread shows that. It is
-/// read once per `interval` of loops that follow each other closely, because reading it is a system call.
+/// Where other programs are busy, a worker that computes or spins may take its own caller's processor, for milliseconds
+/// at a time. Only the processor time of the caller's thread shows that. It is read once per `interval` of loops that
+/// follow each other closely, because reading it is a system call.
 class CallerAccount {
   public:
     using Clock = std::chrono::steady_clock;
@@ -22,31 +22,31 @@ class CallerAccount {
 
     struct Loss {
         Nanoseconds all{0};      ///< time without processor since the last reading, waiting for workers excepted
-        Nanoseconds by_team{0};  ///< what this exceeds the loss by that the caller has in loops without workers
+        Nanoseconds by_team{0};  ///< the part of it above the caller's loss in loops without workers
     };
 
     /// Account for a loop.
     /// @param began, ended     when it did
     /// @param alone            it was computed without workers
     /// @param waited           time that the caller waited for workers
-    /// @param processor_time   Nanoseconds processor_time(), what the calling thread has had until now
-    /// @return what the loops since the last reading have lost; nothing if it is not yet time for a reading
+    /// @param processor_time   Nanoseconds processor_time(): of the calling thread until now
+    /// @return loss of the loops since the last reading; zero if it is not yet time for a reading
     template <class ProcessorTime>
     [[nodiscard]] Loss settle(Clock::time_point began, Clock::time_point ended, bool alone, Nanoseconds waited,
                               ProcessorTime&& processor_time) {
-        const bool goes_on = began - last_end_ <= longest_gap && alone == alone_;
+        const bool continues = began - last_end_ <= longest_gap && alone == alone_;
         last_end_ = ended;
         alone_ = alone;
         waited_ += waited;
         const Nanoseconds time = ended - read_at_;
-        if (goes_on && time < interval) {
+        if (continues && time < interval) {
             return {};
         }
         const Nanoseconds before = std::exchange(processor_time_, processor_time());
         const Nanoseconds lost = std::max(Nanoseconds{0}, time - (processor_time_ - before) - waited_);
         read_at_ = ended;
         waited_ = Nanoseconds{0};
-        if (!goes_on) {
+        if (!continues) {
             return {};
         }
         if (!alone) {
@@ -62,7 +62,7 @@ class CallerAccount {
     }
 
   private:
-    static constexpr Nanoseconds memory{100e6};  ///< of how busy the other programs are
+    static constexpr Nanoseconds memory{100e6};  ///< time over which losses without workers are averaged
 
     Clock::time_point last_end_{};
     Clock::time_point read_at_{};

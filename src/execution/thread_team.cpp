@@ -137,7 +137,7 @@ class ThreadTeam::Worker {
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    [[nodiscard]] bool on_leave(Clock::time_point now) const { return account_.on_leave(now); }
+    [[nodiscard]] bool is_left_out(Clock::time_point now) const { return account_.is_left_out(now); }
 
     /// Give it blocks [first, last) of a loop. @pre all blocks of the previous loop are done
     void begin(const Loop& loop, Index first, Index last) {
@@ -320,7 +320,7 @@ void ThreadTeam::share_out(Caller& caller) {
     const Index blocks = caller.loop.blocks();
     present_.clear();
     for (auto& worker : workers_) {
-        if (static_cast<Index>(present_.size()) + 1 < blocks && !worker->on_leave(caller.now)) {
+        if (static_cast<Index>(present_.size()) + 1 < blocks && !worker->is_left_out(caller.now)) {
             present_.push_back(worker.get());
         }
     }
@@ -346,7 +346,8 @@ void ThreadTeam::share_out(Caller& caller) {
         caller.worked -= std::min(caller.worked, lost.all);
     }
     for (Worker* worker : present_) {
-        // Whichever worker is in the caller's way: with one less there is room for it, or another loss.
+        // The loss does not show which worker took the caller's processor, so the last one is charged for it. If the
+        // loss goes on with one worker fewer, the next one is left out.
         worker->settle(caller.worked / static_cast<double>(caller.blocks),
                        worker == present_.back() ? lost.by_team : Nanoseconds{0}, caller.now);
     }

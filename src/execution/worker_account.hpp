@@ -9,9 +9,10 @@ namespace ljmd {
 ///
 /// After each loop the time that the worker's blocks saved the caller is added, and the time that the caller waited for
 /// it is subtracted. Gains do not offset later losses. A worker whose loss exceeds largest_loss, because another
-/// program has its processor or because the loops are too small, is on leave for leave_per_loss times the loss; twice,
-/// four times, ... longest_leave_per_loss times if it comes to the next loss sooner than the leave before it lasted. So
-/// the caller loses at most about a tenth of its time, however slow the worker is, and less if it stays so.
+/// program has its processor or because the loops are too small, is left out for pause_per_loss times the loss. The
+/// pause is twice as long, four times, ... up to longest_pause_per_loss times the loss, if the next loss comes within
+/// the length of the last pause after its end. So the caller loses at most about a tenth of its time, however slow the
+/// worker is, and less if the worker stays slow.
 class WorkerAccount {
   public:
     using Clock = std::chrono::steady_clock;
@@ -19,18 +20,18 @@ class WorkerAccount {
 
     /// More than an occasional interrupt costs.
     static constexpr Nanoseconds largest_loss{50e3};
-    static constexpr double leave_per_loss = 10.0;
-    static constexpr double longest_leave_per_loss = 80.0;
+    static constexpr double pause_per_loss = 10.0;
+    static constexpr double longest_pause_per_loss = 80.0;
 
-    [[nodiscard]] bool on_leave(Clock::time_point now) const { return now < back_at_; }
+    [[nodiscard]] bool is_left_out(Clock::time_point now) const { return now < back_at_; }
 
     void settle(Nanoseconds saved, Nanoseconds waited, Clock::time_point now) {
         balance_ = std::min(Nanoseconds{0}, balance_ + saved - waited);
         if (balance_ < -largest_loss) {
-            const bool soon = now < back_at_ + leave_;
-            per_loss_ = soon ? std::min(2.0 * per_loss_, longest_leave_per_loss) : leave_per_loss;
-            leave_ = std::chrono::duration_cast<Clock::duration>(-per_loss_ * balance_);
-            back_at_ = now + leave_;
+            const bool soon = now < back_at_ + pause_;
+            per_loss_ = soon ? std::min(2.0 * per_loss_, longest_pause_per_loss) : pause_per_loss;
+            pause_ = std::chrono::duration_cast<Clock::duration>(-per_loss_ * balance_);
+            back_at_ = now + pause_;
             balance_ = Nanoseconds{0};
         }
     }
@@ -38,8 +39,8 @@ class WorkerAccount {
   private:
     Nanoseconds balance_{0};
     Clock::time_point back_at_{};
-    Clock::duration leave_{0};  ///< length of the last one
-    double per_loss_ = leave_per_loss;
+    Clock::duration pause_{0};  ///< length of the last one
+    double per_loss_ = pause_per_loss;
 };
 
 }  // namespace ljmd

@@ -68,8 +68,8 @@ Evaluation PairForceField::sum(State& state, Request request) {
     return std::visit(
         [&]<class Search>(const Search& search) {
             return potential_.visit([&](const auto& pair) {
-                // Each of these is compiled for every pair formula, truncation and search, which takes its time: a sum
-                // that is independent of the order, for one integrator, has the energy whether or not it was asked for.
+                // Each of these sums is compiled for every pair formula, truncation and search. To save compile time,
+                // order-independent sums, which one integrator needs, always compute the energy.
                 if constexpr (!std::is_same_v<Search, VerletList>) {
                     if (!request.order_independent) {
                         return request.energy ? sum_pairs<Request::forces_and_energy>(pair, search, cutoff, state)

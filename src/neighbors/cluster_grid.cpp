@@ -19,8 +19,8 @@ namespace {
 constexpr double safety = 1.0 + 0x1p-36;
 
 /// Positions, forces and lists of a tile should fit into the caches next to a core. A small tile has many ghost
-/// clusters for its own clusters, which cost copies and a second sum. A small system still gets two
-/// tiles, so that two threads can share it.
+/// clusters for its own ones, which cost copies and a second sum. A small system still gets two tiles, so that two
+/// threads can share it.
 constexpr double max_atoms_per_tile = 4000.0;
 constexpr double min_tiles = 2.0;
 constexpr double min_atoms_per_tile = 200.0;

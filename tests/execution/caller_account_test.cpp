@@ -16,7 +16,7 @@ struct Loops {
     Nanoseconds processor{7e9};
     int readings = 0;
 
-    /// A loop of that length, of which the caller had a processor for a part of the time.
+    /// A loop during which the caller had a processor for a part of the time.
     CallerAccount::Loss loop(CallerAccount::Clock::duration length, double part, bool alone, Nanoseconds waited = {}) {
         const auto began = now;
         now += length;

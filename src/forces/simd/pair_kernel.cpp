@@ -10,7 +10,7 @@ namespace ljmd {
 namespace {
 
 /// Whether distances to two clusters are begun while forces from the previous two are computed. Out-of-order execution
-/// covers one or two hundred instructions, fewer than the latencies between a separation and a force ask for. Only the
+/// covers one or two hundred instructions, too few for the latencies between a separation and a force. Only the
 /// 32 registers of AVX-512 suffice for working so far ahead. 16 registers hold the separations of one cluster beside
 /// those of the next.
 template <class V>
@@ -65,8 +65,8 @@ struct SelfPairMask {
     }
 };
 
-/// Energy and virial of a tile. Each atom of its own and ghost clusters has one position in the tile,
-/// so the virial, the sum over pairs of (r_i - r_j)_a f_b, equals the sum over atoms of r_a f_b.
+/// Energy and virial of a tile. Each atom of its own and ghost clusters has one position in the tile, so the virial,
+/// the sum over pairs of (r_i - r_j)_a f_b, equals the sum over atoms of r_a f_b.
 template <class V>
 class EnergyAndVirial {
   public:
@@ -95,7 +95,7 @@ class EnergyAndVirial {
     Four xx_{}, yy_{}, zz_{}, xy_{}, xz_{}, yz_{};
 };
 
-/// A row of atoms that works through its list.
+/// The sum over the list of a row of atoms.
 template <class Arithmetic, bool with_energy, class Pair>
 class Row {
   public:
@@ -109,15 +109,15 @@ class Row {
     /// Meet the row's own cluster, then the entries of its list.
     /// @param own    entry of the cluster, as a whole
     /// @param first  first part of it that has a slot after the row's first atom
-    /// @param aside  see SelfPairMask; for that part and the following ones
+    /// @param mask   see SelfPairMask; for that part and the following ones
     /// @param end    end of the list
-    LJMD_INLINE void meet_all(std::size_t own, std::size_t first, const Real (*aside)[V::lanes],
+    LJMD_INLINE void meet_all(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
                               const std::int32_t* end) {
         if constexpr (by_twos<V>) {
             static_assert(parts == 1);
-            meet_by_twos(own, *aside, end);
+            meet_by_twos(own, *mask, end);
         } else {
-            meet_one_by_one(own, first, aside, end);
+            meet_one_by_one(own, first, mask, end);
         }
     }
 
@@ -139,9 +139,9 @@ class Row {
         return static_cast<std::uint32_t>(entry_[offset]);
     }
 
-    [[nodiscard]] LJMD_INLINE Separation<V> separation_from_own(std::size_t there, const Real* aside) const {
+    [[nodiscard]] LJMD_INLINE Separation<V> separation_from_own(std::size_t there, const Real* mask) const {
         Separation<V> d = arithmetic_.separation(there);
-        d.square += V::load_unaligned(aside);
+        d.square += V::load_unaligned(mask);
         return d;
     }
 
@@ -149,11 +149,11 @@ class Row {
         sums.add(arithmetic_, pair_, cutoff2_, d, begun, partial_ + there * width);
     }
 
-    LJMD_INLINE void meet_one_by_one(std::size_t own, std::size_t first, const Real (*aside)[V::lanes],
+    LJMD_INLINE void meet_one_by_one(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
                                      const std::int32_t* end) {
         Separation<V> next = arithmetic_.separation(place(0));
-        for (std::size_t part = first; part < parts; ++part, ++aside) {
-            const Separation<V> d = separation_from_own(own + part * others, *aside);
+        for (std::size_t part = first; part < parts; ++part, ++mask) {
+            const Separation<V> d = separation_from_own(own + part * others, *mask);
             meet(d, Started(arithmetic_, d.square), own + part * others);
         }
         while (entry_ < end) {
@@ -165,10 +165,10 @@ class Row {
         }
     }
 
-    LJMD_INLINE void meet_by_twos(std::size_t own, const Real* aside, const std::int32_t* end) {
+    LJMD_INLINE void meet_by_twos(std::size_t own, const Real* mask, const std::int32_t* end) {
         Two now, next;
         const bool odd = (end - entry_) % 2 != 0;
-        now.d[0] = separation_from_own(own, aside);
+        now.d[0] = separation_from_own(own, mask);
         if (odd) {  // the first entry of the list goes with the row's own cluster
             now.d[1] = arithmetic_.separation(place(0));
             Started::begin(arithmetic_, now.d[0].square, now.d[1].square, now.begun);
@@ -216,12 +216,12 @@ class Row {
 };
 
 /// Sum a tile row by row. Atoms of the tile that have a cluster on their lists come before it, so all their reaction
-/// forces are there when the cluster's turn comes.
+/// forces have been added when the cluster itself is summed.
 template <class Arithmetic, bool with_energy, class Pair>
 [[gnu::flatten]] void sum_tile(const void* potential, const PairKernelTask& task, PairKernelSums* sums) {
     using V = typename Arithmetic::V;
     using Real = typename V::Value;
-    static constexpr SelfPairMask<V> aside;
+    static constexpr SelfPairMask<V> mask;
     constexpr std::size_t width = atoms_per_row<V>;
     constexpr std::size_t stride = std::size_t{3} * slots;
     const Pair pair = *static_cast<const Pair*>(potential);
@@ -259,7 +259,7 @@ template <class Arithmetic, bool with_energy, class Pair>
             Row<Arithmetic, with_energy, Pair> row(arithmetic, pair, cutoff2, partial, task.entries + start[0]);
             // With one part it is always 0. Saying so to the compiler makes AVX2's mixed kernel 4 % faster.
             const std::size_t first = parts_per_cluster<V> == 1 ? 0 : (k + 1) / others_per_row<V>;
-            row.meet_all(own, first, aside.of_row[k / width] + first, task.entries + start[1]);
+            row.meet_all(own, first, mask.of_row[k / width] + first, task.entries + start[1]);
             sums_of_rows[0][k / width] = row.sums.fx.raw;
             sums_of_rows[1][k / width] = row.sums.fy.raw;
             sums_of_rows[2][k / width] = row.sums.fz.raw;

@@ -13,8 +13,7 @@
 
 namespace ljmd {
 
-/// The pairs of a tile: those among its own atoms, and those of its own atoms with its ghost clusters (ghosts in
-/// names).
+/// The pairs of a tile: those among its own atoms, and those of its own atoms with its ghost clusters.
 struct PairKernelTask {
     const void* positions;  ///< see TilePositions: double [sigma], or std::int32_t in units of FixedPoint (mixed)
     double unit;            ///< unit of FixedPoint [sigma]
