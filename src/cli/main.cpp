@@ -200,7 +200,7 @@ int main(int argc, char** argv) {
         ->type_name("TIME");
     CLI::App& resume = *app.add_subcommand("resume", "resume a run that was stopped, from its last checkpoint");
     resume.add_option("directory", resumed.directory, "directory of the run")->required()->type_name("RUNDIR");
-    resume.add_option("--steps", resumed.more_steps, "make the last stage that much longer: +N")
+    resume.add_option("--steps", resumed.more_steps, "add steps to the last stage: +N")
         ->type_name("+N")
         ->check(CLI::Range(ljmd::Index{1}, ljmd::max_steps));
     resume.add_option("--walltime", resumed.walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
@@ -210,9 +210,9 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, ljmd::max_threads));
     resume.add_flag("--quiet", resumed.quiet, "no progress");
     resume.add_flag("--json", resumed.json, "print the result as JSON");
-    CLI::App& check = *app.add_subcommand("check", "find every mistake in a deck and tell what it would cost");
+    CLI::App& check = *app.add_subcommand("check", "find every mistake in a deck, and estimate its cost");
     add_deck_options(check, options);
-    CLI::App& compare = *app.add_subcommand("compare", "hold a deck's motion against that of an independent program");
+    CLI::App& compare = *app.add_subcommand("compare", "compare a deck's motion with that of an independent program");
     add_deck_options(compare, options);
     add_compare_options(compare, compared);
     compare.add_option("--out", out, "write the comparison into this directory too")->type_name("DIR");
@@ -231,8 +231,8 @@ int main(int argc, char** argv) {
         "bench", "measure how fast a deck runs; without one, the Lennard-Jones melt of 32000 atoms");
     add_deck_options(bench, options, false);
     ljmd::EosOptions state;
-    CLI::App& eos = *app.add_subcommand(
-        "eos", "what equations of state say of the Lennard-Jones fluid; of coexistence, without a density");
+    CLI::App& eos =
+        *app.add_subcommand("eos", "equations of state of the Lennard-Jones fluid; without a density, at coexistence");
     eos.add_option("--temperature", state.temperature, "in epsilon/k_B")
         ->type_name("T")
         ->check(reduced("epsilon/k_B", ljmd::Dimension::temperature));

@@ -40,7 +40,7 @@ void Archive::one(bool& value) {
     auto byte = static_cast<std::uint8_t>(value);
     raw(&byte, 1);
     if (byte > 1) {
-        refuse("a yes or no is neither");
+        refuse("a flag is neither 0 nor 1");
     }
     value = byte == 1;
 }
@@ -57,7 +57,7 @@ void Archive::mark(std::string_view name) {
     std::string found(name);
     one(found);
     if (found != name) {
-        throw CheckpointError(fmt::format("what should be '{}' is something else", name));
+        throw CheckpointError(fmt::format("'{}' was expected, and something else was found", name));
     }
 }
 

@@ -191,7 +191,7 @@ Vec3 State::unwrapped(Index i) const {
 
 void State::reorder(const std::vector<Index>& order) {
     if (static_cast<Index>(order.size()) != count_) {
-        throw ContractViolation("a new order must name every atom once");
+        throw ContractViolation("a new order must contain every atom once");
     }
     finish_kick();
     ++order_version_;
@@ -253,21 +253,21 @@ void State::archive(Archive& a) {
     for (const Registered& extra : registered_) {
         whole = whole && extra.data.size() == length;
     }
-    refuse_unless(whole, "its atoms are not all there");
+    refuse_unless(whole, "some of its atoms lack data");
     bool padded = padding_is_zero(positions) && padding_is_zero(velocities_) && padding_is_zero(forces_);
     for (const Registered& extra : registered_) {
         padded = padded && padding_is_zero(extra.data);
     }
-    refuse_unless(padded, "its atoms have more than three coordinates");
+    refuse_unless(padded, "its atoms have a fourth coordinate");
     std::vector<bool> seen(count, false);
     for (const Index id : ids_) {
         const bool new_one = id >= 0 && id < count_ && !seen[static_cast<std::size_t>(id)];
-        refuse_unless(new_one, "its atoms are not all there");
+        refuse_unless(new_one, "its ids are not 0 to N - 1, each once");
         seen[static_cast<std::size_t>(id)] = true;
     }
     refuse_unless(bounded == box_.has_value(),
                   "it is a fluid and the deck one of a few bodies, or the other way round");
-    refuse_unless(!bounded || edges == box_->edges(), "its box is another");
+    refuse_unless(!bounded || edges == box_->edges(), "its box differs from that of the run");
     require_count(step);
     require_count(phase_.steps);
     constexpr int max_edges = 1 << 30;  // no run takes an atom so far, and further counting does not overflow

@@ -71,8 +71,7 @@ class CandidatesOfCluster {
     int count_ = 0;
 };
 
-/// All slots of a tile and its ghost clusters, for the kernel. @param part  slots of a part, see
-/// RowShape
+/// All slots of a tile and its ghost clusters, for the kernel. @param part  slots of a part, see RowShape
 CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighborhood& neighborhood,
                               const State& state, const FixedPoint& fixed_point, Index part) {
     constexpr Index slots = ClusterGrid::slots;
@@ -187,14 +186,14 @@ void VerletList::archive(Archive& a, const State& state, double cutoff) {
         State then = state;
         auto r = then.write_positions();
         if (static_cast<Index>(reference.size()) != vector_stride * then.count()) {
-            throw CheckpointError("its list is one of another number of atoms");
+            throw CheckpointError("its neighbour list is for another number of atoms");
         }
         for (Index i = 0; i < then.count(); ++i) {
             r.col(i) = ConstVectorView(reference.data(), 3, then.count()).col(i);
         }
         prepare(then, cutoff);
         if (then.ids() != state.ids()) {
-            throw CheckpointError("its atoms do not lie in the order of its list");
+            throw CheckpointError("its atoms are not in the order of its neighbour list");
         }
         built_for_order_ = state.order_version();
     }

@@ -101,7 +101,7 @@ std::vector<ObservableAverage> WidomInsertion::observables() const {
         }
     }
     if (!average.estimate) {
-        average.remark = "too few of the places that count were met: try more insertions";
+        average.remark = "too few insertions at low energies: try more insertions";
     }
     return {average};
 }

@@ -34,7 +34,7 @@ std::string impossible(const CheckpointHead& head, const Deck& deck, std::size_t
         return "has a box that the deck cannot have";
     }
     if (head.outputs.thermo < 0 || head.outputs.trajectory.bytes < 0 || head.outputs.trajectory.frames < 0) {
-        return "has outputs of less than nothing";
+        return "has outputs of negative length";
     }
     return {};
 }
@@ -97,7 +97,7 @@ void Continuation::restore(const Deck& deck, const State& state, const std::func
         const double time_step = deck.stages.at(head.position.stage).time_step;
         const double time = head.position.first_time + static_cast<double>(head.position.steps) * time_step;
         if (state.step != head.step || state.time != time) {
-            throw CheckpointError("its state is one of another time");
+            throw CheckpointError("its state is at another step or time");
         }
     } catch (const CheckpointError& why) {
         throw CheckpointError(fmt::format("{}: {}", file.path.string(), why.what()));

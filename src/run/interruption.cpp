@@ -33,7 +33,7 @@ void Interruption::stop(Index step, const std::string& directory) const {
 void Interruption::stop_many_runs() const {
     const auto by = request();
     if (!by) {
-        throw ContractViolation("nobody has asked the runs to stop");
+        throw ContractViolation("no signal has asked the runs to stop");
     }
     throw Interrupted("stopped; to go on, give the same command again", by->exit_code());
 }

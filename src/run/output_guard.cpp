@@ -38,7 +38,7 @@ std::vector<fs::path> existing_outputs(const fs::path& directory, const std::vec
             found.push_back(path);
         } else if (type != fs::file_type::not_found) {
             throw InputError(
-                fmt::format("{} is in the way: a file of that name is written, and what is there is none. {}.\n  "
+                fmt::format("{} is in the way: a file of that name is to be written, and this is no file. {}.\n  "
                             "choose another directory with --out",
                             path.string(), consequence));
         }

@@ -57,7 +57,8 @@ Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& se
     Record record = read_record(directory / "run.json");
     for (const std::string& setting : settings) {
         if (setting.starts_with("system.")) {
-            throw InputError(fmt::format("--set {}: [system] tells how a run begins; this one has been made", setting));
+            throw InputError(
+                fmt::format("--set {}: [system] describes the start of a run, and this run has begun", setting));
         }
         record.settings.push_back(setting);
     }

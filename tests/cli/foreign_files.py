@@ -35,7 +35,7 @@ def stop_when(process, path):
 
 
 def names_that_look_temporary(t):
-    """A run, stopped and gone on with, and an export leave files of such names alone, even where one is the deck."""
+    """A run, stopped and resumed, and an export leave files of such names alone, even where one is the deck."""
     (t.dir / "out").mkdir()
     mine = [f"out/{name}{end}" for name in ("results.json", "final.xyz", "checkpoint.1", "trajectory.h5md", "start.xyz")
             for end in (".tmp", "~")]
@@ -184,7 +184,7 @@ def directories_in_the_way_stay(t):
     for name in ("out/thermo.csv", "out/checkpoint.1"):
         (t.dir / name).mkdir(parents=True)
         result = t.expect(2, t.run("run", "deck.toml", "--out", "out", "--force"))
-        t.contains(result.err, f"error: {name} is in the way: a file of that name is written, and what is there is none.")
+        t.contains(result.err, f"error: {name} is in the way: a file of that name is to be written, and this is no file.")
         (t.dir / name).rmdir()
     t.run_well(*SWEEP)
     point = t.dir / "out/points/density=0.8"
@@ -260,7 +260,7 @@ def cases():
                           long_paths)]
     for kind in ("directory", "link"):
         for resumed in (False, True):
-            what = "gone on with" if resumed else "begun"
+            what = "resumed" if resumed else "begun"
             tests.append(Case(f"a run that was {what} goes where its directory is, with a {kind} in its place",
                               a_run_goes_where_its_directory_is(kind, resumed)))
     return tests

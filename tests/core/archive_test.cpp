@@ -176,5 +176,5 @@ TEST_CASE("a mark must be found again") {
     Archive same(archive.bytes());
     CHECK_NOTHROW(same.mark("state"));
     Archive other(archive.bytes());
-    CHECK_THROWS_WITH(other.mark("list"), Contains("what should be 'list' is something else"));
+    CHECK_THROWS_WITH(other.mark("list"), Contains("'list' was expected, and something else was found"));
 }

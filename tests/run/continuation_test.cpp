@@ -98,13 +98,13 @@ TEST_CASE("a checkpoint that no run of its deck can have written is refused, tho
     }
     SECTION("outputs") {
         head.outputs.thermo = -1;
-        why = "outputs of less than nothing";
+        why = "outputs of negative length";
     }
     SECTION("time") {
         head.position.first_time += 0.5;
         write();
         CHECK(find_continuation(deck).has_value());
-        CHECK_THROWS_WITH(resume(deck.directory), Contains("its state is one of another time"));
+        CHECK_THROWS_WITH(resume(deck.directory), Contains("its state is at another step or time"));
         return;
     }
     write();

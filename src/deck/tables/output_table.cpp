@@ -83,7 +83,7 @@ void OutputTable<Thermo, Trajectory>::describe(TableDescription& description) {
     description.table("checkpoint", "checkpoint", checkpoint)
         .optional(in_words(checkpoint.every))
         .meaning(
-            "what `ljmd resume` goes on from; also written at the start, at the ends of stages, and when the run is "
+            "what `ljmd resume` continues from; also written at the start, at the ends of stages, and when the run is "
             "stopped");
 }
 

@@ -78,7 +78,8 @@ void SystemTable::describe(TableDescription& description) {
     description.integer("seed", seed)
         .at_least(0)
         .meaning(
-            "of all random numbers; a run that goes on from another one's end under a thermostat needs another seed");
+            "of all random numbers; a run that starts from the end of another one under a thermostat needs another "
+            "seed");
 }
 
 bool SystemTable::draws_velocities() const {

@@ -75,7 +75,7 @@ struct StochasticCellRescalingOptions : BarostatOptions {
             .dimension(Dimension::time)
             .unit("tau")
             .above(0.0)
-            .meaning("tau_p: the volume is forgotten after it");
+            .meaning("tau_p: relaxation time of the volume");
         description.number("compressibility", compressibility)
             .unit("sigma^3/epsilon")
             .above(0.0)

@@ -34,7 +34,7 @@ struct LangevinOptions : ThermostatOptions {
     double time = 1.0;
 
     void describe(Description& description) override {
-        describe_relaxation_time(description, time, "friction makes velocities forgotten after it");
+        describe_relaxation_time(description, time, "relaxation time of velocities by friction");
     }
     [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
         return std::make_unique<Langevin>(time, bath);

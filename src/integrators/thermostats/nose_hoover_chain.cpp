@@ -96,7 +96,7 @@ struct NoseHooverChainOptions : ThermostatOptions {
     Index length = 3;
 
     void describe(Description& description) override {
-        describe_relaxation_time(description, time, "the temperature oscillates about its mean in some of it");
+        describe_relaxation_time(description, time, "time scale of the oscillations of the temperature");
         description.integer("length", length).at_least(1).at_most(100).meaning("thermostats in the chain");
     }
     [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {

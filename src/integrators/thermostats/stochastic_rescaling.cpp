@@ -44,7 +44,7 @@ struct StochasticRescalingOptions : ThermostatOptions {
     double time = 0.5;
 
     void describe(Description& description) override {
-        describe_relaxation_time(description, time, "the kinetic energy is forgotten after it");
+        describe_relaxation_time(description, time, "relaxation time of the kinetic energy");
     }
     [[nodiscard]] std::unique_ptr<Thermostat> make(const HeatBath& bath) const override {
         return std::make_unique<StochasticRescaling>(time, bath);

@@ -189,7 +189,7 @@ std::optional<int> ChildProcess::wait(bool block) {
         if (found == id_) {
             status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
         } else if (errno != EINTR) {
-            throw FileError(fmt::format("lost sight of '{}' while it ran: {}", name_, std::strerror(errno)));
+            throw FileError(fmt::format("cannot wait for the end of '{}': {}", name_, std::strerror(errno)));
         }
     }
     return status_;

@@ -44,7 +44,7 @@ void ClosestApproach::add(const State& state) {
 void ClosestApproach::archive(Archive& a, const State& now) {
     a(last_, closest_, first_unresolved_);
     if (last_ && (!(last_->time <= now.time) || last_->r.cols() != now.count() || last_->v.cols() != now.count())) {
-        throw CheckpointError("its approaches are those of other bodies or times");
+        throw CheckpointError("its closest approach belongs to other bodies or times");
     }
 }
 

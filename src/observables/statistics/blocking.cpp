@@ -123,7 +123,7 @@ void BlockingAccumulator::archive(Archive& a) {
     require_count(expected);
     for (const Level& level : levels_) {
         if (level.blocks < 1 || level.blocks != expected) {
-            throw CheckpointError("its block averages are not those of any number of samples");
+            throw CheckpointError("its block averages fit no number of samples");
         }
         expected /= 2;
         if (level.mean.size() != width_ || level.deviation.size() != kept_products() ||
@@ -132,7 +132,7 @@ void BlockingAccumulator::archive(Archive& a) {
         }
     }
     if (expected != 0) {
-        throw CheckpointError("its block averages are not those of any number of samples");
+        throw CheckpointError("its block averages fit no number of samples");
     }
 }
 
