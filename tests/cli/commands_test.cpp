@@ -54,7 +54,7 @@ TEST_CASE("run writes its files and prints its table, or JSON") {
     CHECK(parse_json(second.out).at("observables").contains("temperature"));
 }
 
-TEST_CASE("resume goes on with a run that its wall time has stopped, in its directory") {
+TEST_CASE("resume continues a run that its wall time has stopped, in its directory") {
     const DeckFolder folder;
     DeckOptions options = options_of(folder);
     options.quiet = true;

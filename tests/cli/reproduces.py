@@ -1,4 +1,4 @@
-"""ljmd reproduce verlet1967: rows that are run, kept, gone on with and refused."""
+"""ljmd reproduce verlet1967: rows that are run, kept, resumed and refused."""
 
 import csv
 import io

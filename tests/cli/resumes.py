@@ -1,4 +1,4 @@
-"""Runs that are stopped and gone on with: by a signal, by the wall time, by a kill; and what cannot be gone on with."""
+"""Runs that are stopped, by a signal, by the wall time or by a kill, and resumed; and what cannot be resumed."""
 
 import contextlib
 import fcntl
@@ -194,7 +194,7 @@ def few_bodies_longer(t):
 
 
 def finished(t):
-    """Going on with what has come to its end changes nothing."""
+    """Resuming a run that has come to its end changes nothing."""
     t.deck(*OUTPUTS)
     t.run_well("run", "deck.toml", "--out", "out", "--quiet")
     before = run_outputs(t.dir / "out")
@@ -239,7 +239,7 @@ def in_use(t):
         texts += t.expect(9, t.run("run", "deck.toml", "--out", "out", "--force")).err
         told = t.run_well("info", "out").out
         t.contains(told, "finished      no, it is running\n")
-        t.check("to go on" not in told, "a run that is alive is to be gone on with")
+        t.check("to go on" not in told, "a running run is offered for resuming")
         t.equal(json.loads(t.run_well("info", "out", "--json").out)["running"], True, "running")
     finally:
         process.kill()

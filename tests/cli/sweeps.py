@@ -1,4 +1,4 @@
-"""ljmd sweep: points that are run, kept, gone on with, tried again and refused."""
+"""ljmd sweep: points that are run, kept, resumed, tried again and refused."""
 
 import csv
 import io
@@ -123,7 +123,7 @@ def check_resumed(t):
 
 
 def killed_and_gone_on_with(t):
-    """What was done when all processes were killed is not touched, the rest is gone on with."""
+    """Points finished when all processes were killed are not touched; the others are resumed."""
     t.deck()
     t.run_well(*LONG, "out", "--quiet")
     process = begin_long(t, "again")
@@ -174,7 +174,7 @@ def ended_and_gone_on_with(*numbers):
 
 
 def the_deck_may_change_meanwhile(t):
-    """What is gone on with is the deck as it was; the changed one is another sweep."""
+    """The sweep is resumed with the deck as it was; the changed deck is another sweep."""
     t.deck()
     process = begin_long(t, "out")
     t.deck(("seed = 7", "seed = 8"))

@@ -296,7 +296,7 @@ TEST_CASE("a barostat changes the box when its steps come, between two steps, an
     CHECK(log.energies.at(6) == 0.0);
 }
 
-TEST_CASE("a run is not gone on with when the state has not what the thermostat keeps") {
+TEST_CASE("a run is not resumed when the state lacks the variables of the thermostat") {
     const Deck deck =
         DeckFolder(changed(small_deck, {{"type = \"rescale\", every = 5", "type = \"nose-hoover-chain\""}})).load();
     FluidSystem simulation = simulation_of(deck);

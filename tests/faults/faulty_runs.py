@@ -1,6 +1,6 @@
 """What tests of runs that are disturbed share: small decks, a preloaded library of faults, the comparison of two runs.
 
-All files of a run that was disturbed and gone on with must be byte for byte what they are without, times and provenance
+All files of a run that was disturbed and resumed must be byte for byte what they are without, times and provenance
 excepted. A run that has written a checkpoint must not begin again.
 """
 
@@ -110,7 +110,7 @@ class Runner:
         while True:
             checkpoints = list(directory.glob("checkpoint.?"))
             if not checkpoints:
-                # Killed before there was anything to go on with: it begins again, and that is all that is lost.
+                # Killed before there was a checkpoint to resume from: it begins again, and nothing else is lost.
                 if frames_on_disk(directory) > 1:
                     raise Failure("frames, but no checkpoint")
                 self.finish(self.start(["run", str(deck), "--out", str(directory), "--force"]), (0,))

@@ -138,5 +138,5 @@ def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(run_tests(sys.argv[1:], "Let disks fill up under runs, go on with them, and look whether anything was lost.",
+    sys.exit(run_tests(sys.argv[1:], "Let disks fill up during runs, resume them, and check that nothing was lost.",
                        tests))

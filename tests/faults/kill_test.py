@@ -6,7 +6,7 @@ Usage: kill_test.py --ljmd PROGRAM --faults LIBRARY [--kills N] [--seed N]
 For each format of a trajectory a short run is made in one piece. Then the same run is killed: in every call that
 changes a file, and in every one after half of the bytes (LIBRARY is preloaded, see fault_at_call.cpp); so is the second
 half of it, which `ljmd resume` makes; and a longer run is killed at N random times, in all formats together, and again
-in one of three cases when it is gone on with.
+in one of three cases while it is resumed.
 
 Prints one line for each kind, and "N passed, M failed". Exit code 1 when something failed.
 """
@@ -61,5 +61,5 @@ def tests(runner: Runner, folder: Path, tally: Tally, all_kills: int) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(run_tests(sys.argv[1:], "Kill runs, go on with them, and look whether anything was lost.", tests,
+    sys.exit(run_tests(sys.argv[1:], "Kill runs, resume them, and check that nothing was lost.", tests,
                        NumberOption("--kills", 60, "at random times, in all formats together")))

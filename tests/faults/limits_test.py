@@ -86,5 +86,5 @@ def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(run_tests(sys.argv[1:], "Give runs too little of something, go on with them, and look whether anything was lost.",
+    sys.exit(run_tests(sys.argv[1:], "Give runs too little of something, resume them, and check that nothing was lost.",
                        tests))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs and goes on with runs on file systems that know no locks, cannot synchronise files, or let signals interrupt that.
+"""Starts and resumes runs on file systems that have no locks, cannot synchronise files, or let signals interrupt that.
 
 Usage: odd_file_system_test.py --ljmd PROGRAM --faults LIBRARY [--seed N]
 

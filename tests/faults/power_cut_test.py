@@ -69,4 +69,4 @@ def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(run_tests(sys.argv[1:], "Cut the power under runs, go on with them, and look whether anything was lost.", tests))
+    sys.exit(run_tests(sys.argv[1:], "Cut the power of runs, resume them, and check that nothing was lost.", tests))

@@ -4,7 +4,7 @@
 
 namespace ljmd::fuzz {
 
-/// Whose trajectory is gone on with.
+/// Whose trajectory is continued.
 inline State two_atoms() {
     constexpr double edge = 4.0;
     State state(2, Box(Vec3::Constant(edge)));

@@ -38,7 +38,7 @@ std::string outputs_of(const std::filesystem::path& directory) {
     return all + content_of(directory / "results.json");
 }
 
-/// Stop a run at every step and go on with it: the end must be the end of the run that was not stopped.
+/// Stop a run at every step and resume it: it must end like the run that was not stopped.
 /// @param threads  0: as OMP_NUM_THREADS says
 /// @return how often that has built its neighbour list
 Index check_every_step(const std::string& text, const std::vector<std::string>& settings, int threads = 0) {
@@ -101,7 +101,7 @@ bool go_together(const IntegratorMethod& method, const ThermostatMethod& thermos
 
 }  // namespace
 
-TEST_CASE("a fluid that is stopped after any step ends, gone on with, as if it had not been stopped") {
+TEST_CASE("a fluid that is stopped after any step and resumed ends as if it had not been stopped") {
     CHECK(check_every_step(with_files, {"neighbors.skin=0.15"}) >= 3);
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("so it is with few bodies, every integrator, and a stage that goes bac
     check_every_step(radial_deck, {});
 }
 
-TEST_CASE("run.json tells at which steps a run was gone on with, and when it began") {
+TEST_CASE("run.json tells at which steps a run was resumed, and when it began") {
     const DeckFolder folder;
     const Deck deck = folder.load({"output.checkpoint.every=10"});
     run_until(deck, 33);
@@ -190,7 +190,7 @@ TEST_CASE("run.json tells at which steps a run was gone on with, and when it beg
     CHECK(record["deck_hash"] == before["deck_hash"]);
 }
 
-TEST_CASE("a finished run is gone on with from its end, and ends the same") {
+TEST_CASE("a finished run is resumed from its end, and ends the same") {
     const DeckFolder folder(with_files);
     const Deck deck = folder.load();
     run_until(deck, total_steps(deck.stages));
@@ -299,7 +299,7 @@ TEST_CASE("no checkpoint is written of a run that has blown up") {
     CHECK(resume(deck.directory) == 32);
 }
 
-TEST_CASE("a run whose time is over stops with a checkpoint, and can be gone on with") {
+TEST_CASE("a run whose time is over stops with a checkpoint, and can be resumed") {
     const DeckFolder folder(with_files);
     const Deck deck = folder.load({"stage.production.steps=2000"});
     prepare_directory(deck.directory);

@@ -55,7 +55,7 @@ struct Line {
 
 }  // namespace
 
-TEST_CASE("a run begins, is gone on with, and is left alone when it is finished") {
+TEST_CASE("a run begins, is resumed, and is left alone when it is finished") {
     const DeckFolder folder;
     const ChildRun run = run_in(folder);
     const auto first = next_job(run);

@@ -103,7 +103,7 @@ TEST_CASE("writing to a closed file is a mistake of the program") {
     CHECK_THROWS_AS(file.write("late"), ContractViolation);
 }
 
-TEST_CASE("a file is gone on with from the bytes that are kept, whatever stands behind them") {
+TEST_CASE("a file is continued from the bytes that are kept, whatever comes after them") {
     const TemporaryFolder folder;
     const auto path = folder / "a.txt";
     std::int64_t kept = 0;
@@ -125,7 +125,7 @@ TEST_CASE("a file is gone on with from the bytes that are kept, whatever stands 
     CHECK(content_of(path) == "from the start\n");
 }
 
-TEST_CASE("a file that has lost what should be kept, or that is no file, is not gone on with and not touched") {
+TEST_CASE("a file that has lost what should be kept, or that is no file, is not continued and not touched") {
     const TemporaryFolder folder;
     const auto path = folder / "a.txt";
     CHECK_THROWS_AS(OutputFile(path, 0), CheckpointError);

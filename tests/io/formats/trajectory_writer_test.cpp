@@ -117,7 +117,7 @@ TEST_CASE("a trajectory that cannot be created is an error that names it, a form
     CHECK(folder.count_files() == 0);
 }
 
-TEST_CASE("a trajectory is gone on with from the frames that are kept, whether it was closed or not") {
+TEST_CASE("a trajectory is continued from the frames that are kept, whether it was closed or not") {
     for (const std::string& format : plugin_names(all_trajectory_formats())) {
         for (const bool closed : {true, false}) {
             INFO(format << (closed ? ", closed" : ", left open"));
@@ -182,7 +182,7 @@ TEST_CASE("a trajectory that was resumed is committed as it was, before its firs
     }
 }
 
-TEST_CASE("a trajectory that has lost frames is not gone on with and not touched") {
+TEST_CASE("a trajectory that has lost frames is not continued and not touched") {
     for (const std::string& format : plugin_names(all_trajectory_formats())) {
         INFO(format);
         const TemporaryFolder folder;

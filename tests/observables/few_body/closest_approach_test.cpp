@@ -150,7 +150,7 @@ TEST_CASE("A single body approaches nobody, and samples that do not follow are r
     CHECK_THROWS_AS(single.add(two), ContractViolation);
 }
 
-TEST_CASE("approaches are gone on with from their last sample or later, and with as many bodies") {
+TEST_CASE("approaches are continued from their last sample or later, and with as many bodies") {
     State two(2);
     two.time = 1.0;
     ClosestApproach approach;

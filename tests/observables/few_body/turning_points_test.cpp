@@ -265,7 +265,7 @@ TEST_CASE("Samples of an orbit that do not follow in time are refused") {
     CHECK_THROWS_AS(points.add_radial(0.5, 1.0, 0.0, 0.0, 0.0), ContractViolation);
 }
 
-TEST_CASE("an orbit is gone on with from its last sample or later") {
+TEST_CASE("an orbit is continued from its last sample or later") {
     TurningPoints points;
     points.add(1.0, Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0));
     Archive a;

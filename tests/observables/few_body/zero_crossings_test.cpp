@@ -91,7 +91,7 @@ TEST_CASE("Samples of a coordinate that do not follow in time are refused") {
     CHECK_THROWS_AS(found.add(1.0, 0.1, 1.0), ContractViolation);
 }
 
-TEST_CASE("an oscillation is gone on with from its last sample or later") {
+TEST_CASE("an oscillation is continued from its last sample or later") {
     ZeroCrossings crossings;
     crossings.add(1.0, 0.5, 1.0);
     Archive a;
