@@ -80,8 +80,8 @@ std::optional<double> EnergyFluctuations::total_over_kinetic() const {
     return std::sqrt(total_.squares / kinetic_.squares);
 }
 
-void take_back_contradicted(std::vector<ObservableAverage>& averages, const DeckClaims& deck,
-                            const EnergyFluctuations& energies, std::optional<Index> box_changes) {
+void withdraw_contradicted(std::vector<ObservableAverage>& averages, const DeckClaims& deck,
+                           const EnergyFluctuations& energies, std::optional<Index> box_changes) {
     take_back(averages, "heat_capacity_cv", against_heat_capacity(deck.ensemble, energies, box_changes));
     if (deck.held_temperature) {
         take_back(averages, "excess_chemical_potential", against_temperature(averages, *deck.held_temperature));

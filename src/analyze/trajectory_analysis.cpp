@@ -177,7 +177,7 @@ TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const 
     if (const auto infinite = diffusion_in_infinite_system(result.averages, Box(trajectory.summary.edges))) {
         result.averages.push_back(*infinite);
     }
-    take_back_contradicted(result.averages, claims_of(trajectory), pass.energies(), trajectory.summary.box_changes);
+    withdraw_contradicted(result.averages, claims_of(trajectory), pass.energies(), trajectory.summary.box_changes);
     if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
         result.warnings.push_back(
             fmt::format("the trajectory is too short for the error bars of {}: they are guesses", unsure));

@@ -280,22 +280,22 @@ void VerletList::find_ghost_owners() {
     const auto owner = [&](const ClusterGrid::GhostClusters& ghosts) {
         return tile_of[static_cast<std::size_t>(ghosts.of.first)];  // a GhostClusters is of one column, so of one tile
     };
-    // Counting sort, as in ClusterGrid: away_starts_[t + 1] is the next free place of tile t while exported_ghosts_ is
-    // filled.
-    away_starts_.assign(tiles.size() + 2, 0);
+    // Counting sort, as in ClusterGrid: exported_starts_[t + 1] is the next free place of tile t while exported_ghosts_
+    // is filled.
+    exported_starts_.assign(tiles.size() + 2, 0);
     for (const Tile& tile : tiles_) {
         for (const ClusterGrid::GhostClusters& ghosts : tile.ghosts) {
-            ++away_starts_[owner(ghosts) + 2];
+            ++exported_starts_[owner(ghosts) + 2];
         }
     }
-    std::partial_sum(away_starts_.begin(), away_starts_.end(), away_starts_.begin());
-    exported_ghosts_.resize(away_starts_.back());
+    std::partial_sum(exported_starts_.begin(), exported_starts_.end(), exported_starts_.begin());
+    exported_ghosts_.resize(exported_starts_.back());
     for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
         for (std::uint32_t n = 0; n < tiles_[t].ghosts.size(); ++n) {
-            exported_ghosts_[away_starts_[owner(tiles_[t].ghosts[n]) + 1]++] = {t, n};
+            exported_ghosts_[exported_starts_[owner(tiles_[t].ghosts[n]) + 1]++] = {t, n};
         }
     }
-    away_starts_.pop_back();
+    exported_starts_.pop_back();
 }
 
 }  // namespace ljmd

@@ -33,7 +33,7 @@ std::vector<ObservableAverage> found() {
 std::string remark(std::size_t k, const DeckClaims& deck, const EnergyFluctuations& energies,
                    std::optional<Index> box_changes = {}) {
     std::vector<ObservableAverage> averages = found();
-    take_back_contradicted(averages, deck, energies, box_changes);
+    withdraw_contradicted(averages, deck, energies, box_changes);
     CHECK(averages[0].estimate.has_value());
     CHECK(averages[k].estimate.has_value() == averages[k].remark.empty());
     return averages[k].remark;

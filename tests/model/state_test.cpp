@@ -347,11 +347,11 @@ TEST_CASE("a state takes no image or number of steps that cannot be, and no four
     }
     SECTION("step") {
         good.step = -1;
-        why = "cannot be one";
+        why = "negative or too large";
     }
     SECTION("steps of a phase") {
         good.set_phase({"any", std::numeric_limits<Index>::max()});
-        why = "cannot be one";
+        why = "negative or too large";
     }
     SECTION("padding") {
         *(good.write_velocities().data() + 7) = 1.0;

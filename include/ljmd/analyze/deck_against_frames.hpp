@@ -44,7 +44,7 @@ struct DeckClaims {
 ///   than 5 standard errors and more than 5 %.
 ///
 /// @param box_changes  the first frame, from 1, whose box differs from that of frame 1
-void take_back_contradicted(std::vector<ObservableAverage>& averages, const DeckClaims& deck,
-                            const EnergyFluctuations& energies, std::optional<Index> box_changes);
+void withdraw_contradicted(std::vector<ObservableAverage>& averages, const DeckClaims& deck,
+                           const EnergyFluctuations& energies, std::optional<Index> box_changes);
 
 }  // namespace ljmd

@@ -10,7 +10,7 @@ namespace ljmd {
 inline void require_count(Index count) {
     constexpr Index most = Index{1} << 53;
     if (count < 0 || count > most) {
-        throw CheckpointError("a number of things cannot be one");
+        throw CheckpointError("a count is negative or too large");
     }
 }
 

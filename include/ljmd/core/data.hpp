@@ -25,9 +25,9 @@ struct Member;
 /// A value of a result or a record: null, flag, integer, number, text, list of values, or object, whose members keep
 /// the order in which they were added. io/tables/json_text.hpp writes it as JSON and reads it.
 ///
-/// A number that is not finite, and an empty optional, are null: JSON has no other word for them.
+/// A number that is not finite, and an empty optional, are null: JSON cannot represent them.
 ///
-/// In braces stand the members of an object, each with its key; a list is written with its name:
+/// Braces hold the members of an object, each with its key; a list needs Data::list():
 ///
 ///     const Data json = {{"atoms", 864}, {"box", {{"edges", Data::list({lx, ly, lz})}}}, {"warnings", warnings}};
 class Data {

@@ -100,14 +100,14 @@ struct Chosen {
     std::string values;  ///< of the options, see Description::values_in_words()
 };
 
-/// @param fill  called with the description, to give options their values
-template <class Plugin, class Fill>
-[[nodiscard]] auto choose(const Plugin& plugin, const Fill& fill) {
+/// @param set_values  called with the description, to give options their values
+template <class Plugin, class SetValues>
+[[nodiscard]] auto choose(const Plugin& plugin, const SetValues& set_values) {
     auto options = plugin.options();
     using Options = typename decltype(options)::element_type;
     Description description;
     options->describe(description);
-    fill(description);
+    set_values(description);
     const std::string values = description.values_in_words();
     return Chosen<Plugin, Options>{plugin, std::shared_ptr<const Options>(std::move(options)), values};
 }

@@ -9,7 +9,7 @@
 
 namespace ljmd {
 
-/// Check a deck for physical sense: values that are in range but do not fit together, or that are hardly meant. No file
+/// Check a deck for physical sense: values that are in range but do not fit together, or that are unlikely. No file
 /// is opened. Impossible values are errors. Unlikely values (a time step of 0.02 or more, a density above 1.5, a
 /// temperature above 50) are errors, or warnings if `force` is set.
 /// @param tables  single values may have been found wrong

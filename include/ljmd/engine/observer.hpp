@@ -18,6 +18,7 @@ class Observer {
     /// Whether the snapshot must have energy and pressure. Without it, it has them only where they are known anyway.
     [[nodiscard]] virtual bool needs_energy() const { return false; }
 
+    /// Measure. @param snapshot  valid during this call
     virtual void sample(const Snapshot& snapshot) = 0;
 
     /// Another stage begins: the next snapshot does not continue the last one.

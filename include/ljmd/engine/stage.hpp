@@ -31,7 +31,7 @@ struct Stage {
 };
 
 /// Whether a fluid conserves its total energy minus the heat from the thermostat in this stage, but for errors of the
-/// integrator. It does without a thermostat, and with a canonical one if there is no barostat.
+/// integrator. True without a thermostat, and with a canonical one if there is no barostat.
 [[nodiscard]] bool conserves_energy(const Stage& stage);
 
 /// Steps of all stages.

@@ -34,6 +34,7 @@ struct NearestCells {
 [[nodiscard]] NearestCells nearest_cells(Lattice lattice, Index atoms);
 
 /// Edge of a cubic box of N atoms at number density rho: L = (N / rho)^(1/3).
+/// @param density  [sigma^-3]
 /// @pre atoms > 0, density > 0
 [[nodiscard]] Box cubic_box(Index atoms, double density);
 

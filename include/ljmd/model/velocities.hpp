@@ -27,13 +27,14 @@ namespace ljmd {
 /// Draw velocities from the Maxwell-Boltzmann distribution, remove the total momentum and scale them to the temperature
 /// exactly. They depend on seed and atom ids only, and through rounding of sums on the order in memory. A single atom,
 /// or T = 0, gives atoms at rest.
-/// @param target  temperature, >= 0
+/// @param target  temperature [epsilon/k_B], >= 0
 void draw_velocities(State& state, double target, std::uint64_t seed);
 
 /// Subtract the velocity of the centre of mass.
 void remove_momentum(State& state);
 
 /// Velocity rescaling (Verlet): multiply all velocities by sqrt(target / T). Atoms at rest stay at rest.
+/// @param target  temperature [epsilon/k_B], >= 0
 void rescale_velocities(State& state, double target);
 
 }  // namespace ljmd

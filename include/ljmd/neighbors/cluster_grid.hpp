@@ -22,10 +22,9 @@ namespace ljmd {
 /// tile by tile and column by column, and clusters are numbered in it.
 ///
 /// Tiles are the parts that threads share; one thread sums a tile. They depend on the box and the number of atoms
-/// alone. A tile also holds ghost clusters: clusters of other tiles, or of periodic images, that may
-/// be within `range` of its own. Of two tiles only one holds the other's clusters as ghosts: the one from which the
-/// other lies towards higher z, or at the same z towards higher y, or else towards higher x. So each pair of atoms
-/// belongs to one tile.
+/// alone. A tile also holds ghost clusters: clusters of other tiles, or of periodic images, that may be within `range`
+/// of its own. Of two tiles only one holds the other's clusters as ghosts: the one from which the other lies towards
+/// higher z, or at the same z towards higher y, or else towards higher x. So each pair of atoms belongs to one tile.
 /// Source: Pall and Hess (2013), Comput. Phys. Commun. 184, 2641, doi:10.1016/j.cpc.2013.06.003, for clusters. Their
 /// clusters meet clusters; here rows of a cluster's atoms meet parts of clusters (RowShape), which leaves fewer lanes
 /// unused when the range is short.
@@ -70,7 +69,7 @@ class ClusterGrid {
 
     /// Columns of a tile.
     [[nodiscard]] Run columns(std::size_t tile) const;
-    /// Columns per block of a parallel loop, see threads.hpp.
+    /// Columns per block of a parallel loop, see for_each_block().
     static constexpr Index columns_per_block = 16;
     /// Columns of all tiles.
     [[nodiscard]] Index column_count() const { return static_cast<Index>(column_clusters_.size()) - 1; }

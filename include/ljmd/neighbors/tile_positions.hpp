@@ -10,8 +10,8 @@
 
 namespace ljmd {
 
-/// Positions of a tile's own and ghost clusters, as kernels load them: cluster c begins at index 12 c
-/// with the x of its four slots, then y, then z.
+/// Positions of a tile's own and ghost clusters, as kernels load them: cluster c begins at index 12 c with the x of its
+/// four slots, then y, then z [sigma, or units of FixedPoint].
 /// @tparam T  double, or std::int32_t for units of FixedPoint
 template <class T>
 class TilePositions {

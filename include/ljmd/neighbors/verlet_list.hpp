@@ -76,7 +76,7 @@ class VerletList {
     /// All ghosts that other tiles, or the tile itself, hold of a tile's clusters, in the order of the holding tiles.
     [[nodiscard]] std::span<const ExportedGhosts> exported_ghosts(Index tile) const {
         const auto t = static_cast<std::size_t>(tile);
-        return std::span(exported_ghosts_).subspan(away_starts_[t], away_starts_[t + 1] - away_starts_[t]);
+        return std::span(exported_ghosts_).subspan(exported_starts_[t], exported_starts_[t + 1] - exported_starts_[t]);
     }
     [[nodiscard]] const RowShape& row_shape() const { return built_for_shape_; }
     [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
@@ -119,7 +119,7 @@ class VerletList {
     AlignedVector<double> reference_;  ///< positions at the rebuild, 4 numbers per atom
     std::vector<Tile> tiles_;
     std::vector<ExportedGhosts> exported_ghosts_;  ///< tile by tile
-    std::vector<std::size_t> away_starts_;  ///< index of each tile's first in exported_ghosts_, followed by the size
+    std::vector<std::size_t> exported_starts_;  ///< each tile's first index in exported_ghosts_, then the size of that
     SearchStatistics statistics_;
 };
 

@@ -74,10 +74,10 @@ class PairPotential {
     /// Index of its type in AnyPair.
     [[nodiscard]] std::size_t index() const { return pair_.index(); }
 
-    /// Pair term of the truncated potential at distance r [sigma]; zero at and beyond the cutoff.
+    /// Pair term of the truncated potential at distance r [sigma]; zero at and beyond the cutoff. @pre r > 0
     [[nodiscard]] PairTerm<double> operator()(double r) const;
 
-    /// Pair term of the formula without truncation.
+    /// Pair term of the formula without truncation. @pre r > 0
     [[nodiscard]] PairTerm<double> untruncated(double r) const;
 
     /// Integrals over what the truncation removes, for g(r) = 1 beyond the radius at which the force begins to differ

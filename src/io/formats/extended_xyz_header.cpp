@@ -211,7 +211,7 @@ ExtendedXyzColumns parse_columns(const TextFile& file, std::string_view text) {
     columns.id = column_of(file, properties, {"id"}, "I", 1);
     columns.mass = column_of(file, properties, {"mass", "masses"}, "R", 1);
     for (const Property& property : properties) {
-        if (property.columns == 1 && OneKind::is_told_by(property.name)) {
+        if (property.columns == 1 && OneKind::distinguishes_kinds(property.name)) {
             columns.kinds.emplace(property.name, columns.count);
         }
         columns.count += static_cast<std::size_t>(property.columns);

@@ -226,7 +226,7 @@ void H5mdReader::check_kind() const {
         }
     };
     for (const std::string& name : file_.members(group_)) {
-        const Element found = OneKind::is_told_by(name) ? element(name) : Element{};
+        const Element found = OneKind::distinguishes_kinds(name) ? element(name) : Element{};
         if (found.value.empty()) {
             continue;
         }

@@ -158,7 +158,7 @@ LammpsDump::Rows LammpsDump::read_atoms(const std::vector<std::string>& columns)
     }
     std::vector<std::size_t> kinds;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-        if (OneKind::is_told_by(columns_[k])) {
+        if (OneKind::distinguishes_kinds(columns_[k])) {
             kinds.push_back(k);
         }
     }

@@ -37,7 +37,7 @@ bool same(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-bool OneKind::is_told_by(std::string_view column) {
+bool OneKind::distinguishes_kinds(std::string_view column) {
     return std::ranges::find(columns, column) != columns.end();
 }
 

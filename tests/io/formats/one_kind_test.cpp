@@ -27,10 +27,10 @@ TEST_CASE("numbers are the same within their rounding, words are not numbers") {
 TEST_CASE("columns that tell kinds apart are known in all formats, and a coordinate is none of them") {
     for (const char* name : {"type", "element", "species", "mass", "masses", "Z", "numbers", "typelabel", "diameter"}) {
         CAPTURE(name);
-        CHECK(OneKind::is_told_by(name));
+        CHECK(OneKind::distinguishes_kinds(name));
     }
     for (const char* name : {"z", "x", "id", "vx", "charge", "pos"}) {
         CAPTURE(name);
-        CHECK_FALSE(OneKind::is_told_by(name));
+        CHECK_FALSE(OneKind::distinguishes_kinds(name));
     }
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 /// File system calls other than reading (input_file.hpp) and writing (output_file.hpp). Operations of std::filesystem
-/// throw exceptions that nobody catches, or report errors that are easily overlooked. These functions throw a FileError
-/// with path and cause. `tests/lints/check_file_calls.py` finds direct uses of std::filesystem.
+/// throw exceptions that no caller expects, or report errors that are easily overlooked. These functions throw a
+/// FileError with path and cause. `tests/lints/check_file_calls.py` finds direct uses of std::filesystem.
 namespace ljmd::files {
 
 /// Whether a file or directory exists, links followed. @throws FileError when this cannot be determined

@@ -12,7 +12,7 @@ class OneKind {
   public:
     /// Whether a column of a dump, a property of extended XYZ or an element of H5MD distinguishes kinds of atoms:
     /// species, element, type, mass, atomic number, size.
-    [[nodiscard]] static bool is_told_by(std::string_view column);
+    [[nodiscard]] static bool distinguishes_kinds(std::string_view column);
 
     /// Add the value of an atom in a column. Numbers within a millionth count as equal, because masses in files are
     /// rounded.
