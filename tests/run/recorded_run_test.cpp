@@ -79,7 +79,8 @@ TEST_CASE("the beginning of a run cannot be set any more, and mistakes in settin
     const DeckFolder folder;
     const auto [directory, state] = run_in(folder);
     CHECK_THROWS_AS(deck_of(directory, {"system.density=0.5"}), InputError);
-    CHECK_THROWS_WITH(deck_of(directory, {"system.density=0.5"}), Contains("--set system.density=0.5: [system] tells"));
+    CHECK_THROWS_WITH(deck_of(directory, {"system.density=0.5"}),
+                      Contains("--set system.density=0.5: [system] describes"));
     CHECK_THROWS_AS(deck_of(directory, {"potential.cutof=2"}), InputError);
     CHECK_THROWS_WITH(deck_of(directory, {"potential.cutof=2"}), Contains("unknown key 'cutof'"));
 }
