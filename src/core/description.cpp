@@ -54,25 +54,21 @@ PlainValue plain(const Interval& interval) {
 }
 
 template <class T>
-std::string in_words(const std::string& key, const T& value) {
-    return fmt::format("{}={}", key, value);
+std::optional<PlainValue> plain(const T& member) {
+    if constexpr (std::is_same_v<T, Index>) {
+        return PlainValue(std::int64_t{member});
+    } else {
+        return PlainValue(member);
+    }
 }
 
 template <class T>
-std::string in_words(const std::string& key, const std::optional<T>& value) {
-    return value ? in_words(key, *value) : "";
+std::optional<PlainValue> plain(const std::optional<T>& member) {
+    return member ? plain(*member) : std::nullopt;
 }
 
-std::string in_words(const std::string& key, const std::vector<double>& values) {
-    return fmt::format("{}=[{}]", key, fmt::join(values, ", "));
-}
-
-std::string in_words(const std::string& key, const Interval& interval) {
-    return std::visit([&key](const auto& value) { return in_words(key, value); }, plain(interval));
-}
-
-std::string in_words(const std::string& /*key*/, const Description::Other& /*member*/) {
-    return "";
+std::optional<PlainValue> plain(const Description::Other& /*member*/) {
+    return std::nullopt;
 }
 
 }  // namespace
@@ -186,14 +182,16 @@ void Description::take(const std::string& key, const PlainValue& value) {
     }
 }
 
-std::string Description::values_in_words() const {
-    std::string text;
+Settings Description::values() const {
+    Settings values;
     for (const Item& item : items_) {
-        const std::string words =
-            std::visit([&](const auto& member) { return in_words(item.key.name, *member); }, item.member);
-        text += (text.empty() || words.empty() ? "" : " ") + words;
+        auto value = std::visit([](const auto& member) -> std::optional<PlainValue> { return plain(*member); },
+                                item.member);
+        if (value) {
+            values.emplace_back(item.key.name, std::move(*value));
+        }
     }
-    return text;
+    return values;
 }
 
 }  // namespace ljmd

@@ -76,6 +76,16 @@ void Diagnostics::throw_if_errors() const {
     throw InputError(fmt::format("{}{} error{}. Nothing was run.", text, errors.size(), errors.size() == 1 ? "" : "s"));
 }
 
+std::string Diagnostics::errors_without_places() const {
+    std::string text;
+    for (const Diagnostic& entry : entries_) {
+        if (entry.severity == Severity::error) {
+            text += (text.empty() ? "" : "\n") + entry.message + (entry.hint.empty() ? "" : ": " + entry.hint);
+        }
+    }
+    return text;
+}
+
 std::string format(const Diagnostic& diagnostic) {
     const Location& where = diagnostic.location;
     const bool has_line = where.source && where.line > 0;

@@ -1,5 +1,7 @@
 #include "ljmd/core/units.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -153,7 +155,8 @@ SubstanceUnits::SubstanceUnits(double sigma, double epsilon, double mass)
     : sigma_(sigma), epsilon_(epsilon), mass_(mass) {
     for (const double value : {sigma, epsilon, mass}) {
         if (!std::isfinite(value) || value <= 0.0) {
-            throw ContractViolation("SubstanceUnits: sigma, epsilon and mass must be finite and positive");
+            throw InputError(
+                fmt::format("sigma, epsilon and mass of a substance are finite and above 0, found {}", value));
         }
     }
 }

@@ -43,7 +43,7 @@ bool is_possible_box(const Deck& deck, Index atoms, const Vec3& edges) {
         Diagnostics diagnostics;
         check_box(deck.fluid(), atoms, Box(edges), diagnostics);
         return !diagnostics.has_errors();
-    } catch (const ContractViolation&) {  // no box has these edges
+    } catch (const InputError&) {  // no box has these edges
         return false;
     }
 }

@@ -53,7 +53,7 @@ void FewBodyMeasurement::require_begun(const LoopPosition& position) const {
         std::equal(histories_.begin(), histories_.end(), values.begin(), values.end(),
                    [](const FewBodyHistory& history, const auto& value) { return history.name == value.first; });
     if (!same || rows_ < 0 || rows_ > system_.state.step + 1) {
-        throw CheckpointError("the checkpoint has samples of other stages than the deck");
+        throw CheckpointError("the checkpoint has samples of other stages than the run");
     }
 }
 

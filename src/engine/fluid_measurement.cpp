@@ -22,16 +22,22 @@ constexpr Index steps_between_looks = 10;
 }  // namespace
 
 FluidMeasurement::FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, RunOutputs& outputs,
-                                   std::vector<Observer*> observers)
+                                   const std::vector<Observer*>& observers)
     : spec_(spec),
       fluid_(fluid),
       outputs_(outputs),
-      observers_(std::move(observers)),
       sample_every_(spec.sample_every),
       averages_(fluid.state.count(), sampled_ensemble(spec.stages)),
-      analysed_edges_(fluid.state.box().edges()) {}
+      analysed_edges_(fluid.state.box().edges()) {
+    for (Observer* observer : observers) {
+        add(*observer);
+    }
+}
 
 void FluidMeasurement::add(Observer& observer) {
+    if (std::ranges::find(observers_, &observer) != observers_.end()) {
+        throw InputError("this observer measures already: it would see everything twice");
+    }
     observers_.push_back(&observer);
 }
 
@@ -53,6 +59,14 @@ void FluidMeasurement::archive(Archive& a) {
     a.mark("analyses");
     for (const auto& analysis : fluid_.analyses) {
         analysis->archive(a);
+    }
+    std::size_t observers = observers_.size();
+    a(observers);
+    if (observers != observers_.size()) {
+        throw CheckpointError(
+            fmt::format("the checkpoint has {} observers of the program that wrote it, and {} are there: it is resumed "
+                        "by that program, with the same observers",
+                        observers, observers_.size()));
     }
     for (Observer* observer : observers_) {
         observer->archive(a);

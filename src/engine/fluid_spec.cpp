@@ -1,12 +1,14 @@
 #include "ljmd/engine/fluid_spec.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>
 
+#include "ljmd/core/errors.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
@@ -169,10 +171,22 @@ std::vector<std::string> mistakes(const FluidSpec& spec, Precision precision) {
     if (!spec.stages.empty()) {
         complaints.add(sampling_mistakes(spec.analyses, spec.stages));
     }
+    complaints.add(precision == Precision::mixed && spec.potential.is_custom(), "potential",
+                   "a formula of the program is computed in double precision");
     if (complaints.empty()) {  // else there may be no box
-        complaints.add(box_mistakes(spec, atoms_of(spec), box_of(spec)));
+        try {
+            complaints.add(box_mistakes(spec, atoms_of(spec), box_of(spec)));
+        } catch (const InputError& no_box) {
+            complaints.add(true, "start", no_box.what());
+        }
     }
     return complaints.take();
+}
+
+void require_no_mistakes(const FluidSpec& spec, Precision precision) {
+    if (const std::vector<std::string> found = mistakes(spec, precision); !found.empty()) {
+        throw InputError(fmt::format("{}", fmt::join(found, "\n")));
+    }
 }
 
 }  // namespace ljmd

@@ -43,7 +43,7 @@ void require_stages(const std::vector<StageResult>& results, const std::vector<S
         same = results[k].name == stages[k].name && results[k].integrator == stages[k].integrator.plugin.name;
     }
     if (!same) {
-        throw CheckpointError("the checkpoint has results of other stages than the deck");
+        throw CheckpointError("the checkpoint has results of other stages than the run");
     }
 }
 

@@ -24,13 +24,7 @@ class Rows : public RunOutputs {
 };
 
 const FluidSpec& checked(const FluidSpec& spec, const Execution& execution) {
-    std::string text;
-    for (const std::string& mistake : mistakes(spec, execution.precision())) {
-        text += (text.empty() ? "" : "\n") + mistake;
-    }
-    if (!text.empty()) {
-        throw InputError(text);
-    }
+    require_no_mistakes(spec, execution.precision());
     return spec;
 }
 
@@ -42,29 +36,41 @@ FluidSpec seeded(FluidSpec spec) {
     return spec;
 }
 
+/// What tells a potential from others, as text. A formula of the calling program is told by some of its values.
+std::string identity(const PairPotential& potential) {
+    std::string text = fmt::format("{} {} {} {}", potential.formula(), potential.truncation(),
+                                   potential.cutoff().radius, potential.cutoff().switch_start);
+    for (const auto& [key, value] : potential.parameters()) {
+        text += fmt::format(" {}={}", key, value);
+    }
+    if (potential.is_custom()) {
+        for (const double part : {0.3, 0.5, 0.7, 0.9}) {
+            const PairTerm<double> term = potential.untruncated(part * potential.cutoff().radius);
+            text += fmt::format(" {} {}", term.u, term.w);
+        }
+    }
+    return text;
+}
+
 /// Everything of a specification that the trajectory and the results depend on but for the atoms, as text. Two
 /// specifications with the same text continue each other's runs.
 std::string identity(const FluidSpec& spec, const Execution& execution) {
-    std::string text = fmt::format("{} {} {} {}", spec.potential.formula(), spec.potential.truncation(),
-                                   spec.potential.cutoff().radius, spec.potential.cutoff().switch_start);
-    for (const auto& [key, value] : spec.potential.parameters()) {
-        text += fmt::format(" {}={}", key, value);
-    }
+    std::string text = identity(spec.potential);
     text += fmt::format("; {}; {} {} {}; {}; {} {}", spec.tail, spec.neighbors.method, spec.neighbors.skin,
                         spec.neighbors.every.value_or(0), spec.sample_every, spec.seed, name(execution.precision()));
     for (const Stage& stage : spec.stages) {
         text += fmt::format("; stage {} {} {} {} {} {} {} {} {}", stage.name, stage.integrator.plugin.name,
-                            stage.integrator.values, stage.time_step, stage.steps, stage.temperature, stage.sample,
-                            stage.reverse, stage.seed);
+                            settings_in_words(stage.integrator.values), stage.time_step, stage.steps, stage.temperature,
+                            stage.sample, stage.reverse, stage.seed);
         if (stage.thermostat) {
-            text += fmt::format(" {} {}", stage.thermostat->plugin.name, stage.thermostat->values);
+            text += fmt::format(" {} {}", stage.thermostat->plugin.name, settings_in_words(stage.thermostat->values));
         }
         if (stage.barostat) {
-            text += fmt::format(" {} {}", stage.barostat->plugin.name, stage.barostat->values);
+            text += fmt::format(" {} {}", stage.barostat->plugin.name, settings_in_words(stage.barostat->values));
         }
     }
     for (const ChosenAnalysis& analysis : spec.analyses) {
-        text += fmt::format("; {} {}", analysis.plugin.name, analysis.values);
+        text += fmt::format("; {} {}", analysis.plugin.name, settings_in_words(analysis.values));
     }
     return text;
 }
@@ -85,15 +91,20 @@ struct Simulation::Parts {
     void advance(std::optional<Index> until) {
         require_sound();
         failed = true;  // unless this comes to its end
-        position =
-            run_stages(spec.stages, fluid.state, fluid.force_field, *measurement, position, spec.interaction(), until);
+        try {
+            position = run_stages(spec.stages, fluid.state, fluid.force_field, *measurement, position,
+                                  spec.interaction(), until);
+        } catch (...) {
+            fluid.state.finish_kick();  // so that the state can be looked at
+            throw;
+        }
         failed = false;
     }
 
-    /// @throws ContractViolation after a step or a restore that failed
+    /// @throws InputError after a step or a restore that failed
     void require_sound() const {
         if (failed) {
-            throw ContractViolation("this simulation has failed, and cannot be continued");
+            throw InputError("this simulation has failed: it can be looked at, but not be continued");
         }
     }
 
@@ -139,55 +150,62 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
+Simulation::Parts& Simulation::parts() const {
+    if (!parts_) {
+        throw InputError("this simulation has been moved to another one");
+    }
+    return *parts_;
+}
+
 void Simulation::add(Observer& observer) {
-    parts_->measurement->add(observer);
+    parts().measurement->add(observer);
 }
 
 RunResult Simulation::run() {
-    parts_->advance(std::nullopt);
+    parts().advance(std::nullopt);
     return result();
 }
 
 void Simulation::advance(Index steps) {
     if (steps < 0) {
-        throw ContractViolation(fmt::format("{} steps", steps));
+        throw InputError(fmt::format("{} steps: allowed are 0 and more", steps));
     }
-    const Index left = total_steps(parts_->spec.stages) - parts_->fluid.state.step;
-    parts_->advance(parts_->fluid.state.step + std::min(steps, left));
+    const Index done = state().step;
+    parts().advance(done + std::min(steps, total_steps(spec().stages) - done));
 }
 
 bool Simulation::finished() const {
-    return parts_->position && parts_->position->stage == parts_->spec.stages.size();
+    return parts().position && parts().position->stage == parts().spec.stages.size();
 }
 
 RunResult Simulation::result() const {
-    return parts_->measurement->result(parts_->position ? parts_->position->seconds : LoopSeconds{});
+    return parts().measurement->result(parts().position ? parts().position->seconds : LoopSeconds{});
 }
 
 const FluidSpec& Simulation::spec() const {
-    return parts_->spec;
+    return parts().spec;
 }
 
 const State& Simulation::state() const {
-    return parts_->fluid.state;
+    return parts().fluid.state;
 }
 
 const std::vector<ThermoRow>& Simulation::samples() const {
-    return parts_->rows.all;
+    return parts().rows.all;
 }
 
 const std::vector<std::string>& Simulation::warnings() const {
-    return parts_->warnings;
+    return parts().warnings;
 }
 
 std::string Simulation::checkpoint() const {
-    parts_->require_sound();
+    parts().require_sound();
     Archive a;
     a.mark("ljmd simulation");
-    std::string of = identity(parts_->spec, state().execution());
+    std::string of = identity(parts().spec, state().execution());
     Vec3 edges = state().box().edges();
-    a(of, parts_->position, edges);
-    parts_->measurement->archive(a);
+    a(of, parts().position, edges);
+    parts().measurement->archive(a);
     const XXH64_hash_t hash = XXH3_64bits(a.bytes().data(), a.bytes().size());
     std::string bytes(a.bytes().size() + hash_bytes, '\0');
     std::memcpy(bytes.data(), a.bytes().data(), a.bytes().size());
@@ -202,7 +220,7 @@ void Simulation::restore(const std::string& checkpoint) {
         throw CheckpointError("the checkpoint is damaged");
     }
     Archive a(std::as_bytes(std::span(checkpoint)).first(size));
-    parts_->read(a);
+    parts().read(a);
 }
 
 }  // namespace ljmd

@@ -41,7 +41,7 @@ const Eigen::Matrix3Xd& Snapshot::forces() const {
 
 const Thermodynamics& Snapshot::thermodynamics() const {
     if (!evaluation_) {
-        throw ContractViolation("the snapshot has no energy: the observer did not ask for it");
+        throw InputError("the snapshot has no energy: needs_energy() of the observer does not ask for it");
     }
     if (!thermodynamics_) {
         thermodynamics_ = ljmd::thermodynamics(state_, *evaluation_, tail_);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ljmd/core/errors.hpp"
+
 namespace ljmd {
 
 bool conserves_energy(const Stage& stage) {
@@ -21,6 +23,9 @@ Index steps_before(const std::vector<Stage>& stages, std::size_t index) {
 }
 
 std::size_t first_sampled(const std::vector<Stage>& stages) {
+    if (stages.empty()) {
+        throw InputError("a run has at least one stage");
+    }
     const auto first = std::ranges::find_if(stages, &Stage::sample);
     return static_cast<std::size_t>((first == stages.end() ? first - 1 : first) - stages.begin());
 }

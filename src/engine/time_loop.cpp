@@ -110,7 +110,7 @@ class TimeLoop {
             state_.bath = bath;
             begin(stage, parts.integrator);
         } else if (state_.bath.size() != bath.size()) {
-            throw CheckpointError("the checkpoint has another thermostat than the deck");
+            throw CheckpointError("the checkpoint has another thermostat than the run");
         }
         while (position_.steps < stage.steps) {
             if (is_reached()) {

@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/thread_team.hpp"
+#include "ljmd/execution/threads.hpp"
 
 namespace ljmd {
 
 namespace {
 
 std::shared_ptr<ThreadTeam> team_of(int threads) {
-    if (threads < 1) {
-        throw ContractViolation(fmt::format("{} threads", threads));
+    if (threads < 1 || threads > max_threads) {
+        throw InputError(fmt::format("{} threads: allowed are 1 to {}", threads, max_threads));
     }
     return std::make_shared<ThreadTeam>(threads);
 }
@@ -21,7 +24,9 @@ std::shared_ptr<ThreadTeam> team_of(int threads) {
 Execution::Execution() : Execution(ExecutionOptions{}) {}
 
 Execution::Execution(const ExecutionOptions& options)
-    : team_(team_of(options.threads)), simd_(options.simd), precision_(options.precision) {}
+    : team_(team_of(options.threads)),
+      simd_(usable_simd_level(std::string(name(options.simd)))),
+      precision_(options.precision) {}
 
 int Execution::threads() const {
     return team_->size();

@@ -283,10 +283,10 @@ ThreadTeam::ThreadTeam(int threads) {
     } catch (const std::system_error&) {
     } catch (const std::bad_alloc&) {
     }
-    throw ThreadsError(
-        fmt::format("{} threads are asked for, and the system allows no more than {} here; ask for fewer "
-                    "(--threads, OMP_NUM_THREADS), or see the limits of processes and memory (ulimit -a)",
-                    threads, workers_.size() + 1));
+    throw ThreadsError(fmt::format(
+        "{} threads are asked for, and the system allows no more than {} here; ask for fewer "
+        "(on the command line --threads, OMP_NUM_THREADS), or see the limits of processes and memory (ulimit -a)",
+        threads, workers_.size() + 1));
 }
 
 ThreadTeam::~ThreadTeam() {

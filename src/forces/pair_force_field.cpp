@@ -35,6 +35,9 @@ PairForceField::PairForceField(PairPotential potential, PairSearch search, const
     } else if (precision_ == Precision::mixed) {
         throw ContractViolation("mixed precision needs a Verlet list");
     }
+    if (precision_ == Precision::mixed && potential_.is_custom()) {
+        throw ContractViolation("a potential without kernels is summed in double precision");
+    }
 }
 
 const SearchStatistics& PairForceField::search_statistics() const {
@@ -62,7 +65,8 @@ Evaluation PairForceField::compute(State& state, Request request) {
 
 Evaluation PairForceField::sum(State& state, Request request) {
     const double cutoff = potential_.cutoff().radius;
-    if (const auto* list = std::get_if<VerletList>(&search_); list != nullptr && !request.order_independent) {
+    const auto* list = std::get_if<VerletList>(&search_);
+    if (list != nullptr && !request.order_independent && !potential_.is_custom()) {
         return sum_by_kernel(*list, state, request.energy);
     }
     return std::visit(

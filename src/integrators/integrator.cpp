@@ -32,7 +32,7 @@ IntegratorMethod find_integrator(const std::string& name) {
 Integrator::Integrator(const IntegratorMethod& method, double time_step) : Integrator(choose(method), time_step) {}
 
 Integrator::Integrator(const ChosenIntegrator& chosen, double time_step)
-    : identity_(fmt::format("{} {} {}", chosen.plugin.name, time_step, chosen.values)),
+    : identity_(fmt::format("{} {} {}", chosen.plugin.name, time_step, settings_in_words(chosen.values))),
       scheme_(chosen.options->scheme(time_step)) {}
 
 Integrator Integrator::with_mid_drift(const std::function<void(State&)>& change) const {

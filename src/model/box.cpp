@@ -12,8 +12,9 @@ namespace {
 
 void require_usable(const Vec3& edges) {
     if (!edges.allFinite() || !(edges.minCoeff() > 0.0)) {
-        throw ContractViolation(
-            fmt::format("a box needs finite, positive edges, found {}, {} and {}", edges[0], edges[1], edges[2]));
+        throw InputError(fmt::format(
+            "a box needs edges that are finite, above 0 and not 10^15 times as long as another; found {}, {} and {}",
+            edges[0], edges[1], edges[2]));
     }
 }
 

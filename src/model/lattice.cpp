@@ -48,7 +48,7 @@ Index sites_per_cell(Lattice lattice) {
 Index lattice_atoms(Lattice lattice, Index cells) {
     constexpr Index max_cells = Index{1} << 20;  // 4 * 2^60 sites fit into an Index
     if (cells < 0 || cells > max_cells) {
-        throw ContractViolation(fmt::format("a crystal of {} cells along each edge", cells));
+        throw InputError(fmt::format("a crystal of {} cells along each edge: allowed are 0 to {}", cells, max_cells));
     }
     return sites_per_cell(lattice) * cells * cells * cells;
 }

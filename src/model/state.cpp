@@ -265,8 +265,7 @@ void State::archive(Archive& a) {
         refuse_unless(new_one, "its ids are not 0 to N - 1, each once");
         seen[static_cast<std::size_t>(id)] = true;
     }
-    refuse_unless(bounded == box_.has_value(),
-                  "it is a fluid and the deck one of a few bodies, or the other way round");
+    refuse_unless(bounded == box_.has_value(), "it is a fluid and the run one of a few bodies, or the other way round");
     refuse_unless(!bounded || edges == box_->edges(), "its box differs from that of the run");
     require_count(step);
     require_count(phase_.steps);

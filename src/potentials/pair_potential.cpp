@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/quadrature.hpp"
+#include "ljmd/core/section.hpp"
 
 namespace ljmd {
 
@@ -19,29 +21,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 template <class F, class... Formulas>
 void for_each_formula(FormulaList<Formulas...>, const F& f) {
     (f.template operator()<Formulas>(), ...);
-}
-
-/// Call f.template operator()<Truncation<Formula>>() for each truncation of a formula.
-template <class Formula, class F>
-void for_each_truncation(const F& f) {
-    [&]<class... Pairs>(std::tuple<Pairs...>*) {
-        (f.template operator()<Pairs>(), ...);
-    }(static_cast<detail::Truncations<Formula>*>(nullptr));
-}
-
-template <class Formula>
-AnyPair truncated(const Formula& formula, const std::string& truncation, const Cutoff& cutoff) {
-    std::optional<AnyPair> result;
-    for_each_truncation<Formula>([&]<class Pair>() {
-        if (Pair::name == truncation) {
-            result = Pair(formula, cutoff);
-        }
-    });
-    if (!result) {
-        throw InputError(fmt::format("unknown truncation '{}', allowed: {}", truncation,
-                                     fmt::join(PairPotential::truncation_names(), ", ")));
-    }
-    return *result;
 }
 
 /// Any formula would do to list the truncations.
@@ -56,13 +35,11 @@ std::vector<Key> keys_of_formula(Formula formula) {
 
 template <class Formula>
 Formula with_parameters(Formula formula, const PairPotential::Parameters& parameters) {
+    const Settings settings(parameters.begin(), parameters.end());
+    static_cast<void>(checked_settings(std::string(Formula::name), keys_of_formula(formula), settings));
     Description description;
     formula.describe(description);
-    if (description.keys().size() != parameters.size()) {
-        throw ContractViolation(
-            fmt::format("{} has {} parameters, not {}", Formula::name, description.keys().size(), parameters.size()));
-    }
-    for (const auto& [key, value] : parameters) {
+    for (const auto& [key, value] : settings) {
         description.take(key, value);
     }
     return formula;
@@ -71,26 +48,49 @@ Formula with_parameters(Formula formula, const PairPotential::Parameters& parame
 }  // namespace
 
 PairPotential::PairPotential(std::string formula, Parameters parameters, std::string truncation, const Cutoff& cutoff,
-                             AnyPair pair, AnyPair bare)
+                             double changes_from, Pair pair, Pair bare)
     : formula_(std::move(formula)),
       parameters_(std::move(parameters)),
       truncation_(std::move(truncation)),
       cutoff_(cutoff),
-      pair_(pair),
-      bare_(bare) {}
+      changes_from_(changes_from),
+      pair_(std::move(pair)),
+      bare_(std::move(bare)) {}
+
+void PairPotential::check_truncation(const std::string& truncation) {
+    const std::vector<std::string> known = truncation_names();
+    if (std::ranges::find(known, truncation) == known.end()) {
+        throw InputError(fmt::format("unknown truncation '{}', allowed: {}", truncation, fmt::join(known, ", ")));
+    }
+}
+
+void PairPotential::check_custom_name(const std::string& name) {
+    const std::vector<std::string> known = formula_names();
+    if (name.empty() || std::ranges::find(known, name) != known.end()) {
+        throw InputError(
+            fmt::format("a formula of one's own needs a name of its own, which is not empty and none of {}; found '{}'",
+                        fmt::join(known, ", "), name));
+    }
+}
 
 PairPotential PairPotential::make(const std::string& formula, const std::string& truncation, const Cutoff& cutoff,
                                   const Parameters& parameters) {
+    check_truncation(truncation);
     std::optional<PairPotential> result;
     for_each_formula(AllFormulas{}, [&]<class Formula>() {
         if (Formula::name == formula) {
             const Formula made = with_parameters(Formula(), parameters);
-            result = PairPotential(formula, parameters, truncation, cutoff, truncated(made, truncation, cutoff),
-                                   Cut<Formula>(made, cutoff));
+            detail::for_each_truncation<Formula>([&](const auto* type) {
+                using Truncated = detail::Pointee<decltype(type)>;
+                if (Truncated::name == truncation) {
+                    result = PairPotential(formula, parameters, truncation, cutoff, Truncated::changes_from(cutoff),
+                                           Truncated(made, cutoff), Cut<Formula>(made, cutoff));
+                }
+            });
         }
     });
     if (!result) {
-        throw ContractViolation(fmt::format("no potential is called '{}'", formula));
+        throw InputError(fmt::format("unknown potential '{}', allowed: {}", formula, fmt::join(formula_names(), ", ")));
     }
     return *result;
 }
@@ -107,7 +107,8 @@ std::vector<std::string> PairPotential::formula_names() {
 
 std::vector<std::string> PairPotential::truncation_names() {
     std::vector<std::string> names;
-    for_each_truncation<SomeFormula>([&]<class Pair>() { names.emplace_back(Pair::name); });
+    detail::for_each_truncation<SomeFormula>(
+        [&](const auto* type) { names.emplace_back(detail::Pointee<decltype(type)>::name); });
     return names;
 }
 
@@ -142,7 +143,8 @@ std::vector<Key> PairPotential::formula_keys(const std::string& name) {
 }
 
 void PairPotential::describe_truncation(const std::string& name, Description& description, Cutoff& cutoff) {
-    for_each_truncation<SomeFormula>([&]<class Pair>() {
+    detail::for_each_truncation<SomeFormula>([&](const auto* type) {
+        using Pair = detail::Pointee<decltype(type)>;
         if (Pair::name == name) {
             Pair::describe(description, cutoff);
         }
@@ -151,7 +153,10 @@ void PairPotential::describe_truncation(const std::string& name, Description& de
 
 bool PairPotential::takes_tail(const std::string& name) {
     bool takes = false;
-    for_each_truncation<SomeFormula>([&]<class Pair>() { takes = takes || (Pair::name == name && Pair::takes_tail); });
+    detail::for_each_truncation<SomeFormula>([&](const auto* type) {
+        using Pair = detail::Pointee<decltype(type)>;
+        takes = takes || (Pair::name == name && Pair::takes_tail);
+    });
     return takes;
 }
 
@@ -187,13 +192,13 @@ TailIntegrals PairPotential::tail_by_quadrature() const {
 }
 
 TailIntegrals PairPotential::switched_off() const {
-    const double start = visit([&]<class Pair>(const Pair&) { return Pair::changes_from(cutoff_); });
-    if (!(start < cutoff_.radius)) {
+    if (!(changes_from_ < cutoff_.radius)) {
         return {0.0, 0.0};
     }
     const auto missing_energy = [this](double r) { return (untruncated(r).u - (*this)(r).u) * r * r; };
     const auto missing_virial = [this](double r) { return (untruncated(r).w - (*this)(r).w) * r * r * r * r; };
-    return {integrate(missing_energy, start, cutoff_.radius), integrate(missing_virial, start, cutoff_.radius)};
+    return {integrate(missing_energy, changes_from_, cutoff_.radius),
+            integrate(missing_virial, changes_from_, cutoff_.radius)};
 }
 
 TailIntegrals PairPotential::beyond_cutoff_by_quadrature() const {

@@ -27,10 +27,8 @@ double virial_integral(Energy&& u, double temperature, const std::vector<double>
 }  // namespace
 
 double second_virial_coefficient(const PairPotential& potential, double temperature) {
-    const double start =
-        potential.visit([&]<class Pair>(const Pair&) { return Pair::changes_from(potential.cutoff()); });
     std::vector<double> breaks{0.0};
-    for (const double end : {1.0, 1.5, start, potential.cutoff().radius}) {
+    for (const double end : {1.0, 1.5, potential.changes_from(), potential.cutoff().radius}) {
         if (end > breaks.back() && end <= potential.cutoff().radius) {
             breaks.push_back(end);
         }

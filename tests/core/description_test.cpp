@@ -141,7 +141,7 @@ TEST_CASE("texts, vectors, quantities and intervals are bound as numbers are") {
     CHECK(other.bound == 1.5);
     CHECK(other.every.steps == 40);
     CHECK_FALSE(other.every.seconds.has_value());
-    CHECK(d.values_in_words() ==
+    CHECK(settings_in_words(d.values()) ==
           "tail=true title=none file=a.xyz name= type= position=[1, 2] mass=0 depth=1.5 every=40");
     d.take("every", PlainValue(std::string("90 s")));
     CHECK(other.every.seconds == 90.0);
@@ -152,14 +152,15 @@ TEST_CASE("texts, vectors, quantities and intervals are bound as numbers are") {
     CHECK(d.key_of(&other.unbound) == nullptr);
 }
 
-TEST_CASE("what tells options apart is told in words") {
+TEST_CASE("the values of the members by their keys, without absent ones") {
     Options options;
     Description description;
     options.describe(description);
-    CHECK(description.values_in_words() == "on=true count=3 time=0.5 start=taylor body=0 pressure=0");
-    CHECK(choose(Plugin()).values == description.values_in_words());
+    CHECK(settings_in_words(description.values()) == "on=true count=3 time=0.5 start=taylor body=0 pressure=0");
+    CHECK(choose(Plugin()).values == description.values());
     options.most = 4;
-    CHECK(description.values_in_words() == "on=true count=3 most=4 time=0.5 start=taylor body=0 pressure=0");
+    CHECK(description.values()[2] == std::pair<std::string, PlainValue>("most", std::int64_t{4}));
+    CHECK(description.values().size() == 7);
 }
 
 TEST_CASE("a value that no option has is a mistake of the caller") {

@@ -108,3 +108,13 @@ TEST_CASE("nearest_name finds one slip of the finger and no more") {
     CHECK(nearest_name("cut", {"cat", "cot"}) == "cat");
     CHECK(nearest_name(std::string(65, 'a'), {std::string(65, 'a')}).empty());
 }
+
+TEST_CASE("errors without their places are one a line, with hints, and without warnings") {
+    Diagnostics diagnostics;
+    CHECK(diagnostics.errors_without_places().empty());
+    diagnostics.warning({}, "a remark");
+    CHECK(diagnostics.errors_without_places().empty());
+    diagnostics.error({}, "unknown key 'densty'", "did you mean 'density'?");
+    diagnostics.error({}, "missing key 'type'");
+    CHECK(diagnostics.errors_without_places() == "unknown key 'densty': did you mean 'density'?\nmissing key 'type'");
+}

@@ -29,6 +29,6 @@ TEST_CASE("a schedule counts beyond 32 bits") {
 
 TEST_CASE("a schedule without a positive period cannot be made") {
     for (const Index n : {Index{0}, Index{-1}, std::numeric_limits<Index>::min()}) {
-        CHECK_THROWS_AS(Every(n), ContractViolation);
+        CHECK_THROWS_AS(Every(n), InputError);
     }
 }

@@ -117,9 +117,9 @@ TEST_CASE("the units of a substance are finite and positive") {
     const double inf = std::numeric_limits<double>::infinity();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {0.0, -1.0, inf, nan}) {
-        CHECK_THROWS_AS(SubstanceUnits(bad, 1.0, 1.0), ContractViolation);
-        CHECK_THROWS_AS(SubstanceUnits(1.0, bad, 1.0), ContractViolation);
-        CHECK_THROWS_AS(SubstanceUnits(1.0, 1.0, bad), ContractViolation);
+        CHECK_THROWS_AS(SubstanceUnits(bad, 1.0, 1.0), InputError);
+        CHECK_THROWS_AS(SubstanceUnits(1.0, bad, 1.0), InputError);
+        CHECK_THROWS_AS(SubstanceUnits(1.0, 1.0, bad), InputError);
     }
 }
 

@@ -28,7 +28,7 @@ TEST_CASE("stages are those of the deck, with the temperature of the system wher
     CHECK(stages[0].name == "equilibrate");
     CHECK(stages[0].temperature == 1.0);
     CHECK(stages[0].thermostat->plugin.name == "rescale");
-    CHECK(stages[0].thermostat->values == "every=5");
+    CHECK(settings_in_words(stages[0].thermostat->values) == "every=5");
     CHECK(stages[0].seed == 7);
     CHECK(stages[1].temperature == 0.7);
     CHECK(stages[1].integrator.plugin.name == "leapfrog");

@@ -44,7 +44,7 @@ TEST_CASE("what a deck says arrives in the run") {
     CHECK(deck->stages[0].steps == 20);
     CHECK(deck->stages[0].temperature == 1.5);
     CHECK(deck->stages[0].thermostat->plugin.name == "rescale");
-    CHECK(deck->stages[0].thermostat->values == "every=5");
+    CHECK(settings_in_words(deck->stages[0].thermostat->values) == "every=5");
     CHECK(deck->stages[1].temperature == 1.0);
     CHECK(deck->stages[1].sample);
     CHECK(total_steps(deck->stages) == 60);

@@ -9,7 +9,7 @@ using Catch::Matchers::Contains;
 
 TEST_CASE("plug-ins are chosen by name, with the options that are given and defaults for the others") {
     CHECK(integrator("leapfrog").plugin.name == "leapfrog");
-    CHECK(thermostat("rescale", {{"every", 5}}).values == "every=5");
+    CHECK(thermostat("rescale", {{"every", 5}}).values == Settings{{"every", 5}});
     CHECK(thermostat("langevin", {{"time", 0.5}}).values != thermostat("langevin").values);
     CHECK(thermostat("langevin", {{"time", 2}}).values == thermostat("langevin", {{"time", 2.0}}).values);
     CHECK(barostat("stochastic-cell-rescaling", {{"pressure", 1.0}}).plugin.name == "stochastic-cell-rescaling");

@@ -1,10 +1,13 @@
 #include "ljmd/execution/execution.hpp"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/environment_guard.hpp"
 #include "execution/test_execution.hpp"
@@ -12,6 +15,7 @@
 #include "ljmd/execution/loops.hpp"
 
 using namespace ljmd;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -44,9 +48,27 @@ TEST_CASE("the SIMD level of an execution stays when the default becomes another
     CHECK(Execution().simd() == usable_simd_levels().back());
 }
 
-TEST_CASE("a number of threads below one is refused") {
-    CHECK_THROWS_AS(test::with_threads(0), ContractViolation);
-    CHECK_THROWS_AS(test::with_threads(-1), ContractViolation);
+TEST_CASE("a number of threads that makes no sense is refused, with what is possible") {
+    for (const int nonsense : {0, -1, max_threads + 1, std::numeric_limits<int>::max()}) {
+        CAPTURE(nonsense);
+        CHECK_THROWS_AS(test::with_threads(nonsense), InputError);
+        CHECK_THROWS_WITH(test::with_threads(nonsense),
+                          std::to_string(nonsense) + " threads: allowed are 1 to " + std::to_string(max_threads));
+    }
+}
+
+TEST_CASE("a SIMD level that this processor cannot run is refused, with those that it can") {
+    const std::vector<SimdLevel> usable = usable_simd_levels();
+    for (const SimdLevel level : {SimdLevel::portable, SimdLevel::x86_64_v2, SimdLevel::x86_64_v3, SimdLevel::x86_64_v4,
+                                  SimdLevel::x86_64_v4_intel}) {
+        CAPTURE(name(level));
+        if (std::ranges::find(usable, level) != usable.end()) {
+            CHECK(Execution({.simd = level}).simd() == level);
+        } else {
+            CHECK_THROWS_AS(Execution({.simd = level}), InputError);
+            CHECK_THROWS_WITH(Execution({.simd = level}), Contains("cannot be used here") && Contains("portable"));
+        }
+    }
 }
 
 TEST_CASE("a wrong LJMD_SIMD is an error of the execution that takes the default, and of no other") {

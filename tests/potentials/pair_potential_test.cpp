@@ -12,8 +12,10 @@
 #include "ljmd/core/errors.hpp"
 #include "potentials/closed_form.hpp"
 #include "potentials/made_potential.hpp"
+#include "potentials/twelve_six.hpp"
 
 using namespace ljmd;
+using Catch::Matchers::Contains;
 using test::cutoffs;
 using test::distances;
 using test::made_potential;
@@ -160,7 +162,9 @@ TEST_CASE("unknown names are refused or have nothing") {
     CHECK_THROWS_AS(PairPotential::lennard_jones("smooth", {2.5, 2.0}), InputError);
     CHECK_THROWS_WITH(PairPotential::lennard_jones("smooth", {2.5, 2.0}),
                       "unknown truncation 'smooth', allowed: cut, shifted, force-shifted, switched");
-    CHECK_THROWS_AS(made_potential("no such formula", "cut", {2.5, 2.0}), ContractViolation);
+    CHECK_THROWS_AS(made_potential("no such formula", "cut", {2.5, 2.0}), InputError);
+    CHECK_THROWS_WITH(made_potential("no such formula", "cut", {2.5, 2.0}),
+                      Contains("unknown potential 'no such formula', allowed: ") && Contains("lennard-jones"));
     CHECK_THROWS_AS(made_potential("morse", "smooth", {2.5, 2.0}), InputError);
     CHECK(PairPotential::formula_meaning("no such formula").empty());
     CHECK(PairPotential::formula_keys("no such formula").empty());
@@ -169,4 +173,67 @@ TEST_CASE("unknown names are refused or have nothing") {
     PairPotential::describe_truncation("smooth", keys, radii);
     CHECK(keys.keys().empty());
     CHECK_FALSE(PairPotential::takes_tail("smooth"));
+}
+
+TEST_CASE("parameters that are missing, unknown, given twice or out of range are refused in one message") {
+    const auto morse = [](const PairPotential::Parameters& parameters) {
+        return PairPotential::make("morse", "cut", {2.5, 0.0}, parameters);
+    };
+    const PairPotential::Parameters good{{"minimum", 1.1}, {"well_depth", 1.0}, {"steepness", 6.0}};
+    CHECK(morse(good)(1.1).u == -1.0);
+    CHECK_THROWS_AS(morse({}), InputError);
+    CHECK_THROWS_WITH(morse({}), Contains("missing key 'well_depth' in morse") && Contains("missing key 'minimum'"));
+    CHECK_THROWS_WITH(morse({{"minimum", 1.1}, {"well_depth", 1.0}, {"stepness", 6.0}}),
+                      Contains("unknown key 'stepness' in morse: did you mean 'steepness'?"));
+    CHECK_THROWS_WITH(morse({{"minimum", 1.1}, {"well_depth", 1.0}, {"steepness", 6.0}, {"steepness", 5.0}}),
+                      Contains("'steepness' in morse is given twice"));
+    CHECK_THROWS_WITH(morse({{"minimum", 1.1}, {"well_depth", -1.0}, {"steepness", 6.0}}),
+                      Contains("'well_depth' in morse is -1") && Contains("> 0"));
+    CHECK_THROWS_WITH(morse({{"minimum", std::nan("")}, {"well_depth", 1.0}, {"steepness", 6.0}}),
+                      Contains("'minimum' in morse"));
+    CHECK_THROWS_WITH(PairPotential::make("lennard-jones", "cut", {2.5, 0.0}, {{"sigma", 1.0}}),
+                      Contains("unknown key 'sigma' in lennard-jones"));
+}
+
+TEST_CASE("a formula of the program is what the same formula of the library is, in every truncation") {
+    for (const std::string& truncation : PairPotential::truncation_names()) {
+        for (const Cutoff& cutoff : cutoffs()) {
+            CAPTURE(truncation, cutoff.radius);
+            const auto ours = PairPotential::lennard_jones(truncation, cutoff);
+            const auto theirs = PairPotential::custom("twelve-six", test::TwelveSix{}, truncation, cutoff);
+            CHECK(theirs.is_custom());
+            CHECK_FALSE(ours.is_custom());
+            CHECK(theirs.formula() == "twelve-six");
+            CHECK(theirs.truncation() == truncation);
+            CHECK(theirs.changes_from() == ours.changes_from());
+            CHECK(theirs.parameters().empty());
+            CHECK(theirs.expression().empty());
+            for (const double r : distances(0.8, 1.1 * cutoff.radius, 500)) {
+                REQUIRE(theirs(r).u == ours(r).u);
+                REQUIRE(theirs(r).w == ours(r).w);
+                REQUIRE(theirs.untruncated(r).u == ours.untruncated(r).u);
+            }
+            CHECK(theirs.tail().energy == Approx(ours.tail().energy).epsilon(1e-10));
+            CHECK(theirs.tail().virial == Approx(ours.tail().virial).epsilon(1e-10));
+        }
+    }
+}
+
+TEST_CASE("a formula of the program has a name of its own and a known truncation") {
+    const auto named = [](const std::string& name, const std::string& truncation = "cut") {
+        return PairPotential::custom(name, test::TwelveSix{}, truncation, {2.5, 2.0});
+    };
+    CHECK_THROWS_AS(named(""), InputError);
+    CHECK_THROWS_WITH(named("morse"), Contains("a name of its own") && Contains("found 'morse'"));
+    CHECK_THROWS_WITH(named("mine", "smooth"), Contains("unknown truncation 'smooth'"));
+    // It may be a function object without a type that anybody could name.
+    const double strength = 3.0;
+    const auto gaussian = PairPotential::custom("gaussian",
+                                                [strength](const PairDistance<double>& d) {
+                                                    const double u = strength * std::exp(-d.r2);
+                                                    return PairTerm<double>{u, 2.0 * u};
+                                                },
+                                                "shifted", {2.5, 0.0});
+    CHECK(gaussian(1.0).u == Approx(strength * (std::exp(-1.0) - std::exp(-6.25))));
+    CHECK(gaussian(1.0).w == Approx(2.0 * strength * std::exp(-1.0)));
 }

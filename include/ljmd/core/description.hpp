@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ljmd/core/schema.hpp"
+#include "ljmd/core/settings.hpp"
 #include "ljmd/core/types.hpp"
 
 namespace ljmd {
@@ -65,8 +66,8 @@ class Description {
     /// Give the member of a key a value. @throws ContractViolation when there is no such key, or it holds another type
     void take(const std::string& key, const PlainValue& value);
 
-    /// "start=taylor length=3": what tells options of one kind apart. Absent values are left out.
-    [[nodiscard]] std::string values_in_words() const;
+    /// The values of the members by their keys, without absent ones.
+    [[nodiscard]] Settings values() const;
 
   protected:
     using Member =
@@ -97,7 +98,7 @@ template <class Plugin, class Options>
 struct Chosen {
     Plugin plugin;
     std::shared_ptr<const Options> options;
-    std::string values;  ///< of the options, see Description::values_in_words()
+    Settings values;  ///< of the options
 };
 
 /// @param set_values  called with the description, to give options their values
@@ -108,8 +109,8 @@ template <class Plugin, class SetValues>
     Description description;
     options->describe(description);
     set_values(description);
-    const std::string values = description.values_in_words();
-    return Chosen<Plugin, Options>{plugin, std::shared_ptr<const Options>(std::move(options)), values};
+    Settings values = description.values();
+    return Chosen<Plugin, Options>{plugin, std::shared_ptr<const Options>(std::move(options)), std::move(values)};
 }
 
 /// With all options at their defaults. See section.hpp for options from a deck.

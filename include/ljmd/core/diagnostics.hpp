@@ -43,6 +43,10 @@ class Diagnostics {
     /// than 50 errors the first 50 are shown and the others counted. Warnings alone throw nothing.
     void throw_if_errors() const;
 
+    /// The errors without their places, one a line with its hint, for callers that have no text to point at. Empty if
+    /// there are none.
+    [[nodiscard]] std::string errors_without_places() const;
+
   private:
     std::vector<Diagnostic> entries_;
 };

@@ -12,7 +12,8 @@ class Error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The command line or the deck is wrong, and nothing was run. The text holds all mistakes found.
+/// What was asked for is wrong: a command line, a deck, a specification, an argument. The text holds all mistakes
+/// found.
 class InputError : public Error {
   public:
     using Error::Error;
@@ -49,7 +50,7 @@ class PhysicsError : public Error {
     using Error::Error;
 };
 
-/// A precondition is violated: a mistake in the program, not in its input.
+/// A mistake in ljmd itself, whatever its input. No Error, so that nobody takes it for a wrong input.
 class ContractViolation : public std::logic_error {
   public:
     using std::logic_error::logic_error;

@@ -8,10 +8,10 @@ namespace ljmd {
 /// Schedule of every n-th step: 0, n, 2 n, ... with n >= 1.
 class Every {
   public:
-    /// @throws ContractViolation if steps < 1
+    /// @throws InputError if steps < 1
     explicit Every(Index steps) : steps_(steps) {
         if (steps < 1) {
-            throw ContractViolation("a schedule needs at least one step between events");
+            throw InputError("a schedule needs at least one step between events");
         }
     }
 

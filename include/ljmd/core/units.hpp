@@ -42,7 +42,7 @@ class SubstanceUnits {
     /// @param sigma   length [m]
     /// @param epsilon energy [J]
     /// @param mass    mass of one atom [kg]
-    /// @pre all finite and positive (checked: ContractViolation)
+    /// @throws InputError unless all are finite and positive
     SubstanceUnits(double sigma, double epsilon, double mass);
 
     /// SI value of one reduced unit of a dimension: sigma, epsilon, epsilon/k_B, m, tau, m/sigma^3, epsilon/sigma^3,

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "ljmd/core/schema.hpp"
+#include "ljmd/core/settings.hpp"
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -12,11 +10,8 @@
 
 namespace ljmd {
 
-/// Options by their keys, as in a deck: {{"time", 0.5}, {"length", 3}}. Others keep their defaults; `ljmd info --keys`
+/// Plug-ins by name, with some of their options by the keys of a deck; others keep their defaults. `ljmd info --keys`
 /// and docs/deck-reference.md list all.
-using Settings = std::vector<std::pair<std::string, PlainValue>>;
-
-/// Plug-ins by name, with some of their options.
 /// @throws InputError for an unknown name or key, and for a value of another type or outside its range
 [[nodiscard]] ChosenIntegrator integrator(const std::string& name, const Settings& settings = {});
 [[nodiscard]] ChosenThermostat thermostat(const std::string& name, const Settings& settings = {});

@@ -24,13 +24,13 @@ class FluidMeasurement : public RunMeasurement {
   public:
     /// All must live as long as this. @param observers  are called in the sampled stages, after the analyses
     FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, RunOutputs& outputs,
-                     std::vector<Observer*> observers = {});
+                     const std::vector<Observer*>& observers = {});
 
     void resume_at(const LoopPosition& position) override;
     void archive(Archive& a) override;
     void require_begun(const LoopPosition& position) const override;
 
-    /// Let an observer measure from now on. It must live as long as this.
+    /// Let an observer measure from now on. It must live as long as this. @throws InputError if it does already
     void add(Observer& observer);
     [[nodiscard]] const std::vector<Observer*>& observers() const { return observers_; }
 

@@ -74,6 +74,8 @@ struct FluidSpec {
     [[nodiscard]] Interaction interaction() const;
 };
 
+// These three throw InputError where there is no crystal, no box or no stage, see mistakes().
+
 /// Number of atoms at the start.
 [[nodiscard]] Index atoms_of(const FluidSpec& spec);
 
@@ -85,7 +87,6 @@ struct FluidSpec {
 
 /// The run as analyses see it: the time step of the first sampled stage and the length of the longest one; of the last
 /// stage if none is sampled. The interaction is not set.
-/// @pre there is a stage
 [[nodiscard]] SampledRun sampled_run(const std::vector<Stage>& stages, std::uint64_t seed, Index atoms, const Box& box);
 
 /// The ensemble of the samples of a run. Without a barostat, several sampled stages have none: their samples do not
@@ -96,5 +97,8 @@ struct FluidSpec {
 /// Empty if it can.
 [[nodiscard]] std::vector<std::string> mistakes(const FluidSpec& spec,
                                                 Precision precision = Precision::double_precision);
+
+/// @throws InputError with all mistakes(), one a line, if there are any
+void require_no_mistakes(const FluidSpec& spec, Precision precision = Precision::double_precision);
 
 }  // namespace ljmd

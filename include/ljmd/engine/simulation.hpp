@@ -23,12 +23,15 @@ namespace ljmd {
 ///     const RunResult result = simulation.run();
 ///     const Estimate pressure = result.observable("pressure").estimate.value();
 ///
+/// Every failure is an Error with a message; only memory that is not there is std::bad_alloc. A simulation that was
+/// moved to another one can be assigned to and destroyed; all else is an InputError.
+///
 /// Several simulations may run at the same time, each in a thread of its own. The same specification gives the same
 /// trajectory, to the last bit, as a deck that says the same.
 class Simulation {
   public:
     /// Place the atoms and draw their velocities. Stages whose seed is 0 get that of the specification, as in a deck.
-    /// @throws InputError with all mistakes of the specification; ThreadsError as Execution
+    /// @throws InputError with all mistakes of the specification; DataError, PhysicsError  see make_fluid()
     explicit Simulation(FluidSpec spec, const Execution& execution = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
@@ -37,26 +40,29 @@ class Simulation {
     Simulation& operator=(const Simulation&) = delete;
 
     /// Let an observer measure from the next step on. @pre the observer lives as long as the simulation
+    /// @throws InputError if it measures already
     void add(Observer& observer);
 
     /// Take all steps that are left.
     /// @throws PhysicsError naming step and stage, when the run blows up; what an observer throws. After either the
-    /// simulation can be looked at, but not be continued (ContractViolation).
+    /// simulation can be looked at, but not be continued (InputError).
     RunResult run();
 
-    /// Take some steps; fewer if the stages end before. @pre steps >= 0  @throws PhysicsError as run()
+    /// Take some steps; fewer if the stages end before. The first call also evaluates the start, so that advance(0)
+    /// gives its energy and pressure. @throws InputError for fewer than 0; as run()
     void advance(Index steps);
 
     [[nodiscard]] bool finished() const;
 
-    /// Results so far; stages that have begun are among them. Nothing is known before the first step.
+    /// Results so far; stages that have begun are among them. Nothing is known before the first call of run() or
+    /// advance().
     [[nodiscard]] RunResult result() const;
 
     [[nodiscard]] const FluidSpec& spec() const;
     /// The atoms as they are now. Forces belong to the positions once a step was taken.
     [[nodiscard]] const State& state() const;
-    /// All samples since the simulation was made or restored: of the start, with the first step, and then every
-    /// `sample_every` steps.
+    /// All samples since the simulation was made or restored: of the start, with the first call of run() or advance(),
+    /// and then every `sample_every` steps.
     [[nodiscard]] const std::vector<ThermoRow>& samples() const;
     /// Remarks on the start, for the user.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
@@ -72,6 +78,9 @@ class Simulation {
 
   private:
     struct Parts;
+    /// @throws InputError if this was moved to another one
+    [[nodiscard]] Parts& parts() const;
+
     std::unique_ptr<Parts> parts_;
 };
 

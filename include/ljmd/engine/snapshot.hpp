@@ -29,7 +29,7 @@ class Snapshot {
     [[nodiscard]] const Eigen::Matrix3Xd& velocities() const;  ///< [sigma/tau]
     [[nodiscard]] const Eigen::Matrix3Xd& forces() const;      ///< [epsilon/sigma]
 
-    /// Energies per atom, temperature, pressure. @throws ContractViolation unless Observer::needs_energy()
+    /// Energies per atom, temperature, pressure. @throws InputError unless Observer::needs_energy()
     [[nodiscard]] const Thermodynamics& thermodynamics() const;
 
   private:

@@ -40,7 +40,7 @@ struct Stage {
 /// Steps of the stages before the one with this index. @pre index <= stages.size()
 [[nodiscard]] Index steps_before(const std::vector<Stage>& stages, std::size_t index);
 
-/// Index of the first stage that is sampled; of the last stage if none is. @pre there is a stage
+/// Index of the first stage that is sampled; of the last stage if none is. @throws InputError without a stage
 [[nodiscard]] std::size_t first_sampled(const std::vector<Stage>& stages);
 
 }  // namespace ljmd

@@ -24,8 +24,8 @@ class Execution {
   public:
     /// One thread, the default SIMD level, double precision. @throws InputError as default_simd_level()
     Execution();
-    /// @pre options.simd is usable here
-    /// @throws ContractViolation for fewer threads than one; ThreadsError if the system refuses that many
+    /// @throws InputError for a number of threads that is not 1 to max_threads, and for a SIMD level that this
+    /// processor cannot run; ThreadsError if the system refuses that many threads
     explicit Execution(const ExecutionOptions& options);
 
     /// Number of threads, at least 1.

@@ -17,13 +17,13 @@ namespace ljmd {
 /// Forces are summed part by part of the search; threads share the parts. Energy and virial are added up part by part.
 /// Both depend on nothing but the configuration and the order of sums that it decides.
 ///
-/// With a Verlet list, kernels of the SIMD level compute the sum in either precision. With the other searches, and for
-/// order-independent forces, scalar code computes it in double (see sum_pairs).
+/// With a Verlet list, kernels of the SIMD level compute the sum in either precision. With the other searches, for
+/// order-independent forces, and for custom potentials, scalar code computes it in double (see sum_pairs).
 class PairForceField : public ForceField {
   public:
     /// @pre potential.cutoff().radius <= L/2 for every box that will be evaluated (checked: ContractViolation)
     /// @param execution  SIMD level and precision of the sum; the threads are those of the state that is evaluated
-    /// @throws ContractViolation for mixed precision without a Verlet list
+    /// @throws ContractViolation for mixed precision without a Verlet list, or of a custom potential
     PairForceField(PairPotential potential, PairSearch search, const Execution& execution = {});
 
     [[nodiscard]] const PairPotential& potential() const { return potential_; }

@@ -13,7 +13,7 @@ namespace ljmd {
 class Box {
   public:
     /// @param edges  edge lengths [sigma]; each is rounded to the grid (by less than 1e-15 of the longest)
-    /// @throws ContractViolation unless all are finite and positive, also after rounding
+    /// @throws InputError unless all are finite and positive, also after rounding
     explicit Box(const Vec3& edges);
 
     [[nodiscard]] const Vec3& edges() const { return edges_; }

@@ -21,7 +21,7 @@ enum class Lattice { fcc, simple_cubic };
 /// Sites per cubic cell: 4 for fcc, 1 for simple cubic.
 [[nodiscard]] Index sites_per_cell(Lattice lattice);
 
-/// Number of atoms in cells^3 cubic cells. @throws ContractViolation unless 0 <= cells <= 2^20 (2^62 atoms of fcc)
+/// Number of atoms in cells^3 cubic cells. @throws InputError unless 0 <= cells <= 2^20 (2^62 atoms of fcc)
 [[nodiscard]] Index lattice_atoms(Lattice lattice, Index cells);
 
 /// Numbers of cells along an edge whose crystals are nearest to `atoms` from below and from above. They are equal if

@@ -64,13 +64,13 @@ Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>&
 
 BlockingAccumulator::BlockingAccumulator(Index width, Covariance covariance) : width_(width), covariance_(covariance) {
     if (width < 1) {
-        throw ContractViolation(fmt::format("block averages need at least one component, not {}", width));
+        throw InputError(fmt::format("block averages need at least one component, not {}", width));
     }
 }
 
 void BlockingAccumulator::add(const Eigen::VectorXd& sample) {
     if (sample.size() != width_) {
-        throw ContractViolation(
+        throw InputError(
             fmt::format("a sample of {} components was added to block averages of {}", sample.size(), width_));
     }
     Eigen::VectorXd block = sample;
@@ -175,7 +175,7 @@ std::vector<BlockLevel> BlockingAccumulator::curve(Deviation deviation) const {
 
 void BlockingAccumulator::check(Index component) const {
     if (component < 0 || component >= width_) {
-        throw ContractViolation(fmt::format("component {} was asked of block averages of {}", component, width_));
+        throw InputError(fmt::format("component {} was asked of block averages of {}", component, width_));
     }
 }
 
@@ -191,10 +191,10 @@ Estimate BlockingAccumulator::estimate(Index component) const {
 
 Estimate BlockingAccumulator::estimate(double value, const Eigen::VectorXd& gradient) const {
     if (covariance_ != Covariance::full) {
-        throw ContractViolation("the error of a function of means needs block averages with Covariance::full");
+        throw InputError("the error of a function of means needs block averages with Covariance::full");
     }
     if (gradient.size() != width_) {
-        throw ContractViolation(
+        throw InputError(
             fmt::format("a gradient of {} components was given to block averages of {}", gradient.size(), width_));
     }
     // For a combination that does not vary, round-off may give a slightly negative sum; NaN passes through.

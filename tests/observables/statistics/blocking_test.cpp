@@ -307,14 +307,14 @@ TEST_CASE("A sample that is not finite is not hidden") {
 }
 
 TEST_CASE("Misuse of block averages is refused") {
-    CHECK_THROWS_AS(BlockingAccumulator(0, Covariance::diagonal), ljmd::ContractViolation);
+    CHECK_THROWS_AS(BlockingAccumulator(0, Covariance::diagonal), ljmd::InputError);
     BlockingAccumulator blocks(2, Covariance::diagonal);
-    CHECK_THROWS_AS(blocks.add(one(1.0)), ljmd::ContractViolation);
-    CHECK_THROWS_AS(blocks.estimate(2), ljmd::ContractViolation);
-    CHECK_THROWS_AS(blocks.levels(-1), ljmd::ContractViolation);
-    CHECK_THROWS_AS(blocks.estimate(0.0, Eigen::VectorXd::Zero(2)), ljmd::ContractViolation);
+    CHECK_THROWS_AS(blocks.add(one(1.0)), ljmd::InputError);
+    CHECK_THROWS_AS(blocks.estimate(2), ljmd::InputError);
+    CHECK_THROWS_AS(blocks.levels(-1), ljmd::InputError);
+    CHECK_THROWS_AS(blocks.estimate(0.0, Eigen::VectorXd::Zero(2)), ljmd::InputError);
     BlockingAccumulator full(2, Covariance::full);
-    CHECK_THROWS_AS(full.estimate(0.0, Eigen::VectorXd::Zero(3)), ljmd::ContractViolation);
+    CHECK_THROWS_AS(full.estimate(0.0, Eigen::VectorXd::Zero(3)), ljmd::InputError);
 }
 
 TEST_CASE("block averages whose levels do not go together are not taken from an archive") {

@@ -55,10 +55,10 @@ enum class Covariance { diagonal, full };
 class BlockingAccumulator {
   public:
     /// @param width  number of components of a sample
-    /// @throws ContractViolation if width < 1
+    /// @throws InputError if width < 1
     BlockingAccumulator(Index width, Covariance covariance);
 
-    /// Add the next sample of the series. @throws ContractViolation unless it has `width` components
+    /// Add the next sample of the series. @throws InputError unless it has `width` components
     void add(const Eigen::VectorXd& sample);
 
     /// Memory of the averages of `samples` samples, also in a checkpoint [bytes].
@@ -70,7 +70,7 @@ class BlockingAccumulator {
     /// Means of all components; NaN without samples.
     [[nodiscard]] Eigen::VectorXd mean() const;
 
-    /// Mean and error of one component. @throws ContractViolation unless 0 <= component < width
+    /// Mean and error of one component. @throws InputError unless 0 <= component < width
     [[nodiscard]] Estimate estimate(Index component) const;
 
     /// Estimate of a function f of the means by the delta method: the error is that of the series g . x with g =
@@ -78,11 +78,11 @@ class BlockingAccumulator {
     ///
     /// @param value     f(mean)
     /// @param gradient  df/dmean, `width` components
-    /// @throws ContractViolation with Covariance::diagonal, or for a wrong number of components
+    /// @throws InputError with Covariance::diagonal, or for a wrong number of components
     [[nodiscard]] Estimate estimate(double value, const Eigen::VectorXd& gradient) const;
 
     /// Blocking curve of one component: its levels with at least 2 blocks, shortest blocks first.
-    /// @throws ContractViolation unless 0 <= component < width
+    /// @throws InputError unless 0 <= component < width
     [[nodiscard]] std::vector<BlockLevel> levels(Index component) const;
 
     /// @throws CheckpointError for averages of another width
