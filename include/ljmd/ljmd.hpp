@@ -8,3 +8,5 @@
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/run/run_in_directory.hpp"
+#include "ljmd/run/spec_deck.hpp"

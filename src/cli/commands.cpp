@@ -25,6 +25,7 @@
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/run/held_run.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run.hpp"
@@ -261,37 +262,26 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
 void resume_command(const ResumeOptions& options) {
     RunControl control{.interruption = until_signal(wall_time(options.walltime))};
     install_stop_handlers();
-    std::optional<RunLock> lock;
-    if (input_is_directory(options.directory)) {
-        lock.emplace(options.directory, warn);
-    }
-    RecordedRun run = recorded_run(options.directory, options.more_steps);
-    run.deck.locked = lock->directory();
-    control.continuation = find_continuation(run.deck, run.earlier);
-    if (!control.continuation) {
-        throw CheckpointError(fmt::format(
-            "{} has no checkpoint: the run ended before its first step, or they were removed", options.directory));
-    }
-    const CheckpointHead& from = control.continuation->head;
-    const Execution execution(
-        execution_options(run.deck, options.threads > 0 ? options.threads : run.threads, run.simd));
-    AnySystem system = empty_system(run.deck, from.atoms, from.edges, execution);
-    Progress progress(std::holds_alternative<FluidSystem>(system) ? std::optional(from.atoms) : std::nullopt,
-                      total_steps(run.deck.stages), options.quiet, from.step);
-    for (const std::string& warning : control.continuation->warnings) {
+    HeldRun run(options.directory, options.more_steps, options.threads, warn);
+    const CheckpointHead from = run.checkpoint();
+    const Index steps = total_steps(run.deck().stages);
+    AnySystem system = empty_system(run.deck(), from.atoms, from.edges, run.execution());
+    Progress progress(std::holds_alternative<FluidSystem>(system) ? std::optional(from.atoms) : std::nullopt, steps,
+                      options.quiet, from.step);
+    for (const std::string& warning : run.warnings()) {
         progress.warning(warning);
     }
     if (!options.quiet) {
-        const bool nothing_left = run.finished && from.step == total_steps(run.deck.stages);
         print_message(
-            nothing_left
+            run.is_at_its_end()
                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
                               "ljmd resume {} --steps +N\n",
                               from.step, options.directory)
-                : fmt::format("resuming after step {} of {}\n", from.step, total_steps(run.deck.stages)));
+                : fmt::format("resuming after step {} of {}\n", from.step, steps));
     }
-    print_document(run_deck(run.deck, system, progress, control), options.json);
-    lock->warn_if_moved();
+    control.continuation = run.take();
+    print_document(run_deck(run.deck(), system, progress, control), options.json);
+    run.warn_if_moved();
 }
 
 void check_command(const DeckOptions& options) {

@@ -11,6 +11,7 @@
 #include "ljmd/execution/thread_team.hpp"
 #include "ljmd/io/files/process.hpp"
 #include "ljmd/run/interruption.hpp"
+#include "ljmd/run/output_guard.hpp"
 
 namespace ljmd {
 
@@ -28,6 +29,8 @@ int say(const std::string& message, int code) {
 int report_current_exception() {
     try {
         throw;
+    } catch (const OutputRefused& e) {
+        return say(e.for_commands(), 2);
     } catch (const InputError& e) {
         return say(e.what(), 2);
     } catch (const DataError& e) {

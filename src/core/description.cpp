@@ -185,8 +185,8 @@ void Description::take(const std::string& key, const PlainValue& value) {
 Settings Description::values() const {
     Settings values;
     for (const Item& item : items_) {
-        auto value = std::visit([](const auto& member) -> std::optional<PlainValue> { return plain(*member); },
-                                item.member);
+        auto value =
+            std::visit([](const auto& member) -> std::optional<PlainValue> { return plain(*member); }, item.member);
         if (value) {
             values.emplace_back(item.key.name, std::move(*value));
         }

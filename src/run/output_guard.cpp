@@ -14,11 +14,19 @@ namespace fs = std::filesystem;
 /// Upper bound of the length of our file names, including those of growing files (ReplacementFile).
 constexpr std::size_t longest_name = 64;
 
+std::string with_choices(const std::string& why, const OutputRefused::Choices& choices, bool for_commands) {
+    std::string text;
+    for (const auto& [what, how] : choices) {
+        text += (text.empty() ? "" : ", ") + what + (for_commands ? how : "");
+    }
+    return fmt::format("{}\n  {}", why, text);
+}
+
 void require_usable(const fs::path& directory, const std::string& consequence) {
     if (files::is_too_long(directory / std::string(longest_name, 'x'))) {
-        throw InputError(
-            fmt::format("the path {} is too long: files in it cannot be named. {}.\n  choose a shorter one with --out",
-                        directory.string(), consequence));
+        throw OutputRefused(
+            fmt::format("the path {} is too long: files in it cannot be named. {}.", directory.string(), consequence),
+            {{"choose a shorter one", " with --out"}});
     }
     if (files::is_no_directory(directory)) {
         throw InputError(fmt::format("{} exists and is not a directory. {}.", directory.string(), consequence));
@@ -26,6 +34,9 @@ void require_usable(const fs::path& directory, const std::string& consequence) {
 }
 
 }  // namespace
+
+OutputRefused::OutputRefused(const std::string& why, const Choices& choices)
+    : InputError(with_choices(why, choices, false)), for_commands_(with_choices(why, choices, true)) {}
 
 std::vector<fs::path> existing_outputs(const fs::path& directory, const std::vector<std::string>& names,
                                        const std::string& consequence) {
@@ -37,10 +48,10 @@ std::vector<fs::path> existing_outputs(const fs::path& directory, const std::vec
         if (type == fs::file_type::regular || type == fs::file_type::symlink) {
             found.push_back(path);
         } else if (type != fs::file_type::not_found) {
-            throw InputError(
-                fmt::format("{} is in the way: a file of that name is to be written, and this is no file. {}.\n  "
-                            "choose another directory with --out",
-                            path.string(), consequence));
+            throw OutputRefused(
+                fmt::format("{} is in the way: a file of that name is to be written, and this is no file. {}.",
+                            path.string(), consequence),
+                {another_directory});
         }
     }
     return found;
@@ -50,18 +61,16 @@ void require_no_outputs(const fs::path& directory, const std::vector<std::string
                         const std::string& consequence) {
     const std::vector<fs::path> found = existing_outputs(directory, names, consequence);
     if (!force && !found.empty()) {
-        throw InputError(
-            fmt::format("{} is there already. {}.\n  choose another directory with --out, or replace it with --force",
-                        found.front().string(), consequence));
+        throw OutputRefused(fmt::format("{} is there already. {}.", found.front().string(), consequence),
+                            {another_directory, {"or replace it", " with --force"}});
     }
 }
 
 void require_no_run(const fs::path& directory, const std::string& consequence) {
     if (files::is_taken(directory / "run.json")) {
-        throw InputError(
-            fmt::format("{} is the directory of a run, whose files stay as they are. {}.\n  choose another directory "
-                        "with --out",
-                        directory.string(), consequence));
+        throw OutputRefused(fmt::format("{} is the directory of a run, whose files stay as they are. {}.",
+                                        directory.string(), consequence),
+                            {another_directory});
     }
 }
 

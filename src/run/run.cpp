@@ -26,7 +26,7 @@ auto saving_failure(const Deck& deck, State& state, const Work& work) {
 RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control) {
     const FluidSpec spec = fluid_spec(deck);
     DirectoryOutputs outputs(deck, listener, control);
-    FluidMeasurement measurement(spec, fluid, outputs);
+    FluidMeasurement measurement(spec, fluid, outputs, control.observers);
     const auto from = outputs.begin(measurement, fluid);
     const LoopPosition end = saving_failure(deck, fluid.state, [&] {
         return run_stages(spec.stages, fluid.state, fluid.force_field, measurement, from, spec.interaction());

@@ -47,7 +47,7 @@ std::vector<std::string> run_output_names() {
     for (const auto& format : all_trajectory_formats()) {
         names.push_back("trajectory." + format.name);
     }
-    names.insert(names.end(), {"trajectory.csv", "final.xyz", "failed.xyz"});
+    names.insert(names.end(), {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name});
     for (const std::string& name : checkpoint_names()) {
         names.push_back(name);
     }
@@ -70,16 +70,21 @@ void check_directory(const Deck& deck, bool force) {
         const bool can_resume = std::any_of(old.begin(), old.end(), [&](const fs::path& file) {
             return std::find(checkpoints.begin(), checkpoints.end(), file.filename()) != checkpoints.end();
         });
-        throw InputError(
-            fmt::format("{0} already holds a run ({1}). Nothing was run.\n  choose another directory with --out, "
-                        "or replace it with --force{2}",
-                        directory.string(), old.front().filename().string(),
-                        can_resume ? fmt::format(", or resume it: ljmd resume {}", directory.string()) : ""));
+        OutputRefused::Choices choices{another_directory, {"or replace it", " with --force"}};
+        if (can_resume) {
+            choices.emplace_back("or resume it", fmt::format(": ljmd resume {}", directory.string()));
+        }
+        throw OutputRefused(fmt::format("{} already holds a run ({}). Nothing was run.", directory.string(),
+                                        old.front().filename().string()),
+                            choices);
     }
     require_no_input(deck, old, "Nothing was run");
 }
 
 void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, const std::string& consequence) {
+    if (deck.start_at_hand) {
+        return;
+    }
     std::vector<fs::path> inputs{deck.path};
     if (const auto start = start_file(deck)) {
         inputs.push_back(*start);
@@ -87,10 +92,9 @@ void require_no_input(const Deck& deck, const std::vector<fs::path>& outputs, co
     for (const fs::path& input : inputs) {
         for (const fs::path& output : outputs) {
             if (files::are_same(output, input)) {
-                throw InputError(
-                    fmt::format("{} is read, and would be replaced by what is written. {}.\n  choose another "
-                                "directory with --out",
-                                input.string(), consequence));
+                throw OutputRefused(fmt::format("{} is read, and would be replaced by what is written. {}.",
+                                                input.string(), consequence),
+                                    {another_directory});
             }
         }
     }

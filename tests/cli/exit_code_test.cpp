@@ -7,6 +7,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/thread_team.hpp"
 #include "ljmd/run/interruption.hpp"
+#include "ljmd/run/output_guard.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -38,6 +39,9 @@ TEST_CASE("every kind of error has its exit code and one message") {
     CHECK(report(InputError("the deck")).code == 2);
     CHECK(report(InputError("the deck")).text == "error: the deck\n");
     CHECK(report(InputError("error: deck.toml:1:1: a key")).text == "error: deck.toml:1:1: a key\n");
+    const OutputRefused refused("it is there.", {{"choose another directory", " with --out"}});
+    CHECK(report(refused).code == 2);
+    CHECK(report(refused).text == "error: it is there.\n  choose another directory with --out\n");
     CHECK(report(DataError("the start")).code == 3);
     CHECK(report(FileError("the disk")).code == 4);
     CHECK(report(PhysicsError("the run")).code == 5);

@@ -1,10 +1,11 @@
-# Installs the build into a fresh folder and copies the consumers beside it. The installed tree is moved once: it must
+# Installs the build into a fresh folder and copies the consumers and the examples of the documentation beside it. The installed tree is moved once: it must
 # not remember where it was put first. With it the source tree's own copies play no part any more.
 file(REMOVE_RECURSE ${work_dir})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${build_dir} --prefix ${work_dir}/first OUTPUT_QUIET
                 COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${work_dir}/first ${work_dir}/installed)
 file(COPY ${source_dir}/tests/consumer DESTINATION ${work_dir})
+file(COPY ${source_dir}/docs/examples DESTINATION ${work_dir}/consumer)
 
 foreach(path ${bin_dir}/ljmd ${lib_dir}/libljmd.a ${lib_dir}/pkgconfig/ljmd.pc ${lib_dir}/cmake/ljmd/ljmdConfig.cmake
              ${include_dir}/ljmd/ljmd.hpp ${data_dir}/ljmd/inputs ${data_dir}/ljmd/analysis)

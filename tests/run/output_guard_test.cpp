@@ -21,9 +21,18 @@ TEST_CASE("outputs that are there are found, files and links alike, and nothing 
     CHECK_NOTHROW(require_no_outputs(folder / "", {"a", "b"}, true, "Nothing was run"));
     CHECK_THROWS_AS(require_no_outputs(folder / "", {"c", "b"}, false, "Nothing was run"), InputError);
     CHECK_THROWS_WITH(require_no_outputs(folder / "", {"a"}, false, "Nothing was run"),
-                      Contains("/a is there already. Nothing was run.\n  choose another directory with --out"));
+                      Contains("/a is there already. Nothing was run.\n  choose another directory, or replace it") &&
+                          !Contains("--"));
     CHECK(content_of(folder / "a") == "mine");
     CHECK(folder.count_files() == 2);
+}
+
+TEST_CASE("a refusal tells commands by which options something else is chosen, and others what alone") {
+    const OutputRefused refused("it is there. Nothing was run.",
+                                {another_directory, {"or replace it", " with --force"}});
+    CHECK(refused.what() == std::string("it is there. Nothing was run.\n  choose another directory, or replace it"));
+    CHECK(refused.for_commands() ==
+          "it is there. Nothing was run.\n  choose another directory with --out, or replace it with --force");
 }
 
 TEST_CASE("what is no file is in the way, with force or without") {

@@ -97,7 +97,7 @@ TEST_CASE("any file of an earlier run is a reason to refuse, and stays as it is"
         write_text(deck.directory / name, "old");
         CHECK_THROWS_AS(check_directory(deck, false), InputError);
         CHECK_THROWS_WITH(check_directory(deck, false),
-                          Contains("already holds a run (" + name + ")") && Contains("--force"));
+                          Contains("already holds a run (" + name + ")") && Contains("or replace it"));
         CHECK_NOTHROW(check_directory(deck, true));
         CHECK(content_of(deck.directory / name) == "old");
     }

@@ -30,6 +30,7 @@ struct Deck {
     Index thermo_every;
     std::optional<TrajectoryOutput> trajectory;
     CheckpointOutput checkpoint;
+    bool start_at_hand = false;  ///< nothing is read: the run writes the configuration that it starts from
 
     [[nodiscard]] DeckKind kind() const {
         return std::holds_alternative<Placed<FluidTables>>(tables) ? DeckKind::fluid : DeckKind::few_body;

@@ -2,30 +2,18 @@
 
 #include <functional>
 #include <optional>
-#include <string>
+#include <vector>
 
 #include "ljmd/core/document.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/engine/few_body_measurement.hpp"
+#include "ljmd/engine/observer.hpp"
 #include "ljmd/engine/run_result.hpp"
 #include "ljmd/run/continuation.hpp"
 #include "ljmd/run/interruption.hpp"
+#include "ljmd/run/run_listener.hpp"
 
 namespace ljmd {
-
-/// Receives the events of a run. The default ignores them.
-class RunListener {
-  public:
-    virtual ~RunListener() = default;
-    virtual void stage_begins(const Stage&) {}
-    virtual void step_done(Index /*step*/) {}
-    virtual void warning(const std::string& /*text*/) {}
-
-  protected:
-    RunListener() = default;
-    RunListener(const RunListener&) = default;
-    RunListener& operator=(const RunListener&) = default;
-};
 
 /// Run options that are not in the deck.
 struct RunControl {
@@ -34,6 +22,8 @@ struct RunControl {
 
     /// Called after the first checkpoint: the run can now be resumed.
     std::function<void()> has_begun = {};
+
+    std::vector<Observer*> observers = {};  ///< of a fluid; when it is resumed, those that it had before
 };
 
 /// Run all stages of a deck and write its output directory (see docs/files.md): run.json at the beginning and the end,

@@ -20,18 +20,21 @@
 
 namespace ljmd {
 
+/// The configuration that a run was given to start from, if it did not read one.
+inline constexpr const char* given_start_name = "given-start.xyz";
+
 /// All names that a run may write into its directory. `--force` replaces only these.
 [[nodiscard]] std::vector<std::string> run_output_names();
 
 /// Refuse an output directory that cannot be used. Changes nothing.
 /// @param force  accept files of an earlier run in it
-/// @throws InputError  it holds a run and force is not set, it cannot be written to (existing_outputs), or a file that
-/// the run reads is one of those that it would replace
+/// @throws OutputRefused  it holds a run and force is not set, it cannot be written to (existing_outputs), or a file
+/// that the run reads is one of those that it would replace
 void check_directory(const Deck& deck, bool force);
 
 /// Refuse outputs that are also inputs: the deck, and the file it starts from.
 /// @param consequence  what was not done, for the message: "Nothing was run"
-/// @throws InputError
+/// @throws OutputRefused
 void require_no_input(const Deck& deck, const std::vector<std::filesystem::path>& outputs,
                       const std::string& consequence);
 

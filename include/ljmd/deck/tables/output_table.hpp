@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "ljmd/deck/run_files.hpp"
 #include "ljmd/input/placed.hpp"
 
 namespace ljmd {
@@ -20,31 +21,12 @@ struct FewBodyThermo {
     void describe(Description& description);
 };
 
-/// `trajectory` in [output]: when and how a trajectory is written.
-struct TrajectoryOutput {
-    std::string format;  ///< "h5md", "xyz" or, for few-body systems, "csv"
-    Index every = 1;     ///< [steps]
-    bool velocities = false;
-    bool accelerations = false;  ///< csv only
-    std::string units = "reduced";
-
-    [[nodiscard]] bool si() const { return units == "si"; }
-};
+/// `trajectory` in [output].
 struct FluidTrajectory : TrajectoryOutput {
-    FluidTrajectory() { format = "h5md"; }
     void describe(Description& description);
 };
 struct FewBodyTrajectory : TrajectoryOutput {
     FewBodyTrajectory() { format = "csv"; }
-    void describe(Description& description);
-};
-
-/// `checkpoint` in [output]: when checkpoints are written, in addition to those at the start, at the ends of stages,
-/// and when a run is stopped.
-struct CheckpointOutput {
-    Interval every = {.seconds = 300.0};
-    Index keep = 2;  ///< generations
-
     void describe(Description& description);
 };
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ljmd/execution/execution.hpp"
+#include "ljmd/run/continuation.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/run/run_lock.hpp"
+
+namespace ljmd {
+
+/// A run whose directory is locked, so that it can be resumed from its newest checkpoint.
+class HeldRun {
+  public:
+    /// @param more_steps  added to the last stage, besides those added earlier
+    /// @param threads     their number; 0: as many as before
+    /// @throws DataError        it is not the directory of a run
+    /// @throws CheckpointError  there is no checkpoint that can be used
+    /// @throws InputError       too many steps; a SIMD level that this processor does not have
+    /// @throws InUseError, FileError, ThreadsError
+    HeldRun(const std::filesystem::path& directory, Index more_steps, int threads, const RunLock::Warn& warn);
+
+    [[nodiscard]] const Deck& deck() const { return run_.deck; }
+    [[nodiscard]] const CheckpointHead& checkpoint() const { return continuation_.head; }
+    [[nodiscard]] const Execution& execution() const { return execution_; }
+
+    /// Checkpoints that could not be used.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return continuation_.warnings; }
+
+    /// Whether the run has come to its end; resuming it writes its results anew.
+    [[nodiscard]] bool is_at_its_end() const;
+
+    /// From where run_deck() continues. It is handed over: checkpoint() and warnings() are empty then.
+    [[nodiscard]] Continuation take() { return std::move(continuation_); }
+
+    /// See RunLock.
+    void warn_if_moved() const { lock_->warn_if_moved(); }
+
+  private:
+    std::unique_ptr<RunLock> lock_;
+    RecordedRun run_;
+    Continuation continuation_;
+    Execution execution_;
+};
+
+}  // namespace ljmd

@@ -1,0 +1,48 @@
+#include "ljmd/run/held_run.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_execution.hpp"
+#include "ljmd/io/files/input_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Nothing if it is no directory, of which the record tells.
+std::unique_ptr<RunLock> lock_of(const std::filesystem::path& directory, const RunLock::Warn& warn) {
+    return input_is_directory(directory) ? std::make_unique<RunLock>(directory, warn) : nullptr;
+}
+
+RecordedRun locked_run(const std::filesystem::path& directory, Index more_steps, const std::unique_ptr<RunLock>& lock) {
+    RecordedRun run = recorded_run(directory, more_steps);
+    run.deck.locked = lock->directory();
+    return run;
+}
+
+Continuation newest_continuation(const RecordedRun& run) {
+    auto continuation = find_continuation(run.deck, run.earlier);
+    if (!continuation) {
+        throw CheckpointError(
+            fmt::format("{} has no checkpoint: the run ended before its first step, or they were removed",
+                        run.deck.directory.string()));
+    }
+    return std::move(*continuation);
+}
+
+}  // namespace
+
+HeldRun::HeldRun(const std::filesystem::path& directory, Index more_steps, int threads, const RunLock::Warn& warn)
+    : lock_(lock_of(directory, warn)),
+      run_(locked_run(directory, more_steps, lock_)),
+      continuation_(newest_continuation(run_)),
+      execution_(execution_options(run_.deck, threads > 0 ? threads : run_.threads, run_.simd)) {}
+
+bool HeldRun::is_at_its_end() const {
+    return run_.finished && checkpoint().step == total_steps(run_.deck.stages);
+}
+
+}  // namespace ljmd

@@ -1,0 +1,269 @@
+#include "ljmd/run/run_in_directory.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "engine/engine_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/engine/simulation.hpp"
+#include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/model/checksum.hpp"
+#include "ljmd/run/directory_report.hpp"
+#include "ljmd/run/held_run.hpp"
+#include "run/run_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// What small_deck with these outputs and analyses says.
+const std::string outputs_of_deck = R"(
+[output]
+trajectory = { format = "xyz", every = 7, velocities = true }
+[analysis]
+rdf = { bins = 20, every = 4 }
+msd = { every = 2, max_time = 0.08 }
+)";
+
+FluidSpec analysed_spec() {
+    FluidSpec spec = small_spec();
+    spec.analyses = {analysis("rdf", {{"bins", 20}, {"every", 4}}),
+                     analysis("msd", {{"every", 2}, {"max_time", 0.08}})};
+    return spec;
+}
+
+const RunFiles files_of_deck{.title = "A small liquid",
+                             .trajectory = TrajectoryOutput{.format = "xyz", .every = 7, .velocities = true}};
+
+/// The files of a run whose bytes are promised. The last line of results.txt has the path.
+std::string outputs_in(const std::filesystem::path& directory) {
+    std::string all;
+    for (const char* name : {"thermo.csv", "trajectory.xyz", "final.xyz", "rdf.csv", "msd.csv", "results.json"}) {
+        all += fmt::format("== {}\n{}", name, content_of(directory / name));
+    }
+    const std::string table = content_of(directory / "results.txt");
+    return all + table.substr(0, table.find("\nfiles: "));
+}
+
+void check_same_outputs(const std::filesystem::path& found, const std::filesystem::path& expected) {
+    const bool same = outputs_in(found) == outputs_in(expected);  // no one reads both as text
+    CHECK(same);
+}
+
+/// Asks to stop at a step.
+struct StopAt : RunListener {
+    explicit StopAt(Index when) : last(when) {}
+    void step_done(Index step) override { now = step; }
+    [[nodiscard]] Interruption interruption() const {
+        return Interruption(std::nullopt, [this] {
+            return now >= last ? std::optional(StopRequest{15, "the test"}) : std::nullopt;
+        });
+    }
+
+    Index last;
+    Index now = 0;
+};
+
+/// Sums up what it sees.
+struct Sum : Observer {
+    [[nodiscard]] bool needs(Index step) const override { return step % 3 == 0; }
+    void sample(const Snapshot& snapshot) override { value += snapshot.velocities().norm(); }
+    void archive(Archive& a) override { a(value); }
+    double value = 0.0;
+};
+
+}  // namespace
+
+TEST_CASE("a specification with a directory leaves the files of the deck that says the same, byte for byte") {
+    const DeckFolder folder(small_deck + outputs_of_deck);
+    const Deck deck = folder.load();
+    prepare_directory(deck.directory);
+    FluidSystem fluid = simulation_of(deck);
+    Recorder nobody;
+    const RunResult of_deck = run_deck(deck, fluid, nobody);
+
+    const RunResult result = run_in_directory(analysed_spec(), folder / "mine", {.files = files_of_deck});
+    check_same_outputs(folder / "mine", deck.directory);
+    CHECK(result.observable("pressure").estimate->mean == of_deck.observable("pressure").estimate->mean);
+    CHECK(result.table("rdf").rows == of_deck.table("rdf").rows);
+    CHECK(result.warnings == of_deck.warnings);
+    Simulation in_memory(analysed_spec());
+    in_memory.run();
+    CHECK(result.stages.back().checksum_at_end == checksum(in_memory.state()));
+}
+
+TEST_CASE("a run with a directory that is stopped at any step ends, resumed, as if it had not been stopped") {
+    const TemporaryFolder folder;
+    Sum all;
+    run_in_directory(analysed_spec(), folder / "whole", {.files = files_of_deck, .observers = {&all}});
+    for (const Index step : {1, 7, 20, 21, 44, 59}) {
+        INFO(step);
+        const std::filesystem::path directory = folder / fmt::format("stopped-{}", step);
+        StopAt stop(step);
+        Sum before;
+        CHECK_THROWS_AS(run_in_directory(analysed_spec(), directory,
+                                         {.files = files_of_deck,
+                                          .interruption = stop.interruption(),
+                                          .observers = {&before},
+                                          .listener = &stop}),
+                        Interrupted);
+        CHECK(stop.now == step);
+        Sum after;
+        const RunResult result = resume_in_directory(directory, {.threads = 2, .observers = {&after}});
+        check_same_outputs(directory, folder / "whole");
+        CHECK(after.value == all.value);
+        CHECK(result.stages.size() == 2);
+    }
+}
+
+TEST_CASE("a run with observers is resumed with as many, by whoever has them") {
+    const TemporaryFolder folder;
+    StopAt stop(30);
+    Sum sum;
+    CHECK_THROWS_AS(run_in_directory(small_spec(), folder / "run",
+                                     {.interruption = stop.interruption(), .observers = {&sum}, .listener = &stop}),
+                    Interrupted);
+    CHECK_THROWS_AS(resume_in_directory(folder / "run"), CheckpointError);
+    CHECK_THROWS_WITH(resume_in_directory(folder / "run"),
+                      Contains("1 observers of the program that wrote it, and 0 are there: it is resumed by that "
+                               "program"));
+    Sum again;
+    CHECK_NOTHROW(resume_in_directory(folder / "run", {.observers = {&again}}));
+}
+
+TEST_CASE("its directory is that of a run, for the commands, too") {
+    const TemporaryFolder folder;
+    StopAt stop(30);
+    CHECK_THROWS_WITH(
+        run_in_directory(small_spec(), folder / "run", {.interruption = stop.interruption(), .listener = &stop}),
+        Contains("stopped after step 30 by the test"));
+    const Document report = directory_report(folder / "run");
+    CHECK(report.data.at("finished") == false);
+    CHECK(report.data.at("checkpoint").at("step") == 30);
+    HeldRun run(folder / "run", 0, 0, no_warnings);  // as `ljmd resume` holds it
+    CHECK_FALSE(run.is_at_its_end());
+    CHECK_THROWS_AS(resume_in_directory(folder / "run"), InUseError);
+}
+
+TEST_CASE("a finished run is made longer, or writes its results anew") {
+    const TemporaryFolder folder;
+    run_in_directory(small_spec(), folder / "run");
+    const std::string before = content_of(folder / "run" / "results.json");
+    CHECK(resume_in_directory(folder / "run").stages.back().last_step == 60);
+    CHECK(content_of(folder / "run" / "results.json") == before);
+    CHECK(resume_in_directory(folder / "run", {.more_steps = 15}).stages.back().last_step == 75);
+    CHECK_THROWS_AS(resume_in_directory(folder / "run", {.more_steps = -1}), InputError);
+    CHECK_THROWS_AS(resume_in_directory(folder / "run", {.threads = -1}), InputError);
+    CHECK_THROWS_AS(resume_in_directory(folder / "none"), DataError);
+}
+
+TEST_CASE("an earlier run is replaced only if that is asked for, and no message speaks of commands") {
+    const TemporaryFolder folder;
+    run_in_directory(small_spec(), folder / "run");
+    const std::string before = content_of(folder / "run" / "thermo.csv");
+    FluidSpec other = small_spec();
+    other.seed = other.stages[0].seed = other.stages[1].seed = 8;
+    CHECK_THROWS_AS(run_in_directory(other, folder / "run"), InputError);
+    CHECK_THROWS_WITH(run_in_directory(other, folder / "run"),
+                      Contains("already holds a run (run.json). Nothing was run.\n  choose another directory, or "
+                               "replace it, or resume it") &&
+                          !Contains("--"));
+    CHECK(content_of(folder / "run" / "thermo.csv") == before);
+    run_in_directory(other, folder / "run", {.replace = true});
+    CHECK(content_of(folder / "run" / "thermo.csv") != before);
+    std::ofstream(folder / "file") << "mine";
+    CHECK_THROWS_WITH(run_in_directory(other, folder / "file"), Contains("is not a directory"));
+    CHECK_THROWS_WITH(run_in_directory(other, ""), Contains("name of the directory is empty"));
+}
+
+TEST_CASE("mistakes of a specification, and of its files, leave no directory") {
+    const TemporaryFolder folder;
+    const std::filesystem::path directory = folder / "run";
+    FluidSpec wrong = small_spec();
+    wrong.stages[1].time_step = -1.0;
+    CHECK_THROWS_AS(run_in_directory(wrong, directory), InputError);
+    CHECK_THROWS_WITH(
+        run_in_directory(small_spec(), directory, {.files = {.trajectory = TrajectoryOutput{.every = 0}}}),
+        Contains("'every' in trajectory is 0") && !Contains("error:"));
+    CHECK_THROWS_WITH(
+        run_in_directory(small_spec(), directory, {.files = {.trajectory = TrajectoryOutput{.format = "dcd"}}}),
+        Contains("dcd") && Contains("h5md"));
+    CHECK_THROWS_WITH(
+        run_in_directory(small_spec(), directory, {.files = {.trajectory = TrajectoryOutput{.units = "si"}}}),
+        Contains("needs an [argon] table"));
+    CHECK_FALSE(std::filesystem::exists(directory));
+}
+
+TEST_CASE("a configuration that a run starts from is kept in its directory, where its deck finds it") {
+    const TemporaryFolder folder;
+    Simulation earlier(small_spec());
+    earlier.run();
+    Configuration start{.edges = earlier.state().box().edges()};
+    for (Index i = 0; i < earlier.state().count(); ++i) {
+        start.positions.emplace_back(earlier.state().positions().col(i));
+        start.velocities.emplace_back(earlier.state().velocities().col(i));
+    }
+    FluidSpec spec = small_spec();
+    spec.start = start;
+    StopAt stop(30);
+    CHECK_THROWS_AS(run_in_directory(spec, folder / "run", {.interruption = stop.interruption(), .listener = &stop}),
+                    Interrupted);
+    const RunResult result = resume_in_directory(folder / "run");
+    Simulation in_memory(spec);
+    in_memory.run();
+    CHECK(result.stages.back().checksum_at_end == checksum(in_memory.state()));
+    REQUIRE(std::filesystem::exists(folder / "run" / given_start_name));
+
+    // The deck in the record makes the same run from the kept configuration.
+    const Data record = parse_json(content_of(folder / "run" / "run.json"));
+    const DeckFolder again(record.at("deck").text());
+    const Deck deck = again.load();
+    prepare_directory(deck.directory);
+    FluidSystem fluid = simulation_of(deck);
+    Recorder nobody;
+    CHECK(run_deck(deck, fluid, nobody).stages.back().checksum_at_end == result.stages.back().checksum_at_end);
+
+    run_in_directory(small_spec(), folder / "run", {.replace = true});  // which starts from a lattice
+    CHECK_FALSE(std::filesystem::exists(folder / "run" / given_start_name));
+}
+
+TEST_CASE("a listener hears of stages, steps and warnings, and the results have the warnings") {
+    const TemporaryFolder folder;
+    Recorder listener;
+    FluidSpec spec = small_spec();
+    spec.start = Configuration{.edges = Vec3::Constant(6.0),
+                               .positions = {Vec3::Zero(), Vec3::Constant(3.0)},
+                               .velocities = {Vec3::Ones(), Vec3::Zero()}};
+    const RunResult result = run_in_directory(spec, folder / "run", {.listener = &listener});
+    CHECK(listener.stages == std::vector<std::string>{"equilibrate", "production"});
+    CHECK(listener.steps.size() == 60);
+    REQUIRE_FALSE(result.warnings.empty());
+    CHECK_THAT(result.warnings.front(), Contains("the centre of mass moved"));
+    CHECK(listener.warnings == result.warnings);
+}
+
+TEST_CASE("what an observer throws ends the run, which is resumed from its last checkpoint") {
+    struct Thrower : Sum {
+        explicit Thrower(bool throws) : throws_(throws) {}
+        void sample(const Snapshot& snapshot) override {
+            Sum::sample(snapshot);
+            if (throws_ && snapshot.step() == 45) {
+                throw std::runtime_error("enough");
+            }
+        }
+        bool throws_;
+    };
+    const TemporaryFolder folder;
+    Thrower first(true);
+    CHECK_THROWS_WITH(run_in_directory(small_spec(), folder / "run", {.observers = {&first}}), "enough");
+    Thrower second(false);
+    resume_in_directory(folder / "run", {.observers = {&second}});
+    Sum whole;
+    Simulation in_memory(small_spec());
+    in_memory.add(whole);
+    in_memory.run();
+    CHECK(second.value == whole.value);
+}

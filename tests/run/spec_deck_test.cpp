@@ -1,0 +1,212 @@
+#include "ljmd/run/spec_deck.hpp"
+
+#include <limits>
+#include <numbers>
+
+#include "deck/deck_fixtures.hpp"
+#include "engine/engine_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/integrators/barostat.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Deck read(const std::string& text) {
+    Diagnostics diagnostics;
+    auto deck = load_deck_text("deck", text, {}, true, diagnostics);
+    INFO(text);
+    for (const Diagnostic& entry : diagnostics.entries()) {
+        UNSCOPED_INFO(format(entry));
+    }
+    REQUIRE(deck.has_value());
+    return std::move(*deck);
+}
+
+FluidSpec with_stage_of(const IntegratorMethod& method) {
+    FluidSpec spec = small_spec();
+    spec.stages[1].integrator = choose(method);
+    return spec;
+}
+
+template <class Chosen>
+void check_same(const Chosen& found, const Chosen& wanted) {
+    CHECK(found.plugin.name == wanted.plugin.name);
+    CHECK(found.values == wanted.values);
+}
+
+void check_same(const Stage& found, const Stage& wanted) {
+    CHECK(found.name == wanted.name);
+    check_same(found.integrator, wanted.integrator);
+    CHECK(found.time_step == wanted.time_step);
+    CHECK(found.steps == wanted.steps);
+    CHECK(found.sample == wanted.sample);
+    CHECK(found.reverse == wanted.reverse);
+    REQUIRE(found.thermostat.has_value() == wanted.thermostat.has_value());
+    if (wanted.thermostat) {
+        check_same(*found.thermostat, *wanted.thermostat);
+        CHECK(found.temperature == wanted.temperature);
+    }
+    REQUIRE(found.barostat.has_value() == wanted.barostat.has_value());
+    if (wanted.barostat) {
+        check_same(*found.barostat, *wanted.barostat);
+    }
+}
+
+/// The deck of a specification says what the specification says.
+void check_told(const FluidSpec& wanted) {
+    const FluidSpec found = fluid_spec(read(deck_text(wanted)));
+    REQUIRE(found.start.index() == wanted.start.index());
+    CHECK(atoms_of(found) == (std::holds_alternative<Configuration>(wanted.start) ? 0 : atoms_of(wanted)));
+    if (!std::holds_alternative<Configuration>(wanted.start)) {
+        CHECK(found.density == wanted.density);
+    }
+    CHECK(found.temperature == wanted.temperature);
+    CHECK(found.seed == wanted.seed);
+    CHECK(found.potential.formula() == wanted.potential.formula());
+    CHECK(found.potential.truncation() == wanted.potential.truncation());
+    CHECK(found.potential.parameters() == wanted.potential.parameters());
+    CHECK(found.potential(0.97).u == wanted.potential(0.97).u);
+    CHECK(found.potential(0.97 * wanted.potential.cutoff().radius).w ==
+          wanted.potential(0.97 * wanted.potential.cutoff().radius).w);
+    CHECK(found.tail == wanted.tail);
+    CHECK(found.neighbors.method == wanted.neighbors.method);
+    CHECK(found.neighbors.skin == wanted.neighbors.skin);
+    CHECK(found.neighbors.every == wanted.neighbors.every);
+    CHECK(found.sample_every == wanted.sample_every);
+    REQUIRE(found.stages.size() == wanted.stages.size());
+    for (std::size_t k = 0; k < wanted.stages.size(); ++k) {
+        check_same(found.stages[k], wanted.stages[k]);
+    }
+    REQUIRE(found.analyses.size() == wanted.analyses.size());
+    for (const ChosenAnalysis& analysis : wanted.analyses) {
+        const auto same = std::ranges::find(found.analyses, analysis.plugin.name,
+                                            [](const ChosenAnalysis& other) { return other.plugin.name; });
+        REQUIRE(same != found.analyses.end());
+        CHECK(same->values == analysis.values);
+    }
+    CHECK(found.units.has_value() == wanted.units.has_value());
+    if (wanted.units) {
+        CHECK(found.units->si(Dimension::time) == wanted.units->si(Dimension::time));
+        CHECK(found.units->si(Dimension::pressure) == wanted.units->si(Dimension::pressure));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the deck of a specification says what the specification says, to the last bit") {
+    check_told(small_spec());
+    FluidSpec odd = small_spec();  // no number has a short decimal form
+    odd.start = LatticeStart{.lattice = Lattice::simple_cubic, .cells = 6};
+    odd.density = std::numbers::pi / 4.0;
+    odd.temperature = 1.0 / 3.0;
+    odd.seed = 9007199254740993;  // no double
+    odd.stages[0].seed = 0;
+    odd.stages[1].seed = odd.seed;
+    odd.neighbors = {.method = "verlet-list", .skin = 0.1 * std::numbers::e, .every = 7};
+    odd.sample_every = 3;
+    odd.stages[0].temperature = 2.0 / 3.0;
+    odd.stages[1].reverse = true;
+    odd.stages[1].time_step = 1e-5 / 3.0;
+    odd.units = SubstanceUnits(3.405e-10, 119.8 * 1.380649e-23, 39.948 * 1.66053906660e-27);
+    check_told(odd);
+    FluidSpec random = small_spec();
+    random.start = RandomStart{200};
+    random.temperature = 0.0;
+    random.neighbors.method = "cells";
+    check_told(random);
+    FluidSpec given = small_spec();
+    given.start = Configuration{.edges = Vec3::Constant(5.0),
+                                .positions = {Vec3::Zero(), Vec3::Ones()},
+                                .velocities = {Vec3::Ones(), -Vec3::Ones()}};
+    given.temperature.reset();
+    check_told(given);
+    given.temperature = 1.0;
+    given.keep_velocities = false;
+    check_told(given);
+    CHECK_FALSE(fluid_spec(read(deck_text(given))).keep_velocities);
+}
+
+TEST_CASE("so it is with every potential, truncation and pair search") {
+    for (const std::string& truncation : PairPotential::truncation_names()) {
+        FluidSpec spec = small_spec();
+        spec.potential = PairPotential::lennard_jones(truncation, {1.9, 0.8 * std::numbers::phi});
+        for (const bool tail : {false, true}) {
+            spec.tail = tail && PairPotential::takes_tail(truncation);
+            check_told(spec);
+        }
+        spec.potential = PairPotential::make("morse", truncation, {1.9, 1.5},
+                                             {{"well_depth", 1.0 / 3.0}, {"steepness", 6.0}, {"minimum", 1.1}});
+        spec.tail = false;
+        check_told(spec);
+    }
+    for (const std::string& method : pair_search_names()) {
+        FluidSpec spec = small_spec();
+        spec.neighbors.method = method;
+        check_told(spec);
+    }
+}
+
+TEST_CASE("so it is with every plug-in and its options") {
+    for (const IntegratorMethod& method : all_integrators()) {
+        if (!method.unbounded_only) {
+            check_told(with_stage_of(method));
+        }
+    }
+    for (const ThermostatMethod& method : all_thermostats()) {
+        FluidSpec spec = small_spec();
+        spec.stages[1].thermostat = choose(method);
+        check_told(spec);
+    }
+    FluidSpec spec = small_spec();
+    spec.stages[1].thermostat = thermostat("nose-hoover-chain", {{"time", 1.0 / 3.0}, {"length", 4}});
+    spec.stages[1].barostat = barostat("stochastic-cell-rescaling", {{"pressure", 0.1 / 3.0}});
+    check_told(spec);
+    for (const AnalysisMethod& method : all_analyses()) {
+        CAPTURE(method.name);
+        FluidSpec analysed = small_spec();
+        analysed.stages[1].steps = 4000;
+        analysed.analyses = {choose(method)};
+        check_told(analysed);
+    }
+}
+
+TEST_CASE("files, title and precision are told, too") {
+    const RunFiles files{.title = "A \"title\"\\ with\ttwo\nlines",
+                         .trajectory = TrajectoryOutput{.format = "xyz", .every = 7, .velocities = true},
+                         .checkpoint = {.every = {.steps = 13, .seconds = {}}, .keep = 3}};
+    const Deck deck = read(deck_text(small_spec(), files, Precision::mixed));
+    CHECK(deck.title == files.title);
+    CHECK(deck.trajectory->format == "xyz");
+    CHECK(deck.trajectory->every == 7);
+    CHECK(deck.trajectory->velocities);
+    CHECK_FALSE(deck.trajectory->si());
+    CHECK(deck.checkpoint.every.steps == 13);
+    CHECK(deck.checkpoint.keep == 3);
+    CHECK(execution_options(deck).precision == Precision::mixed);
+    const Deck usual = read(deck_text(small_spec()));
+    CHECK_FALSE(usual.trajectory);
+    CHECK(usual.checkpoint.every.seconds == 300.0);
+    CHECK(usual.checkpoint.keep == 2);
+    CHECK(execution_options(usual).precision == Precision::double_precision);
+}
+
+TEST_CASE("what no deck can tell, and mistakes, are refused") {
+    FluidSpec spec = small_spec();
+    spec.stages[1].seed = 8;
+    CHECK_THROWS_WITH(deck_text(spec), "stage 'production': in a deck all stages have the seed of the start");
+    CHECK_THROWS_AS(deck_text(spec), InputError);
+    spec = small_spec();
+    spec.seed = std::numeric_limits<std::uint64_t>::max();
+    CHECK_THROWS_WITH(deck_text(spec), Contains("seed: a deck has one below 2^63"));
+    spec = small_spec();
+    spec.stages.clear();
+    CHECK_THROWS_WITH(deck_text(spec), Contains("at least one is needed"));
+    CHECK_THROWS_WITH(deck_text(small_spec(), {.checkpoint = {.every = {}, .keep = 2}}), Contains("one of both"));
+    const auto nothing = [](const PairDistance<double>&) { return PairTerm<double>{0.0, 0.0}; };
+    spec = small_spec();
+    spec.potential = PairPotential::custom("ideal gas", nothing, "cut", {1.0, 0.0});
+    CHECK_THROWS_WITH(deck_text(spec), Contains("'ideal gas' is a formula of the program"));
+}
