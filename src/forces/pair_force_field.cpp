@@ -71,10 +71,11 @@ Evaluation PairForceField::sum(State& state, Request request) {
     }
     return std::visit(
         [&]<class Search>(const Search& search) {
-            return potential_.visit([&](const auto& pair) {
+            return potential_.visit([&]<class Pair>(const Pair& pair) {
                 // Each of these sums is compiled for every pair formula, truncation and search. To save compile time,
                 // order-independent sums, which one integrator needs, always compute the energy.
-                if constexpr (!std::is_same_v<Search, VerletList>) {
+                constexpr bool has_kernel = std::is_same_v<Search, VerletList> && !std::is_same_v<Pair, CustomPair>;
+                if constexpr (!has_kernel) {
                     if (!request.order_independent) {
                         return request.energy ? sum_pairs<Request::forces_and_energy>(pair, search, cutoff, state)
                                               : sum_pairs<Request::forces>(pair, search, cutoff, state);

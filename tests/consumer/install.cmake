@@ -1,5 +1,6 @@
-# Installs the build into a fresh folder and copies the consumers and the examples of the documentation beside it. The installed tree is moved once: it must
-# not remember where it was put first. With it the source tree's own copies play no part any more.
+# Installs the build into a fresh folder and copies the consumers and the examples of the documentation beside it. The
+# installed tree is moved once: it must not remember where it was put first. With it the source tree's own copies play
+# no part any more.
 file(REMOVE_RECURSE ${work_dir})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${build_dir} --prefix ${work_dir}/first OUTPUT_QUIET
                 COMMAND_ERROR_IS_FATAL ANY)

@@ -27,10 +27,10 @@ TEST_CASE("settings are told in words, with as many digits as tell them from oth
 
 TEST_CASE("settings are checked like a table of a deck, and the others have their defaults") {
     const Section section = checked_settings("bath", keys(), {{"time", 2}, {"axis", std::vector<double>{1.0, 0.5}}});
-    CHECK(section.number("time") == 2.0);
-    CHECK(section.integer("length") == 3);
-    CHECK(section.text("start") == "taylor");
-    CHECK(section.vector("axis") == std::vector<double>{1.0, 0.5});
+    CHECK(section.plain("time") == PlainValue(2.0));
+    CHECK(section.plain("length") == PlainValue(std::int64_t{3}));
+    CHECK(section.plain("start") == PlainValue(std::string("taylor")));
+    CHECK(section.plain("axis") == PlainValue(std::vector<double>{1.0, 0.5}));
 }
 
 TEST_CASE("all mistakes in settings are told at once, without a place") {

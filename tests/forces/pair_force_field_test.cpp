@@ -432,3 +432,18 @@ TEST_CASE("a formula of the program has the same bits with any number of threads
         PairForceField(theirs, make_pair_search("verlet-list", 0.3), Execution({.precision = Precision::mixed})),
         ContractViolation);
 }
+
+TEST_CASE("forces of a formula of the program may be as large as its numbers, in every search") {
+    const auto strong = [](const PairDistance<double>& d) {
+        const double u = 1e9 * d.inverse_r2;
+        return PairTerm<double>{u, 2.0 * u * d.inverse_r2};
+    };
+    const PairPotential theirs = PairPotential::custom("strong", strong, "cut", usual);
+    const Evaluated oracle = evaluate({theirs, make_pair_search("all-pairs", 0.3)}, fluid());
+    CHECK(rms(oracle.forces) > 0x1p18);  // beyond the range of sums that are independent of the order
+    for (const std::string& search : pair_search_names()) {
+        CAPTURE(search);
+        const Evaluated found = evaluate({theirs, make_pair_search(search, 0.3)}, fluid());
+        CHECK((found.forces - oracle.forces).norm() < 1e-12 * oracle.forces.norm());
+    }
+}

@@ -26,7 +26,8 @@ SECTIONS = {
     "src/input/table_description.cpp": "reads sections into structs",
     "src/deck/deck.cpp": "validates a deck before its tables are read",
     "src/deck/mistake_report.cpp": "places of what the engine, which knows no deck, says of its values",
-    "src/engine/choices.cpp": "checks options that a program gives by key as those of a deck",
+    "include/ljmd/core/settings.hpp": "checks options that a program gives by key as those of a deck",
+    "src/core/settings.cpp": "the same",
     "src/analyze/trajectory_analyses.cpp": "tables of analyses, with steps converted to frames",
 }
 
