@@ -10,7 +10,7 @@ int main(int, char** arguments) {
     ljmd::FluidSpec argon{.start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 6},  // 864 atoms
                           .density = 0.8442,
                           .temperature = 0.722,
-                          .potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 2.5, .switch_start = 0.0}),
+                          .potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 2.5}),
                           .tail = true};
     argon.stages = {{.name = "equilibration",
                      .time_step = 0.004,

@@ -11,7 +11,7 @@ int main(int, char** arguments) {
         .start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 5},
         .density = 0.8,
         .temperature = 1.0,
-        .potential = ljmd::PairPotential::custom("mie-10-6", Mie(10.0), "cut", {.radius = 2.5, .switch_start = 0.0}),
+        .potential = ljmd::PairPotential::custom("mie-10-6", Mie(10.0), "cut", {.radius = 2.5}),
         .tail = true};
     liquid.stages = {{.name = "production",
                       .time_step = 0.004,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -125,9 +124,23 @@ class VerletList {
 
 template <class Visit>
 void VerletList::for_each_candidate(const State& state, Index part, Visit&& visit) const {
+    struct Cluster {
+        AtomRange atoms{0, 0};
+        Vec3 shift = Vec3::Zero();
+    };
     const auto r = state.positions();
     const Tile& tile = tiles_[static_cast<std::size_t>(part)];
-    const ClusterGrid::Run clusters = grid_.tiles()[static_cast<std::size_t>(part)];
+    const ClusterGrid::Run own = grid_.tiles()[static_cast<std::size_t>(part)];
+    std::vector<Cluster> clusters(static_cast<std::size_t>(tile.cluster_count));  // by their numbers within the tile
+    for (Index c = own.first; c < own.last; ++c) {
+        clusters[static_cast<std::size_t>(c - own.first)].atoms = grid_.atoms_of_cluster(c);
+    }
+    for (const ClusterGrid::GhostClusters& ghosts : tile.ghosts) {
+        for (Index k = 0; k < ghosts.of.length(); ++k) {
+            clusters[static_cast<std::size_t>(ghosts.first + k)] = {grid_.atoms_of_cluster(ghosts.of.first + k),
+                                                                    ghosts.shift};
+        }
+    }
     const std::uint32_t* row = tile.starts.data();
     const auto meet = [&](Index i, const AtomRange& others, const Vec3& shift) {
         const Vec3 from = r.col(i) - shift;  // exact on the coordinate grid
@@ -135,29 +148,16 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
             visit(PairVisit{i, j, from[0] - r(0, j), from[1] - r(1, j), from[2] - r(2, j), true});
         }
     };
-    for (Index c = clusters.first; c < clusters.last; ++c) {
-        const auto [first, last] = grid_.atoms_of_cluster(c);
+    for (Index c = 0; c < own.length(); ++c) {
+        const auto [first, last] = clusters[static_cast<std::size_t>(c)].atoms;
         for (Index i = first; i < last; ++i) {
             const std::uint32_t* starts = row + (i - first) / built_for_shape_.atoms;
             meet(i, {i + 1, last}, Vec3::Zero());
             for (std::uint32_t e = starts[0]; e < starts[1]; ++e) {
-                const std::int32_t other = tile.entries[e] / (3 * ClusterGrid::slots);
-                const std::int32_t slot = tile.entries[e] % (3 * ClusterGrid::slots);
-                const auto part_of = [&](Index cluster) {
-                    const AtomRange all = grid_.atoms_of_cluster(cluster);
-                    return AtomRange{all.first + slot, std::min(all.last, all.first + slot + built_for_shape_.others)};
-                };
-                if (other < clusters.length()) {
-                    meet(i, part_of(clusters.first + other), Vec3::Zero());
-                } else {
-                    const auto behind =
-                        std::upper_bound(tile.ghosts.begin(), tile.ghosts.end(), other,
-                                         [](std::int32_t number, const ClusterGrid::GhostClusters& ghosts) {
-                                             return number < ghosts.first;
-                                         });
-                    const ClusterGrid::GhostClusters& ghosts = *std::prev(behind);
-                    meet(i, part_of(ghosts.of.first + other - ghosts.first), ghosts.shift);
-                }
+                const auto number = static_cast<std::size_t>(tile.entries[e] / (3 * ClusterGrid::slots));
+                const Index slot = tile.entries[e] % (3 * ClusterGrid::slots);
+                const auto& [all, shift] = clusters[number];
+                meet(i, {all.first + slot, std::min(all.last, all.first + slot + built_for_shape_.others)}, shift);
             }
         }
         row += (last - first + built_for_shape_.atoms - 1) / built_for_shape_.atoms;
