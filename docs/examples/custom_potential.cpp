@@ -7,12 +7,11 @@
 
 int main(int, char** arguments) {
     const ljmd::Index steps = arguments[1] != nullptr ? std::atol(arguments[1]) : 5000;
-    ljmd::FluidSpec liquid{
-        .start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 5},
-        .density = 0.8,
-        .temperature = 1.0,
-        .potential = ljmd::PairPotential::custom("mie-10-6", Mie(10.0), "cut", {.radius = 2.5}),
-        .tail = true};
+    ljmd::FluidSpec liquid{.start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 5},
+                           .density = 0.8,
+                           .temperature = 1.0,
+                           .potential = ljmd::PairPotential::custom("mie-10-6", Mie(10.0), "cut", {.radius = 2.5}),
+                           .tail = true};
     liquid.stages = {{.name = "production",
                       .time_step = 0.004,
                       .steps = steps,

@@ -11,11 +11,10 @@ int main() {
     std::filesystem::create_directory(folder);
     std::filesystem::current_path(folder);
 
-    ljmd::FluidSpec crystal{
-        .start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 5},
-        .density = 1.0,
-        .temperature = 0.1,
-        .potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 2.5})};
+    ljmd::FluidSpec crystal{.start = ljmd::LatticeStart{.lattice = ljmd::Lattice::fcc, .cells = 5},
+                            .density = 1.0,
+                            .temperature = 0.1,
+                            .potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 2.5})};
     crystal.stages = {{.name = "production", .time_step = 0.004, .steps = 100, .sample = true}};
     ljmd::Simulation simulation(crystal);
     const ljmd::RunResult result = simulation.run();

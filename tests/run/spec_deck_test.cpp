@@ -7,6 +7,8 @@
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/integrators/barostat.hpp"
+#include "ljmd/io/formats/trajectory_writer.hpp"
+#include "potentials/made_potential.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -131,16 +133,16 @@ TEST_CASE("the deck of a specification says what the specification says, to the 
 
 TEST_CASE("so it is with every potential, truncation and pair search") {
     for (const std::string& truncation : PairPotential::truncation_names()) {
-        FluidSpec spec = small_spec();
-        spec.potential = PairPotential::lennard_jones(truncation, {1.9, 0.8 * std::numbers::phi});
-        for (const bool tail : {false, true}) {
-            spec.tail = tail && PairPotential::takes_tail(truncation);
-            check_told(spec);
+        for (const std::string& formula : PairPotential::formula_names()) {
+            CAPTURE(formula, truncation);
+            FluidSpec spec = small_spec();
+            spec.potential =
+                made_potential(formula, truncation, {1.9, 0.8 * std::numbers::phi}, {{"well_depth", 1.0 / 3.0}});
+            for (const bool tail : {false, true}) {
+                spec.tail = tail && PairPotential::takes_tail(truncation);
+                check_told(spec);
+            }
         }
-        spec.potential = PairPotential::make("morse", truncation, {1.9, 1.5},
-                                             {{"well_depth", 1.0 / 3.0}, {"steepness", 6.0}, {"minimum", 1.1}});
-        spec.tail = false;
-        check_told(spec);
     }
     for (const std::string& method : pair_search_names()) {
         FluidSpec spec = small_spec();
@@ -186,6 +188,11 @@ TEST_CASE("files, title and precision are told, too") {
     CHECK(deck.checkpoint.every.steps == 13);
     CHECK(deck.checkpoint.keep == 3);
     CHECK(execution_options(deck).precision == Precision::mixed);
+    for (const TrajectoryFormat& format : all_trajectory_formats()) {
+        CHECK(
+            read(deck_text(small_spec(), {.trajectory = TrajectoryOutput{.format = format.name}})).trajectory->format ==
+            format.name);
+    }
     const Deck usual = read(deck_text(small_spec()));
     CHECK_FALSE(usual.trajectory);
     CHECK(usual.checkpoint.every.seconds == 300.0);
