@@ -55,7 +55,7 @@ TEST_CASE("a few-body stage is sampled unless its table says otherwise, and may 
     CHECK(stages[0].sample);
     CHECK(stages[0].reverse);
     CHECK(stages[0].integrator.plugin.name == "position-verlet");
-    CHECK(stages[0].integrator.values == "start=euler");
+    CHECK(settings_in_words(stages[0].integrator.values) == "start=euler");
     CHECK(stages[0].steps == 95);
     CHECK(stages[0].time_step == 0.01);
     CHECK_FALSE(stages[0].thermostat);

@@ -24,7 +24,7 @@ TEST_CASE("analyses are chosen in the order of their names, with the options of 
     const auto& asked = deck.fluid().analysis.asked;
     REQUIRE(asked.size() == 2);
     CHECK(asked[0].chosen.plugin.name == "rdf");
-    CHECK(asked[0].chosen.values == "bins=17 radius=1.5 every=200");
+    CHECK(settings_in_words(asked[0].chosen.values) == "bins=17 radius=1.5 every=200");
     CHECK(asked[1].chosen.plugin.name == "vacf");
 }
 

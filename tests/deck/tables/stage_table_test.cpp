@@ -14,7 +14,7 @@ TEST_CASE("a stage of a fluid has the baths of its table, with their options and
     REQUIRE(stages.size() == 2);
     REQUIRE(stages[0].thermostat.has_value());
     CHECK(stages[0].thermostat->method.plugin.name == "langevin");
-    CHECK(stages[0].thermostat->method.values == "time=0.25");
+    CHECK(settings_in_words(stages[0].thermostat->method.values) == "time=0.25");
     CHECK(stages[0].thermostat->location(&ThermostatTable::method).source->name == "--set " + settings[0]);
     REQUIRE(stages[0].barostat.has_value());
     CHECK(stages[0].barostat->method.plugin.name == "stochastic-cell-rescaling");
