@@ -13,15 +13,15 @@ using test::evaluate;
 using test::Evaluated;
 using test::fluid;
 using test::rms;
-constexpr Cutoff usual = test::default_cutoff;
 
 }  // namespace
 
 TEST_CASE("a formula of the program has the bits of the library's where pairs are summed alike, else its digits") {
     const State state = fluid();
     for (const std::string& truncation : PairPotential::truncation_names()) {
-        const PairPotential ours = PairPotential::lennard_jones(truncation, usual);
-        const PairPotential theirs = PairPotential::custom("twelve-six", test::TwelveSix{}, truncation, usual);
+        const PairPotential ours = PairPotential::lennard_jones(truncation, test::default_cutoff);
+        const PairPotential theirs =
+            PairPotential::custom("twelve-six", test::TwelveSix{}, truncation, test::default_cutoff);
         const Evaluated oracle = evaluate({ours, make_pair_search("all-pairs", 0.3)}, state);
         const double scale = rms(oracle.forces);
         for (const std::string& search : pair_search_names()) {
@@ -48,7 +48,8 @@ TEST_CASE("a formula of the program has the bits of the library's where pairs ar
 }
 
 TEST_CASE("a formula of the program has the same bits with any number of threads, and no kernel in mixed precision") {
-    const PairPotential theirs = PairPotential::custom("twelve-six", test::TwelveSix{}, "shifted", usual);
+    const PairPotential theirs =
+        PairPotential::custom("twelve-six", test::TwelveSix{}, "shifted", test::default_cutoff);
     const auto evaluated_by = [&](int threads, const std::string& search) {
         State state(fluid().count(), fluid().box(), Execution({.threads = threads}));
         state.write_positions() = fluid().positions();
@@ -72,7 +73,7 @@ TEST_CASE("forces of a formula of the program may be as large as its numbers, in
         const double u = 1e9 * d.inverse_r2;
         return PairTerm<double>{u, 2.0 * u * d.inverse_r2};
     };
-    const PairPotential theirs = PairPotential::custom("strong", strong, "cut", usual);
+    const PairPotential theirs = PairPotential::custom("strong", strong, "cut", test::default_cutoff);
     const Evaluated oracle = evaluate({theirs, make_pair_search("all-pairs", 0.3)}, fluid());
     CHECK(rms(oracle.forces) > 0x1p18);  // beyond the range of sums that are independent of the order
     for (const std::string& search : pair_search_names()) {
