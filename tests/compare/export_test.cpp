@@ -155,7 +155,7 @@ TEST_CASE("what would be replaced, and what is unknown, is refused") {
     CHECK_NOTHROW(check_export("lammps", folder / "x", false));
     CHECK_THROWS_AS(check_export("extxyz", folder / "x", false), InputError);
     CHECK_THROWS_WITH(check_export("extxyz", folder / "x", false),
-                      Contains("start.xyz is there already") && Contains("--force"));
+                      Contains("start.xyz is there already") && Contains("or replace it"));
     CHECK_NOTHROW(check_export("extxyz", folder / "x", true));
     CHECK_THROWS_WITH(check_export("extxyz", folder / "x" / "start.xyz", true), Contains("is not a directory"));
 }
