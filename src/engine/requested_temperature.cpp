@@ -27,7 +27,7 @@ bool is_held(const FluidSpec& spec) {
     return std::ranges::any_of(spec.stages, [](const Stage& stage) { return stage.sample && stage.thermostat; });
 }
 
-std::string in_words(double temperature, const FluidSpec& spec) {
+std::string temperature_in_words(double temperature, const FluidSpec& spec) {
     return spec.units ? fmt::format("{:.6g} ({:.5g} K)", temperature, temperature * spec.units->kelvin())
                       : fmt::format("{:.6g}", temperature);
 }
@@ -68,10 +68,10 @@ std::string temperature_remark(const FluidSpec& spec, const std::optional<Estima
     if (!requested || !found || !std::isfinite(found->standard_error) || !is_off(*requested, *found)) {
         return "";
     }
-    return fmt::format("asked {}, found {}: {}", in_words(*requested, spec), in_words(found->mean, spec),
-                       is_held(spec)
-                           ? "the thermostat has not brought it there; equilibrate longer, or take a smaller time step"
-                           : "at constant energy the temperature is a result; a canonical thermostat holds it");
+    return fmt::format(
+        "asked {}, found {}: {}", temperature_in_words(*requested, spec), temperature_in_words(found->mean, spec),
+        is_held(spec) ? "the thermostat has not brought it there; equilibrate longer, or take a smaller time step"
+                      : "at constant energy the temperature is a result; a canonical thermostat holds it");
 }
 
 std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {

@@ -144,9 +144,9 @@ std::vector<Key> PairPotential::formula_keys(const std::string& name) {
 
 void PairPotential::describe_truncation(const std::string& name, Description& description, Cutoff& cutoff) {
     detail::for_each_truncation<SomeFormula>([&](const auto* type) {
-        using Pair = detail::Pointee<decltype(type)>;
-        if (Pair::name == name) {
-            Pair::describe(description, cutoff);
+        using Truncated = detail::Pointee<decltype(type)>;
+        if (Truncated::name == name) {
+            Truncated::describe(description, cutoff);
         }
     });
 }
@@ -154,8 +154,8 @@ void PairPotential::describe_truncation(const std::string& name, Description& de
 bool PairPotential::takes_tail(const std::string& name) {
     bool takes = false;
     detail::for_each_truncation<SomeFormula>([&](const auto* type) {
-        using Pair = detail::Pointee<decltype(type)>;
-        takes = takes || (Pair::name == name && Pair::takes_tail);
+        using Truncated = detail::Pointee<decltype(type)>;
+        takes = takes || (Truncated::name == name && Truncated::takes_tail);
     });
     return takes;
 }
