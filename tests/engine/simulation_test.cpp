@@ -202,6 +202,20 @@ TEST_CASE("what an observer throws ends the simulation, which then cannot be con
     CHECK_FALSE(simulation.finished());
 }
 
+TEST_CASE("an observer that throws when it is asked for its steps leaves velocities that can be looked at") {
+    struct Undecided : Observer {
+        [[nodiscard]] bool needs(Index step) const override {
+            return step == 31 ? throw std::runtime_error("undecided") : false;
+        }
+        void sample(const Snapshot&) override {}
+    };
+    Simulation simulation(small_spec());
+    Undecided undecided;
+    simulation.add(undecided);
+    CHECK_THROWS_WITH(simulation.run(), "undecided");
+    CHECK_NOTHROW(simulation.state().velocities());  // the second half of the step's kick was pending
+}
+
 TEST_CASE("an observer sees the sampled stages only, in which it changes nothing") {
     Simulation plain(with_analyses());
     plain.run();
