@@ -347,7 +347,7 @@ void ThreadTeam::share_out(Caller& caller) {
     }
     for (Worker* worker : present_) {
         // The loss does not show which worker took the caller's processor, so the last one is charged for it. If the
-        // loss goes on with one worker fewer, the next one is left out.
+        // caller still loses time with one worker fewer, the next one is left out.
         worker->settle(caller.worked / static_cast<double>(caller.blocks),
                        worker == present_.back() ? lost.by_team : Nanoseconds{0}, caller.now);
     }
