@@ -12,7 +12,7 @@ namespace ljmd {
 
 namespace {
 
-/// Nothing if it is no directory, of which the record tells.
+/// @return nothing where there is no directory: recorded_run() has the message for that
 std::unique_ptr<RunLock> lock_of(const std::filesystem::path& directory, const RunLock::Warn& warn) {
     return input_is_directory(directory) ? std::make_unique<RunLock>(directory, warn) : nullptr;
 }

@@ -6,7 +6,7 @@
 
 namespace ljmd::test {
 
-/// Three atoms in memory order 2, 0, 1, the second of which has left the box.
+/// Three atoms, in memory in the order 2, 0, 1. The second has left the box.
 inline State three_atoms(const std::optional<Box>& box = Box(Vec3(4.0, 5.0, 6.5))) {
     State state(3, box);
     state.write_positions().col(0) = Vec3(0.5, 1.0, 1.5);
