@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Gives `ljmd run` too few descriptors, too little memory, a clock that jumps, and looks how it ends.
 
-Usage: limits_test.py --ljmd PROGRAM --faults LIBRARY [--seed N]
+Usage: limits_test.py --ljmd PROGRAM --faults LIBRARY [--seed N] [--every N]
 
 Limits begin where `ljmd --version` just works: below, the system cannot load the program. Every run must end well, or with the
 exit code of its failure and one message, and go on without the limit.
@@ -82,7 +82,7 @@ def tests(runner: Runner, folder: Path, tally: Tally, _: int) -> None:
     first = least(runner.program, resource.RLIMIT_AS, range(16 * MEBIBYTE, 4096 * MEBIBYTE, 8 * MEBIBYTE))
     # In steps as small as what a library asks for at a time: one that ends the program when it is refused is felt in few of them.
     try_limits(runner, case, folder, tally, "bytes of memory", resource.RLIMIT_AS,
-               range(first, first + 16 * MEBIBYTE, 64 * KIBIBYTE), (4, 7))
+               range(first, first + 16 * MEBIBYTE, runner.every * 64 * KIBIBYTE), (4, 7))
 
 
 if __name__ == "__main__":

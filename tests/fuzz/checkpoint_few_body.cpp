@@ -6,7 +6,7 @@
 using namespace ljmd;
 
 // Of two bodies in the plane, or of one by its distance alone: the head's number of bodies tells.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(checkpoint_few_body) {
     static const fuzz::RunFolder orbit(fuzz::orbit);
     static const fuzz::RunFolder radial(fuzz::radial);
     try {

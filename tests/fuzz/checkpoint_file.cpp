@@ -4,7 +4,7 @@
 using namespace ljmd;
 
 // The file as it lies on the disk: nothing is thrown, whatever it holds.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(checkpoint_file) {
     static const test::WrittenFile file("", "checkpoint.1");
     file.rewrite(fuzz::text_of(data, size));
     const FoundCheckpoints found = find_checkpoints(file.directory());

@@ -5,7 +5,7 @@
 
 using namespace ljmd;
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(checkpoint_fluid) {
     static const fuzz::RunFolder fluid(fuzz::fluid);
     static const fuzz::RunFolder constant_pressure(fuzz::constant_pressure);
     try {

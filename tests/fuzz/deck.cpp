@@ -22,7 +22,7 @@ void check_fluid(const Deck& deck) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(deck) {
     Diagnostics diagnostics;
     const auto deck = load_deck_text("deck.toml", std::string(fuzz::text_of(data, size)), {}, false, diagnostics);
     fuzz::check_promises(deck, diagnostics);

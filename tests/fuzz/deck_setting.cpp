@@ -4,7 +4,7 @@
 using namespace ljmd;
 
 // Each line is the argument of a --set.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(deck_setting) {
     std::vector<std::string> settings;
     std::string_view rest = fuzz::text_of(data, size);
     while (!rest.empty()) {

@@ -5,7 +5,7 @@ using namespace ljmd;
 
 // By the readers of all formats, so that the others are recognised here, too: as a start, and as a trajectory. With
 // units, files in SI units are read.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(extended_xyz) {
     constexpr double sigma = 3.405e-10;
     constexpr double epsilon = 1.654e-21;
     constexpr double mass = 6.6335e-26;

@@ -8,7 +8,7 @@ using namespace ljmd;
 
 // A text file, which is unpacked where it begins as gzip does. Whatever it holds, no more text comes out than its size
 // allows.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(gzip) {
     TextFile file(fuzz::file_of(data, size));
     const Index most = file.bytes_left();
     Index found = 0;

@@ -9,7 +9,7 @@ using namespace ljmd;
 
 // What begins as an HDF5 file is read as one. Anything else is a trajectory that is continued: what a checkpoint knows
 // of it, and behind that the file.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(h5md) {
     static const State state = fuzz::two_atoms();
     if (fuzz::text_of(data, size).starts_with("\x89HDF\r\n\x1a\n")) {
         fuzz::check_trajectory(fuzz::file_of(data, size), std::nullopt);

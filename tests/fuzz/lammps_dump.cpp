@@ -2,7 +2,7 @@
 
 using namespace ljmd;
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(lammps_dump) {
     fuzz::check_trajectory(fuzz::file_of(data, size), std::nullopt);
     return 0;
 }

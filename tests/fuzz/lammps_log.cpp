@@ -5,7 +5,7 @@
 using namespace ljmd;
 
 // What LAMMPS prints: its log, and its help, which tells its version.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(lammps_log) {
     static_cast<void>(lammps_version(std::string(fuzz::text_of(data, size))));
     try {
         LammpsLog log(fuzz::file_of(data, size));

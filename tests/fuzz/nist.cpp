@@ -3,7 +3,7 @@
 
 using namespace ljmd;
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(nist) {
     try {
         TextFile file(fuzz::file_of(data, size));
         fuzz::check_promises(read_nist(file));

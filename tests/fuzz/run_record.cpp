@@ -5,7 +5,7 @@
 using namespace ljmd;
 
 // run.json, as `ljmd resume` reads it.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(run_record) {
     constexpr Index more_steps = 10;
     static const test::WrittenFile file("", "run.json");
     file.rewrite(fuzz::text_of(data, size));

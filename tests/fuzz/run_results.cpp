@@ -30,7 +30,7 @@ class RowOfTable {
 }  // namespace
 
 // results.json, as a sweep and a reproduced table read it.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(run_results) {
     static const RowOfTable row;
     try {
         row.evaluate(fuzz::text_of(data, size));

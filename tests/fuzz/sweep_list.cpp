@@ -3,7 +3,7 @@
 
 using namespace ljmd;
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(sweep_list) {
     try {
         Diagnostics diagnostics;
         fuzz::check_promises(list_points(fuzz::file_of(data, size), {"system.seed=3"}, diagnostics), diagnostics);

@@ -7,7 +7,7 @@
 using namespace ljmd;
 
 // sweep.json, as `ljmd sweep` reads it in a directory that it finds, and `ljmd info` tells of it.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(sweep_record) {
     static const test::WrittenFile file("", "sweep.json");
     file.rewrite(fuzz::text_of(data, size));
     try {

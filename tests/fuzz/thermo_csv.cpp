@@ -41,7 +41,7 @@ void evaluate(const std::filesystem::path& directory) {
 }  // namespace
 
 // thermo.csv, as `ljmd analyze` and a reproduced table read it; that one reads the same text as its rdf.csv, too.
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+LJMD_FUZZ_TARGET(thermo_csv) {
     static const test::WrittenFile file("", "thermo.csv");
     static const RecordedRun run = run_in(file.directory());
     static const bool prepared = [] {
