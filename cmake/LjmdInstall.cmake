@@ -1,5 +1,5 @@
 # What 'cmake --install' puts where: program, library, headers, the packages by which CMake and pkg-config find the
-# library, decks and analysis scripts.
+# library, decks and analysis scripts. The Python package: cmake/LjmdPython.cmake.
 include(CMakePackageConfigHelpers)
 set(ljmd_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ljmd)
 

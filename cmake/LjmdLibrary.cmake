@@ -1,6 +1,7 @@
 # The library ljmd::ljmd and the program ljmd.
 file(GLOB_RECURSE ljmd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 list(REMOVE_ITEM ljmd_sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp ${ljmd_simd_sources})
+list(FILTER ljmd_sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/python/")
 
 # What needs a library that may be absent has a stand-in that says so.
 if(OpenMM_FOUND)
@@ -12,6 +13,7 @@ list(FILTER ljmd_sources EXCLUDE REGEX "^${ljmd_unused_sources}")
 
 add_library(ljmd_library STATIC ${ljmd_sources} ${ljmd_generated_sources} ${ljmd_simd_objects})
 add_library(ljmd::ljmd ALIAS ljmd_library)
+ljmd_for_extension(ljmd_library)
 target_precompile_headers(ljmd_library PRIVATE ${ljmd_precompiled_headers})
 ljmd_compile_together(ljmd_library ${ljmd_sources})
 add_dependencies(ljmd_library ljmd_version_header)

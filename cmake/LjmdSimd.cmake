@@ -31,6 +31,7 @@ foreach(level IN LISTS ljmd_simd_levels)
     target_include_directories(ljmd_simd_${level} PRIVATE ${PROJECT_SOURCE_DIR}/include
                                                           ${PROJECT_BINARY_DIR}/generated/include)
     target_link_libraries(ljmd_simd_${level} PRIVATE Eigen3::Eigen ljmd_options)
+    ljmd_for_extension(ljmd_simd_${level})
     list(APPEND ljmd_simd_objects $<TARGET_OBJECTS:ljmd_simd_${level}>)
 endforeach()
 

@@ -8,7 +8,9 @@
 
 #include "ljmd/analyze/deck_against_frames.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/execution/threads.hpp"
 #include "ljmd/io/formats/frame_unwrapper.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
@@ -152,6 +154,30 @@ std::string si_box(const Vec3& edges, const std::optional<SubstanceUnits>& units
 }
 
 }  // namespace
+
+AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, const Deck* deck, bool is_run, bool thermo,
+                                         const FrameOptions& options) {
+    AnalyzedTrajectory trajectory{
+        .path = path,
+        .deck = deck,
+        .summary = {},
+        .selection = {},
+        .group = options.group,
+        .thermo = thermo,
+        .xyz_comment = options.xyz_comment,
+        .execution = Execution(deck != nullptr ? execution_options(*deck)
+                                               : ExecutionOptions{.threads = default_thread_count()})};
+    trajectory.summary = summarize(path, trajectory.units(), options.group, options.positions, options.xyz_comment);
+    std::optional<double> time_step = options.time_step;
+    if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
+        time_step = deck->stages[first_sampled(deck->stages)].time_step;
+    }
+    trajectory.selection = select_frames(trajectory.summary, time_step, is_run ? &deck->stages : nullptr, options.from);
+    if (thermo) {
+        check_thermo(deck, trajectory.summary, trajectory.selection);
+    }
+    return trajectory;
+}
 
 TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses) {
     Pass pass(trajectory, analyses);

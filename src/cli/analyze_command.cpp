@@ -8,9 +8,7 @@
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_execution.hpp"
 #include "ljmd/deck/deck_system.hpp"
-#include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
@@ -81,27 +79,15 @@ std::optional<Positions> said_positions(const AnalyzeOptions& options) {
 /// @param is_run  the deck is that of the run that wrote the trajectory
 Document analyze(const fs::path& path, const Deck* deck, bool is_run, const Wanted& wanted,
                  const AnalyzeOptions& options, const fs::path& directory) {
-    const Execution execution(deck != nullptr ? execution_options(*deck)
-                                              : ExecutionOptions{.threads = default_thread_count()});
-    AnalyzedTrajectory trajectory{.path = path,
-                                  .deck = deck,
-                                  .summary = {},
-                                  .selection = {},
-                                  .group = options.group,
-                                  .thermo = wanted.thermo && !is_run,  // for a run, thermo reads thermo.csv instead
-                                  .xyz_comment = options.xyz_comment,
-                                  .execution = execution};
-    trajectory.summary =
-        summarize(path, trajectory.units(), options.group, said_positions(options), options.xyz_comment);
-    std::optional<double> time_step = options.time_step;
-    if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
-        time_step = deck->stages[first_sampled(deck->stages)].time_step;
-    }
-    trajectory.selection = select_frames(trajectory.summary, time_step, is_run ? &deck->stages : nullptr, options.from);
+    const AnalyzedTrajectory trajectory = trajectory_to_analyze(
+        path, deck, is_run, wanted.thermo && !is_run,  // for a run, thermo reads thermo.csv instead
+        {.from = options.from,
+         .time_step = options.time_step,
+         .group = options.group,
+         .positions = said_positions(options),
+         .xyz_comment = options.xyz_comment});
     std::vector<std::string> names = wanted.analyses;
-    if (trajectory.thermo) {
-        check_thermo(deck, trajectory.summary, trajectory.selection);
-    } else if (names.empty()) {
+    if (!trajectory.thermo && names.empty()) {
         names = default_analyses(trajectory.summary, trajectory.selection);
         if (!trajectory.summary.positions.positions) {
             warn(fmt::format("msd is left out: {}", trajectory.summary.positions.reason));

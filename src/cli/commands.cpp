@@ -13,12 +13,9 @@
 #include "ljmd/compare/crosscheck_report.hpp"
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/deck/deck_execution.hpp"
+#include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck_sense.hpp"
 #include "ljmd/deck/deck_system.hpp"
-#include "ljmd/deck/few_body_check.hpp"
-#include "ljmd/deck/forecast.hpp"
-#include "ljmd/deck/start_sense.hpp"
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
@@ -30,7 +27,6 @@
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
-#include "ljmd/run/run_lock.hpp"
 
 namespace ljmd {
 
@@ -52,58 +48,13 @@ Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
     return std::move(*deck);
 }
 
-/// A run before its system is made, and what will compute it.
-struct CheckedRun {
-    std::optional<Start> start;  ///< of a fluid; few bodies stand in the deck
-    Execution execution;
-
-    [[nodiscard]] std::optional<Index> atoms() const { return start ? std::optional(start->atoms) : std::nullopt; }
-};
-
-/// The same of a fluid.
-struct CheckedFluid {
-    Start start;
-    Execution execution;
-};
-
-/// The start of a fluid, after all checks of its deck, and the threads that the system has granted.
-CheckedFluid checked_fluid(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
-    Start start = find_start(deck);
-    Execution execution(execution_options(deck, options.threads, options.simd));
-    if (start.configuration) {  // the box is known only now
-        check_start(deck, start, diagnostics);
-        diagnostics.throw_if_errors();
-    }
+/// The start of a deck after all checks, and the threads that the system has granted. Prints the warnings.
+CheckedRun checked(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
+    CheckedRun run = checked_run(deck, options.threads, options.simd, diagnostics);
     if (!options.quiet) {
         print_warnings(diagnostics);
     }
-    return {std::move(start), std::move(execution)};
-}
-
-/// All warnings about a few-body deck are known when it has been read.
-CheckedRun checked_run(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
-    if (deck.kind() == DeckKind::fluid) {
-        auto [start, execution] = checked_fluid(deck, options, diagnostics);
-        return {std::move(start), std::move(execution)};
-    }
-    if (!options.quiet) {
-        print_warnings(diagnostics);
-    }
-    return {std::nullopt, Execution()};
-}
-
-std::string check_json(const Deck& deck, const Start& start, const Forecast& forecast) {
-    const Vec3& edges = start.box.edges();
-    const Data json = {{"deck", deck.path},
-                       {"atoms", start.atoms},
-                       {"box_edges", Data::list({edges[0], edges[1], edges[2]})},
-                       {"cutoff", deck.potential().radius},
-                       {"largest_cutoff", 0.5 * start.box.shortest_edge()},
-                       {"steps", total_steps(deck.stages)},
-                       {"memory_bytes", forecast.memory_bytes},
-                       {"disk_bytes", forecast.disk_bytes},
-                       {"seconds", forecast.seconds}};
-    return to_json(json) + "\n";
+    return run;
 }
 
 /// Input of `ljmd export`: a deck and its start configuration, or that of a run and its last configuration.
@@ -128,9 +79,9 @@ Exportable end_of_run(const DeckOptions& options, Diagnostics& diagnostics) {
 Exportable start_of_deck(const DeckOptions& options, Diagnostics& diagnostics) {
     const Deck deck = load(options, diagnostics);
     refuse_bodies(deck);
-    CheckedFluid fluid = checked_fluid(deck, options, diagnostics);
+    CheckedRun fluid = checked(deck, options, diagnostics);
     FluidSystem simulation =
-        make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution, [&](const std::string& text) {
+        make_fluid(fluid_spec(deck, std::move(fluid.start.value())), fluid.execution, [&](const std::string& text) {
             if (!options.quiet) {
                 warn(text);
             }
@@ -197,15 +148,15 @@ void compare_bodies(const Deck& deck, const DeckOptions& options, const std::str
     }
 }
 
-void compare_fluid(const Deck& deck, CheckedFluid fluid, const DeckOptions& options, const CrosscheckOptions& compared,
+void compare_fluid(const Deck& deck, CheckedRun fluid, const DeckOptions& options, const CrosscheckOptions& compared,
                    const std::string& out) {
-    Progress progress(fluid.start.atoms, steps_before_crosscheck(deck), options.quiet);
+    Progress progress(fluid.atoms(), steps_before_crosscheck(deck), options.quiet);
     const auto say = [&](const std::string& text) {
         if (!options.quiet) {
             print_message(text + "\n");
         }
     };
-    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start)), fluid.execution,
+    FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start.value())), fluid.execution,
                                         [&](const std::string& text) { progress.warning(text); });
     const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
     if (!out.empty()) {
@@ -246,17 +197,14 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
     if (!out.empty()) {
         deck.directory = out;
     }
-    CheckedRun checked = checked_run(deck, options, diagnostics);
+    CheckedRun run = checked(deck, options, diagnostics);
     // Make the system before any file is touched: if that fails, an earlier run must not be lost.
     check_directory(deck, options.force);
-    Progress progress(checked.atoms(), total_steps(deck.stages), options.quiet);
-    AnySystem system = make_system(deck, std::move(checked.start), checked.execution,
+    Progress progress(run.atoms(), total_steps(deck.stages), options.quiet);
+    AnySystem system = make_system(deck, std::move(run.start), run.execution,
                                    [&](const std::string& text) { progress.warning(text); });
     install_stop_handlers();  // before this, nothing would be lost
-    RunLock lock(deck, options.force, warn);
-    control.has_begun = [&lock] { lock.has_begun(); };
-    print_document(run_deck(deck, system, progress, control), options.json);
-    lock.warn_if_moved();
+    print_document(run_in_locked_directory(deck, system, options.force, progress, control), options.json);
 }
 
 void resume_command(const ResumeOptions& options) {
@@ -287,13 +235,7 @@ void resume_command(const ResumeOptions& options) {
 void check_command(const DeckOptions& options) {
     Diagnostics diagnostics;
     const Deck deck = load(options, diagnostics);
-    const auto [start, execution] = checked_run(deck, options, diagnostics);
-    if (!start) {
-        print_document(few_body_check_report(deck), options.json);
-        return;
-    }
-    const Forecast cost = forecast(deck, *start, execution);
-    print_result(options.json ? check_json(deck, *start, cost) : check_report(deck, *start, cost));
+    print_document(check_report(deck, checked(deck, options, diagnostics)), options.json);
 }
 
 void compare_command(const DeckOptions& options, const CrosscheckOptions& compared, const std::string& out) {
@@ -316,7 +258,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
     }
     require_fluid(deck, fmt::format("{} is a few-body deck, which '{}' does not take; '--with gsl' compares it",
                                     deck.path, compared.with));
-    compare_fluid(deck, checked_fluid(deck, options, diagnostics), options, compared, out);
+    compare_fluid(deck, checked(deck, options, diagnostics), options, compared, out);
 }
 
 void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
@@ -347,8 +289,8 @@ void bench_command(const DeckOptions& options) {
     Diagnostics diagnostics;
     Deck deck = load(chosen, diagnostics);
     require_fluid(deck, "a few-body deck has no speed worth measuring: `ljmd bench` wants a fluid");
-    CheckedFluid fluid = checked_fluid(deck, chosen, diagnostics);
-    const BenchResult result = bench(std::move(deck), std::move(fluid.start), fluid.execution);
+    CheckedRun fluid = checked(deck, chosen, diagnostics);
+    const BenchResult result = bench(std::move(deck), std::move(fluid.start.value()), fluid.execution);
     print_result(options.json ? bench_json(result) : bench_report(result));
 }
 

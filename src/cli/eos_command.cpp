@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "ljmd/cli/commands.hpp"
-#include "ljmd/cli/equation_report.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
+#include "ljmd/reference/equation_report.hpp"
 
 namespace ljmd {
 

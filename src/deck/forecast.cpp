@@ -103,7 +103,7 @@ Forecast forecast(const Deck& deck, const Start& start, const Execution& executi
             execution.threads()};
 }
 
-std::string check_report(const Deck& deck, const Start& start, const Forecast& forecast) {
+Document check_report(const Deck& deck, const Start& start, const Forecast& forecast) {
     const Vec3& edges = start.box.edges();
     const double cutoff = deck.potential().radius;
     std::string text = fmt::format("{}: the deck is good. Nothing was run.\n", deck.path);
@@ -120,7 +120,16 @@ std::string check_report(const Deck& deck, const Start& start, const Forecast& f
     text += fmt::format("  disk      about {} in {}\n", bytes(forecast.disk_bytes), deck.directory.string());
     text += fmt::format("  time      about {} on this machine with {}, analyses not counted\n",
                         duration(forecast.seconds), in_words(forecast.threads));
-    return text;
+    return {{{"deck", deck.path},
+             {"atoms", start.atoms},
+             {"box_edges", Data::list({edges[0], edges[1], edges[2]})},
+             {"cutoff", cutoff},
+             {"largest_cutoff", 0.5 * start.box.shortest_edge()},
+             {"steps", total_steps(deck.stages)},
+             {"memory_bytes", forecast.memory_bytes},
+             {"disk_bytes", forecast.disk_bytes},
+             {"seconds", forecast.seconds}},
+            text};
 }
 
 }  // namespace ljmd

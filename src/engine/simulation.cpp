@@ -194,6 +194,16 @@ const std::vector<ThermoRow>& Simulation::samples() const {
     return parts().rows.all;
 }
 
+Thermodynamics Simulation::thermodynamics() const {
+    if (!samples().empty() && samples().back().step == state().step) {
+        return samples().back().values;
+    }
+    State copy = state();
+    PairForceField force_field = make_force_field(spec(), copy.execution());
+    const Evaluation evaluation = force_field.evaluate(copy, Request::forces_and_energy);
+    return ljmd::thermodynamics(copy, evaluation, parts().fluid.tail);
+}
+
 const std::vector<std::string>& Simulation::warnings() const {
     return parts().warnings;
 }

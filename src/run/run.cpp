@@ -5,6 +5,7 @@
 #include "ljmd/engine/fluid_measurement.hpp"
 #include "ljmd/run/directory_outputs.hpp"
 #include "ljmd/run/results.hpp"
+#include "ljmd/run/run_lock.hpp"
 
 namespace ljmd {
 
@@ -60,6 +61,15 @@ FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& lis
 Document run_deck(const Deck& deck, AnySystem& system, RunListener& listener, const RunControl& control) {
     return std::visit([&](auto& each) { return results_report(deck, run_deck(deck, each, listener, control)); },
                       system);
+}
+
+Document run_in_locked_directory(Deck& deck, AnySystem& system, bool replace, RunListener& listener,
+                                 RunControl control) {
+    RunLock lock(deck, replace, [&listener](const std::string& text) { listener.warning(text); });
+    control.has_begun = [&lock] { lock.has_begun(); };
+    Document report = run_deck(deck, system, listener, control);
+    lock.warn_if_moved();
+    return report;
 }
 
 }  // namespace ljmd

@@ -2,9 +2,9 @@
 
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/cli/commands.hpp"
-#include "ljmd/cli/equation_report.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/reference/equation_report.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;

@@ -35,7 +35,10 @@ TEST_CASE("any start can be told the cost of, also one that no crystal of the de
 TEST_CASE("the report of a check tells atoms, box, stages and cost") {
     const DeckFolder folder;
     const Deck deck = folder.load();
-    const std::string text = check_report(deck, find_start(deck), {2.5e9, 3.4e6, 5400.0, 1});
+    const Document report = check_report(deck, find_start(deck), {2.5e9, 3.4e6, 5400.0, 1});
+    const std::string& text = report.text;
+    CHECK(report.data["atoms"] == 108);
+    CHECK(report.data["seconds"] == 5400.0);
     CHECK_THAT(text, Catch::StartsWith(deck.path + ": the deck is good. Nothing was run.\n"));
     CHECK_THAT(text, Contains("atoms     108\n"));
     CHECK_THAT(text, Contains("5.12993 x 5.12993 x 5.12993 sigma^3, density 0.8 sigma^-3"));
@@ -44,8 +47,8 @@ TEST_CASE("the report of a check tells atoms, box, stages and cost") {
     CHECK_THAT(text, Contains("'production': 40 steps of 0.004 tau = 0.16 tau, sampled\n"));
     CHECK_THAT(text, Contains("about 2.5 GB") && Contains("about 3.4 MB in " + deck.directory.string()) &&
                          Contains("about 90 min on this machine with one thread,"));
-    const std::string small = check_report(deck, find_start(deck), {2.5e4, 999e3, 1.2, 4});
+    const std::string small = check_report(deck, find_start(deck), {2.5e4, 999e3, 1.2, 4}).text;
     CHECK_THAT(small, Contains("about 25 kB") && Contains("about 999 kB") &&
                           Contains("about 2 s on this machine with 4 threads,"));
-    CHECK_THAT(check_report(deck, find_start(deck), {1.0, 1.0, 9000.0, 1}), Contains("about 2.5 h"));
+    CHECK_THAT(check_report(deck, find_start(deck), {1.0, 1.0, 9000.0, 1}).text, Contains("about 2.5 h"));
 }

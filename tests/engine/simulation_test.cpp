@@ -305,3 +305,22 @@ TEST_CASE("a checkpoint needs the observers that it was written with") {
     CHECK_THROWS_AS(second.restore(first.checkpoint()), CheckpointError);
     CHECK_THROWS_WITH(Simulation(small_spec()).restore(first.checkpoint()), Contains("1 observers of the program"));
 }
+
+TEST_CASE("energy and pressure of a simulation are known at every step, and asking for them changes no bit") {
+    FluidSpec every = small_spec();
+    every.sample_every = 1;
+    Simulation sampled(every);
+    sampled.advance(7);
+    Simulation asked(small_spec());
+    asked.advance(7);
+    REQUIRE(asked.samples().back().step == 0);
+    const Thermodynamics there = asked.thermodynamics();
+    CHECK(there.potential_energy == Approx(sampled.samples().back().values.potential_energy).epsilon(1e-12));
+    CHECK(there.pressure.value() == Approx(sampled.samples().back().values.pressure.value()).epsilon(1e-10));
+    CHECK(sampled.thermodynamics().potential_energy == sampled.samples().back().values.potential_energy);
+    asked.advance(13);
+    CHECK(asked.thermodynamics().potential_energy == asked.samples().back().values.potential_energy);
+    Simulation undisturbed(small_spec());
+    undisturbed.advance(20);
+    check_same(asked, undisturbed);
+}

@@ -27,13 +27,14 @@ import lint
 WITHOUT_TEST = {
     "src/cli/main.cpp": "hands the command line over; the tests in tests/cli run the program",
     "src/forces/few_body/*.cpp": "plug-ins: the tests that loop over the registry try each",
+    "src/python/*.cpp": "the binding: tests/python tries it through the package",
     "src/integrators/methods/*.cpp": "plug-ins: the tests that loop over the registry try each",
 }
 
 TOP_LEVEL = {
     ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".git-blame-ignore-revs", ".gitignore", "CHANGELOG.md",
     "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "LICENSE", "README.md", "analysis", "cmake",
-    "docs", "include", "inputs", "src", "tests", "tools",
+    "docs", "include", "inputs", "pyproject.toml", "python", "src", "tests", "tools",
 }
 
 # Where tests/CMakeLists.txt looks for cases with the tag [long]: elsewhere they would be in no set.

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-
+#include "ljmd/core/document.hpp"
 #include "ljmd/deck/fluid.hpp"
 
 namespace ljmd {
@@ -18,7 +17,8 @@ struct Forecast {
 /// potential and pair search for about 0.3 seconds. The deck itself is not run and nothing is written.
 [[nodiscard]] Forecast forecast(const Deck& deck, const Start& start, const Execution& execution);
 
-/// The report of `ljmd check`.
-[[nodiscard]] std::string check_report(const Deck& deck, const Start& start, const Forecast& forecast);
+/// The report of `ljmd check` on a fluid. Data: deck, atoms, box_edges, cutoff, largest_cutoff, steps, memory_bytes,
+/// disk_bytes, seconds.
+[[nodiscard]] Document check_report(const Deck& deck, const Start& start, const Forecast& forecast);
 
 }  // namespace ljmd

@@ -64,6 +64,10 @@ class Simulation {
     /// All samples since the simulation was made or restored: of the start, with the first call of run() or advance(),
     /// and then every `sample_every` steps.
     [[nodiscard]] const std::vector<ThermoRow>& samples() const;
+    /// Energies per atom, temperature and pressure of the atoms as they are now: those of the last sample if it is of
+    /// this step. Otherwise the forces are evaluated on a copy, which takes as long as a step that rebuilds the list,
+    /// and changes nothing.
+    [[nodiscard]] Thermodynamics thermodynamics() const;
     /// Remarks on the start, for the user.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
 

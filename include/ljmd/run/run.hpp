@@ -38,4 +38,11 @@ FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& lis
 /// The same for a system of either kind. @return the report of its results
 Document run_deck(const Deck& deck, AnySystem& system, RunListener& listener, const RunControl& control = {});
 
+/// Lock the output directory of a deck, set an earlier run in it aside, and run the deck there. The earlier run is
+/// removed when the new one can be resumed, and put back when it fails before that.
+/// @param replace  accept an earlier run in the directory
+/// @pre check_directory() has accepted it  @throws InUseError, and as run_deck()
+Document run_in_locked_directory(Deck& deck, AnySystem& system, bool replace, RunListener& listener,
+                                 RunControl control = {});
+
 }  // namespace ljmd

@@ -1,4 +1,4 @@
-#include "ljmd/cli/equation_report.hpp"
+#include "ljmd/reference/equation_report.hpp"
 
 #include <fmt/format.h>
 
@@ -46,8 +46,8 @@ Coexistence coexistence_or_refusal(const EquationOfState& equation, double tempe
     auto found = coexistence(equation, temperature);
     if (!found) {
         throw InputError(
-            fmt::format("--temperature: {} is not below the critical temperature of {}, {:.6g}; above it "
-                        "there is one phase: give its --density",
+            fmt::format("temperature {} is not below the critical temperature of {}, {:.6g}; above it "
+                        "there is one phase: give its density",
                         temperature, equation.name, critical_point(equation).temperature));
     }
     return *found;

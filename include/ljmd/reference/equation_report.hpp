@@ -5,7 +5,7 @@
 
 namespace ljmd {
 
-// Reports of `ljmd eos`. In reduced units, energies per atom.
+// Reports on equations of state, as `ljmd eos` prints them. In reduced units, energies per atom.
 
 /// All equations of state: source, range, critical point.
 [[nodiscard]] Document equations_document();

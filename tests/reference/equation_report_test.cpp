@@ -1,4 +1,4 @@
-#include "ljmd/cli/equation_report.hpp"
+#include "ljmd/reference/equation_report.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,89 @@
+# The Python package `ljmd`: the extension ljmd/_core and the sources in python/ljmd, put together in
+# <build>/python/ljmd, so that it can be imported without being installed (tools/python).
+#
+# LJMD_BUILD_PYTHON: AUTO builds it where Python's and pybind11's headers are found, but not under a sanitizer or for
+# coverage, whose run-time library an ordinary Python does not have.
+set(LJMD_BUILD_PYTHON AUTO CACHE STRING "Build the Python package: ON, OFF, or AUTO for where it can be built")
+set_property(CACHE LJMD_BUILD_PYTHON PROPERTY STRINGS AUTO ON OFF)
+
+set(ljmd_python_wanted ${LJMD_BUILD_PYTHON})
+if(LJMD_BUILD_PYTHON STREQUAL AUTO AND (NOT PROJECT_IS_TOP_LEVEL OR CMAKE_CXX_FLAGS MATCHES "-fsanitize|--coverage"))
+    set(ljmd_python_wanted OFF)
+endif()
+
+# The Python of the analysis scripts: what has numpy has to be what the extension is compiled for.
+set(LJMD_PYTHON "" CACHE FILEPATH "Python with numpy, h5py and matplotlib; for the tests also with MDAnalysis and ASE")
+if(ljmd_python_wanted AND NOT LJMD_PYTHON)
+    execute_process(COMMAND ${PROJECT_SOURCE_DIR}/tools/find-python OUTPUT_VARIABLE found ERROR_QUIET
+                    OUTPUT_STRIP_TRAILING_WHITESPACE)
+    set_property(CACHE LJMD_PYTHON PROPERTY VALUE "${found}")
+endif()
+
+set(ljmd_build_python OFF)
+if(ljmd_python_wanted)
+    if(LJMD_PYTHON)
+        set(Python3_EXECUTABLE ${LJMD_PYTHON})
+    endif()
+    find_package(Python3 3.9 QUIET COMPONENTS Interpreter Development.Module)
+    set(PYBIND11_NOPYTHON ON)
+    find_package(pybind11 2.10 QUIET CONFIG)
+    if(Python3_FOUND AND pybind11_FOUND)
+        set(ljmd_build_python ON)
+        message(STATUS "The Python package is built for ${Python3_EXECUTABLE} (${Python3_VERSION})")
+    elseif(ljmd_python_wanted STREQUAL ON)
+        message(FATAL_ERROR "LJMD_BUILD_PYTHON wants the headers of Python 3.9 or later and of pybind11 2.10 or later")
+    else()
+        message(STATUS "The Python package is not built: it takes the headers of Python 3.9 and of pybind11 2.10")
+    endif()
+endif()
+
+# ljmd_for_extension(<target>...): their objects can be part of a shared library. They export nothing and nobody
+# replaces their functions, so that the compiler inlines and calls as it does for a program.
+function(ljmd_for_extension)
+    if(ljmd_build_python)
+        set_target_properties(${ARGN} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+                                                 VISIBILITY_INLINES_HIDDEN ON)
+        foreach(target IN LISTS ARGN)
+            target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang>:-fno-semantic-interposition>)
+        endforeach()
+    endif()
+endfunction()
+
+# Called when ljmd_library is there.
+function(ljmd_add_python_package)
+    set(package ${PROJECT_BINARY_DIR}/python/ljmd)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/python/*.cpp)
+    Python3_add_library(ljmd_python MODULE WITH_SOABI ${sources})
+    ljmd_compile_together(ljmd_python ${sources})
+    target_link_libraries(ljmd_python PRIVATE pybind11::headers ljmd_library ljmd_options fmt::fmt)
+    set_target_properties(ljmd_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package}
+                                                 CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    # What the archive exports would take the place of functions of other extensions, or give way to them.
+    if(NOT APPLE)
+        target_link_options(ljmd_python PRIVATE LINKER:--exclude-libs,ALL)
+    endif()
+
+    # Sources are links, so that a change of one takes effect at once.
+    file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/ljmd/*.py ${PROJECT_SOURCE_DIR}/python/ljmd/*.pyi
+                                        ${PROJECT_SOURCE_DIR}/python/ljmd/py.typed)
+    file(MAKE_DIRECTORY ${package})
+    foreach(module IN LISTS modules)
+        get_filename_component(name ${module} NAME)
+        file(CREATE_LINK ${module} ${package}/${name} COPY_ON_ERROR SYMBOLIC)
+    endforeach()
+
+    if(LJMD_INSTALL)
+        install(TARGETS ljmd_python DESTINATION ${LJMD_PYTHON_SITE}/ljmd COMPONENT python)
+        install(FILES ${modules} DESTINATION ${LJMD_PYTHON_SITE}/ljmd COMPONENT python)
+    endif()
+endfunction()
+
+# Where Python looks for packages, below the prefix: lib/python3.11/site-packages, on Debian .../dist-packages.
+if(ljmd_build_python AND NOT LJMD_PYTHON_SITE)
+    execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys, sysconfig
+site = sysconfig.get_path('platlib')
+site = site[len(sys.prefix):].lstrip('/') if site.startswith(sys.prefix) else 'lib/python3/site-packages'
+print(site[len('local/'):] if site.startswith('local/') else site, end='')"
+                    OUTPUT_VARIABLE site COMMAND_ERROR_IS_FATAL ANY)
+    set(LJMD_PYTHON_SITE ${site} CACHE STRING "Folder of Python packages below the prefix")
+endif()

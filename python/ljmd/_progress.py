@@ -1,0 +1,56 @@
+"""Progress of a run: tqdm's bar where it is installed, else one line on a terminal."""
+
+import contextlib
+import sys
+import time
+
+
+class _Line:
+    """Per cent and steps per second, in one line of the terminal."""
+
+    def __init__(self, total: int, first: int):
+        self.total, self.first, self.began, self.shown = total, first, time.monotonic(), 0.0
+
+    def __call__(self, step: int) -> None:
+        now = time.monotonic()
+        if now - self.shown > 0.2:
+            self.shown = now
+            rate = (step - self.first) / max(now - self.began, 1e-9)
+            sys.stderr.write(f"\r{100 * step / max(self.total, 1):3.0f} %  step {step}/{self.total}  {rate:.3g} steps/s   ")
+            sys.stderr.flush()
+
+    def close(self) -> None:
+        if self.shown:
+            sys.stderr.write("\n")
+
+
+class _Bar:
+    def __init__(self, bar):
+        self.bar = bar
+
+    def __call__(self, step: int) -> None:
+        self.bar.update(step - self.bar.n)
+
+    def close(self) -> None:
+        self.bar.close()
+
+
+@contextlib.contextmanager
+def shown(wanted, total: int, first: int = 0):
+    """What the engine calls with the number of steps done, or None. `wanted`: True, False, or a function of one's own."""
+    if callable(wanted) or not wanted:
+        yield wanted if callable(wanted) else None
+        return
+    try:
+        from tqdm.auto import tqdm
+        progress = _Bar(tqdm(total=total, initial=first, unit="step", leave=False))
+    except ImportError:
+        if not sys.stderr.isatty():
+            yield None
+            return
+        progress = _Line(total, first)
+    try:
+        yield progress
+        progress(total)
+    finally:
+        progress.close()

@@ -1,0 +1,50 @@
+"""Numbers with errors, tables of numbers, and HTML for notebooks."""
+
+import html
+import math
+
+import numpy as np
+
+
+def with_error(mean: float, error: float) -> str:
+    """'-6.0871 ± 0.0012': the error with two digits, the mean with as many decimals."""
+    if not math.isfinite(mean):
+        return "no value"
+    if not math.isfinite(error) or error <= 0:
+        return f"{mean:.6g}"
+    decimals = 1 - math.floor(math.log10(error))
+    if decimals > 12 or decimals < -12:
+        return f"{mean:.6g} ± {error:.1e}"
+    return f"{mean:.{max(decimals, 0)}f} ± {error:.{max(decimals, 0)}f}"
+
+
+def as_table(columns, numbers: np.ndarray):
+    """A pandas DataFrame; without pandas a NumPy structured array. Both give a column by its name."""
+    kinds = [np.int64 if name == "step" else np.float64 for name in columns]
+    try:
+        import pandas
+    except ImportError:
+        table = np.empty(len(numbers), dtype=list(zip(columns, kinds)))
+        for k, name in enumerate(columns):
+            table[name] = numbers[:, k]
+        return table
+    return pandas.DataFrame({name: numbers[:, k].astype(kind) for k, (name, kind) in enumerate(zip(columns, kinds))})
+
+
+def html_table(header, rows, caption: str = "") -> str:
+    """Cells are escaped; the first column is on the left, the others on the right."""
+
+    def row(tag, cells):
+        return "<tr>" + "".join(f'<{tag} style="text-align:{"left" if k == 0 else "right"}">{html.escape(str(cell))}</{tag}>'
+                                for k, cell in enumerate(cells)) + "</tr>"
+
+    title = f"<caption>{html.escape(caption)}</caption>" if caption else ""
+    return f"<table>{title}{row('th', header) if header else ''}{''.join(row('td', cells) for cells in rows)}</table>"
+
+
+def html_lines(lines) -> str:
+    return "".join(f"<div>{html.escape(str(line))}</div>" for line in lines)
+
+
+def html_pre(text: str) -> str:
+    return f"<pre>{html.escape(text)}</pre>"

@@ -1,0 +1,382 @@
+"""Decks: what a run does, read by the same reader as on the command line."""
+
+import copy
+import os
+
+from . import _check, _core, _toml
+from ._text import html_pre, html_table
+from .errors import InputError
+from .potentials import Pair
+from .results import Run
+from .simulation import Simulation
+
+
+class Table(dict):
+    """A table of a deck: a dict whose keys are attributes, too. `del` or None leaves a key to its default."""
+
+    def __getattr__(self, name):
+        try:
+            return self[name]
+        except KeyError:
+            raise AttributeError(f"no key {name!r} is set here; set are: {', '.join(self) or 'none'}") from None
+
+    def __setattr__(self, name, value):
+        self[name] = value
+
+    def __delattr__(self, name):
+        self.pop(name, None)
+
+    def __dir__(self):
+        return [*super().__dir__(), *self]
+
+
+class Stage(Table):
+    """Steps of one integrator, with at most one thermostat and one barostat: a [[stage]] of a deck.
+
+    name: for results and messages
+    steps: their number
+    time_step: in tau
+    temperature: that the thermostat holds [epsilon/k_B]; the deck's by default
+    thermostat, barostat: a name, or a table with its options: {"type": "langevin", "time": 0.5}
+    sample: whether observables are measured
+    reverse: whether the motion is reversed before the first step
+    options: of the integrator
+
+        Stage("production", 20000, sample=True)
+    """
+
+    def __init__(self, name: str, steps: int, *, time_step: float = 0.004, integrator: str = "velocity-verlet",
+                 temperature=None, thermostat=None, barostat=None, sample: bool = False, reverse: bool = False, **options):
+        super().__init__()
+        for key, value in {"name": name, "integrator": integrator, **options, "time_step": time_step, "steps": steps,
+                           "temperature": temperature, "thermostat": thermostat, "barostat": barostat}.items():
+            if value is not None:
+                self[key] = value
+        if sample:
+            self["sample"] = True
+        if reverse:
+            self["reverse"] = True
+
+    def __setitem__(self, key, value):
+        if key in ("thermostat", "barostat") and isinstance(value, str):
+            value = Table(type=value)
+        super().__setitem__(key, value)
+
+    def __reduce__(self):
+        return _stage_of, (dict(self),)
+
+    def __deepcopy__(self, memo):
+        return _stage_of(copy.deepcopy(dict(self), memo))
+
+    def __repr__(self) -> str:
+        rest = "".join(f", {key}={dict(value) if isinstance(value, dict) else value!r}" for key, value in self.items()
+                       if key not in ("name", "steps"))
+        return f"Stage({self.get('name')!r}, {self.get('steps')}{rest})"
+
+
+def _stage_of(table: dict) -> Stage:
+    stage = Stage.__new__(Stage)
+    stage.update(table)
+    return stage
+
+
+class Analyses(Table):
+    """What is measured in the sampled stages: `deck.analysis.rdf(bins=200)` asks for it, `del deck.analysis["rdf"]` does not."""
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+
+        def ask(**options):
+            self[name] = Table(options)
+
+        ask.__doc__ = f"Ask for the analysis {name!r}; its options are those of [analysis] in decks."
+        return ask
+
+    def __dir__(self):
+        return [*super().__dir__(), *_core.build()["analyses"]]
+
+
+ARGON = Table(sigma="3.405 angstrom", epsilon="119.8 K", mass="39.948 u")
+"""Argon as Verlet had it in 1967: with it results are given in SI units, too."""
+
+
+class Deck:
+    """What a run does: atoms, forces, stages, analyses and outputs.
+
+    A deck comes from a file (`Deck.load`), a text in TOML (`Deck.parse`) or keywords (`Deck.fluid`, `Deck.few_body`).
+    Its tables are attributes, `deck.system.density = 0.8`; docs/deck-reference.md lists all keys. `print(deck)` shows the
+    whole as TOML. Mistakes are found by `check()` and `run()`, all at once, each with its place.
+    """
+
+    __slots__ = ("_tables", "_origin", "_pair")
+
+    def __init__(self, tables: dict = None):
+        self._tables = {}
+        self._origin = None
+        self._pair = None
+        for name, value in (tables or {}).items():
+            self._put(name, value)
+
+    @classmethod
+    def load(cls, path, *, set: dict = None) -> "Deck":  # noqa: A002, the word of the command line
+        """The deck in a file. `set` replaces values as --set does: {"stage.production.steps": 500}.
+
+        Raises InputError for a file that cannot be read, or that is no TOML.
+        """
+        path = os.fspath(path)
+        return cls._read(path, _core.read_file(path), set)
+
+    @classmethod
+    def parse(cls, text: str, *, set: dict = None, name: str = "Deck") -> "Deck":  # noqa: A002
+        """The deck in a text. `name` stands before its lines in messages."""
+        return cls._read(name, text, set)
+
+    @classmethod
+    def _read(cls, name, text, changes):
+        settings = [f"{key}={_toml.literal(value)}" for key, value in (changes or {}).items()]
+        deck = cls(_core.parse(name, text, settings))
+        deck._origin = (name, text, settings, copy.deepcopy(deck._tables))
+        return deck
+
+    @classmethod
+    def fluid(cls, atoms: int = 864, density: float = 0.8442, temperature: float = 0.722, *, substance: dict = None,
+              lattice: str = "fcc", file=None, potential: str = "lennard-jones", cutoff: float = 2.5,
+              truncation: str = "cut", tail: bool = None, seed: int = 1, title: str = None, **parameters) -> "Deck":
+        """A fluid in a periodic box.
+
+        atoms, density, temperature: N, N/V [sigma^-3], T [epsilon/k_B]; also with a unit where there is a substance: "86 K"
+        substance: `ljmd.ARGON`, or a table with sigma, epsilon and mass
+        lattice: "fcc", "simple-cubic" or "random"
+        file: a configuration or the directory of a run to start from, instead of a lattice
+        potential, parameters: one of `ljmd.build()["potentials"]` and its parameters
+        cutoff: [sigma]
+        truncation: "cut", "shifted", "force-shifted" or "switched" (with switch_start=...)
+        tail: whether energy and pressure are corrected for what the truncation removes; True for "cut" and "switched"
+        seed: of all random numbers
+
+        The deck has no stages yet: `deck.stages = [ljmd.Stage(...), ...]`.
+        """
+        start = {"file": file} if file is not None else {"lattice": {"type": lattice, "atoms": atoms}, "density": density}
+        if tail is None and truncation in ("cut", "switched"):
+            tail = True
+        forces = {"type": potential, "cutoff": cutoff, "truncation": truncation, "tail": tail, **parameters}
+        return cls({"title": title, "argon": substance, "system": {**start, "temperature": temperature, "seed": seed},
+                    "potential": {key: value for key, value in forces.items() if value is not None}})
+
+    @classmethod
+    def few_body(cls, force: str, bodies: list, *, title: str = None, **options) -> "Deck":
+        """A few bodies without a box, in units of your own.
+
+        force: "newtonian-gravity", "pendulum", "radial-kepler" or "harmonic"; options are its keys
+        bodies: tables with mass, position and velocity
+
+            Deck.few_body("newtonian-gravity", [dict(mass=1.0, position=[1.0, 0.0], velocity=[0.0, 1.2])],
+                          gravitational_constant=1.0, central_mass=1.0)
+        """
+        return cls({"title": title, "force": {"type": force, **options}, "body": bodies})
+
+    def _put(self, name, value) -> None:
+        if name == "stage":
+            value = [stage if isinstance(stage, Stage) else _stage_of(stage) for stage in value]
+        elif name == "analysis":
+            value = Analyses({key: Table(options) for key, options in value.items()})
+        elif isinstance(value, dict):
+            value = Table({key: Table(each) if isinstance(each, dict) else each for key, each in value.items()})
+        elif isinstance(value, (list, tuple)):
+            value = [Table(each) if isinstance(each, dict) else each for each in value]
+        if value is None:
+            self._tables.pop(name, None)
+        else:
+            self._tables[name] = value
+
+    def __getitem__(self, name):
+        return self._tables[name]
+
+    @property
+    def title(self) -> str:
+        """One line about the run."""
+        return self._tables.get("title", "")
+
+    @title.setter
+    def title(self, text):
+        self._put("title", text)
+
+    @property
+    def stages(self) -> list:
+        """What is done, one stage after the other."""
+        return self._tables.setdefault("stage", [])
+
+    @stages.setter
+    def stages(self, stages):
+        if isinstance(stages, Stage):
+            stages = [stages]
+        if not all(isinstance(stage, dict) for stage in stages):
+            raise InputError("stages: a list of ljmd.Stage")
+        self._put("stage", stages)
+
+    @property
+    def bodies(self) -> list:
+        """Of a few-body deck: tables with mass, position, velocity."""
+        return self._tables.setdefault("body", [])
+
+    @bodies.setter
+    def bodies(self, bodies):
+        self._put("body", bodies)
+
+    @property
+    def potential(self):
+        """How pairs of atoms interact: a table, or an `ljmd.Pair`, a function of your own."""
+        return self._pair or self._table("potential")
+
+    @potential.setter
+    def potential(self, potential):
+        self._pair = potential if isinstance(potential, Pair) else None
+        self._put("potential", self._pair.stand_in if self._pair else potential)
+
+    def _table(self, name):
+        if name not in self._tables:
+            self._put(name, {})
+        return self._tables[name]
+
+    def set(self, key: str, value) -> "Deck":
+        """Replace one value as `--set key=value` does: deck.set("stage.production.steps", 500)."""
+        name, text, settings = self._source()
+        settings = [*settings, f"{key}={_toml.literal(value)}"]
+        changed = type(self)(_core.parse(name, text, settings))
+        self._tables, self._origin = changed._tables, (name, text, settings, copy.deepcopy(changed._tables))
+        return self
+
+    def copy(self) -> "Deck":
+        """A deck that can be changed without changing this one."""
+        return copy.deepcopy(self)
+
+    def __copy__(self):
+        return copy.deepcopy(self)
+
+    def __eq__(self, other):
+        return isinstance(other, Deck) and (self.text, self._pair) == (other.text, other._pair)
+
+    __hash__ = None
+
+    def _source(self):
+        """Name, text and settings for the reader: those of the file, unless the tables were changed in Python."""
+        if self._origin is not None:
+            name, text, settings, tables = self._origin
+            if _without_empty(self._tables) == _without_empty(tables):
+                return name, text, settings
+        return "Deck", _toml.dumps(self._tables), []
+
+    @property
+    def text(self) -> str:
+        """The deck as TOML."""
+        name, text, settings = self._source()
+        return _toml.dumps(self._tables) if settings else text
+
+    def save(self, path) -> None:
+        """Write the deck to a file, for the command line. Raises InputError with a pair potential of your own."""
+        if self._pair is not None:
+            raise InputError("a pair potential in Python cannot be written to a deck")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.text)
+
+    def _loaded(self, force: bool = False):
+        return _core.load(*self._source(), force)
+
+    def check(self, *, threads: int = None, simd: str = None, force: bool = False) -> "Check":
+        """Find all mistakes, and estimate memory, disk and time. Nothing is run.
+
+        Raises InputError with every mistake and its place. `force` accepts unlikely values.
+        """
+        data, text, warnings = _core.check(self._loaded(force), _check.threads_of(threads), simd or "")
+        return Check(data, text, warnings)
+
+    def run(self, directory=None, *, observables=(), threads: int = None, simd: str = None, progress=True,
+            replace: bool = False, force: bool = False, walltime=None) -> Run:
+        """Run all stages.
+
+        directory: where results, tables and checkpoints are written, so that the run can be resumed; None: nowhere
+        observables: measurements of your own, see `ljmd.observable`
+        threads: no result depends on it; OMP_NUM_THREADS or 1 by default
+        simd: instruction set of the kernels, one of `ljmd.build()["simd_levels"]`
+        progress: a bar; or a function that is called with the number of steps done, 20 times a second
+        replace: an earlier run in the directory
+        force: accept unlikely values
+        walltime: stop after that long with a checkpoint: seconds or "2h"; with a directory
+
+        Ctrl-C stops the run after a step; in a directory it writes a checkpoint first, see `ljmd.resume`.
+        Raises InputError, DataError, PhysicsError, InUseError, FileError, Interrupted (its wall time is over).
+        """
+        if directory is None:
+            if walltime is not None or replace:
+                raise InputError("walltime and replace are for a run with a directory")
+            simulation = Simulation(self, observables=observables, threads=threads, simd=simd, force=force)
+            return simulation.run(progress=progress)
+        if self._pair is not None:
+            raise InputError("a pair potential in Python runs in memory alone: run() without a directory")
+        return Run.in_directory(self._loaded(force), directory, observables=observables, threads=threads, simd=simd,
+                                progress=progress, replace=replace, walltime=walltime)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        what = f" {self.title!r}" if self.title else ""
+        return f"<ljmd.Deck{what}: {'; '.join(self._summary())}>"
+
+    def _summary(self) -> list:
+        parts = []
+        system = self._tables.get("system", {})
+        if system:
+            lattice = system.get("lattice", {})
+            parts.append(f"start {system['file']}" if "file" in system else
+                         f"{lattice.get('atoms', '')} {lattice.get('type', '')}".strip())
+            parts += [f"{name} {system[name]}" for name in ("density", "temperature") if name in system]
+        if self._pair is not None:
+            parts.append(f"pair potential {self._pair.name!r} of Python")
+        elif "potential" in self._tables:
+            forces = self._tables["potential"]
+            parts.append(f"{forces.get('type')} {forces.get('truncation')} at {forces.get('cutoff')}"
+                         f"{' with tail' if forces.get('tail') else ''}")
+        if "force" in self._tables:
+            parts.append(f"{len(self.bodies)} {'body' if len(self.bodies) == 1 else 'bodies'}, "
+                         f"{self._tables['force'].get('type')}")
+        parts += [f"{stage.get('name')} {stage.get('steps')}" for stage in self._tables.get("stage", [])] or ["no stages"]
+        return parts
+
+    def _repr_html_(self) -> str:
+        rows = [(part,) for part in self._summary()]
+        return html_table((), rows, self.title or "ljmd.Deck") + html_pre(self.text)
+
+
+def _without_empty(tables: dict) -> dict:
+    return {name: value for name, value in tables.items() if value != {} and value != []}
+
+
+def _property(name, meaning):
+    return property(lambda deck: deck._table(name), lambda deck, value: deck._put(name, value), None, meaning)
+
+
+for _name, _key, _meaning in [
+        ("system", "system", "Atoms and box: lattice or file, density, temperature, seed."),
+        ("neighbors", "neighbors", "How pairs are found."),
+        ("performance", "performance", "How forces are computed: precision."),
+        ("output", "output", "Files: thermo, trajectory, checkpoint."),
+        ("analysis", "analysis", "What is measured in the sampled stages: deck.analysis.rdf(bins=200)."),
+        ("substance", "argon", "A real substance, with sigma, epsilon and mass: adds SI units."),
+        ("force", "force", "Of a few-body deck.")]:
+    setattr(Deck, _name, _property(_key, _meaning))
+
+
+class Check:
+    """What `Deck.check()` found: `data` has atoms, box, memory, disk, seconds; `warnings` the remarks on the deck."""
+
+    def __init__(self, data: dict, text: str, warnings: list):
+        self.data, self.text = data, text
+        self.warnings = [warning.removeprefix("warning: ") for warning in warnings]
+
+    def __repr__(self) -> str:
+        return self.text + "".join(f"warning: {warning}\n" for warning in self.warnings)
+
+    def _repr_html_(self) -> str:
+        return html_pre(repr(self))

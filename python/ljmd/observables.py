@@ -1,0 +1,65 @@
+"""Observables of one's own, measured while a run goes on."""
+
+from . import _core
+from ._check import whole
+from .errors import InputError
+
+
+class observable:
+    """A measurement of your own: a function of a snapshot that returns one number.
+
+    It is called in the sampled stages, at steps that `every` divides, and its mean gets an error by blocking, as the
+    built-in ones. The snapshot has `step`, `time`, `atoms`, `edges`, and `positions`, `unwrapped`, `velocities`,
+    `forces` of shape (N, 3) in the order of the atoms' ids. With `energy=True` it also has `temperature`,
+    `potential_energy`, `kinetic_energy`, `total_energy` (per atom) and `pressure`. It is valid during the call.
+
+        @ljmd.observable(every=50, unit="sigma/tau")
+        def fastest(s):
+            return np.linalg.norm(s.velocities, axis=1).max()
+
+        run = deck.run(observables=[fastest])
+        run["fastest"]
+
+    Raises InputError when the function returns anything but a finite number; what the function raises ends the run.
+    """
+
+    def __init__(self, function=None, *, every: int = 10, unit: str = "", energy: bool = False, name: str = ""):
+        self.every = whole(every, "every", 1)
+        self.unit, self.energy, self.name = unit, bool(energy), name
+        self.function = None
+        if function is not None:
+            self(function)
+
+    def __call__(self, argument):
+        """Decorate a function; afterwards, call it."""
+        if self.function is not None:
+            return self.function(argument)
+        if not callable(argument):
+            raise InputError(f"an observable is a function of a snapshot, found {argument!r}")
+        self.function = argument
+        self.name = self.name or getattr(argument, "__name__", "observable")
+        self.__doc__ = argument.__doc__
+        return self
+
+    def __repr__(self) -> str:
+        return f"<ljmd.observable {self.name!r}: every {self.every} steps{', ' + self.unit if self.unit else ''}>"
+
+
+def described(observables) -> list:
+    """For the engine: (name, unit, function, every, energy) of each. Plain functions get the defaults."""
+    if callable(observables):
+        observables = [observables]
+    all_of = [each if isinstance(each, observable) else observable(each) for each in observables]
+    names = [each.name for each in all_of]
+    for each in all_of:
+        if each.function is None:
+            raise InputError("an observable without a function: write @ljmd.observable(...) above one")
+        if names.count(each.name) > 1:
+            raise InputError(f"two observables have the name {each.name!r}: give one of them another, name=...")
+        if each.name in BUILT_IN:
+            raise InputError(f"{each.name!r} is the name of a built-in observable: give yours another, name=...")
+    return [(each.name, each.unit, each.function, each.every, each.energy) for each in all_of]
+
+
+BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy", "pressure", "compressibility_factor",
+            "heat_capacity_cv", "density", *_core.build()["analyses"]}

@@ -1,0 +1,277 @@
+"""Results: observables with errors, tables, and the directories that hold them."""
+
+import difflib
+import io
+import json
+import math
+import pathlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from . import _check, _core, _progress
+from ._text import as_table, html_lines, html_table, with_error
+from .errors import DataError
+from .observables import described
+
+
+def _number(value) -> float:
+    return math.nan if value is None else float(value)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A mean with its standard error and its unit. NaN stands for what is not known."""
+
+    mean: float
+    error: float
+    unit: str
+
+    def __float__(self) -> float:
+        return self.mean
+
+    def __str__(self) -> str:
+        return f"{with_error(self.mean, self.error)} {self.unit}".rstrip()
+
+
+@dataclass(frozen=True)
+class Observable(Quantity):
+    """An observable of a run, in reduced units; `si` has it in SI units where the deck has a substance.
+
+    samples: of the series
+    independent_samples: its variance over the squared error
+    converged: False: the series is too short for its correlations, and the error is a guess
+    remark: why there is no value, or why to doubt it
+    data: all of it, as in results.json
+    """
+
+    name: str = ""
+    samples: int = 0
+    independent_samples: float = math.nan
+    converged: bool = True
+    remark: str = ""
+    si: Quantity = None
+    data: dict = field(default=None, repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        return f"<{self.name} = {self}{f' = {self.si}' if self.si else ''}>"
+
+    @classmethod
+    def of(cls, name: str, data: dict) -> "Observable":
+        si = data.get("si")
+        return cls(mean=_number(data.get("mean", data.get("value"))), error=_number(data.get("standard_error")),
+                   unit=data.get("unit", ""), name=name, samples=data.get("samples", 0),
+                   independent_samples=_number(data.get("independent_samples")),
+                   converged=data.get("error_is_converged", True), remark=data.get("remark", ""),
+                   si=Quantity(_number(si["mean"]), _number(si["standard_error"]), si["unit"]) if si else None, data=data)
+
+
+class Results(Mapping):
+    """Observables by name, `results["pressure"].mean`, and tables, `results.table("rdf")`."""
+
+    def __init__(self, data: dict, tables: dict):
+        self._data, self._tables = data, tables
+
+    @property
+    def data(self) -> dict:
+        """Everything but the tables, as in results.json."""
+        return self._data
+
+    @property
+    def warnings(self) -> list:
+        """Remarks on the results."""
+        return list(self.data.get("warnings", []))
+
+    def __getitem__(self, name: str) -> Observable:
+        observables = self.data.get("observables", {})
+        if name not in observables:
+            near = difflib.get_close_matches(str(name), observables, 1)
+            raise KeyError(f"no observable {name!r}; " + (f"did you mean {near[0]!r}?" if near else
+                                                          f"there are {', '.join(observables) or 'none'}"))
+        return Observable.of(name, observables[name])
+
+    def __iter__(self):
+        return iter(self.data.get("observables", {}))
+
+    def __len__(self) -> int:
+        return len(self.data.get("observables", {}))
+
+    @property
+    def tables(self) -> list:
+        """Names of the tables."""
+        return list(self._tables)
+
+    def table(self, name: str = None):
+        """A table as a pandas DataFrame, or as a NumPy structured array where there is no pandas.
+
+        Without a name: the only one. Raises KeyError naming all.
+        """
+        if name is None and len(self._tables) == 1:
+            name = self.tables[0]
+        if name not in self._tables:
+            raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
+        return as_table(*self._tables[name])
+
+    def _heading(self) -> str:
+        return self.data.get("title") or type(self).__name__
+
+    def _rows(self) -> list:
+        # Components of tensors are in `data`.
+        rows = []
+        for name, each in self.items():
+            if not name.startswith(("pressure_", "virial")):
+                mark = "" if each.converged and not each.remark else " *"
+                rows.append((name, with_error(each.mean, each.error) + mark, each.unit, str(each.si or "")))
+        return rows
+
+    def _remarks(self) -> list:
+        return [f"* {name}: {each.remark}" for name, each in self.items() if each.remark] + \
+               [f"warning: {warning}" for warning in self.warnings]
+
+    def __repr__(self) -> str:
+        rows = self._rows()
+        widths = [max((len(row[k]) for row in rows), default=0) for k in range(4)]
+        lines = ["  " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]
+        tables = [f"  tables: {', '.join(self._tables)}"] if self._tables else []
+        return "\n".join([self._heading(), *lines, *tables, *(f"  {remark}" for remark in self._remarks())])
+
+    def _repr_html_(self) -> str:
+        rows = self._rows()
+        header = ("", "mean ± standard error", "unit", "SI" if any(row[3] for row in rows) else "")
+        tables = [f"tables: {', '.join(self._tables)}"] if self._tables else []
+        return html_table(header, rows, self._heading()) + html_lines(tables + self._remarks())
+
+
+class _Files(Mapping):
+    """The tables in a directory, each read when it is asked for."""
+
+    def __init__(self, directory: pathlib.Path, names):
+        self.directory, self.names = directory, names
+
+    def __getitem__(self, name):
+        if name not in self.names:
+            raise KeyError(name)
+        return read_csv(self.directory / f"{name}.csv")
+
+    def __iter__(self):
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+
+def read_csv(path) -> tuple:
+    """(columns, array) of a table of ljmd; empty fields are NaN."""
+    try:
+        text = pathlib.Path(path).read_text(encoding="utf-8")
+        header, _, body = text.partition("\n")
+        columns = header.split(",")
+        while ",," in body:
+            body = body.replace(",,", ",nan,")
+        body = body.replace(",\n", ",nan\n")
+        numbers = np.loadtxt(io.StringIO(body), delimiter=",", ndmin=2) if body.strip() else np.empty((0, len(columns)))
+    except (OSError, ValueError) as error:
+        raise DataError(f"{path} cannot be read: {error}") from None
+    if numbers.shape[1] != len(columns):
+        raise DataError(f"{path} cannot be read: rows of {numbers.shape[1]} numbers below {len(columns)} names")
+    return columns, numbers
+
+
+class Run(Results):
+    """A run: its results, and the samples of its energies.
+
+    directory: where its files are; None: it was run in memory
+    """
+
+    def __init__(self, data: dict, tables: dict, thermo=None, directory=None, finished: bool = True):
+        super().__init__(data, tables)
+        self._thermo, self.directory, self.finished = thermo, directory, finished
+
+    @property
+    def thermo(self):
+        """Energies, temperature and pressure of all samples: a row each, with the columns of thermo.csv (docs/files.md)."""
+        return as_table(*(self._thermo if self._thermo is not None else read_csv(self.directory / "thermo.csv")))
+
+    @property
+    def stages(self) -> list:
+        """The stages with their steps, energy drift and checksums."""
+        return self.data.get("stages", [])
+
+    @property
+    def findings(self) -> dict:
+        """Of few bodies: what each analysis found, by its name."""
+        return {analysis: {name: Observable.of(name, each) for name, each in found.items()}
+                for analysis, found in self.data.get("analysis", {}).items()}
+
+    def trajectory(self, *, start: float = None, positions: str = None):
+        """Of a fluid with a directory: its trajectory, for `ljmd.Trajectory`'s analyses. Of few bodies: the table of it."""
+        if "trajectory" in self._tables:
+            return self.table("trajectory")
+        if self.directory is None:
+            raise DataError("a run in memory keeps no trajectory: give it a directory, and the deck output.trajectory")
+        from .trajectories import Trajectory
+        return Trajectory(_core.frames_of_run(self.directory, start, positions))
+
+    def _heading(self) -> str:
+        system = self.data.get("system", {})
+        what = [self.data.get("title"), f"{system['atoms']} atoms, density {system['density']:.6g}" if "atoms" in system else
+                f"{system.get('bodies', '')} bodies", str(self.directory) if self.directory else "in memory",
+                "" if self.finished else "not finished"]
+        return "ljmd run: " + "; ".join(filter(None, what))
+
+    def _rows(self) -> list:
+        rows = super()._rows()
+        return rows + [(f"{analysis}: {name}", with_error(each.mean, each.error), each.unit, "")
+                       for analysis, found in self.findings.items() for name, each in found.items()]
+
+    @classmethod
+    def open(cls, directory, observables: dict = None) -> "Run":
+        """See `ljmd.open`."""
+        directory = pathlib.Path(directory)
+        about, _ = _core.describe(directory)
+        data = {"title": about["title"]}
+        if about["finished"] and (directory / "results.json").exists():
+            data = json.loads((directory / "results.json").read_text(encoding="utf-8"))
+            data["observables"].update(observables or {})
+        names = [file["name"] for file in about["files"]]
+        tables = [name[:-4] for name in names if name.endswith(".csv") and name != "thermo.csv"]
+        return cls(data, _Files(directory, tables), None, directory, about["finished"])
+
+    @classmethod
+    def in_directory(cls, deck, directory, *, observables, threads, simd, progress, replace, walltime) -> "Run":
+        """See `Deck.run`."""
+        directory = pathlib.Path(directory)
+        functions = described(observables)
+        with _progress.shown(progress, deck.total_steps) as tell:
+            found = _core.run(deck, directory, _check.threads_of(threads), simd or "", replace,
+                              _check.seconds_of(walltime), functions, tell, _check.warn)
+        return cls.open(directory, found)
+
+
+def open_run(directory) -> Run:
+    """The run in a directory, of Python or of the command line. It may be unfinished: then it has no results yet.
+
+    Raises DataError when it is not the directory of a run.
+    """
+    return Run.open(directory)
+
+
+def resume(directory, *, steps: int = 0, observables=(), threads: int = None, progress=True, walltime=None) -> Run:
+    """Resume the run in a directory from its last checkpoint. It ends with the bits of a run that was not interrupted.
+
+    steps: to add to the last stage
+    observables: those that it was begun with, in the same order
+    threads: as many as before by default
+
+    Raises DataError, CheckpointError, InUseError; Interrupted and KeyboardInterrupt as `Deck.run`.
+    """
+    directory = pathlib.Path(directory)
+    about, _ = _core.describe(directory)
+    steps = _check.whole(steps, "steps", 0)
+    functions = described(observables)
+    first = about["checkpoint"]["step"] if about["checkpoint"] else 0
+    with _progress.shown(progress, about["total_steps"] + steps, first) as tell:
+        found = _core.resume(directory, steps, _check.threads_of(threads), _check.seconds_of(walltime), functions, tell,
+                             _check.warn)
+    return Run.open(directory, found)

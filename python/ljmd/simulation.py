@@ -1,0 +1,171 @@
+"""A run in memory, step by step."""
+
+import contextlib
+
+from . import _check, _core, _progress
+from .errors import InputError
+from .observables import described
+from .results import Run
+
+
+class Arrays:
+    """The memory of the atoms, without a copy: read-only arrays in the order of memory, which `ids` tells.
+
+    Valid in the block of `with sim.arrays()`. No step can be taken while one of the arrays is in use (BufferError).
+    """
+
+    def __init__(self, view):
+        self._view = view
+
+    def _get(self, name):
+        if self._view is None:
+            raise InputError("these arrays were those of a block that has ended")
+        return getattr(self._view, name)()
+
+    @property
+    def positions(self):
+        """Shape (N, 3) [sigma]; near the box, not wrapped into it."""
+        return self._get("positions")
+
+    @property
+    def velocities(self):
+        """Shape (N, 3) [sigma/tau]."""
+        return self._get("velocities")
+
+    @property
+    def forces(self):
+        """Shape (N, 3) [epsilon/sigma]."""
+        return self._get("forces")
+
+    @property
+    def masses(self):
+        """Shape (N,) [m]."""
+        return self._get("masses")
+
+    @property
+    def ids(self):
+        """Shape (N,): row k of the other arrays is the atom with id ids[k], from 0."""
+        return self._get("ids")
+
+
+class Simulation:
+    """A run in memory, step by step, with the bits of `ljmd run` on the same deck.
+
+        sim = ljmd.Simulation(deck, threads=2)
+        for _ in sim.steps(1000, every=100):
+            print(sim.time, sim.temperature, sim.potential_energy)
+
+    Arrays such as `sim.positions` are copies, shape (N, 3), in the order of the atoms' ids. `with sim.arrays() as a`
+    gives the memory itself. Everything is in reduced units, energies per atom.
+
+    observables, threads, simd, force: as in `Deck.run`. Raises InputError with all mistakes of the deck.
+    """
+
+    def __init__(self, deck, *, observables=(), threads: int = None, simd: str = None, force: bool = False):
+        pair = deck._pair
+        if pair is not None and pair.stand_in != {k: v for k, v in deck["potential"].items() if v is not None}:
+            raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
+        self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), simd or "",
+                                      pair._core if pair is not None else None, described(observables), _check.warn)
+        self._title = deck.title
+
+    def advance(self, steps: int, progress=False) -> None:
+        """Take some steps; fewer if the stages end before.
+
+        Ctrl-C raises KeyboardInterrupt between two steps, and the simulation can go on afterwards.
+        Raises PhysicsError when the run blows up, and what an observable raises: it can be looked at then, not continued.
+        """
+        steps = _check.whole(steps, "steps", 0)
+        with _progress.shown(progress, min(self.step + steps, self.total_steps), self.step) as tell:
+            self._core.advance(steps, tell)
+
+    def steps(self, count: int = None, every: int = 1):
+        """Take `count` steps, all that are left by default, and give control after each `every` of them.
+
+            for _ in sim.steps(1000, every=10): ...
+        """
+        every = _check.whole(every, "every", 1)
+        left = self.total_steps - self.step
+        return self._steps(left if count is None else min(left, _check.whole(count, "count", 0)), every)
+
+    def _steps(self, left, every):
+        advance = self._core.advance
+        while left > 0:
+            part = min(every, left)
+            advance(part, None)
+            left -= part
+            yield self
+
+    def run(self, progress=True) -> Run:
+        """Take all steps that are left, and return the results."""
+        with _progress.shown(progress, self.total_steps, self.step) as tell:
+            self._core.advance(max(self.total_steps - self.step, 0), tell)
+        return self.results()
+
+    def results(self) -> Run:
+        """The results so far."""
+        data, _ = self._core.report()
+        data["observables"].update(self._core.observables())
+        return Run(data, self._core.tables(), self._core.thermo(), None, self.finished)
+
+    @contextlib.contextmanager
+    def arrays(self):
+        """The memory of the atoms, see `Arrays`."""
+        arrays = Arrays(self._core.view())
+        try:
+            yield arrays
+        finally:
+            arrays._view = None
+
+    def checkpoint(self) -> bytes:
+        """Everything that the rest of the run depends on, observables included. For fluids."""
+        return self._core.checkpoint()
+
+    def restore(self, checkpoint: bytes) -> None:
+        """Continue from a checkpoint of a simulation of the same deck and observables; the rest has the same bits.
+
+        Raises CheckpointError for another deck, and for damaged bytes.
+        """
+        if not isinstance(checkpoint, (bytes, bytearray)):
+            raise InputError(f"a checkpoint is bytes, found {type(checkpoint).__name__}")
+        self._core.restore(bytes(checkpoint))
+
+    step = property(lambda self: self._core.step(), doc="Steps done since the start.")
+    total_steps = property(lambda self: self._core.total_steps(), doc="Steps of all stages.")
+    finished = property(lambda self: self._core.finished(), doc="Whether all steps are done.")
+    time = property(lambda self: self._core.time(), doc="Time [tau].")
+    stage = property(lambda self: self._core.stage(), doc="Name of the stage that the next step belongs to.")
+    atoms = property(lambda self: self._core.atoms(), doc="Number of atoms or bodies, N.")
+    edges = property(lambda self: self._core.edges(), doc="Edges of the box, shape (3,) [sigma]; None without a box.")
+    positions = property(lambda self: self._core.positions(), doc="In the box, by id: shape (N, 3) [sigma]. A copy.")
+    unwrapped = property(lambda self: self._core.unwrapped(),
+                         doc="Continuous in time, by id: shape (N, 3) [sigma]. A copy.")
+    velocities = property(lambda self: self._core.velocities(), doc="By id: shape (N, 3) [sigma/tau]. A copy.")
+    forces = property(lambda self: self._core.forces(), doc="By id: shape (N, 3) [epsilon/sigma]. A copy.")
+    masses = property(lambda self: self._core.masses(), doc="By id: shape (N,) [m]. A copy.")
+
+    def _energy(name, meaning):  # noqa: N805, makes properties
+        def get(self):
+            now = self._core.now()
+            if name not in now:
+                raise InputError(f"{name} is that of a fluid: this deck has few bodies")
+            return now[name]
+        return property(get, doc=meaning + " Known without a cost at the deck's samples (output.thermo.every); else forces "
+                                           "are evaluated once more.")
+
+    temperature = _energy("temperature", "Of the motion about the centre of mass [epsilon/k_B].")
+    potential_energy = _energy("potential_energy", "Per atom, of few bodies in total [epsilon].")
+    kinetic_energy = _energy("kinetic_energy", "Per atom, of few bodies in total [epsilon].")
+    total_energy = _energy("total_energy", "Per atom, of few bodies in total [epsilon].")
+    pressure = _energy("pressure", "[epsilon/sigma^3].")
+    density = _energy("density", "N/V [sigma^-3].")
+    del _energy
+
+    @property
+    def thermo(self):
+        """The samples so far, see `Run.thermo`."""
+        return self.results().thermo
+
+    def __repr__(self) -> str:
+        title = f" {self._title!r}" if self._title else ""
+        return f"<ljmd.Simulation{title}: {self.atoms} atoms, step {self.step} of {self.total_steps}, stage {self.stage!r}>"

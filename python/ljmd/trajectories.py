@@ -1,0 +1,62 @@
+"""Analyses of trajectories, of ljmd and of other programs."""
+
+import os
+
+from . import _core, _toml
+from .results import Results
+
+
+class Trajectory:
+    """The frames of a file, on which all analyses of ljmd work: `traj.rdf(bins=200).table()`.
+
+    Each analysis is a method, whose keywords are its options in decks; `every` counts frames. `analyze` does several.
+    """
+
+    def __init__(self, frames):
+        self._frames = frames
+        self._about = frames.summary()
+
+    path = property(lambda self: self._about["path"])
+    frames = property(lambda self: self._about["frames"], doc="Number of frames.")
+    atoms = property(lambda self: self._about["atoms"], doc="Number of atoms, N.")
+    edges = property(lambda self: self._about["edges"], doc="Of the box of the first frame [sigma].")
+    has_velocities = property(lambda self: self._about["has_velocities"])
+    spacing = property(lambda self: self._about["spacing"], doc="Time between frames, if it is the same for all [tau].")
+    times = property(lambda self: self._frames.times(), doc="Of the frames, shape (F,) [tau]; empty if the file has none.")
+
+    def analyze(self, *names: str, **options) -> Results:
+        """Several analyses in one pass: traj.analyze("rdf", "msd", rdf=dict(bins=200)). Without names those that fit."""
+        names = list(names) or self._frames.default_names()
+        settings = [f"analysis.{name}.{key}={_toml.literal(value)}"
+                    for name, each in options.items() for key, value in each.items()]
+        data, _, tables = self._frames.analyze(names, settings)
+        return Results({"title": f"{self.path}: {', '.join(names)}", **data}, tables)
+
+    def __getattr__(self, name):
+        if name not in _core.build()["analyses"]:
+            raise AttributeError(f"no analysis {name!r}; there are {', '.join(_core.build()['analyses'])}")
+        return lambda **options: self.analyze(name, **{name: options})
+
+    def __dir__(self):
+        return [*super().__dir__(), *_core.build()["analyses"]]
+
+    def __repr__(self) -> str:
+        return f"<ljmd.Trajectory {self.path!r}: {self.frames} frames of {self.atoms} atoms>"
+
+
+def trajectory(path, *, deck=None, start: float = None, time_step: float = None, positions: str = None, group: str = "",
+               xyz_comment: str = "", energies: bool = False) -> Trajectory:
+    """The trajectory in a file: H5MD, extended XYZ or LAMMPS dump, known by its content.
+
+    deck: for interaction and SI units
+    start: frames before this time are left out [tau]
+    time_step: between steps, for files that do not tell [tau]
+    positions: "wrapped" or "unwrapped", where neither the file nor the motion of the atoms tells
+    group: of an H5MD file with several groups of particles
+    xyz_comment: what the comment lines of an XYZ file lack: 'Lattice="20 0 0 0 20 0 0 0 20"'
+    energies: compute energies and pressures of the frames, too; takes a deck and velocities
+
+    Raises DataError for a file that cannot be used.
+    """
+    loaded = deck._loaded(True) if deck is not None else None
+    return Trajectory(_core.frames_of_file(os.fspath(path), loaded, energies, start, time_step, group, positions, xyz_comment))

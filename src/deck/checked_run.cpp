@@ -1,0 +1,30 @@
+#include "ljmd/deck/checked_run.hpp"
+
+#include <utility>
+
+#include "ljmd/deck/deck_execution.hpp"
+#include "ljmd/deck/few_body_check.hpp"
+#include "ljmd/deck/forecast.hpp"
+#include "ljmd/deck/start_sense.hpp"
+
+namespace ljmd {
+
+CheckedRun checked_run(const Deck& deck, int threads, const std::string& simd, Diagnostics& diagnostics) {
+    if (deck.kind() == DeckKind::few_body) {
+        return {std::nullopt, Execution()};
+    }
+    Start start = find_start(deck);
+    Execution execution(execution_options(deck, threads, simd));
+    if (start.configuration) {  // the box is known only now
+        check_start(deck, start, diagnostics);
+        diagnostics.throw_if_errors();
+    }
+    return {std::move(start), std::move(execution)};
+}
+
+Document check_report(const Deck& deck, const CheckedRun& run) {
+    return run.start ? check_report(deck, *run.start, forecast(deck, *run.start, run.execution))
+                     : few_body_check_report(deck);
+}
+
+}  // namespace ljmd

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "ljmd/run/interruption.hpp"
+#include "ljmd/run/run_listener.hpp"
+#include "values.hpp"
+
+namespace ljmd::python {
+
+/// Gives Python its turn while the engine computes without the interpreter's lock: every 50 ms signal handlers may run,
+/// as Python does in its main thread, and the progress is told. What they raise stops the run at the end of a step.
+class Attention : public RunListener {
+  public:
+    /// @param progress  called with the number of steps that are done; None: not called
+    /// @param warn      called with each warning of the run
+    Attention(py::object progress, py::object warn);
+
+    void step_done(Index step) override { step_ = step; }
+    void warning(const std::string& text) override;
+
+    /// Called after every step, without the lock. @return whether an exception was raised
+    bool look();
+
+    /// Keep an exception, to be raised at the end of the step. With the lock.
+    void keep(const py::error_already_set& error) { raised_ = error; }
+    [[nodiscard]] bool has_raised() const { return raised_.has_value(); }
+
+    /// Raise it, if there is one. With the lock. @param note  for the user; may be empty
+    void raise(const std::string& note = {});
+
+    /// Stops a run with a directory, after its checkpoint. @param walltime  [s]
+    [[nodiscard]] Interruption interruption(std::optional<double> walltime);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    py::object progress_;
+    py::object warn_;
+    Index step_ = 0;
+    int calls_ = 0;
+    int calls_between_looks_ = 1;  ///< at the clock
+    Clock::time_point last_look_ = Clock::now();
+    Clock::time_point last_turn_ = Clock::now();
+    std::optional<py::error_already_set> raised_;
+};
+
+}  // namespace ljmd::python

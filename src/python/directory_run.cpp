@@ -1,0 +1,122 @@
+#include "directory_run.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <utility>
+
+#include "attention.hpp"
+#include "errors.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/checked_run.hpp"
+#include "ljmd/deck/deck_system.hpp"
+#include "ljmd/run/directory_report.hpp"
+#include "ljmd/run/held_run.hpp"
+#include "ljmd/run/results.hpp"
+#include "ljmd/run/run.hpp"
+#include "ljmd/run/run_directory.hpp"
+#include "loaded_deck.hpp"
+#include "observer.hpp"
+
+namespace ljmd::python {
+
+namespace {
+
+void require_fluid_for(const PythonObservers& observers, const Deck& deck) {
+    if (!observers.empty()) {
+        require_fluid(deck, "observables in Python are for fluids: this deck has few bodies");
+    }
+}
+
+/// Do the work of a run without the interpreter's lock. Ctrl-C raises KeyboardInterrupt when the checkpoint is written.
+template <class Work>
+void run_freely(PythonObservers& observers, Attention& attention, const std::filesystem::path& directory,
+                const Work& work) {
+    observers.attend(&attention);
+    try {
+        const py::gil_scoped_release free;
+        work();
+    } catch (const Interrupted&) {
+        attention.raise(
+            fmt::format("the run has written a checkpoint; to go on: ljmd.resume(\"{}\")", directory.string()));
+        throw;  // its wall time is over
+    }
+    attention.raise();
+}
+
+/// Run a deck in a directory. @return its observables in Python, as in results.json
+py::object run(const LoadedDeck& loaded, const std::filesystem::path& directory, int threads, const std::string& simd,
+               bool replace, std::optional<double> walltime, const py::iterable& observables,
+               const py::object& progress, const py::object& warn) {
+    PythonObservers observers(observables);
+    Attention attention(progress, warn);
+    Deck deck = loaded.deck;
+    deck.directory = directory;
+    require_fluid_for(observers, deck);
+    run_freely(observers, attention, directory, [&] {
+        Diagnostics diagnostics = loaded.diagnostics;
+        CheckedRun checked = checked_run(deck, threads, simd, diagnostics);
+        for (const std::string& warning : warnings_of(diagnostics)) {
+            attention.warning(warning);
+        }
+        check_directory(deck, replace);
+        AnySystem system = make_system(deck, std::move(checked.start), checked.execution,
+                                       [&](const std::string& text) { attention.warning(text); });
+        run_in_locked_directory(deck, system, replace, attention,
+                                {.interruption = attention.interruption(walltime), .observers = observers.all()});
+    });
+    return to_python(observables_data(observers.averages(), deck.units));
+}
+
+/// Resume the run in a directory. @return its observables in Python, as in results.json
+py::object resume(const std::filesystem::path& directory, Index steps, int threads, std::optional<double> walltime,
+                  const py::iterable& observables, const py::object& progress, const py::object& warn) {
+    if (steps < 0) {
+        throw InputError(fmt::format("{} more steps: allowed are 0 and more", steps));
+    }
+    PythonObservers observers(observables);
+    Attention attention(progress, warn);
+    std::optional<SubstanceUnits> units;
+    run_freely(observers, attention, directory, [&] {
+        HeldRun held(directory, steps, threads, [&](const std::string& text) { attention.warning(text); });
+        require_fluid_for(observers, held.deck());
+        units = held.deck().units;
+        for (const std::string& warning : held.warnings()) {
+            attention.warning(warning);
+        }
+        const CheckpointHead& from = held.checkpoint();
+        AnySystem system = empty_system(held.deck(), from.atoms, from.edges, held.execution());
+        run_deck(held.deck(), system, attention,
+                 {.interruption = attention.interruption(walltime),
+                  .continuation = held.take(),
+                  .observers = observers.all()});
+        held.warn_if_moved();
+    });
+    return to_python(observables_data(observers.averages(), units));
+}
+
+/// "2h" in seconds. @throws InputError
+double seconds_of(const std::string& walltime) {
+    const auto seconds = parse_wall_time(walltime);
+    if (!seconds) {
+        throw InputError(fmt::format(
+            "walltime: '{}' is no wall time; allowed: a number > 0 with s, min, h or d, as in 90s or 2h", walltime));
+    }
+    return *seconds;
+}
+
+}  // namespace
+
+void bind_directory_runs(py::module_& module) {
+    module.def("run", &run, py::arg("deck"), py::arg("directory"), py::arg("threads"), py::arg("simd"),
+               py::arg("replace"), py::arg("walltime"), py::arg("observables"), py::arg("progress"), py::arg("warn"));
+    module.def("resume", &resume, py::arg("directory"), py::arg("steps"), py::arg("threads"), py::arg("walltime"),
+               py::arg("observables"), py::arg("progress"), py::arg("warn"));
+    module.def("seconds_of", &seconds_of, py::arg("walltime"));
+    module.def(
+        "describe", [](const std::filesystem::path& directory) { return to_python(directory_report(directory)); },
+        py::arg("directory"));
+}
+
+}  // namespace ljmd::python

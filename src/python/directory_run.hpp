@@ -1,0 +1,10 @@
+#pragma once
+
+#include "values.hpp"
+
+namespace ljmd::python {
+
+/// Runs with a directory, and what is in one.
+void bind_directory_runs(py::module_& module);
+
+}  // namespace ljmd::python

@@ -1,0 +1,171 @@
+#include "few_body_run.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/few_body_measurement.hpp"
+#include "ljmd/engine/run_outputs.hpp"
+#include "ljmd/engine/time_loop.hpp"
+#include "ljmd/run/results.hpp"
+
+namespace ljmd::python {
+
+namespace {
+
+constexpr std::array<char, 3> axes{'x', 'y', 'z'};
+
+/// Rows of thermo.csv and trajectory.csv, see FewBodyThermoCsv and TrajectoryCsv.
+class Rows : public RunOutputs {
+  public:
+    Rows(int dimensions, Index bodies, std::optional<Index> frames_every)
+        : dimensions_(dimensions), frames_every_(frames_every) {
+        thermo.name = "thermo";
+        thermo.columns = {"step", "time", "potential_energy", "kinetic_energy", "total_energy"};
+        for (int a = 0; a < dimensions; ++a) {
+            thermo.columns.push_back(fmt::format("momentum_{}", axes.at(static_cast<std::size_t>(a))));
+        }
+        for (int a = dimensions == 3 ? 0 : 2; dimensions > 1 && a < 3; ++a) {
+            thermo.columns.push_back(fmt::format("angular_momentum_{}", axes.at(static_cast<std::size_t>(a))));
+        }
+        trajectory.name = "trajectory";
+        trajectory.columns = {"step", "time"};
+        for (Index body = 1; body <= bodies; ++body) {
+            for (const char* prefix : {"", "v"}) {
+                for (int a = 0; a < dimensions; ++a) {
+                    trajectory.columns.push_back(
+                        fmt::format("{}{}{}", prefix, axes.at(static_cast<std::size_t>(a)), body));
+                }
+            }
+        }
+    }
+
+    using RunOutputs::row;
+    void row(const FewBodyRow& row) override {
+        std::vector<double> line{static_cast<double>(row.step), row.time, row.values.potential_energy,
+                                 row.values.kinetic_energy, row.values.total_energy};
+        line.insert(line.end(), row.values.momentum.data(), row.values.momentum.data() + dimensions_);
+        if (dimensions_ > 1) {
+            const Vec3& momentum = row.values.angular_momentum;
+            line.insert(line.end(), momentum.data() + (dimensions_ == 3 ? 0 : 2), momentum.data() + 3);
+        }
+        thermo.rows.push_back(std::move(line));
+    }
+
+    [[nodiscard]] bool frame_is_due(const State& state) const override {
+        return frames_every_ && state.step % *frames_every_ == 0;
+    }
+
+    void frame(const State& state, const std::optional<double>& /*angle*/) override {
+        if (!frames_every_) {
+            return;
+        }
+        std::vector<double> line{static_cast<double>(state.step), state.time};
+        const auto r = state.positions();
+        const auto v = state.velocities();
+        for (const Index i : state.index_of()) {
+            line.insert(line.end(), r.col(i).data(), r.col(i).data() + dimensions_);
+            line.insert(line.end(), v.col(i).data(), v.col(i).data() + dimensions_);
+        }
+        trajectory.rows.push_back(std::move(line));
+    }
+
+    DataTable thermo;
+    DataTable trajectory;
+
+  private:
+    int dimensions_;
+    std::optional<Index> frames_every_;
+};
+
+class FewBodyRun : public MemoryRun {
+  public:
+    explicit FewBodyRun(const Deck& deck)
+        : deck_(deck),
+          system_(make_few_body_system(deck)),
+          rows_(system_.dimensions, system_.state.count(),
+                deck.trajectory ? std::optional(deck.trajectory->every) : std::nullopt),
+          measurement_(deck_.stages, deck_.thermo_every, system_, rows_) {}
+
+    void advance(Index steps) override {
+        if (failed_) {
+            throw InputError("this simulation has failed: it can be looked at, but not be continued");
+        }
+        if (finished()) {
+            return;
+        }
+        failed_ = true;  // unless this comes to its end
+        const auto until = steps < steps_left() ? std::optional(system_.state.step + steps) : std::nullopt;
+        try {
+            position_ = run_stages(deck_.stages, system_.state, *system_.force_field, measurement_, position_,
+                                   std::nullopt, until);
+            if (finished()) {
+                measurement_.record_end();
+            }
+        } catch (...) {
+            system_.state.finish_kick();  // so that the state can be looked at
+            throw;
+        }
+        failed_ = false;
+    }
+
+    [[nodiscard]] bool finished() const override { return position_ && position_->stage == deck_.stages.size(); }
+    [[nodiscard]] const State& state() const override { return system_.state; }
+    [[nodiscard]] const std::vector<Stage>& stages() const override { return deck_.stages; }
+
+    [[nodiscard]] Data now() const override {
+        State copy = state();
+        const double potential_energy =
+            system_.force.options->make()->evaluate(copy, Request::forces_and_energy).potential_energy;
+        const FewBodyTotals totals = few_body_totals(copy, potential_energy);
+        const auto list = [](const Vec3& v) { return Data::list({v[0], v[1], v[2]}); };
+        return {{"potential_energy", totals.potential_energy},
+                {"kinetic_energy", totals.kinetic_energy},
+                {"total_energy", totals.total_energy},
+                {"momentum", list(totals.momentum)},
+                {"angular_momentum", list(totals.angular_momentum)}};
+    }
+
+    [[nodiscard]] Document report() const override { return results_report(deck_, result()); }
+
+    [[nodiscard]] std::vector<DataTable> tables() const override {
+        std::vector<DataTable> tables = result().tables;
+        if (!rows_.trajectory.rows.empty()) {
+            tables.push_back(rows_.trajectory);
+        }
+        return tables;
+    }
+
+    [[nodiscard]] DataTable thermo() const override { return rows_.thermo; }
+
+    void add(Observer& /*observer*/) override { refuse("observables in Python are"); }
+    [[nodiscard]] std::string checkpoint() const override { refuse("a checkpoint in memory is"); }
+    void restore(const std::string& /*checkpoint*/) override { refuse("a checkpoint in memory is"); }
+
+  private:
+    [[noreturn]] static void refuse(const std::string& what) {
+        throw InputError(fmt::format("{} for fluids: this deck has few bodies", what));
+    }
+
+    [[nodiscard]] FewBodyResult result() const {
+        return measurement_.result(position_ ? position_->seconds : LoopSeconds{});
+    }
+
+    Deck deck_;
+    FewBodySystem system_;
+    Rows rows_;
+    FewBodyMeasurement measurement_;
+    std::optional<LoopPosition> position_;  ///< empty until the first step
+    bool failed_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<MemoryRun> few_body_run(const Deck& deck) {
+    return std::make_unique<FewBodyRun>(deck);
+}
+
+}  // namespace ljmd::python

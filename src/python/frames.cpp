@@ -1,0 +1,138 @@
+#include "frames.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <utility>
+
+#include "ljmd/analyze/trajectory_analysis.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/deck/deck_system.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/run/results.hpp"
+#include "loaded_deck.hpp"
+
+namespace ljmd::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<Positions> positions_of(const std::optional<std::string>& said) {
+    if (!said) {
+        return std::nullopt;
+    }
+    if (*said != "wrapped" && *said != "unwrapped") {
+        throw InputError(fmt::format("positions: '{}' is neither 'wrapped' nor 'unwrapped'", *said));
+    }
+    return *said == "wrapped" ? Positions::wrapped : Positions::unwrapped;
+}
+
+/// A trajectory that has been read once.
+class FramesOfPython {
+  public:
+    /// @param deck  its deck, if one is known
+    FramesOfPython(const fs::path& path, std::optional<Deck> deck, bool is_run, bool thermo,
+                   const FrameOptions& options)
+        : deck_(std::move(deck)),
+          trajectory_(trajectory_to_analyze(path, deck_ ? &*deck_ : nullptr, is_run, thermo, options)) {}
+
+    [[nodiscard]] Data summary() const {
+        const TrajectorySummary& summary = trajectory_.summary;
+        return {{"path", trajectory_.path.string()},
+                {"frames", summary.frames},
+                {"frames_used", trajectory_.selection.used},
+                {"atoms", summary.atoms},
+                {"edges", Data::list({summary.edges[0], summary.edges[1], summary.edges[2]})},
+                {"has_velocities", summary.has_velocities},
+                {"spacing", trajectory_.selection.spacing},
+                {"warnings", summary.warnings}};
+    }
+
+    [[nodiscard]] std::vector<double> times() const { return trajectory_.summary.times; }
+
+    [[nodiscard]] std::vector<std::string> default_names() const {
+        return default_analyses(trajectory_.summary, trajectory_.selection);
+    }
+
+    /// (data, text, tables). @param settings  "analysis.rdf.bins=100"
+    [[nodiscard]] py::tuple analyze(const std::vector<std::string>& names,
+                                    const std::vector<std::string>& settings) const {
+        TrajectoryResult result;
+        Document report;
+        {
+            const py::gil_scoped_release free;
+            check_analysis_names(names);
+            const std::vector<FrameAnalysis> analyses =
+                make_frame_analyses(names, settings, trajectory_.deck, trajectory_.summary, trajectory_.selection);
+            result = analyze_trajectory(trajectory_, analyses);
+            for (DataTable& table : result.tables) {
+                table = with_si_columns(std::move(table), trajectory_.units());
+            }
+            report = trajectory_document(trajectory_, result);
+        }
+        return py::make_tuple(to_python(report.data), python_text(report.text), to_python(result.tables));
+    }
+
+  private:
+    std::optional<Deck> deck_;
+    AnalyzedTrajectory trajectory_;
+};
+
+FrameOptions options_of(std::optional<double> from, std::optional<double> time_step, std::string group,
+                        const std::optional<std::string>& positions, std::string xyz_comment) {
+    return {.from = from,
+            .time_step = time_step,
+            .group = std::move(group),
+            .positions = positions_of(positions),
+            .xyz_comment = std::move(xyz_comment)};
+}
+
+std::unique_ptr<FramesOfPython> frames_of_file(const fs::path& path, const LoadedDeck* loaded, bool thermo,
+                                               std::optional<double> from, std::optional<double> time_step,
+                                               std::string group, const std::optional<std::string>& positions,
+                                               std::string xyz_comment) {
+    std::optional<Deck> deck;
+    if (loaded != nullptr) {
+        deck = loaded->deck;
+        require_fluid(*deck, "this is a few-body deck: a trajectory of a fluid wants that of one");
+    }
+    const FrameOptions options = options_of(from, time_step, std::move(group), positions, std::move(xyz_comment));
+    const py::gil_scoped_release free;
+    return std::make_unique<FramesOfPython>(path, std::move(deck), false, thermo, options);
+}
+
+std::unique_ptr<FramesOfPython> frames_of_run(const fs::path& directory, std::optional<double> from,
+                                              const std::optional<std::string>& positions) {
+    const FrameOptions options = options_of(from, std::nullopt, "", positions, "");
+    const py::gil_scoped_release free;
+    Deck deck = recorded_run(directory).deck;
+    require_fluid(deck, "a few-body run has no box: its trajectory is a table");
+    if (!deck.trajectory) {
+        throw DataError(
+            fmt::format("{} has no trajectory: its deck has no 'trajectory' in [output]", directory.string()));
+    }
+    const fs::path path = directory / fmt::format("trajectory.{}", deck.trajectory->format);
+    return std::make_unique<FramesOfPython>(path, std::move(deck), true, false, options);
+}
+
+}  // namespace
+
+void bind_frames(py::module_& module) {
+    py::class_<FramesOfPython>(module, "Frames", "A trajectory that has been read once.")
+        .def("summary", [](const FramesOfPython& frames) { return to_python(frames.summary()); })
+        .def("times",
+             [](const FramesOfPython& frames) {
+                 const std::vector<double> times = frames.times();
+                 return py::array_t<double>(static_cast<py::ssize_t>(times.size()), times.data());
+             })
+        .def("default_names", &FramesOfPython::default_names)
+        .def("analyze", &FramesOfPython::analyze, py::arg("names"), py::arg("settings"));
+    module.def("frames_of_file", &frames_of_file, py::arg("path"), py::arg("deck"), py::arg("thermo"), py::arg("start"),
+               py::arg("time_step"), py::arg("group"), py::arg("positions"), py::arg("xyz_comment"));
+    module.def("frames_of_run", &frames_of_run, py::arg("directory"), py::arg("start"), py::arg("positions"));
+}
+
+}  // namespace ljmd::python

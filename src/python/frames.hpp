@@ -1,0 +1,10 @@
+#pragma once
+
+#include "values.hpp"
+
+namespace ljmd::python {
+
+/// The class Trajectory: analyses of the frames of a file.
+void bind_frames(py::module_& module);
+
+}  // namespace ljmd::python

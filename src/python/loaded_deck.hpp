@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ljmd/core/diagnostics.hpp"
+#include "ljmd/deck/deck.hpp"
+#include "values.hpp"
+
+namespace ljmd::python {
+
+/// A deck that was read without errors, with the warnings about it.
+struct LoadedDeck {
+    Deck deck;
+    Diagnostics diagnostics;
+};
+
+/// The warnings, as they are printed.
+[[nodiscard]] std::vector<std::string> warnings_of(const Diagnostics& diagnostics);
+
+/// Reading and checking decks.
+void bind_decks(py::module_& module);
+
+}  // namespace ljmd::python

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ljmd/core/document.hpp"
+#include "ljmd/deck/checked_run.hpp"
+#include "ljmd/deck/deck.hpp"
+#include "ljmd/engine/observer.hpp"
+#include "ljmd/model/state.hpp"
+#include "ljmd/observables/analysis.hpp"
+
+namespace ljmd::python {
+
+/// A run of a deck in memory, of a fluid or of few bodies, taken some steps at a time. It has the bits of the same deck
+/// run with a directory.
+class MemoryRun {
+  public:
+    virtual ~MemoryRun() = default;
+
+    /// Take some steps; fewer if the stages end before. The first call evaluates the start.
+    /// @throws as Simulation::advance()
+    virtual void advance(Index steps) = 0;
+
+    [[nodiscard]] virtual bool finished() const = 0;
+    [[nodiscard]] virtual const State& state() const = 0;
+    [[nodiscard]] virtual const std::vector<Stage>& stages() const = 0;
+    [[nodiscard]] Index steps_left() const { return total_steps(stages()) - state().step; }
+
+    /// Energies and what else results.json has of one moment, of the present one.
+    [[nodiscard]] virtual Data now() const = 0;
+
+    /// The results so far, as in results.json.
+    [[nodiscard]] virtual Document report() const = 0;
+    [[nodiscard]] virtual std::vector<DataTable> tables() const = 0;
+
+    /// The rows of thermo.csv so far. What is undefined is NaN.
+    [[nodiscard]] virtual DataTable thermo() const = 0;
+
+    /// Let an observer measure. @throws InputError for few bodies
+    virtual void add(Observer& observer) = 0;
+
+    // Of fluids, see Simulation. @throws InputError for few bodies
+    [[nodiscard]] virtual std::string checkpoint() const = 0;
+    virtual void restore(const std::string& checkpoint) = 0;
+
+  protected:
+    MemoryRun() = default;
+    MemoryRun(const MemoryRun&) = default;
+    MemoryRun& operator=(const MemoryRun&) = default;
+};
+
+/// @param potential  of a fluid, instead of the deck's; none: the deck's
+/// @param warn       receives remarks on the start
+/// @throws InputError, DataError, PhysicsError as make_fluid()
+[[nodiscard]] std::unique_ptr<MemoryRun> memory_run(const Deck& deck, CheckedRun checked,
+                                                    const std::optional<PairPotential>& potential,
+                                                    const std::function<void(const std::string&)>& warn);
+
+}  // namespace ljmd::python

@@ -1,0 +1,85 @@
+#include <pybind11/stl.h>
+
+#include "directory_run.hpp"
+#include "errors.hpp"
+#include "frames.hpp"
+#include "ljmd/core/build_info.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/registry.hpp"
+#include "ljmd/execution/simd.hpp"
+#include "ljmd/execution/threads.hpp"
+#include "ljmd/integrators/barostat.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/observables/analysis.hpp"
+#include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "ljmd/reference/equation_report.hpp"
+#include "loaded_deck.hpp"
+#include "observer.hpp"
+#include "pair.hpp"
+#include "simulation.hpp"
+
+namespace ljmd::python {
+
+namespace {
+
+/// Version, build, and what decks can select.
+py::dict build() {
+    const BuildInfo& info = build_info();
+    std::vector<std::string> levels;
+    for (const SimdLevel level : usable_simd_levels()) {
+        levels.emplace_back(name(level));
+    }
+    py::dict all;
+    all["version"] = info.version;
+    all["commit"] = info.commit;
+    all["compiler"] = info.compiler + " " + info.compiler_version;
+    all["build_type"] = info.build_type;
+    all["flags"] = info.flags;
+    all["simd"] = std::string(name(default_simd_level()));
+    all["simd_levels"] = levels;
+    all["threads"] = default_thread_count();
+    all["potentials"] = PairPotential::formula_names();
+    all["truncations"] = PairPotential::truncation_names();
+    all["integrators"] = plugin_names(all_integrators());
+    all["thermostats"] = plugin_names(all_thermostats());
+    all["barostats"] = plugin_names(all_barostats());
+    all["analyses"] = plugin_names(all_analyses());
+    all["few_body_analyses"] = plugin_names(all_few_body_analyses());
+    all["equations_of_state"] = plugin_names(all_equations_of_state());
+    return all;
+}
+
+void bind_equations(py::module_& module) {
+    module.def("equations", [] { return to_python(equations_document()); });
+    module.def(
+        "state",
+        [](const std::string& model, double temperature, double density) {
+            return to_python(state_document(equation_of_state(model), temperature, density));
+        },
+        py::arg("model"), py::arg("temperature"), py::arg("density"));
+    module.def(
+        "coexistence",
+        [](const std::string& model, double temperature) {
+            return to_python(coexistence_document(equation_of_state(model), temperature));
+        },
+        py::arg("model"), py::arg("temperature"));
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE: what the macro makes is pybind11's
+PYBIND11_MODULE(_core, module) {
+    module.doc() = "The engine of ljmd. The package `ljmd` is what programs use.";
+    translate_errors();
+    module.def("build", &build);
+    bind_decks(module);
+    bind_snapshot(module);
+    bind_pairs(module);
+    bind_simulation(module);
+    bind_directory_runs(module);
+    bind_frames(module);
+    bind_equations(module);
+}
+
+}  // namespace ljmd::python

@@ -1,0 +1,190 @@
+#include "observer.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd::python {
+
+namespace {
+
+/// A function that Ctrl-C meets in its first moments is called again, and the run stops after the step.
+constexpr std::chrono::milliseconds first_moments{100};
+
+/// A snapshot as Python sees it: during one call of a function.
+class SeenSnapshot {
+  public:
+    explicit SeenSnapshot(const Snapshot& snapshot) : snapshot_(&snapshot) {}
+
+    void end() { snapshot_ = nullptr; }
+
+    [[nodiscard]] const Snapshot& now() const {
+        if (snapshot_ == nullptr) {
+            throw InputError("this snapshot has passed: keep copies of its arrays and numbers, not the snapshot");
+        }
+        return *snapshot_;
+    }
+
+    [[nodiscard]] const Thermodynamics& energies() const {
+        const Snapshot& snapshot = now();
+        try {
+            return snapshot.thermodynamics();
+        } catch (const InputError&) {
+            throw InputError(
+                "this snapshot has no energy and pressure: ask for them with @ljmd.observable(energy=True)");
+        }
+    }
+
+  private:
+    const Snapshot* snapshot_;
+};
+
+/// Ends a snapshot however its function returns.
+class Moment {
+  public:
+    explicit Moment(const Snapshot& snapshot) : seen_(std::make_shared<SeenSnapshot>(snapshot)) {}
+    ~Moment() { seen_->end(); }
+    Moment(const Moment&) = delete;
+    Moment& operator=(const Moment&) = delete;
+
+    [[nodiscard]] const std::shared_ptr<SeenSnapshot>& seen() const { return seen_; }
+
+  private:
+    std::shared_ptr<SeenSnapshot> seen_;
+};
+
+/// A number of Python or NumPy; nothing for anything else, also for text with a number.
+std::optional<double> as_number(const py::object& value) {
+    if (PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0 || value.is_none()) {
+        return std::nullopt;
+    }
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (number == -1.0 && PyErr_Occurred() != nullptr) {
+        PyErr_Clear();
+        return std::nullopt;
+    }
+    return number;
+}
+
+}  // namespace
+
+PythonObserver::PythonObserver(std::string name, std::string unit, py::object function, Index every, bool energy)
+    : name_(std::move(name)), unit_(std::move(unit)), function_(std::move(function)), every_(every), energy_(energy) {}
+
+double PythonObserver::call(const Snapshot& snapshot) const {
+    const Moment moment(snapshot);
+    const py::object value = function_(moment.seen());
+    const std::optional<double> number = as_number(value);
+    if (!number) {
+        throw InputError(fmt::format("observable '{}' returned {} at step {}: it returns one number", name_,
+                                     std::string(py::str(py::type::of(value).attr("__name__"))), snapshot.step()));
+    }
+    if (!std::isfinite(*number)) {
+        throw InputError(fmt::format("observable '{}' is {} at step {}", name_, *number, snapshot.step()));
+    }
+    return *number;
+}
+
+double PythonObserver::measured(const Snapshot& snapshot) const {
+    const auto began = std::chrono::steady_clock::now();
+    try {
+        return call(snapshot);
+    } catch (const py::error_already_set& error) {
+        const bool soon = std::chrono::steady_clock::now() - began < first_moments;
+        if (!soon || attention_ == nullptr || attention_->has_raised() || !error.matches(PyExc_KeyboardInterrupt)) {
+            throw;
+        }
+        attention_->keep(error);
+    }
+    return call(snapshot);
+}
+
+void PythonObserver::sample(const Snapshot& snapshot) {
+    const py::gil_scoped_acquire lock;
+    series_.add(Eigen::VectorXd::Constant(1, measured(snapshot)));
+}
+
+ObservableAverage PythonObserver::average() const {
+    ObservableAverage average{name_, name_, unit_, std::nullopt};
+    if (series_.samples() > 0) {
+        average.estimate = series_.estimate(0);
+    } else {
+        average.remark = "it was not measured: no step of a sampled stage was one of its";
+    }
+    return average;
+}
+
+PythonObservers::PythonObservers(const py::iterable& described) {
+    for (const py::handle each : described) {
+        const auto [name, unit, function, every, energy] =
+            each.cast<std::tuple<std::string, std::string, py::object, Index, bool>>();
+        observers_.push_back(std::make_unique<PythonObserver>(name, unit, function, every, energy));
+    }
+}
+
+void PythonObservers::attend(Attention* attention) {
+    for (const auto& observer : observers_) {
+        observer->attend(attention);
+    }
+}
+
+std::vector<Observer*> PythonObservers::all() const {
+    std::vector<Observer*> all;
+    for (const auto& observer : observers_) {
+        all.push_back(observer.get());
+    }
+    return all;
+}
+
+std::vector<ObservableAverage> PythonObservers::averages() const {
+    std::vector<ObservableAverage> averages;
+    for (const auto& observer : observers_) {
+        averages.push_back(observer->average());
+    }
+    return averages;
+}
+
+void bind_snapshot(py::module_& module) {
+    using Seen = const SeenSnapshot&;
+    py::class_<SeenSnapshot, std::shared_ptr<SeenSnapshot>>(
+        module, "Snapshot", "The atoms at one step, as a function of an observable sees them. Valid during its call.")
+        .def_property_readonly(
+            "step", [](Seen s) { return s.now().step(); }, "number of the step")
+        .def_property_readonly(
+            "time", [](Seen s) { return s.now().time(); }, "time [tau]")
+        .def_property_readonly(
+            "atoms", [](Seen s) { return s.now().atoms(); }, "number of atoms, N")
+        .def_property_readonly(
+            "edges", [](Seen s) { return to_python(Vec3(s.now().edges())); }, "edges of the box, shape (3,) [sigma]")
+        .def_property_readonly(
+            "positions", [](Seen s) { return to_python(s.now().positions()); },
+            "in the box, by id: shape (N, 3) [sigma]. A copy.")
+        .def_property_readonly(
+            "unwrapped", [](Seen s) { return to_python(s.now().unwrapped()); },
+            "continuous in time, by id: shape (N, 3) [sigma]. A copy.")
+        .def_property_readonly(
+            "velocities", [](Seen s) { return to_python(s.now().velocities()); },
+            "by id: shape (N, 3) [sigma/tau]. A copy.")
+        .def_property_readonly(
+            "forces", [](Seen s) { return to_python(s.now().forces()); },
+            "by id: shape (N, 3) [epsilon/sigma]. A copy.")
+        .def_property_readonly(
+            "temperature", [](Seen s) { return s.energies().temperature; },
+            "of the motion about the centre of mass [epsilon/k_B]; takes energy=True")
+        .def_property_readonly(
+            "potential_energy", [](Seen s) { return s.energies().potential_energy; },
+            "per atom [epsilon]; takes energy=True")
+        .def_property_readonly(
+            "kinetic_energy", [](Seen s) { return s.energies().kinetic_energy; },
+            "per atom [epsilon]; takes energy=True")
+        .def_property_readonly(
+            "total_energy", [](Seen s) { return s.energies().total_energy; }, "per atom [epsilon]; takes energy=True")
+        .def_property_readonly(
+            "pressure", [](Seen s) { return s.energies().pressure; }, "[epsilon/sigma^3]; takes energy=True");
+}
+
+}  // namespace ljmd::python
