@@ -1,6 +1,10 @@
 """Checks of arguments that several functions share."""
 
+from __future__ import annotations
+
 import operator
+import os
+import pathlib
 import warnings
 
 from . import _core
@@ -24,6 +28,12 @@ def whole(value, name: str, least: int) -> int:
     return number
 
 
+def directory_of(path) -> pathlib.Path:
+    if os.fspath(path) == "":  # pathlib would take it for the working directory
+        raise InputError("the name of the directory is empty")
+    return pathlib.Path(path)
+
+
 def seconds_of(walltime):
     """Seconds, or a text like "2h"; None: no limit."""
     if walltime is None:
@@ -36,4 +46,4 @@ def seconds_of(walltime):
 
 
 def warn(text: str) -> None:
-    warnings.warn(text.removeprefix("warning: "), RunWarning, stacklevel=3)
+    warnings.warn(text.removeprefix("warning: ").rstrip(), RunWarning, stacklevel=3)

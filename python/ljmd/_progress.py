@@ -1,5 +1,7 @@
 """Progress of a run: tqdm's bar where it is installed, else one line on a terminal."""
 
+from __future__ import annotations
+
 import contextlib
 import sys
 import time
@@ -42,8 +44,8 @@ def shown(wanted, total: int, first: int = 0):
         yield wanted if callable(wanted) else None
         return
     try:
-        from tqdm.auto import tqdm
-        progress = _Bar(tqdm(total=total, initial=first, unit="step", leave=False))
+        from tqdm.auto import tqdm  # type: ignore
+        progress: _Bar | _Line = _Bar(tqdm(total=total, initial=first, unit="step", leave=False))
     except ImportError:
         if not sys.stderr.isatty():
             yield None

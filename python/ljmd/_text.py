@@ -1,5 +1,7 @@
 """Numbers with errors, tables of numbers, and HTML for notebooks."""
 
+from __future__ import annotations
+
 import html
 import math
 
@@ -22,7 +24,7 @@ def as_table(columns, numbers: np.ndarray):
     """A pandas DataFrame; without pandas a NumPy structured array. Both give a column by its name."""
     kinds = [np.int64 if name == "step" else np.float64 for name in columns]
     try:
-        import pandas
+        import pandas  # type: ignore
     except ImportError:
         table = np.empty(len(numbers), dtype=list(zip(columns, kinds)))
         for k, name in enumerate(columns):

@@ -1,5 +1,7 @@
 """Writing decks: tables of plain values as TOML."""
 
+from __future__ import annotations
+
 import os
 
 from .errors import InputError

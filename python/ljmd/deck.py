@@ -1,5 +1,7 @@
 """Decks: what a run does, read by the same reader as on the command line."""
 
+from __future__ import annotations
+
 import copy
 import os
 
@@ -111,15 +113,15 @@ class Deck:
 
     __slots__ = ("_tables", "_origin", "_pair")
 
-    def __init__(self, tables: dict = None):
-        self._tables = {}
-        self._origin = None
-        self._pair = None
+    def __init__(self, tables: dict | None = None):
+        self._tables: dict = {}
+        self._origin: tuple | None = None  # name, text, settings and tables of what was read
+        self._pair: Pair | None = None
         for name, value in (tables or {}).items():
             self._put(name, value)
 
     @classmethod
-    def load(cls, path, *, set: dict = None) -> "Deck":  # noqa: A002, the word of the command line
+    def load(cls, path, *, set: dict | None = None) -> "Deck":  # noqa: A002, the word of the command line
         """The deck in a file. `set` replaces values as --set does: {"stage.production.steps": 500}.
 
         Raises InputError for a file that cannot be read, or that is no TOML.
@@ -128,7 +130,7 @@ class Deck:
         return cls._read(path, _core.read_file(path), set)
 
     @classmethod
-    def parse(cls, text: str, *, set: dict = None, name: str = "Deck") -> "Deck":  # noqa: A002
+    def parse(cls, text: str, *, set: dict | None = None, name: str = "Deck") -> "Deck":  # noqa: A002
         """The deck in a text. `name` stands before its lines in messages."""
         return cls._read(name, text, set)
 
@@ -140,9 +142,9 @@ class Deck:
         return deck
 
     @classmethod
-    def fluid(cls, atoms: int = 864, density: float = 0.8442, temperature: float = 0.722, *, substance: dict = None,
+    def fluid(cls, atoms: int = 864, density: float = 0.8442, temperature: float = 0.722, *, substance: dict | None = None,
               lattice: str = "fcc", file=None, potential: str = "lennard-jones", cutoff: float = 2.5,
-              truncation: str = "cut", tail: bool = None, seed: int = 1, title: str = None, **parameters) -> "Deck":
+              truncation: str = "cut", tail: bool | None = None, seed: int = 1, title: str | None = None, **parameters) -> "Deck":
         """A fluid in a periodic box.
 
         atoms, density, temperature: N, N/V [sigma^-3], T [epsilon/k_B]; also with a unit where there is a substance: "86 K"
@@ -165,7 +167,7 @@ class Deck:
                     "potential": {key: value for key, value in forces.items() if value is not None}})
 
     @classmethod
-    def few_body(cls, force: str, bodies: list, *, title: str = None, **options) -> "Deck":
+    def few_body(cls, force: str, bodies: list, *, title: str | None = None, **options) -> "Deck":
         """A few bodies without a box, in units of your own.
 
         force: "newtonian-gravity", "pendulum", "radial-kepler" or "harmonic"; options are its keys
@@ -257,9 +259,9 @@ class Deck:
     def __eq__(self, other):
         return isinstance(other, Deck) and (self.text, self._pair) == (other.text, other._pair)
 
-    __hash__ = None
+    __hash__ = None  # type: ignore
 
-    def _source(self):
+    def _source(self) -> tuple:
         """Name, text and settings for the reader: those of the file, unless the tables were changed in Python."""
         if self._origin is not None:
             name, text, settings, tables = self._origin
@@ -281,9 +283,10 @@ class Deck:
             file.write(self.text)
 
     def _loaded(self, force: bool = False):
-        return _core.load(*self._source(), force)
+        name, text, settings = self._source()
+        return _core.load(name, text, settings, force)
 
-    def check(self, *, threads: int = None, simd: str = None, force: bool = False) -> "Check":
+    def check(self, *, threads: int | None = None, simd: str | None = None, force: bool = False) -> "Check":
         """Find all mistakes, and estimate memory, disk and time. Nothing is run.
 
         Raises InputError with every mistake and its place. `force` accepts unlikely values.
@@ -291,7 +294,7 @@ class Deck:
         data, text, warnings = _core.check(self._loaded(force), _check.threads_of(threads), simd or "")
         return Check(data, text, warnings)
 
-    def run(self, directory=None, *, observables=(), threads: int = None, simd: str = None, progress=True,
+    def run(self, directory=None, *, observables=(), threads: int | None = None, simd: str | None = None, progress=True,
             replace: bool = False, force: bool = False, walltime=None) -> Run:
         """Run all stages.
 
@@ -373,7 +376,7 @@ class Check:
 
     def __init__(self, data: dict, text: str, warnings: list):
         self.data, self.text = data, text
-        self.warnings = [warning.removeprefix("warning: ") for warning in warnings]
+        self.warnings = [warning.removeprefix("warning: ").rstrip() for warning in warnings]
 
     def __repr__(self) -> str:
         return self.text + "".join(f"warning: {warning}\n" for warning in self.warnings)

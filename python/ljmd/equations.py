@@ -1,5 +1,7 @@
 """Equations of state of the Lennard-Jones fluid."""
 
+from __future__ import annotations
+
 import numpy as np
 
 from . import _check, _core

@@ -1,5 +1,7 @@
 """Observables of one's own, measured while a run goes on."""
 
+from __future__ import annotations
+
 from . import _core
 from ._check import whole
 from .errors import InputError

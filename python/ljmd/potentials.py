@@ -1,5 +1,7 @@
 """Pair potentials of one's own, computed in Python once and then by a table in C++."""
 
+from __future__ import annotations
+
 import numpy as np
 
 from . import _core
@@ -62,7 +64,7 @@ class Pair:
                 f"r = {first:g}, error of u {self.error:.0e}, of the force {self.force_error:.0e}>")
 
 
-def pair(function=None, *, cutoff: float, truncation: str, name: str = "", switch_start: float = None, start: float = None,
+def pair(function=None, *, cutoff: float, truncation: str, name: str = "", switch_start: float | None = None, start: float | None = None,
          error: float = 1e-9):
     """A pair potential of your own: `deck.potential = ljmd.pair(lambda r: 4*(r**-9 - r**-6), cutoff=2.5, truncation="shifted")`.
 

@@ -1,5 +1,7 @@
 """Results: observables with errors, tables, and the directories that hold them."""
 
+from __future__ import annotations
+
 import difflib
 import io
 import json
@@ -18,6 +20,11 @@ from .observables import described
 
 def _number(value) -> float:
     return math.nan if value is None else float(value)
+
+
+def _is_component(name: str) -> bool:
+    """Whether only `data` has it, and no table: components of the pressure, the virial."""
+    return name.startswith(("pressure_", "virial"))
 
 
 @dataclass(frozen=True)
@@ -51,8 +58,8 @@ class Observable(Quantity):
     independent_samples: float = math.nan
     converged: bool = True
     remark: str = ""
-    si: Quantity = None
-    data: dict = field(default=None, repr=False, compare=False)
+    si: Quantity | None = None
+    data: dict = field(default_factory=dict, repr=False, compare=False)
 
     def __repr__(self) -> str:
         return f"<{self.name} = {self}{f' = {self.si}' if self.si else ''}>"
@@ -70,7 +77,7 @@ class Observable(Quantity):
 class Results(Mapping):
     """Observables by name, `results["pressure"].mean`, and tables, `results.table("rdf")`."""
 
-    def __init__(self, data: dict, tables: dict):
+    def __init__(self, data: dict, tables: Mapping):
         self._data, self._tables = data, tables
 
     @property
@@ -102,7 +109,7 @@ class Results(Mapping):
         """Names of the tables."""
         return list(self._tables)
 
-    def table(self, name: str = None):
+    def table(self, name: str | None = None):
         """A table as a pandas DataFrame, or as a NumPy structured array where there is no pandas.
 
         Without a name: the only one. Raises KeyError naming all.
@@ -117,16 +124,15 @@ class Results(Mapping):
         return self.data.get("title") or type(self).__name__
 
     def _rows(self) -> list:
-        # Components of tensors are in `data`.
         rows = []
         for name, each in self.items():
-            if not name.startswith(("pressure_", "virial")):
+            if not _is_component(name):
                 mark = "" if each.converged and not each.remark else " *"
                 rows.append((name, with_error(each.mean, each.error) + mark, each.unit, str(each.si or "")))
         return rows
 
     def _remarks(self) -> list:
-        return [f"* {name}: {each.remark}" for name, each in self.items() if each.remark] + \
+        return [f"* {name}: {each.remark}" for name, each in self.items() if each.remark and not _is_component(name)] + \
                [f"warning: {warning}" for warning in self.warnings]
 
     def __repr__(self) -> str:
@@ -184,7 +190,7 @@ class Run(Results):
     directory: where its files are; None: it was run in memory
     """
 
-    def __init__(self, data: dict, tables: dict, thermo=None, directory=None, finished: bool = True):
+    def __init__(self, data: dict, tables: Mapping, thermo=None, directory=None, finished: bool = True):
         super().__init__(data, tables)
         self._thermo, self.directory, self.finished = thermo, directory, finished
 
@@ -204,7 +210,7 @@ class Run(Results):
         return {analysis: {name: Observable.of(name, each) for name, each in found.items()}
                 for analysis, found in self.data.get("analysis", {}).items()}
 
-    def trajectory(self, *, start: float = None, positions: str = None):
+    def trajectory(self, *, start: float | None = None, positions: str | None = None):
         """Of a fluid with a directory: its trajectory, for `ljmd.Trajectory`'s analyses. Of few bodies: the table of it."""
         if "trajectory" in self._tables:
             return self.table("trajectory")
@@ -226,9 +232,9 @@ class Run(Results):
                        for analysis, found in self.findings.items() for name, each in found.items()]
 
     @classmethod
-    def open(cls, directory, observables: dict = None) -> "Run":
+    def open(cls, directory, observables: dict | None = None) -> "Run":
         """See `ljmd.open`."""
-        directory = pathlib.Path(directory)
+        directory = _check.directory_of(directory)
         about, _ = _core.describe(directory)
         data = {"title": about["title"]}
         if about["finished"] and (directory / "results.json").exists():
@@ -241,11 +247,10 @@ class Run(Results):
     @classmethod
     def in_directory(cls, deck, directory, *, observables, threads, simd, progress, replace, walltime) -> "Run":
         """See `Deck.run`."""
-        directory = pathlib.Path(directory)
-        functions = described(observables)
+        directory = _check.directory_of(directory)
+        options = (_check.threads_of(threads), simd or "", replace, _check.seconds_of(walltime), described(observables))
         with _progress.shown(progress, deck.total_steps) as tell:
-            found = _core.run(deck, directory, _check.threads_of(threads), simd or "", replace,
-                              _check.seconds_of(walltime), functions, tell, _check.warn)
+            found = _core.run(deck, directory, *options, tell, _check.warn)
         return cls.open(directory, found)
 
 
@@ -257,7 +262,7 @@ def open_run(directory) -> Run:
     return Run.open(directory)
 
 
-def resume(directory, *, steps: int = 0, observables=(), threads: int = None, progress=True, walltime=None) -> Run:
+def resume(directory, *, steps: int = 0, observables=(), threads: int | None = None, progress=True, walltime=None) -> Run:
     """Resume the run in a directory from its last checkpoint. It ends with the bits of a run that was not interrupted.
 
     steps: to add to the last stage
@@ -266,12 +271,11 @@ def resume(directory, *, steps: int = 0, observables=(), threads: int = None, pr
 
     Raises DataError, CheckpointError, InUseError; Interrupted and KeyboardInterrupt as `Deck.run`.
     """
-    directory = pathlib.Path(directory)
+    directory = _check.directory_of(directory)
     about, _ = _core.describe(directory)
     steps = _check.whole(steps, "steps", 0)
-    functions = described(observables)
+    options = (_check.threads_of(threads), _check.seconds_of(walltime), described(observables))
     first = about["checkpoint"]["step"] if about["checkpoint"] else 0
     with _progress.shown(progress, about["total_steps"] + steps, first) as tell:
-        found = _core.resume(directory, steps, _check.threads_of(threads), _check.seconds_of(walltime), functions, tell,
-                             _check.warn)
+        found = _core.resume(directory, steps, *options, tell, _check.warn)
     return Run.open(directory, found)

@@ -1,5 +1,7 @@
 """A run in memory, step by step."""
 
+from __future__ import annotations
+
 import contextlib
 
 from . import _check, _core, _progress
@@ -48,6 +50,17 @@ class Arrays:
         return self._get("ids")
 
 
+def _energy(name: str, meaning: str) -> property:
+    def get(self):
+        now = self._core.now()
+        if name not in now:
+            raise InputError(f"{name} is that of a fluid: this deck has few bodies")
+        return now[name]
+
+    return property(get, doc=f"{meaning} Known without a cost at the deck's samples (output.thermo.every); else forces are "
+                             "evaluated once more.")
+
+
 class Simulation:
     """A run in memory, step by step, with the bits of `ljmd run` on the same deck.
 
@@ -61,7 +74,7 @@ class Simulation:
     observables, threads, simd, force: as in `Deck.run`. Raises InputError with all mistakes of the deck.
     """
 
-    def __init__(self, deck, *, observables=(), threads: int = None, simd: str = None, force: bool = False):
+    def __init__(self, deck, *, observables=(), threads: int | None = None, simd: str | None = None, force: bool = False):
         pair = deck._pair
         if pair is not None and pair.stand_in != {k: v for k, v in deck["potential"].items() if v is not None}:
             raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
@@ -79,7 +92,7 @@ class Simulation:
         with _progress.shown(progress, min(self.step + steps, self.total_steps), self.step) as tell:
             self._core.advance(steps, tell)
 
-    def steps(self, count: int = None, every: int = 1):
+    def steps(self, count: int | None = None, every: int = 1):
         """Take `count` steps, all that are left by default, and give control after each `every` of them.
 
             for _ in sim.steps(1000, every=10): ...
@@ -144,22 +157,12 @@ class Simulation:
     forces = property(lambda self: self._core.forces(), doc="By id: shape (N, 3) [epsilon/sigma]. A copy.")
     masses = property(lambda self: self._core.masses(), doc="By id: shape (N,) [m]. A copy.")
 
-    def _energy(name, meaning):  # noqa: N805, makes properties
-        def get(self):
-            now = self._core.now()
-            if name not in now:
-                raise InputError(f"{name} is that of a fluid: this deck has few bodies")
-            return now[name]
-        return property(get, doc=meaning + " Known without a cost at the deck's samples (output.thermo.every); else forces "
-                                           "are evaluated once more.")
-
     temperature = _energy("temperature", "Of the motion about the centre of mass [epsilon/k_B].")
     potential_energy = _energy("potential_energy", "Per atom, of few bodies in total [epsilon].")
     kinetic_energy = _energy("kinetic_energy", "Per atom, of few bodies in total [epsilon].")
     total_energy = _energy("total_energy", "Per atom, of few bodies in total [epsilon].")
     pressure = _energy("pressure", "[epsilon/sigma^3].")
     density = _energy("density", "N/V [sigma^-3].")
-    del _energy
 
     @property
     def thermo(self):

@@ -1,5 +1,7 @@
 """Analyses of trajectories, of ljmd and of other programs."""
 
+from __future__ import annotations
+
 import os
 
 from . import _core, _toml
@@ -26,11 +28,11 @@ class Trajectory:
 
     def analyze(self, *names: str, **options) -> Results:
         """Several analyses in one pass: traj.analyze("rdf", "msd", rdf=dict(bins=200)). Without names those that fit."""
-        names = list(names) or self._frames.default_names()
+        wanted = list(names) or self._frames.default_names()
         settings = [f"analysis.{name}.{key}={_toml.literal(value)}"
                     for name, each in options.items() for key, value in each.items()]
-        data, _, tables = self._frames.analyze(names, settings)
-        return Results({"title": f"{self.path}: {', '.join(names)}", **data}, tables)
+        data, _, tables = self._frames.analyze(wanted, settings)
+        return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables)
 
     def __getattr__(self, name):
         if name not in _core.build()["analyses"]:
@@ -44,7 +46,7 @@ class Trajectory:
         return f"<ljmd.Trajectory {self.path!r}: {self.frames} frames of {self.atoms} atoms>"
 
 
-def trajectory(path, *, deck=None, start: float = None, time_step: float = None, positions: str = None, group: str = "",
+def trajectory(path, *, deck=None, start: float | None = None, time_step: float | None = None, positions: str | None = None, group: str = "",
                xyz_comment: str = "", energies: bool = False) -> Trajectory:
     """The trajectory in a file: H5MD, extended XYZ or LAMMPS dump, known by its content.
 
