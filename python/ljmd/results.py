@@ -77,8 +77,8 @@ class Observable(Quantity):
 class Results(Mapping):
     """Observables by name, `results["pressure"].mean`, and tables, `results.table("rdf")`."""
 
-    def __init__(self, data: dict, tables: Mapping):
-        self._data, self._tables = data, tables
+    def __init__(self, data: dict, tables: Mapping, main: str = ""):
+        self._data, self._tables, self._main = data, tables, main
 
     @property
     def data(self) -> dict:
@@ -112,10 +112,9 @@ class Results(Mapping):
     def table(self, name: str | None = None):
         """A table as a pandas DataFrame, or as a NumPy structured array where there is no pandas.
 
-        Without a name: the only one. Raises KeyError naming all.
+        Without a name: that of the one analysis that was asked for. Raises KeyError naming all.
         """
-        if name is None and len(self._tables) == 1:
-            name = self.tables[0]
+        name = name or self._main
         if name not in self._tables:
             raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
         return as_table(*self._tables[name])

@@ -113,7 +113,10 @@ class Simulation:
         """Take all steps that are left, and return the results."""
         with _progress.shown(progress, self.total_steps, self.step) as tell:
             self._core.advance(max(self.total_steps - self.step, 0), tell)
-        return self.results()
+        results = self.results()
+        for warning in results.warnings:
+            _check.warn(warning)
+        return results
 
     def results(self) -> Run:
         """The results so far."""

@@ -32,7 +32,7 @@ class Trajectory:
         settings = [f"analysis.{name}.{key}={_toml.literal(value)}"
                     for name, each in options.items() for key, value in each.items()]
         data, _, tables = self._frames.analyze(wanted, settings)
-        return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables)
+        return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables, wanted[0] if len(wanted) == 1 else "")
 
     def __getattr__(self, name):
         if name not in _core.build()["analyses"]:

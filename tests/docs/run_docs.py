@@ -1,10 +1,12 @@
 """The documentation, executed: decks shown in README.md, CONTRIBUTING.md and docs/ are written, commands shown there are run.
 
-Usage: run_docs.py --ljmd PROGRAM --source ROOT [--quick]
+Usage: run_docs.py --ljmd PROGRAM --source ROOT [--python-path FOLDER] [--quick]
 
 - A block ```toml whose first line is `# file: NAME` is written as NAME.
 - In a block ```sh, lines that begin with `ljmd` or `analysis/` are run, in order, in one folder for each document, which has
   the repository's inputs/. Other lines (tools/, tests/, build/, python3) are not run: they build, or take hours.
+- The blocks ```python of a document are run as one program, in the same folder, with the package `ljmd` in FOLDER; without one
+  they are not run.
 - A block ```text that shows a message of ljmd about a deck of the same document is compared with the message that the deck
   gives after the mistake has been made in it.
 - docs/deck-reference.md must be what `ljmd info --keys` prints.
@@ -15,6 +17,7 @@ Usage: run_docs.py --ljmd PROGRAM --source ROOT [--quick]
 """
 
 import argparse
+import os
 import pathlib
 import re
 import shlex
@@ -84,7 +87,15 @@ def check_named_files(path: pathlib.Path, root: pathlib.Path) -> None:
         check(f"{path.name}: {name}", any(root.glob(name.rstrip("/"))), "is not there")
 
 
-def check_commands(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
+def check_python(path: pathlib.Path, folder: pathlib.Path, package: str | None) -> None:
+    program = "".join(body for language, body in blocks(path.read_text(encoding="utf-8")) if language == "python")
+    if program and package:
+        result = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
+                                env={**os.environ, "PYTHONPATH": package})
+        check(f"{path.name}: its program in Python", result.returncode == 0, result.stderr)
+
+
+def check_commands(path: pathlib.Path, ljmd: str, root: pathlib.Path, package: str | None) -> None:
     text = path.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
@@ -99,12 +110,14 @@ def check_commands(path: pathlib.Path, ljmd: str, root: pathlib.Path) -> None:
                         check(f"{path.name}: {command}", result.returncode == 0, result.stderr)
             elif language == "text" and body.startswith("error: "):
                 check_message(path.name, ljmd, body, folder, root)
+        check_python(path, folder, package)
 
 
 def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--ljmd", required=True)
     parser.add_argument("--source", required=True, type=pathlib.Path)
+    parser.add_argument("--python-path")
     parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
     ljmd = str(pathlib.Path(arguments.ljmd).resolve())
@@ -114,7 +127,7 @@ def main() -> int:
         check_links(path)
         check_named_files(path, root)
         if path == readme or not arguments.quick:
-            check_commands(path, ljmd, root)
+            check_commands(path, ljmd, root, arguments.python_path)
     keys = subprocess.run([ljmd, "info", "--keys"], capture_output=True, text=True, check=True).stdout
     page = root / "docs/deck-reference.md"
     check("docs/deck-reference.md is what `ljmd info --keys` prints",

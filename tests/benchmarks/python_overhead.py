@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""What Python costs beside the engine: control after each step, views, copies by id, observables.
+
+    tools/python tests/benchmarks/python_overhead.py
+
+Prints medians of several rounds. Nothing is asserted.
+"""
+
+import statistics
+import sys
+import threading
+import time
+import warnings
+
+import numpy as np
+
+import ljmd
+
+
+def liquid(atoms: int, steps: int) -> ljmd.Deck:
+    deck = ljmd.Deck.fluid(atoms=atoms, seed=3)
+    deck.stages = [ljmd.Stage("production", steps, sample=True)]
+    deck.output.thermo = {"every": 1000}
+    return deck
+
+
+def seconds(work) -> float:
+    began = time.perf_counter()
+    work()
+    return time.perf_counter() - began
+
+
+def medians(rounds: int, **works) -> dict:
+    """Of interleaved rounds."""
+    times = {name: [] for name in works}
+    for _ in range(rounds):
+        for name, work in works.items():
+            times[name].append(seconds(work))
+    return {name: statistics.median(each) for name, each in times.items()}
+
+
+def control_after_each_step():
+    count = 400
+    for atoms in (108, 864):
+        deck = liquid(atoms, 1000 * count)
+        if atoms == 108:
+            deck.potential.cutoff = 2.0
+        sims = [ljmd.Simulation(deck) for _ in range(2)]
+
+        def step_by_step():
+            for _ in sims[0].steps(count, every=1):
+                pass
+
+        found = medians(21, engine=lambda: sims[1].advance(count), python=step_by_step)
+        print(f"sim.steps(n, every=1), {atoms} atoms: {1e6 * (found['python'] - found['engine']) / count:.2f} us a step more than "
+              f"the engine's {1e6 * found['engine'] / count:.1f} us")
+
+
+def views_and_copies():
+    sim = ljmd.Simulation(liquid(864, 1000))
+    sim.advance(100)
+
+    def views():
+        for _ in range(1000):
+            with sim.arrays() as a:
+                a.positions
+
+    print(f"zero-copy view of 864 atoms: {1e3 * medians(9, views=views)['views']:.2f} us")
+    sim = ljmd.Simulation(liquid(1_000_188, 10))
+    sim.advance(3)
+    source = sim.velocities
+    found = medians(9, memcpy=source.copy, velocities=lambda: sim.velocities, positions=lambda: sim.positions)
+    print(f"copies by id of {sim.atoms} atoms: velocities {1e3 * found['velocities']:.1f} ms, positions "
+          f"{1e3 * found['positions']:.1f} ms, numpy's copy of as many bytes {1e3 * found['memcpy']:.1f} ms")
+
+
+def observables():
+    count = 1000
+    deck = liquid(864, count)
+    functions = [ljmd.observable(lambda s: 0.0, every=1, name="nothing"),
+                 ljmd.observable(lambda s: s.velocities[0, 0], every=1, name="velocity")]
+    found = medians(7, without=lambda: deck.run(progress=False),
+                    nothing=lambda: deck.run(observables=functions[:1], progress=False),
+                    velocity=lambda: deck.run(observables=functions[1:], progress=False))
+    for name in ("nothing", "velocity"):
+        print(f"observable at every step, {name}: {1e6 * (found[name] - found['without']) / count:.1f} us a call")
+
+
+def pairs():
+    count = 300
+    own = liquid(864, count)
+    own.potential = ljmd.pair(lambda r: 4 * (r**-12 - r**-6), cutoff=2.5, truncation="shifted")
+    built_in = liquid(864, count)
+    built_in.potential = dict(type="lennard-jones", cutoff=2.5, truncation="shifted")
+    found = medians(5, own=lambda: own.run(progress=False), built_in=lambda: built_in.run(progress=False))
+    print(f"pair potential as a table: {found['own'] / found['built_in']:.1f} times the built-in one's time")
+
+
+def two_threads():
+    deck = liquid(2048, 300)
+
+    def run():
+        deck.run(progress=False)
+
+    def both():
+        threads = [threading.Thread(target=run) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+
+    found = medians(5, one=run, two=both)
+    print(f"two simulations in two threads of Python: {found['two'] / found['one']:.2f} times the time of one")
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("ignore")
+    print(f"ljmd {ljmd.__version__}, {ljmd.build()['build_type']}, {ljmd.build()['simd']}, NumPy {np.__version__}, "
+          f"Python {sys.version.split()[0]}")
+    control_after_each_step()
+    views_and_copies()
+    observables()
+    pairs()
+    two_threads()
