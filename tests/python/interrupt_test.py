@@ -98,6 +98,7 @@ class Interrupts(Case):
         with Alarm() as alarm:
             deck.run(parts, observables=[slow], progress=alarm.tell)
         self.assertLess(alarm.late, PATIENCE)
+        self.assertGreater(ljmd._core.describe(parts)[0]["checkpoint"]["step"], 0)
         whole = deck.run(observables=[slow], progress=False)
         again = ljmd.resume(parts, observables=[slow], progress=False)
         self.assertEqual(again["slow"], whole["slow"])
