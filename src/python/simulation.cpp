@@ -195,6 +195,9 @@ py::array_t<double> positions(const State& state) {
     const Box& box = state.box();
     return by_id(state, [&](Index i) -> Vec3 {
         const Vec3 x = r.col(i);
+        if ((x.array() >= 0.0).all() && (x.array() < box.edges().array()).all()) {
+            return x;  // as most are: three divisions less
+        }
         return x - box.crossings(x).cwiseProduct(box.edges());
     });
 }
