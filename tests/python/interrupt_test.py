@@ -109,8 +109,10 @@ class Interrupts(Case):
                 def endless(s):
                     time.sleep(0.2)  # in its first moments a function would be called again
                     alarm.tell()
-                    while True:
+                    end = time.monotonic() + 4 * PATIENCE
+                    while time.monotonic() < end:
                         pass
+                    raise TimeoutError("nobody has interrupted this")
 
                 long_deck().run(directory, observables=[endless], progress=False)
             self.assertLess(alarm.late, PATIENCE)
