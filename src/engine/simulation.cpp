@@ -86,14 +86,15 @@ struct Simulation::Parts {
         : spec(seeded(std::move(wanted))),
           fluid(make_fluid(checked(spec, execution), execution,
                            [this](const std::string& text) { warnings.push_back(text); })),
+          interaction(spec.interaction()),
           measurement(std::in_place, spec, fluid, rows) {}
 
     void advance(std::optional<Index> until) {
         require_sound();
         failed = true;  // unless this comes to its end
         try {
-            position = run_stages(spec.stages, fluid.state, fluid.force_field, *measurement, position,
-                                  spec.interaction(), until);
+            position = run_stages(spec.stages, fluid.state, fluid.force_field, *measurement, position, interaction,
+                                  until);
         } catch (...) {
             fluid.state.finish_kick();  // so that the state can be looked at
             throw;
@@ -139,6 +140,7 @@ struct Simulation::Parts {
     std::vector<std::string> warnings;
     Rows rows;
     FluidSystem fluid;
+    std::optional<Interaction> interaction;  ///< made once: a tail may take a quadrature
     std::optional<FluidMeasurement> measurement;
     std::optional<LoopPosition> position;  ///< empty until the first step
     bool failed = false;                   ///< a step or a restore has not come to its end
