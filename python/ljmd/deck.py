@@ -283,6 +283,8 @@ class Deck:
             file.write(self.text)
 
     def _loaded(self, force: bool = False):
+        if self._tables and not self._tables.get("stage"):
+            raise InputError('this deck has no stages: deck.stages = [ljmd.Stage("production", 1000, sample=True)]')
         name, text, settings = self._source()
         return _core.load(name, text, settings, force)
 

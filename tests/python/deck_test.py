@@ -33,6 +33,10 @@ class Decks(Case):
                               "3 errors", of=deck.check)
         self.assertRaises(ValueError, deck.run)
 
+    def test_a_deck_without_stages_is_told_how_to_get_some(self):
+        self.assertRaisesText(ljmd.InputError, "deck.stages = [", of=ljmd.Deck.fluid().run)
+        self.assertRaises(ljmd.InputError, ljmd.Deck().check)
+
     def test_a_missing_file_is_an_input_error(self):
         self.assertRaisesText(ljmd.InputError, "nowhere.toml", of=lambda: ljmd.Deck.load("nowhere.toml"))
 
