@@ -60,11 +60,11 @@ void Attention::raise(const std::string& note) {
     if (!raised_) {
         return;
     }
-    py::error_already_set error = *std::exchange(raised_, std::nullopt);
+    const py::error_already_set error = *std::exchange(raised_, std::nullopt);
     if (!note.empty() && py::hasattr(error.value(), "add_note")) {  // Python 3.11
         error.value().attr("add_note")(python_text(note));
     }
-    throw error;
+    throw py::error_already_set(error);
 }
 
 Interruption Attention::interruption(std::optional<double> walltime) {

@@ -17,7 +17,7 @@ void set(const char* type, const std::string& text) {
     PyErr_SetObject(exception.ptr(), python_text(text).ptr());
 }
 
-void translate(std::exception_ptr thrown) {
+void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): pybind11 wants it by value
     try {
         if (thrown) {
             std::rethrow_exception(thrown);
