@@ -166,15 +166,15 @@ class Several(Case):
         self.assertEqual(together, alone)
 
     def test_a_simulation_that_runs_in_another_thread_is_left_alone(self):
-        sim = ljmd.Simulation(long_deck(1500))
+        sim = ljmd.Simulation(long_deck(15000))
         begun = threading.Event()
-        thread = threading.Thread(target=lambda: sim.advance(1500, progress=lambda step: begun.set()))
+        thread = threading.Thread(target=lambda: sim.advance(15000, progress=lambda step: begun.set()))
         thread.start()
         begun.wait()
         for use in (lambda: sim.advance(1), lambda: sim.positions, sim.results, lambda: sim.step):
             self.assertRaisesText(ljmd.InUseError, "takes steps at this moment", of=use)
         thread.join()
-        self.assertEqual(sim.step, 1500)
+        self.assertEqual(sim.step, 15000)
 
     def test_python_goes_on_while_the_engine_computes(self):
         sim = ljmd.Simulation(long_deck(4000))
