@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/few_body.hpp"
+#include "ljmd/deck/history_columns.hpp"
 #include "ljmd/engine/few_body_measurement.hpp"
 #include "ljmd/engine/run_outputs.hpp"
 #include "ljmd/engine/time_loop.hpp"
@@ -16,68 +16,39 @@ namespace ljmd::python {
 
 namespace {
 
-constexpr std::array<char, 3> axes{'x', 'y', 'z'};
-
-/// Rows of thermo.csv and trajectory.csv, see FewBodyThermoCsv and TrajectoryCsv.
+/// Rows of thermo.csv and trajectory.csv.
 class Rows : public RunOutputs {
   public:
-    Rows(int dimensions, Index bodies, std::optional<Index> frames_every)
-        : dimensions_(dimensions), frames_every_(frames_every) {
-        thermo.name = "thermo";
-        thermo.columns = {"step", "time", "potential_energy", "kinetic_energy", "total_energy"};
-        for (int a = 0; a < dimensions; ++a) {
-            thermo.columns.push_back(fmt::format("momentum_{}", axes.at(static_cast<std::size_t>(a))));
+    Rows(const Deck& deck, const FewBodySystem& system)
+        : thermo_columns_(system.dimensions), trajectory_columns_(trajectory_columns(deck, system)) {
+        if (deck.trajectory) {
+            frames_every_ = deck.trajectory->every;
         }
-        for (int a = dimensions == 3 ? 0 : 2; dimensions > 1 && a < 3; ++a) {
-            thermo.columns.push_back(fmt::format("angular_momentum_{}", axes.at(static_cast<std::size_t>(a))));
-        }
-        trajectory.name = "trajectory";
-        trajectory.columns = {"step", "time"};
-        for (Index body = 1; body <= bodies; ++body) {
-            for (const char* prefix : {"", "v"}) {
-                for (int a = 0; a < dimensions; ++a) {
-                    trajectory.columns.push_back(
-                        fmt::format("{}{}{}", prefix, axes.at(static_cast<std::size_t>(a)), body));
-                }
-            }
-        }
+        thermo = {"thermo", thermo_columns_.names(), {}};
+        trajectory = {"trajectory", trajectory_columns_.names(), {}};
     }
 
     using RunOutputs::row;
     void row(const FewBodyRow& row) override {
-        std::vector<double> line{static_cast<double>(row.step), row.time, row.values.potential_energy,
-                                 row.values.kinetic_energy, row.values.total_energy};
-        line.insert(line.end(), row.values.momentum.data(), row.values.momentum.data() + dimensions_);
-        if (dimensions_ > 1) {
-            const Vec3& momentum = row.values.angular_momentum;
-            line.insert(line.end(), momentum.data() + (dimensions_ == 3 ? 0 : 2), momentum.data() + 3);
-        }
-        thermo.rows.push_back(std::move(line));
+        thermo.rows.push_back(thermo_columns_.row(row.step, row.time, row.values));
     }
 
     [[nodiscard]] bool frame_is_due(const State& state) const override {
         return frames_every_ && state.step % *frames_every_ == 0;
     }
 
-    void frame(const State& state, const std::optional<double>& /*angle*/) override {
-        if (!frames_every_) {
-            return;
+    void frame(const State& state, const std::optional<double>& angle) override {
+        if (frames_every_) {
+            trajectory.rows.push_back(trajectory_columns_.row(state, angle));
         }
-        std::vector<double> line{static_cast<double>(state.step), state.time};
-        const auto r = state.positions();
-        const auto v = state.velocities();
-        for (const Index i : state.index_of()) {
-            line.insert(line.end(), r.col(i).data(), r.col(i).data() + dimensions_);
-            line.insert(line.end(), v.col(i).data(), v.col(i).data() + dimensions_);
-        }
-        trajectory.rows.push_back(std::move(line));
     }
 
     DataTable thermo;
     DataTable trajectory;
 
   private:
-    int dimensions_;
+    FewBodyThermoColumns thermo_columns_;
+    TrajectoryColumns trajectory_columns_;
     std::optional<Index> frames_every_;
 };
 
@@ -86,8 +57,7 @@ class FewBodyRun : public MemoryRun {
     explicit FewBodyRun(const Deck& deck)
         : deck_(deck),
           system_(make_few_body_system(deck)),
-          rows_(system_.dimensions, system_.state.count(),
-                deck.trajectory ? std::optional(deck.trajectory->every) : std::nullopt),
+          rows_(deck, system_),
           measurement_(deck_.stages, deck_.thermo_every, system_, rows_) {}
 
     void advance(Index steps) override {

@@ -6,6 +6,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_system.hpp"
+#include "ljmd/deck/history_columns.hpp"
 #include "ljmd/io/files/checkpoint_file.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
@@ -22,21 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ThermoCsv::Extra thermo_columns(const Deck& deck, bool order_parameter) {
-    const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
-    return {.density = any([](const Stage& stage) { return stage.barostat.has_value(); }),
-            .conserved_energy = any([](const Stage& stage) { return stage.thermostat && conserves_energy(stage); }),
-            .order_parameter = order_parameter};
-}
-
 std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& system,
                                       const std::optional<Continuation>& continuation) {
     if (!deck.trajectory || deck.trajectory->format != "csv") {
         return std::nullopt;
     }
     const auto frames = kept(continuation, &CommittedOutputs::trajectory);
-    return TrajectoryCsv(deck.outputs() / "trajectory.csv", system.state.count(), system.dimensions,
-                         deck.trajectory->accelerations, system.force.plugin.has_polar_angle,
+    return TrajectoryCsv(deck.outputs() / "trajectory.csv", trajectory_columns(deck, system),
                          frames ? std::optional(frames->bytes) : std::nullopt);
 }
 
@@ -130,7 +123,7 @@ RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std
     : deck_(deck),
       trajectory_(open_trajectory(deck, fluid.state, continuation)),
       thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
-              thermo_columns(deck, fluid.order.has_value()), deck.units, kept(continuation, &CommittedOutputs::thermo)),
+              thermo_columns(deck, fluid.order.has_value()), kept(continuation, &CommittedOutputs::thermo)),
       record_(deck, fluid.state.execution(), continuation) {}
 
 RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system,

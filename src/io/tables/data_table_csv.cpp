@@ -73,14 +73,23 @@ DataTable read(const std::filesystem::path& path, bool without_last_line) {
 
 }  // namespace
 
+std::string csv_header(const std::vector<std::string>& columns) {
+    return fmt::format("{}\n", fmt::join(columns, ","));
+}
+
+std::string csv_row(const std::vector<double>& row) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        line += k == 0 ? "" : ",";
+        line += std::isfinite(row[k]) ? fmt::format("{}", row[k]) : "";
+    }
+    return line + '\n';
+}
+
 std::string to_csv(const DataTable& table) {
-    std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
+    std::string text = csv_header(table.columns);
     for (const auto& row : table.rows) {
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            text += k == 0 ? "" : ",";
-            text += std::isfinite(row[k]) ? fmt::format("{}", row[k]) : "";
-        }
-        text += '\n';
+        text += csv_row(row);
     }
     return text;
 }

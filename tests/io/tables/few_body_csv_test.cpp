@@ -37,7 +37,7 @@ State swapped_bodies() {
 
 std::string trajectory_of(int dimensions, bool accelerations, std::optional<double> angle) {
     const test::TemporaryFolder folder;
-    TrajectoryCsv csv(folder / "trajectory.csv", 2, dimensions, accelerations, angle.has_value());
+    TrajectoryCsv csv(folder / "trajectory.csv", {2, dimensions, accelerations, angle.has_value()});
     csv.write(swapped_bodies(), angle);
     csv.close();
     return test::content_of(folder / "trajectory.csv");
@@ -75,7 +75,7 @@ TEST_CASE("accelerations are forces by masses, and the angle stands last") {
 TEST_CASE("rows of few bodies are on the disk after a flush, and a file that cannot be made is an error") {
     const test::TemporaryFolder folder;
     FewBodyThermoCsv thermo(folder / "thermo.csv", 1);
-    TrajectoryCsv trajectory(folder / "trajectory.csv", 2, 1, false, false);
+    TrajectoryCsv trajectory(folder / "trajectory.csv", {2, 1, false, false});
     thermo.write(0, 0.0, {0.0, 0.5, 0.5, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
     trajectory.write(swapped_bodies(), std::nullopt);
     thermo.flush();
@@ -83,5 +83,5 @@ TEST_CASE("rows of few bodies are on the disk after a flush, and a file that can
     CHECK(test::content_of(folder / "thermo.csv").ends_with("\n0,0,0,0.5,0.5,1\n"));
     CHECK(test::content_of(folder / "trajectory.csv").ends_with("11,1.1\n"));
     CHECK_THROWS_AS(FewBodyThermoCsv(folder / "no" / "thermo.csv", 1), FileError);
-    CHECK_THROWS_AS(TrajectoryCsv(folder / "no" / "trajectory.csv", 2, 1, false, false), FileError);
+    CHECK_THROWS_AS(TrajectoryCsv(folder / "no" / "trajectory.csv", {2, 1, false, false}), FileError);
 }

@@ -75,16 +75,16 @@ const SubstanceUnits& argon() {
     return units;
 }
 
-std::vector<Row> written(const ThermoCsv::Extra& extra, std::optional<SubstanceUnits> units, const Thermodynamics& row,
-                         const ThermoCsv::Values& values) {
+std::vector<Row> written(const ThermoColumns::Extra& extra, std::optional<SubstanceUnits> units,
+                         const Thermodynamics& row, const ThermoColumns::Values& values) {
     const test::TemporaryFolder folder;
-    ThermoCsv csv(folder / "thermo.csv", extra, units);
+    ThermoCsv csv(folder / "thermo.csv", {extra, units});
     csv.write(1234567890123, 0.1 + 0.2, row, values);
     csv.close();
     return rows_of(test::content_of(folder / "thermo.csv"));
 }
 
-constexpr ThermoCsv::Extra with_order{.order_parameter = true};
+constexpr ThermoColumns::Extra with_order{.order_parameter = true};
 
 }  // namespace
 
@@ -166,7 +166,7 @@ TEST_CASE("temperature and pressure that are not defined are empty fields, in SI
 
 TEST_CASE("rows follow each other, and flushed ones are in the file before it is closed") {
     const test::TemporaryFolder folder;
-    ThermoCsv csv(folder / "thermo.csv", {}, std::nullopt);
+    ThermoCsv csv(folder / "thermo.csv", {{}, std::nullopt});
     for (Index step = 0; step < 5; ++step) {
         csv.write(10 * step, 0.5 * static_cast<double>(step), sample(), {});
     }
@@ -182,8 +182,8 @@ TEST_CASE("rows follow each other, and flushed ones are in the file before it is
 
 TEST_CASE("a file that cannot be created or written is an error") {
     const test::TemporaryFolder folder;
-    CHECK_THROWS_AS(ThermoCsv(folder / "nowhere/thermo.csv", {}, std::nullopt), FileError);
-    ThermoCsv csv(folder / "thermo.csv", {}, std::nullopt);
+    CHECK_THROWS_AS(ThermoCsv(folder / "nowhere/thermo.csv", {{}, std::nullopt}), FileError);
+    ThermoCsv csv(folder / "thermo.csv", {{}, std::nullopt});
     csv.flush();
     const std::string header = test::content_of(folder / "thermo.csv");
     const test::FileSizeLimit full(header.size() + 10);

@@ -9,8 +9,14 @@
 
 namespace ljmd {
 
-/// A table as CSV: a header row, then one line per row, numbers with as many digits as are needed to read them back.
-/// NaN (an unknown error) becomes an empty field.
+/// The first line of a table. @pre no name needs quotes
+[[nodiscard]] std::string csv_header(const std::vector<std::string>& columns);
+
+/// A line of a table: numbers with as many digits as are needed to read them back. What is not finite (an unknown
+/// error, an undefined quantity) becomes an empty field.
+[[nodiscard]] std::string csv_row(const std::vector<double>& row);
+
+/// A table as CSV: csv_header(), then csv_row() for each row.
 [[nodiscard]] std::string to_csv(const DataTable& table);
 
 /// Read a table; an empty field is NaN. The table is named after the file, without suffix.

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <optional>
 
 #include "ljmd/io/files/output_file.hpp"
-#include "ljmd/model/state.hpp"
-#include "ljmd/observables/few_body/few_body.hpp"
+#include "ljmd/io/tables/few_body_columns.hpp"
 
 namespace ljmd {
 
-/// The history of a few-body run as CSV, one row per sample: step, time, potential_energy, kinetic_energy,
-/// total_energy, momentum_x (momentum_y, momentum_z in two and three dimensions), then angular_momentum_z in two
-/// dimensions, all three components in three.
+/// The history of a few-body run as CSV, one row per sample, with the columns of FewBodyThermoColumns.
 class FewBodyThermoCsv {
   public:
     /// @param kept  bytes of a file to continue; none: a new file  @throws FileError, CheckpointError
@@ -28,20 +25,17 @@ class FewBodyThermoCsv {
 
   private:
     OutputFile file_;
-    int dimensions_;
+    FewBodyThermoColumns columns_;
 };
 
-/// The trajectories of a few bodies as CSV, one row per time: step, time, then for each body its position (x1, y1, z1),
-/// velocity (vx1, ...) and, if asked for, acceleration (ax1, ...), with as many components as there are dimensions;
-/// last, if the force has one, the polar angle that belongs to the coordinate.
+/// The trajectories of a few bodies as CSV, one row per time, with the columns of TrajectoryColumns.
 class TrajectoryCsv {
   public:
     /// @param kept  bytes of a file to continue; none: a new file  @throws FileError, CheckpointError
-    TrajectoryCsv(const OutputPlace& place, Index bodies, int dimensions, bool accelerations, bool angle,
+    TrajectoryCsv(const OutputPlace& place, const TrajectoryColumns& columns,
                   std::optional<std::int64_t> kept = std::nullopt);
 
-    /// @pre forces are current if accelerations are written; an angle is given if the file has that column
-    /// @throws FileError
+    /// @pre as TrajectoryColumns::row()  @throws FileError
     void write(const State& state, std::optional<double> angle);
 
     void flush() { file_.flush(); }
@@ -52,9 +46,7 @@ class TrajectoryCsv {
 
   private:
     OutputFile file_;
-    int dimensions_;
-    bool accelerations_;
-    bool angle_;
+    TrajectoryColumns columns_;
 };
 
 }  // namespace ljmd

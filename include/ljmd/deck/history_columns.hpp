@@ -1,0 +1,19 @@
+#pragma once
+
+#include "ljmd/deck/deck.hpp"
+#include "ljmd/engine/few_body_system.hpp"
+#include "ljmd/io/tables/few_body_columns.hpp"
+#include "ljmd/io/tables/thermo_columns.hpp"
+
+namespace ljmd {
+
+/// Columns of the history of a fluid: the density if a stage has a barostat, the conserved energy if one has a
+/// thermostat that knows it, SI columns for a substance.
+/// @param order_parameter  the run starts from a lattice
+[[nodiscard]] ThermoColumns thermo_columns(const Deck& deck, bool order_parameter);
+
+/// Columns of the trajectories of few bodies: the polar angle if the force has one, accelerations if the deck asks for
+/// them.
+[[nodiscard]] TrajectoryColumns trajectory_columns(const Deck& deck, const FewBodySystem& system);
+
+}  // namespace ljmd

@@ -1,0 +1,20 @@
+#include "ljmd/deck/history_columns.hpp"
+
+#include <algorithm>
+
+namespace ljmd {
+
+ThermoColumns thermo_columns(const Deck& deck, bool order_parameter) {
+    const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
+    return {{.density = any([](const Stage& stage) { return stage.barostat.has_value(); }),
+             .conserved_energy = any([](const Stage& stage) { return stage.thermostat && conserves_energy(stage); }),
+             .order_parameter = order_parameter},
+            deck.units};
+}
+
+TrajectoryColumns trajectory_columns(const Deck& deck, const FewBodySystem& system) {
+    return {system.state.count(), system.dimensions, deck.trajectory && deck.trajectory->accelerations,
+            system.force.plugin.has_polar_angle};
+}
+
+}  // namespace ljmd
