@@ -10,7 +10,7 @@ namespace ljmd {
 
 /// When and how a trajectory is written.
 struct TrajectoryOutput {
-    std::string format = "h5md";  ///< "h5md", "xyz" or, for few-body systems, "csv"
+    std::string format = "h5md";  ///< one that `ljmd info` names; "csv" for few-body systems alone
     Index every = 100;            ///< [steps]
     bool velocities = false;
     bool accelerations = false;     ///< csv only

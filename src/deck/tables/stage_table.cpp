@@ -40,7 +40,7 @@ std::string meaning_of_thermostats() {
             others.push_back(fmt::format("`{}`", method.name));
         }
     }
-    return fmt::format("holds the temperature; all but {} go with velocity-verlet", fmt::join(others, ", "));
+    return fmt::format("holds the temperature; all but {} go with velocity-verlet only", fmt::join(others, ", "));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ struct TrajectoryFormat {
     std::string name;      ///< as a deck selects it; the file is trajectory.<name>
     std::string meaning;   ///< what the format is called, for the reference page: "extended XYZ"
     std::string si_units;  ///< of length and time in files in SI units: "angstrom, ps"
-    bool is_read;          ///< open_trajectory() reads it, so `ljmd analyze` can
+    bool is_read;          ///< open_trajectory() reads its fluids in reduced units, so `ljmd analyze` can
     MakeTrajectory make;
     /// Approximate size of a file with so many frames of a fluid [bytes].
     std::function<double(Index atoms, Index frames, bool velocities)> bytes;
