@@ -44,7 +44,7 @@ def info(t):
     result = t.run_well("info")
     t.equal(result.err, "", "stderr")
     for word in ("ljmd ", "compiler", "flags", "simd", "lennard-jones", "morse", "force-shifted", "verlet-list",
-                 "velocity-verlet", "rescale", "rdf", "openmm", "h5md, xyz", "newtonian-gravity", "orbit"):
+                 "velocity-verlet", "rescale", "rdf", "openmm", "h5md", "xyz", "newtonian-gravity", "orbit"):
         t.contains(result.out, word)
 
 

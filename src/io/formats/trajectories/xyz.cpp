@@ -5,7 +5,7 @@ namespace ljmd {
 
 namespace {
 
-void write_frame(OutputFile& file, const State& state, const TrajectoryOptions& options) {
+void write_xyz_frame(OutputFile& file, const State& state, const TrajectoryOptions& options) {
     write_extended_xyz_frame(file, state, options.velocities, options.si);
 }
 
@@ -26,7 +26,7 @@ TrajectoryFormat xyz() {
             .meaning = "extended XYZ",
             .si_units = "angstrom, ps",
             .is_read = true,
-            .make = text_trajectory(write_frame),
+            .make = text_trajectory(write_xyz_frame),
             .bytes = xyz_bytes};
 }
 
