@@ -46,7 +46,7 @@ class Interrupts(Case):
         self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
 
     def test_in_a_directory_the_checkpoint_is_written_and_resuming_gives_the_bits_of_one_run(self):
-        deck = long_deck(40000, atoms=256)
+        deck = long_deck(20000, atoms=256)
         whole = deck.run(self.folder / "whole", progress=False)
         parts = self.folder / "parts"
         with Alarm() as alarm:
@@ -65,13 +65,13 @@ class Interrupts(Case):
         self.assertEqual((parts / "thermo.csv").read_bytes(), (self.folder / "whole/thermo.csv").read_bytes())
 
     def test_in_memory_the_simulation_goes_on_with_the_bits_of_one_run(self):
-        deck = long_deck(40000, atoms=256)
+        deck = long_deck(20000, atoms=256)
         whole = deck.run(progress=False)
         sim = ljmd.Simulation(deck)
         with Alarm() as alarm:
             sim.run(progress=alarm.tell)
         self.assertLess(alarm.late, PATIENCE)
-        self.assertLess(sim.step, 40000)
+        self.assertLess(sim.step, 20000)
         self.assertTrue(np.all(np.isfinite(sim.positions)))
         self.assertEqual(sim.run(progress=False).stages, whole.stages)
 
@@ -134,13 +134,13 @@ class Interrupts(Case):
         seen = []
         signal.signal(signal.SIGINT, lambda *_: seen.append(1))
         with Alarm() as alarm:
-            long_deck(40000, atoms=256).run(progress=alarm.tell)
+            long_deck(20000, atoms=256).run(progress=alarm.tell)
         self.assertEqual(seen, [1])
 
     def test_progress_is_told_while_the_engine_computes(self):
         for directory in (None, self.folder / "told"):
             told = []
-            long_deck(40000, atoms=256).run(directory, progress=told.append)
+            long_deck(20000, atoms=256).run(directory, progress=told.append)
             self.assertTrue(told)
             self.assertEqual(told, sorted(told))
 
