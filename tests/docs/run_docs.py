@@ -6,7 +6,7 @@ Usage: run_docs.py --ljmd PROGRAM --source ROOT [--python-path FOLDER] [--quick]
 - In a block ```sh, lines that begin with `ljmd` or `analysis/` are run, in order, in one folder for each document, which has
   the repository's inputs/. Other lines (tools/, tests/, build/, python3) are not run: they build, or take hours.
 - The blocks ```python of a document are run as one program, in the same folder, with the package `ljmd` in FOLDER; without one
-  they are not run.
+  they are not run. They find a trajectory.h5md and a trajectory.xyz of a short run there.
 - A block ```text that shows a message of ljmd about a deck of the same document is compared with the message that the deck
   gives after the mistake has been made in it.
 - docs/deck-reference.md must be what `ljmd info --keys` prints.
@@ -87,9 +87,37 @@ def check_named_files(path: pathlib.Path, root: pathlib.Path) -> None:
         check(f"{path.name}: {name}", any(root.glob(name.rstrip("/"))), "is not there")
 
 
-def check_python(path: pathlib.Path, folder: pathlib.Path, package: str | None) -> None:
+SHORT_RUN = """\
+[system]
+lattice = { type = "fcc", cells = 3 }
+density = 0.8442
+temperature = 1.0
+[potential]
+type = "lennard-jones"
+cutoff = 2.4
+truncation = "cut"
+tail = true
+[[stage]]
+name = "production"
+time_step = 0.004
+steps = 20
+[output]
+trajectory = { every = 5, velocities = true }
+"""
+
+
+def write_trajectories(ljmd: str, folder: pathlib.Path) -> None:
+    (folder / "short.toml").write_text(SHORT_RUN)
+    for form in ("h5md", "xyz"):
+        subprocess.run([ljmd, "run", "short.toml", "--out", form, "--quiet", "--set", f"output.trajectory.format={form}"],
+                       cwd=folder, check=True, capture_output=True)
+        (folder / form / f"trajectory.{form}").rename(folder / f"trajectory.{form}")
+
+
+def check_python(path: pathlib.Path, ljmd: str, folder: pathlib.Path, package: str | None) -> None:
     program = "".join(body for language, body in blocks(path.read_text(encoding="utf-8")) if language == "python")
     if program and package:
+        write_trajectories(ljmd, folder)
         result = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
                                 env={**os.environ, "PYTHONPATH": package})
         check(f"{path.name}: its program in Python", result.returncode == 0, result.stderr)
@@ -110,7 +138,7 @@ def check_commands(path: pathlib.Path, ljmd: str, root: pathlib.Path, package: s
                         check(f"{path.name}: {command}", result.returncode == 0, result.stderr)
             elif language == "text" and body.startswith("error: "):
                 check_message(path.name, ljmd, body, folder, root)
-        check_python(path, folder, package)
+        check_python(path, ljmd, folder, package)
 
 
 def main() -> int:
