@@ -263,11 +263,16 @@ class Deck:
 
     def _source(self) -> tuple:
         """Name, text and settings for the reader: those of the file, unless the tables were changed in Python."""
-        if self._origin is not None:
+        if self._origin is not None and self._pair is None:
             name, text, settings, tables = self._origin
             if _without_empty(self._tables) == _without_empty(tables):
                 return name, text, settings
-        return "Deck", _toml.dumps(self._tables), []
+        return "Deck", self._note() + _toml.dumps(self._tables), []
+
+    def _note(self) -> str:
+        """A line above the tables that do not say all."""
+        return "" if self._pair is None else (f"# The pair potential is {self._pair.name!r}, a function of Python: that in "
+                                              "[potential] stands in for it.\n")
 
     @property
     def text(self) -> str:
@@ -285,8 +290,11 @@ class Deck:
     def _loaded(self, force: bool = False):
         if self._tables and not self._tables.get("stage"):
             raise InputError('this deck has no stages: deck.stages = [ljmd.Stage("production", 1000, sample=True)]')
+        pair = self._pair
+        if pair is not None and pair.stand_in != {k: v for k, v in self["potential"].items() if v is not None}:
+            raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
         name, text, settings = self._source()
-        return _core.load(name, text, settings, force)
+        return _core.load(name, text, settings, force, pair._core if pair is not None else None)
 
     def check(self, *, threads: int | None = None, simd: str | None = None, force: bool = False) -> "Check":
         """Find all mistakes, and estimate memory, disk and time. Nothing is run.
@@ -317,8 +325,6 @@ class Deck:
                 raise InputError("walltime and replace are for a run with a directory")
             simulation = Simulation(self, observables=observables, threads=threads, simd=simd, force=force)
             return simulation.run(progress=progress)
-        if self._pair is not None:
-            raise InputError("a pair potential in Python runs in memory alone: run() without a directory")
         return Run.in_directory(self._loaded(force), directory, observables=observables, threads=threads, simd=simd,
                                 progress=progress, replace=replace, walltime=walltime)
 

@@ -75,11 +75,8 @@ class Simulation:
     """
 
     def __init__(self, deck, *, observables=(), threads: int | None = None, simd: str | None = None, force: bool = False):
-        pair = deck._pair
-        if pair is not None and pair.stand_in != {k: v for k, v in deck["potential"].items() if v is not None}:
-            raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
-        self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), simd or "",
-                                      pair._core if pair is not None else None, described(observables), _check.warn)
+        self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), simd or "", described(observables),
+                                      _check.warn)
         self._title = deck.title
 
     def advance(self, steps: int, progress=False) -> None:
@@ -121,7 +118,6 @@ class Simulation:
     def results(self) -> Run:
         """The results so far."""
         data, _ = self._core.report()
-        data["observables"].update(self._core.observables())
         return Run(data, self._core.tables(), self._core.thermo(), None, self.finished)
 
     @contextlib.contextmanager
