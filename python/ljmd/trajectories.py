@@ -3,9 +3,34 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
+
+import numpy as np
 
 from . import _core, _toml
 from .results import Results
+
+
+@dataclass(frozen=True)
+class Frames:
+    """Frames of a trajectory as arrays, atoms by id, F frames of N atoms.
+
+    positions: as in the file, wrapped into the box or not, shape (F, N, 3) [sigma]
+    velocities: shape (F, N, 3) [sigma/tau]; None unless all frames have them
+    edges: of the box, shape (F, 3) [sigma]
+    times: shape (F,) [tau]; None where they are not known
+    steps: shape (F,); None where they are not known
+    """
+
+    positions: np.ndarray
+    velocities: np.ndarray | None
+    edges: np.ndarray
+    times: np.ndarray | None
+    steps: np.ndarray | None
+
+    def __repr__(self) -> str:
+        frames, atoms, _ = self.positions.shape
+        return f"<ljmd.Frames: {frames} frames of {atoms} atoms{'' if self.velocities is None else ', with velocities'}>"
 
 
 class Trajectory:
@@ -34,7 +59,21 @@ class Trajectory:
         data, _, tables = self._frames.analyze(wanted, settings)
         return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables, wanted[0] if len(wanted) == 1 else "")
 
+    def arrays(self) -> Frames:
+        """All frames in memory, see `Frames`. Raises DataError if the file has changed."""
+        return Frames(*self._frames.arrays())
+
+    def universe(self):
+        """An MDAnalysis Universe of all frames in memory, see `Run.universe`."""
+        from ._mdanalysis import universe
+        return universe(self.arrays())
+
+    def __reduce__(self):
+        raise TypeError("an ljmd.Trajectory is an open look at a file: pickle its arrays(), or open its path again")
+
     def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
         if name not in _core.build()["analyses"]:
             raise AttributeError(f"no analysis {name!r}; there are {', '.join(_core.build()['analyses'])}")
         return lambda **options: self.analyze(name, **{name: options})
