@@ -20,12 +20,13 @@ from .equations import Properties, eos, equations
 from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
                      PhysicsError, RunWarning, ThreadsError)
 from .evaluation import Evaluation, Evaluator, evaluate
+from .frames import Frames
 from .observables import observable
 from .potentials import Pair, pair
 from .results import Observable, Quantity, Results, Run, resume
 from .results import open_run as open  # noqa: A001, ljmd.open
 from .simulation import Arrays, Simulation
-from .trajectories import Frames, Trajectory, trajectory
+from .trajectories import Trajectory, trajectory
 
 __version__ = build()["version"]
 

@@ -3,34 +3,10 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
-
-import numpy as np
 
 from . import _core, _toml
+from .frames import Frames
 from .results import Results
-
-
-@dataclass(frozen=True)
-class Frames:
-    """Frames of a trajectory as arrays, atoms by id, F frames of N atoms.
-
-    positions: as in the file, wrapped into the box or not, shape (F, N, 3) [sigma]
-    velocities: shape (F, N, 3) [sigma/tau]; None unless all frames have them
-    edges: of the box, shape (F, 3) [sigma]
-    times: shape (F,) [tau]; None where they are not known
-    steps: shape (F,); None where they are not known
-    """
-
-    positions: np.ndarray
-    velocities: np.ndarray | None
-    edges: np.ndarray
-    times: np.ndarray | None
-    steps: np.ndarray | None
-
-    def __repr__(self) -> str:
-        frames, atoms, _ = self.positions.shape
-        return f"<ljmd.Frames: {frames} frames of {atoms} atoms{'' if self.velocities is None else ', with velocities'}>"
 
 
 class Trajectory:
@@ -64,9 +40,8 @@ class Trajectory:
         return Frames(*self._frames.arrays())
 
     def universe(self):
-        """An MDAnalysis Universe of all frames in memory, see `Run.universe`."""
-        from ._mdanalysis import universe
-        return universe(self.arrays())
+        """An MDAnalysis Universe of all frames, see `Frames.universe`."""
+        return self.arrays().universe()
 
     def __reduce__(self):
         raise TypeError("an ljmd.Trajectory is an open look at a file: pickle its arrays(), or open its path again")
