@@ -269,11 +269,15 @@ class Run(Results):
         return cls.open(directory, found)
 
 
-def open_run(directory) -> Run:
-    """The run in a directory, of Python or of the command line. It may be unfinished: then it has no results yet.
+def open_run(directory):
+    """The run in a directory, of Python or of the command line. It may be unfinished: then it has no results yet. Of a sweep: see
+    `ljmd.open_sweep`.
 
     Raises DataError when it is not the directory of a run.
     """
+    if (_check.directory_of(directory) / "sweep.json").exists():
+        from .sweeps import Sweep
+        return Sweep.open(directory)
     return Run.open(directory)
 
 
