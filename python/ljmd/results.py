@@ -218,8 +218,8 @@ class Run(Results):
         if self.directory is None:
             raise DataError("a run in memory writes no file to analyse: give it a directory; frames() are there where the deck "
                             "has output.trajectory")
-        from .trajectories import Trajectory
-        return Trajectory(_core.frames_of_run(self.directory, start, positions))
+        from .trajectories import trajectory_of_run
+        return trajectory_of_run(self.directory, start, positions)
 
     def frames(self) -> Frames:
         """The frames that the deck's `output.trajectory` asks for, as arrays. Raises DataError if there are none."""

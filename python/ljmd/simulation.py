@@ -173,6 +173,10 @@ class Simulation:
         if self._recorder is not None:
             self._recorder.go_back_to(self.step)
 
+    def __reduce__(self):
+        raise TypeError("a simulation cannot be copied or pickled: make another one of the same deck, and let it restore() this one's "
+                        "checkpoint()")
+
     step = property(lambda self: self._core.step(), doc="Steps done since the start.")
     total_steps = property(lambda self: self._core.total_steps(), doc="Steps of all stages.")
     finished = property(lambda self: self._core.finished(), doc="Whether all steps are done.")
