@@ -68,8 +68,10 @@ def call(arguments, *, told=None, allowed=(0,), note: str = "", stop=signal.SIGU
     """
     with subprocess.Popen([program(), *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, encoding="utf-8", errors="replace") as process:
+        assert process.stdout is not None and process.stderr is not None
+        output = process.stdout
         printed: list = []
-        reader = threading.Thread(target=lambda: printed.append(process.stdout.read()), daemon=True)
+        reader = threading.Thread(target=lambda: printed.append(output.read()), daemon=True)
         reader.start()
         said = []
         try:

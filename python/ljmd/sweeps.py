@@ -101,7 +101,7 @@ class Sweep(Sequence):
         """
         found = [point.observables() for point in self]
         names = list(dict.fromkeys(name for each in found for name in each))
-        columns: dict = {key: [point.values[key] for point in self] for key in self.keys}
+        columns = {key: [point.values[key] for point in self] for key in self.keys}
         for name in names:
             columns[name] = [each[name].mean if name in each else math.nan for each in found]
             columns[f"{name}_standard_error"] = [each[name].error if name in each else math.nan for each in found]

@@ -1,6 +1,7 @@
 #include "loaded_deck.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <type_traits>
 #include <utility>
