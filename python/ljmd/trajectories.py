@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 
 from . import _core, _toml
+from .frames import Frames
 from .results import Results
 
 
@@ -14,9 +16,10 @@ class Trajectory:
     Each analysis is a method, whose keywords are its options in decks; `every` counts frames. `analyze` does several.
     """
 
-    def __init__(self, frames):
-        self._frames = frames
-        self._about = frames.summary()
+    def __init__(self, open_again):
+        self._open_again = open_again
+        self._frames = open_again()
+        self._about = self._frames.summary()
 
     path = property(lambda self: self._about["path"])
     frames = property(lambda self: self._about["frames"], doc="Number of frames.")
@@ -34,7 +37,26 @@ class Trajectory:
         data, _, tables = self._frames.analyze(wanted, settings)
         return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables, wanted[0] if len(wanted) == 1 else "")
 
+    def arrays(self) -> Frames:
+        """All frames in memory, see `Frames`. Raises DataError if the file has changed."""
+        return Frames(*self._frames.arrays())
+
+    def universe(self):
+        """An MDAnalysis Universe of all frames, see `Frames.universe`."""
+        return self.arrays().universe()
+
+    def __reduce__(self):
+        return Trajectory, (self._open_again,)  # reads the file once more
+
+    def __copy__(self):
+        return self  # nothing of it changes
+
+    def __deepcopy__(self, memo):
+        return self
+
     def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
         if name not in _core.build()["analyses"]:
             raise AttributeError(f"no analysis {name!r}; there are {', '.join(_core.build()['analyses'])}")
         return lambda **options: self.analyze(name, **{name: options})
@@ -60,5 +82,18 @@ def trajectory(path, *, deck=None, start: float | None = None, time_step: float 
 
     Raises DataError for a file that cannot be used.
     """
-    loaded = deck._loaded(True) if deck is not None else None
-    return Trajectory(_core.frames_of_file(os.fspath(path), loaded, energies, start, time_step, group, positions, xyz_comment))
+    deck = deck.copy() if deck is not None else None
+    return Trajectory(partial(_frames_of_file, os.fspath(path), deck, energies, start, time_step, group, positions, xyz_comment))
+
+
+def trajectory_of_run(directory, start, positions) -> Trajectory:
+    """See `Run.trajectory`."""
+    return Trajectory(partial(_frames_of_run, directory, start, positions))
+
+
+def _frames_of_run(*options):
+    return _core.frames_of_run(*options)
+
+
+def _frames_of_file(path, deck, *options):
+    return _core.frames_of_file(path, deck._loaded(True) if deck is not None else None, *options)
