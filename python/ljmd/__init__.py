@@ -19,6 +19,8 @@ from .deck import ARGON, Check, Deck, Stage, Table
 from .equations import Properties, eos, equations
 from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
                      PhysicsError, RunWarning, ThreadsError)
+from .evaluation import Evaluation, Evaluator, evaluate
+from .frames import Frames
 from .observables import observable
 from .potentials import Pair, pair
 from .results import Observable, Quantity, Results, Run, resume
@@ -28,7 +30,8 @@ from .trajectories import Trajectory, trajectory
 
 __version__ = build()["version"]
 
-__all__ = ["ARGON", "Arrays", "Check", "CheckpointError", "DataError", "Deck", "Error", "FileError", "InUseError",
-           "InputError", "InternalError", "Interrupted", "Observable", "Pair", "PhysicsError", "Properties", "Quantity",
-           "Results", "Run", "RunWarning", "Simulation", "Stage", "Table", "ThreadsError", "Trajectory", "build", "eos",
-           "equations", "observable", "open", "pair", "resume", "trajectory"]
+__all__ = ["ARGON", "Arrays", "Check", "CheckpointError", "DataError", "Deck", "Error", "Evaluation", "Evaluator",
+           "FileError", "Frames", "InUseError", "InputError", "InternalError", "Interrupted", "Observable", "Pair",
+           "PhysicsError", "Properties", "Quantity", "Results", "Run", "RunWarning", "Simulation", "Stage", "Table",
+           "ThreadsError", "Trajectory", "build", "eos", "equations", "evaluate", "observable", "open", "pair",
+           "resume", "trajectory"]

@@ -15,6 +15,7 @@ import numpy as np
 from . import _check, _core, _progress
 from ._text import as_table, html_lines, html_table, with_error
 from .errors import DataError
+from .frames import Frames
 from .observables import described
 
 
@@ -189,8 +190,9 @@ class Run(Results):
     directory: where its files are; None: it was run in memory
     """
 
-    def __init__(self, data: dict, tables: Mapping, thermo=None, directory=None, finished: bool = True):
+    def __init__(self, data: dict, tables: Mapping, thermo=None, directory=None, finished: bool = True, frames=None):
         super().__init__(data, tables)
+        self._frames = frames
         self._thermo, self.directory, self.finished = thermo, directory, finished
 
     @property
@@ -214,9 +216,23 @@ class Run(Results):
         if "trajectory" in self._tables:
             return self.table("trajectory")
         if self.directory is None:
-            raise DataError("a run in memory keeps no trajectory: give it a directory, and the deck output.trajectory")
+            raise DataError("a run in memory writes no file to analyse: give it a directory; frames() are there where the deck "
+                            "has output.trajectory")
         from .trajectories import Trajectory
         return Trajectory(_core.frames_of_run(self.directory, start, positions))
+
+    def frames(self) -> Frames:
+        """The frames that the deck's `output.trajectory` asks for, as arrays. Raises DataError if there are none."""
+        if self.directory is not None:
+            return self.trajectory().arrays()
+        if self._frames is None:
+            raise DataError("this run has kept no frames: the deck of a fluid asks for them, "
+                            'deck.output.trajectory = {"every": 100, "velocities": True}')
+        return self._frames
+
+    def universe(self):
+        """An MDAnalysis Universe of its frames, see `Frames.universe`. Raises DataError as `frames`."""
+        return self.frames().universe()
 
     def _heading(self) -> str:
         system = self.data.get("system", {})

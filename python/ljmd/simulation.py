@@ -6,6 +6,7 @@ import contextlib
 
 from . import _check, _core, _progress
 from .errors import InputError
+from .frames import Recorder
 from .observables import described
 from .results import Run
 
@@ -81,6 +82,7 @@ class Simulation:
         self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), simd or "",
                                       pair._core if pair is not None else None, described(observables), _check.warn)
         self._title = deck.title
+        self._recorder = self._recorder_of(deck)
 
     def advance(self, steps: int, progress=False) -> None:
         """Take some steps; fewer if the stages end before.
@@ -90,7 +92,29 @@ class Simulation:
         """
         steps = _check.whole(steps, "steps", 0)
         with _progress.shown(progress, min(self.step + steps, self.total_steps), self.step) as tell:
+            self._take(steps, tell)
+
+    def _recorder_of(self, deck):
+        """Keeps the frames that the deck asks for; None: it asks for none, or has few bodies, whose trajectory is a table."""
+        wanted = (deck._tables.get("output") or {}).get("trajectory")
+        if not wanted or self._core.edges() is None:
+            return None
+        recorder = Recorder(wanted["every"], bool(wanted.get("velocities", False)))
+        recorder.take(self._core)
+        return recorder
+
+    def _take(self, steps: int, tell) -> None:
+        if self._recorder is None:
             self._core.advance(steps, tell)
+            return
+        steps = min(steps, self.total_steps - self.step)
+        while True:
+            part = min(steps, self._recorder.steps_to_next(self.step))
+            self._core.advance(part, tell)
+            self._recorder.take(self._core)
+            steps -= part
+            if steps <= 0:
+                return
 
     def steps(self, count: int | None = None, every: int = 1):
         """Take `count` steps, all that are left by default, and give control after each `every` of them.
@@ -102,7 +126,7 @@ class Simulation:
         return self._steps(left if count is None else min(left, _check.whole(count, "count", 0)), every)
 
     def _steps(self, left, every):
-        advance = self._core.advance
+        advance = self._core.advance if self._recorder is None else self._take
         while left > 0:
             part = min(every, left)
             advance(part, None)
@@ -112,7 +136,7 @@ class Simulation:
     def run(self, progress=True) -> Run:
         """Take all steps that are left, and return the results."""
         with _progress.shown(progress, self.total_steps, self.step) as tell:
-            self._core.advance(max(self.total_steps - self.step, 0), tell)
+            self._take(max(self.total_steps - self.step, 0), tell)
         results = self.results()
         for warning in results.warnings:
             _check.warn(warning)
@@ -122,7 +146,8 @@ class Simulation:
         """The results so far."""
         data, _ = self._core.report()
         data["observables"].update(self._core.observables())
-        return Run(data, self._core.tables(), self._core.thermo(), None, self.finished)
+        frames = None if self._recorder is None else self._recorder.frames()
+        return Run(data, self._core.tables(), self._core.thermo(), None, self.finished, frames)
 
     @contextlib.contextmanager
     def arrays(self):
@@ -145,6 +170,8 @@ class Simulation:
         if not isinstance(checkpoint, (bytes, bytearray)):
             raise InputError(f"a checkpoint is bytes, found {type(checkpoint).__name__}")
         self._core.restore(bytes(checkpoint))
+        if self._recorder is not None:
+            self._recorder.go_back_to(self.step)
 
     step = property(lambda self: self._core.step(), doc="Steps done since the start.")
     total_steps = property(lambda self: self._core.total_steps(), doc="Steps of all stages.")

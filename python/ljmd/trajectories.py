@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from . import _core, _toml
+from .frames import Frames
 from .results import Results
 
 
@@ -34,7 +35,20 @@ class Trajectory:
         data, _, tables = self._frames.analyze(wanted, settings)
         return Results({"title": f"{self.path}: {', '.join(wanted)}", **data}, tables, wanted[0] if len(wanted) == 1 else "")
 
+    def arrays(self) -> Frames:
+        """All frames in memory, see `Frames`. Raises DataError if the file has changed."""
+        return Frames(*self._frames.arrays())
+
+    def universe(self):
+        """An MDAnalysis Universe of all frames, see `Frames.universe`."""
+        return self.arrays().universe()
+
+    def __reduce__(self):
+        raise TypeError("an ljmd.Trajectory is an open look at a file: pickle its arrays(), or open its path again")
+
     def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
         if name not in _core.build()["analyses"]:
             raise AttributeError(f"no analysis {name!r}; there are {', '.join(_core.build()['analyses'])}")
         return lambda **options: self.analyze(name, **{name: options})

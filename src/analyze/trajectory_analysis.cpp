@@ -33,9 +33,10 @@ DeckClaims claims_of(const AnalyzedTrajectory& trajectory) {
 /// One pass over a trajectory.
 class Pass {
   public:
-    Pass(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses)
+    Pass(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses, const FrameRead& frame_read)
         : trajectory_(trajectory),
           analyses_(analyses),
+          frame_read_(frame_read),
           averages_(trajectory.summary.atoms, claims_of(trajectory).ensemble),
           tail_(trajectory.thermo ? fluid_spec(*trajectory.deck).interaction().tail : TailCorrection()) {}
 
@@ -49,6 +50,9 @@ class Pass {
                 throw DataError(fmt::format("{} has changed while it was read", trajectory_.path.string()));
             }
             take(k, std::move(frame.configuration));
+            if (frame_read_) {
+                frame_read_();
+            }
         }
     }
 
@@ -127,6 +131,7 @@ class Pass {
 
     const AnalyzedTrajectory& trajectory_;
     const std::vector<FrameAnalysis>& analyses_;
+    const FrameRead& frame_read_;
     RunAverages averages_;
     EnergyFluctuations energies_;
     TailCorrection tail_;  ///< for energies and pressures, if requested
@@ -156,7 +161,7 @@ std::string si_box(const Vec3& edges, const std::optional<SubstanceUnits>& units
 }  // namespace
 
 AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, const Deck* deck, bool is_run, bool thermo,
-                                         const FrameOptions& options) {
+                                         const FrameOptions& options, const FrameRead& frame_read) {
     AnalyzedTrajectory trajectory{
         .path = path,
         .deck = deck,
@@ -167,7 +172,8 @@ AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, cons
         .xyz_comment = options.xyz_comment,
         .execution = Execution(deck != nullptr ? execution_options(*deck)
                                                : ExecutionOptions{.threads = default_thread_count()})};
-    trajectory.summary = summarize(path, trajectory.units(), options.group, options.positions, options.xyz_comment);
+    trajectory.summary =
+        summarize(path, trajectory.units(), options.group, options.positions, options.xyz_comment, frame_read);
     std::optional<double> time_step = options.time_step;
     if (!time_step && deck != nullptr && !trajectory.summary.steps.empty()) {
         time_step = deck->stages[first_sampled(deck->stages)].time_step;
@@ -179,8 +185,9 @@ AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, cons
     return trajectory;
 }
 
-TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses) {
-    Pass pass(trajectory, analyses);
+TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory, const std::vector<FrameAnalysis>& analyses,
+                                    const FrameRead& frame_read) {
+    Pass pass(trajectory, analyses, frame_read);
     pass.run();
     TrajectoryResult result;
     result.warnings = trajectory.summary.warnings;

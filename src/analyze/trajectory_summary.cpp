@@ -72,12 +72,15 @@ class Summarizer {
 
 TrajectorySummary summarize(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
                             const std::string& group, std::optional<Positions> positions,
-                            const std::string& xyz_comment) {
+                            const std::string& xyz_comment, const FrameRead& frame_read) {
     const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path, units, group, xyz_comment);
     Summarizer summarizer;
     Frame frame;
     while (reader->next(frame)) {
         summarizer.add(frame);
+        if (frame_read) {
+            frame_read();
+        }
     }
     if (reader->frames() == 0) {
         throw DataError(fmt::format("{}: the file has no frame", path.string()));

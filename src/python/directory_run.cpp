@@ -13,6 +13,7 @@
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/run/directory_report.hpp"
 #include "ljmd/run/held_run.hpp"
+#include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/results.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
@@ -96,6 +97,23 @@ py::object resume(const std::filesystem::path& directory, Index steps, int threa
     return to_python(observables_data(observers.averages(), units));
 }
 
+/// (unwrapped positions, velocities, edges, time) by id of the last configuration of a fluid's run.
+py::tuple last(const std::filesystem::path& directory) {
+    const Deck deck = recorded_run(directory).deck;
+    require_fluid(deck, "a few-body run has no box: its trajectory is a table");
+    const State state = last_configuration(directory, deck);
+    Eigen::Matrix3Xd positions(3, state.count());
+    Eigen::Matrix3Xd velocities(3, state.count());
+    const auto v = state.velocities();
+    for (Index i = 0; i < state.count(); ++i) {
+        const Index id = state.ids()[static_cast<std::size_t>(i)];
+        positions.col(id) = state.unwrapped(i);
+        velocities.col(id) = v.col(i);
+    }
+    return py::make_tuple(to_python(positions), to_python(velocities), to_python(Vec3(state.box().edges())),
+                          state.time);
+}
+
 /// "2h" in seconds. @throws InputError
 double seconds_of(const std::string& walltime) {
     const auto seconds = parse_wall_time(walltime);
@@ -113,6 +131,7 @@ void bind_directory_runs(py::module_& module) {
                py::arg("replace"), py::arg("walltime"), py::arg("observables"), py::arg("progress"), py::arg("warn"));
     module.def("resume", &resume, py::arg("directory"), py::arg("steps"), py::arg("threads"), py::arg("walltime"),
                py::arg("observables"), py::arg("progress"), py::arg("warn"));
+    module.def("last_configuration", &last, py::arg("directory"));
     module.def("seconds_of", &seconds_of, py::arg("walltime"));
     module.def(
         "describe", [](const std::filesystem::path& directory) { return to_python(directory_report(directory)); },

@@ -4,8 +4,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <exception>
+#include <mutex>
 #include <utility>
 
+#include "attention.hpp"
 #include "ljmd/analyze/trajectory_analysis.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/registry.hpp"
@@ -30,14 +33,65 @@ std::optional<Positions> positions_of(const std::optional<std::string>& said) {
     return *said == "wrapped" ? Positions::wrapped : Positions::unwrapped;
 }
 
+/// Ends the reading of frames, because Python has raised an exception.
+class Stopped : public std::exception {};
+
+/// Do work on frames without the interpreter's lock. It gets a function to call after each frame, in which Ctrl-C is
+/// noticed and ends the work.
+template <class Work>
+void with_attention(const Work& work) {
+    Attention attention{py::none(), py::none()};
+    {
+        const py::gil_scoped_release free;
+        try {
+            work([&attention] {
+                if (attention.look()) {
+                    throw Stopped();
+                }
+            });
+        } catch (const Stopped&) {
+        }
+    }
+    attention.raise();
+}
+
+/// Frames as arrays, which grow frame by frame.
+struct FrameArrays {
+    std::vector<double> positions;  ///< shape (frames, N, 3), as in the file
+    std::vector<double> velocities;
+    std::vector<double> edges;  ///< shape (frames, 3)
+
+    static void append(std::vector<double>& to, const std::vector<Vec3>& vectors) {
+        for (const Vec3& vector : vectors) {
+            to.insert(to.end(), vector.data(), vector.data() + 3);
+        }
+    }
+    void add(const Configuration& configuration) {
+        append(positions, configuration.positions);
+        append(velocities, configuration.velocities);
+        append(edges, {configuration.edges});
+    }
+};
+
+/// An array that owns the numbers, without a copy.
+py::array_t<double> array_of(std::vector<double> numbers, const std::vector<py::ssize_t>& shape) {
+    auto kept = std::make_unique<std::vector<double>>(std::move(numbers));
+    const double* data = kept->data();
+    const py::capsule owner(kept.get(), [](void* p) {
+        const std::unique_ptr<std::vector<double>> gone(static_cast<std::vector<double>*>(p));
+    });
+    static_cast<void>(kept.release());
+    return py::array_t<double>(shape, data, owner);
+}
+
 /// A trajectory that has been read once.
 class FramesOfPython {
   public:
     /// @param deck  its deck, if one is known
     FramesOfPython(const fs::path& path, std::optional<Deck> deck, bool is_run, bool thermo,
-                   const FrameOptions& options)
+                   const FrameOptions& options, const FrameRead& frame_read)
         : deck_(std::move(deck)),
-          trajectory_(trajectory_to_analyze(path, deck_ ? &*deck_ : nullptr, is_run, thermo, options)) {}
+          trajectory_(trajectory_to_analyze(path, deck_ ? &*deck_ : nullptr, is_run, thermo, options, frame_read)) {}
 
     [[nodiscard]] Data summary() const {
         const TrajectorySummary& summary = trajectory_.summary;
@@ -62,23 +116,58 @@ class FramesOfPython {
                                     const std::vector<std::string>& settings) const {
         TrajectoryResult result;
         Document report;
-        {
-            const py::gil_scoped_release free;
+        with_attention([&](const FrameRead& frame_read) {
+            const std::scoped_lock turn(busy_);
             check_analysis_names(names);
             const std::vector<FrameAnalysis> analyses =
                 make_frame_analyses(names, settings, trajectory_.deck, trajectory_.summary, trajectory_.selection);
-            result = analyze_trajectory(trajectory_, analyses);
+            result = analyze_trajectory(trajectory_, analyses, frame_read);
             for (DataTable& table : result.tables) {
                 table = with_si_columns(std::move(table), trajectory_.units());
             }
             report = trajectory_document(trajectory_, result);
-        }
+        });
         return py::make_tuple(to_python(report.data), python_text(report.text), to_python(result.tables));
+    }
+
+    /// (positions, velocities or None, edges, times or None, steps or None) of all frames.
+    [[nodiscard]] py::tuple arrays() const {
+        const TrajectorySummary& summary = trajectory_.summary;
+        FrameArrays found;
+        std::vector<double> times;
+        std::vector<Index> steps;
+        with_attention([&](const FrameRead& frame_read) {
+            const auto reader =
+                open_trajectory(trajectory_.path, trajectory_.units(), trajectory_.group, trajectory_.xyz_comment);
+            Frame frame;
+            for (Index k = 0; k < summary.frames; ++k) {
+                if (!reader->next(frame)) {
+                    throw DataError(fmt::format("{} has changed while it was read", trajectory_.path.string()));
+                }
+                if (!summary.has_velocities) {
+                    frame.configuration.velocities.clear();
+                }
+                found.add(frame.configuration);
+                times.push_back(frame.configuration.time);
+                steps.push_back(frame.configuration.step);
+                frame_read();
+            }
+        });
+        const auto frames = static_cast<py::ssize_t>(times.size());
+        const auto atoms = static_cast<py::ssize_t>(summary.atoms);
+        return py::make_tuple(
+            array_of(std::move(found.positions), {frames, atoms, 3}),
+            summary.has_velocities ? py::object(array_of(std::move(found.velocities), {frames, atoms, 3}))
+                                   : py::object(py::none()),
+            array_of(std::move(found.edges), {frames, 3}),
+            summary.times.empty() ? py::object(py::none()) : array_of(std::move(times), {frames}),
+            summary.steps.empty() ? py::object(py::none()) : py::array_t<Index>(frames, steps.data()));
     }
 
   private:
     std::optional<Deck> deck_;
     AnalyzedTrajectory trajectory_;
+    mutable std::mutex busy_;  ///< one analysis at a time: they share its threads
 };
 
 FrameOptions options_of(std::optional<double> from, std::optional<double> time_step, std::string group,
@@ -100,14 +189,16 @@ std::unique_ptr<FramesOfPython> frames_of_file(const fs::path& path, const Loade
         require_fluid(*deck, "this is a few-body deck: a trajectory of a fluid wants that of one");
     }
     const FrameOptions options = options_of(from, time_step, std::move(group), positions, std::move(xyz_comment));
-    const py::gil_scoped_release free;
-    return std::make_unique<FramesOfPython>(path, std::move(deck), false, thermo, options);
+    std::unique_ptr<FramesOfPython> frames;
+    with_attention([&](const FrameRead& frame_read) {
+        frames = std::make_unique<FramesOfPython>(path, std::move(deck), false, thermo, options, frame_read);
+    });
+    return frames;
 }
 
 std::unique_ptr<FramesOfPython> frames_of_run(const fs::path& directory, std::optional<double> from,
                                               const std::optional<std::string>& positions) {
     const FrameOptions options = options_of(from, std::nullopt, "", positions, "");
-    const py::gil_scoped_release free;
     Deck deck = recorded_run(directory).deck;
     require_fluid(deck, "a few-body run has no box: its trajectory is a table");
     if (!deck.trajectory) {
@@ -115,7 +206,11 @@ std::unique_ptr<FramesOfPython> frames_of_run(const fs::path& directory, std::op
             fmt::format("{} has no trajectory: its deck has no 'trajectory' in [output]", directory.string()));
     }
     const fs::path path = directory / fmt::format("trajectory.{}", deck.trajectory->format);
-    return std::make_unique<FramesOfPython>(path, std::move(deck), true, false, options);
+    std::unique_ptr<FramesOfPython> frames;
+    with_attention([&](const FrameRead& frame_read) {
+        frames = std::make_unique<FramesOfPython>(path, std::move(deck), true, false, options, frame_read);
+    });
+    return frames;
 }
 
 }  // namespace
@@ -128,6 +223,7 @@ void bind_frames(py::module_& module) {
                  const std::vector<double> times = frames.times();
                  return py::array_t<double>(static_cast<py::ssize_t>(times.size()), times.data());
              })
+        .def("arrays", &FramesOfPython::arrays)
         .def("default_names", &FramesOfPython::default_names)
         .def("analyze", &FramesOfPython::analyze, py::arg("names"), py::arg("settings"));
     module.def("frames_of_file", &frames_of_file, py::arg("path"), py::arg("deck"), py::arg("thermo"), py::arg("start"),

@@ -78,6 +78,18 @@ std::string text_of_file(const std::filesystem::path& path) {
     return file.source->text;
 }
 
+/// sigma [angstrom], epsilon [eV] and mass [u] of a deck's substance; None: it has none.
+py::object substance_of(const LoadedDeck& loaded) {
+    if (!loaded.deck.units) {
+        return py::none();
+    }
+    const SubstanceUnits& units = *loaded.deck.units;
+    constexpr double angstrom_per_nanometre = 10.0;
+    constexpr double electron_volt = 1.602176634e-19;  // [J], exact
+    return py::make_tuple(angstrom_per_nanometre * units.nanometre(), units.si(Dimension::energy) / electron_volt,
+                          units.dalton());
+}
+
 /// (data, text, warnings) of `ljmd check`.
 py::tuple checked(const LoadedDeck& loaded, int threads, const std::string& simd) {
     Document report;
@@ -107,6 +119,7 @@ void bind_decks(py::module_& module) {
         .def_property_readonly("title", [](const LoadedDeck& d) { return python_text(d.deck.title); })
         .def_property_readonly("total_steps", [](const LoadedDeck& d) { return total_steps(d.deck.stages); })
         .def_property_readonly("directory", [](const LoadedDeck& d) { return python_text(d.deck.directory.string()); });
+    module.def("substance", &substance_of, py::arg("deck"));
     module.def("read_file", &text_of_file, py::arg("path"));
     module.def("parse", &parsed, py::arg("name"), py::arg("text"), py::arg("settings"));
     module.def("load", &loaded, py::arg("name"), py::arg("text"), py::arg("settings"), py::arg("force"));

@@ -40,7 +40,8 @@ struct FrameOptions {
 /// @param thermo  compute energies and pressures of the frames, see check_thermo()
 /// @throws InputError, DataError as summarize(), select_frames() and check_thermo()
 [[nodiscard]] AnalyzedTrajectory trajectory_to_analyze(const std::filesystem::path& path, const Deck* deck, bool is_run,
-                                                       bool thermo, const FrameOptions& options);
+                                                       bool thermo, const FrameOptions& options,
+                                                       const FrameRead& frame_read = {});
 
 /// Results from a trajectory.
 struct TrajectoryResult {
@@ -56,7 +57,8 @@ struct TrajectoryResult {
 /// @throws DataError  the file has changed since it was summarised, a mass is not 1, or atoms overlap so that their
 /// forces are not finite
 [[nodiscard]] TrajectoryResult analyze_trajectory(const AnalyzedTrajectory& trajectory,
-                                                  const std::vector<FrameAnalysis>& analyses);
+                                                  const std::vector<FrameAnalysis>& analyses,
+                                                  const FrameRead& frame_read = {});
 
 /// The result as a document. Text: the trajectory, and one line per observable. Data: trajectory, atoms, box_edges,
 /// frames, frames_used, spacing, positions; observables as in results.json; warnings.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "ljmd/io/formats/trajectory_reader.hpp"
 
 namespace ljmd {
+
+/// Called after each frame that is read; what it throws ends the reading.
+using FrameRead = std::function<void()>;
 
 /// Contents of a trajectory, without its positions.
 struct TrajectorySummary {
@@ -34,6 +38,6 @@ struct TrajectorySummary {
 [[nodiscard]] TrajectorySummary summarize(const std::filesystem::path& path, const std::optional<SubstanceUnits>& units,
                                           const std::string& group = {},
                                           std::optional<Positions> positions = std::nullopt,
-                                          const std::string& xyz_comment = {});
+                                          const std::string& xyz_comment = {}, const FrameRead& frame_read = {});
 
 }  // namespace ljmd

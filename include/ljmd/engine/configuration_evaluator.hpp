@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "ljmd/engine/fluid_spec.hpp"
+#include "ljmd/execution/execution.hpp"
+#include "ljmd/forces/pair_force_field.hpp"
+#include "ljmd/model/state.hpp"
+#include "ljmd/potentials/interaction.hpp"
+
+namespace ljmd {
+
+/// Energy, virial and forces of one configuration.
+struct EvaluatedConfiguration {
+    double potential_energy = 0.0;  ///< U/N + u_tail [epsilon]
+    Mat3 virial = Mat3::Zero();     ///< W_ab = sum over pairs of r_a f_b [epsilon], without tail
+    double virial_pressure = 0.0;   ///< tr W/(3 V) + p_tail [epsilon/sigma^3]: the pressure of atoms at rest
+    Eigen::Matrix3Xd forces = {};   ///< in the order of the positions, shape (3, N) [epsilon/sigma]
+};
+
+/// Evaluates configurations of a fluid that other programs move: no stages, no velocities.
+///
+/// The neighbour list is kept from one configuration to the next, and rebuilt before a pair can be missed. The first
+/// configuration, and one with another box or number of atoms, has the bits that it has as the start of a run; later
+/// ones sum in the order of the list, and differ from that by rounding.
+class ConfigurationEvaluator {
+  public:
+    /// @throws InputError for values that no run of a fluid takes, see potential_mistakes() and search_mistakes()
+    ConfigurationEvaluator(const PairPotential& potential, bool tail, const NeighborSpec& neighbors,
+                           const Execution& execution);
+
+    /// @param positions  shape (3, N) [sigma], N >= 1; may lie outside the box
+    /// @param edges      of the box [sigma], each at least twice the cutoff
+    /// @throws InputError for wrong edges, and unless all numbers are finite and N is one that a run can have
+    [[nodiscard]] EvaluatedConfiguration evaluate(const Eigen::Ref<const Eigen::Matrix3Xd>& positions,
+                                                  const Vec3& edges);
+
+  private:
+    /// Atoms and neighbour list, which belong together.
+    struct Parts {
+        State state;
+        PairForceField force_field;
+        Vec3 edges;  ///< that were asked for
+    };
+
+    void begin(const Eigen::Ref<const Eigen::Matrix3Xd>& positions, const Vec3& edges);
+    [[nodiscard]] bool move_to(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
+
+    Interaction interaction_;
+    NeighborSpec neighbors_;
+    Execution execution_;
+    std::optional<Parts> parts_;
+};
+
+}  // namespace ljmd

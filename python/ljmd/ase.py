@@ -1,0 +1,219 @@
+"""ljmd and ASE: a calculator, and conversion of atoms in both directions. Import it as `ljmd.ase`; it imports ASE.
+
+    import ase.build, ljmd.ase
+    sigma, epsilon, mass = ljmd.ase.units(ljmd.ARGON)                        # angstrom, eV, u
+    atoms = ase.build.bulk("Ar", "fcc", a=5.3, cubic=True).repeat(6)
+    atoms.calc = ljmd.ase.Calculator(sigma=sigma, epsilon=epsilon, cutoff=8.5)
+    atoms.get_potential_energy(), atoms.get_forces(), atoms.get_stress()
+
+ASE has angstrom, eV and u; `sigma`, `epsilon` and `mass` say what one reduced unit of length, energy and mass is there. With 1
+for each, atoms are in reduced units.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from ase import Atoms
+from ase.calculators.calculator import Calculator as _AseCalculator
+from ase.calculators.calculator import all_changes
+
+from . import _check, _core
+from .deck import ARGON, Deck, Stage
+from .errors import DataError, InputError
+from .evaluation import Evaluator, edges_of
+from .potentials import Pair
+from .results import Run
+from .simulation import Simulation
+from .trajectories import Trajectory
+
+
+def units(substance: dict = ARGON) -> tuple:
+    """sigma [angstrom], epsilon [eV] and mass [u] of a substance as decks have it. Raises InputError for a wrong one."""
+    deck = Deck.fluid(32, 0.1, 1.0, substance=substance, cutoff=1.0)
+    deck.stages = [Stage("none", 0)]
+    return _core.substance(deck._loaded())
+
+
+def _positive(value, name: str) -> float:
+    if isinstance(value, (bool, str)) or not np.isscalar(value) or not 0 < value < np.inf:
+        raise InputError(f"{name}: {value!r} is not allowed: a finite number above 0")
+    return float(value)
+
+
+def _edges(atoms) -> np.ndarray:
+    """Edges of the box [angstrom]. Raises InputError for atoms that ljmd cannot move."""
+    if len(atoms) == 0:
+        raise InputError("there are no atoms")
+    kinds = sorted(set(atoms.get_chemical_symbols()))
+    if len(kinds) > 1:
+        raise InputError(f"the atoms are of several kinds, {', '.join(kinds)}: ljmd has one kind of atom")
+    if not all(atoms.pbc):
+        raise InputError(f"pbc is {tuple(bool(p) for p in atoms.pbc)}: ljmd's boxes are periodic in all three directions; set "
+                         "atoms.pbc = True")
+    cell = np.asarray(atoms.cell)
+    edges = np.diag(cell)
+    if not (edges > 0).all() or not (cell == np.diag(edges)).all():
+        raise InputError(f"the cell {cell.tolist()} is not orthorhombic: ljmd has boxes with edges along x, y and z")
+    return edges
+
+
+class Calculator(_AseCalculator):
+    """Pair forces of ljmd for ASE: energy, free_energy, forces, stress of one kind of atom in a periodic orthorhombic cell.
+
+    sigma: [angstrom]
+    epsilon: [eV]
+    cutoff: [angstrom]; 3 sigma by default, as ASE's LennardJones; at most half the shortest edge of the cell
+    truncation: "shifted" as ASE's LennardJones, "cut", "force-shifted" or "switched" (with switch_start [angstrom])
+    tail: whether energy and stress are corrected for what the truncation removes, with g(r) = 1; for "cut" and "switched"
+    potential: one of `ljmd.build()["potentials"]`, with its parameters in reduced units; or an `ljmd.Pair`, which brings its
+        cutoff and truncation, in reduced units
+    threads, simd, precision: as in `Deck.run`
+
+    With sigma = epsilon = 1, the first forces are those of a run of ljmd from the same positions, to the last bit; later ones
+    differ by rounding, because the neighbour list is kept. The stress has ASE's sign and order (xx, yy, zz, yz, xz, xy):
+
+        stress_ab = (dU/d strain_ab)/V = -W_ab/V,  W_ab = sum over pairs of r_a f_b
+
+    The tail adds -p_tail to its diagonal, which corrects towards the pressure of the full potential (docs/physics.md). Atoms that
+    ljmd cannot move (several kinds, a tilted cell, open boundaries, a cell below two cutoffs) are an InputError.
+    """
+
+    implemented_properties = ["energy", "free_energy", "forces", "stress"]
+    default_parameters = {"sigma": 1.0, "epsilon": 1.0, "cutoff": None, "truncation": "shifted", "switch_start": None,
+                          "tail": False, "potential": "lennard-jones", "parameters_of_potential": {}, "threads": None,
+                          "simd": None, "precision": "double"}
+    nolabel = True
+
+    def __init__(self, sigma: float = 1.0, epsilon: float = 1.0, cutoff: float | None = None, truncation: str = "shifted", *,
+                 switch_start: float | None = None, tail: bool = False, potential="lennard-jones",
+                 threads: int | None = None, simd: str | None = None, precision: str = "double", atoms=None, **parameters):
+        self._evaluator: Evaluator | None = None
+        super().__init__(atoms=atoms, sigma=sigma, epsilon=epsilon, cutoff=cutoff, truncation=truncation,
+                         switch_start=switch_start, tail=tail, potential=potential, threads=threads, simd=simd,
+                         precision=precision, parameters_of_potential=parameters)
+        self._evaluator = self._made()
+
+    def _made(self) -> Evaluator:
+        p = self.parameters
+        sigma = _positive(p["sigma"], "sigma")
+        _positive(p["epsilon"], "epsilon")
+        options = {key: p[key] for key in ("threads", "simd", "precision")}
+        if isinstance(p["potential"], Pair):
+            if p["cutoff"] is not None or p["parameters_of_potential"]:
+                raise InputError("an ljmd.Pair brings its own cutoff, truncation and parameters")
+            return Evaluator(p["potential"], **options)
+        cutoff = 3 * sigma if p["cutoff"] is None else _positive(p["cutoff"], "cutoff")
+        table = {"type": p["potential"], "truncation": p["truncation"], "tail": p["tail"], "cutoff": cutoff / sigma,
+                 **p["parameters_of_potential"]}
+        if p["switch_start"] is not None:
+            table["switch_start"] = _positive(p["switch_start"], "switch_start") / sigma
+        return Evaluator(table, **options)
+
+    def set(self, **changes):
+        """Change parameters, and forget results."""
+        unknown = set(changes) - set(self.default_parameters)
+        if unknown:
+            raise InputError(f"no parameter {', '.join(sorted(unknown))}; there are {', '.join(self.default_parameters)}")
+        changed = super().set(**changes)
+        if changed and self._evaluator is not None:
+            self.reset()
+            self._evaluator = self._made()
+        return changed
+
+    def calculate(self, atoms=None, properties=None, system_changes=all_changes):
+        """Called by ASE. Raises InputError for atoms that ljmd cannot move."""
+        super().calculate(atoms, properties or self.implemented_properties, system_changes)
+        sigma, epsilon = float(self.parameters["sigma"]), float(self.parameters["epsilon"])
+        edges = _edges(self.atoms)
+        found = self._evaluator(self.atoms.positions / sigma, edges / sigma)
+        volume = np.prod(edges) / sigma**3
+        tail = found.virial_pressure - found.virial / (3 * volume)
+        stress = -found.virial_tensor / volume - (tail * np.eye(3) if self.parameters["tail"] else 0.0)
+        energy = epsilon * len(self.atoms) * found.potential_energy
+        stress *= epsilon / sigma**3
+        self.results = {"energy": energy, "free_energy": energy, "forces": found.forces * (epsilon / sigma),
+                        "stress": stress[[0, 1, 2, 1, 0, 0], [0, 1, 2, 2, 2, 1]]}
+
+
+def _atoms_of(positions, velocities, edges, masses, sigma, epsilon, mass, symbol, info) -> Atoms:
+    atoms = Atoms([symbol] * len(positions), positions=positions * sigma, cell=np.asarray(edges) * sigma, pbc=True, info=info)
+    atoms.set_masses(masses * mass)
+    if velocities is not None:
+        atoms.set_velocities(velocities * np.sqrt(epsilon / mass))
+    return atoms
+
+
+def to_atoms(what, *, frame: int = -1, sigma: float = 1.0, epsilon: float = 1.0, mass: float = 1.0, symbol: str = "X") -> Atoms:
+    """ASE atoms with positions, velocities, masses and cell, by id.
+
+    what: an `ljmd.Simulation`, the snapshot of an observable, an `ljmd.Run` with a directory (its last configuration), or an
+        `ljmd.Trajectory`
+    frame: of a trajectory
+    sigma, epsilon, mass: one reduced unit in angstrom, eV and u, see `units`; 1 leaves numbers as they are
+    symbol: of the atoms
+
+    Positions are unwrapped where they are known so; a trajectory's are those of its file. `atoms.info` has the time [tau] where it
+    is known. Raises InputError for few bodies, which have no box, and DataError for a run in memory, which keeps no configuration.
+    """
+    units_ = [_positive(each, name) for each, name in ((sigma, "sigma"), (epsilon, "epsilon"), (mass, "mass"))]
+    if isinstance(what, Run):
+        if what.directory is None:
+            raise DataError("a run in memory keeps no configuration: take it from its ljmd.Simulation")
+        positions, velocities, edges, time = _core.last_configuration(what.directory)
+    elif isinstance(what, Trajectory):
+        arrays = what.arrays()
+        positions, edges = arrays.positions[frame], arrays.edges[frame]
+        velocities = None if arrays.velocities is None else arrays.velocities[frame]
+        time = None if arrays.times is None else float(arrays.times[frame])
+    elif isinstance(what, (Simulation, _core.Snapshot)):
+        if what.edges is None:
+            raise InputError("few bodies have no box: they are no atoms of a fluid")
+        positions, velocities, edges, time = what.unwrapped, what.velocities, what.edges, what.time
+    else:
+        raise InputError(f"a simulation, a snapshot, a run or a trajectory is needed, found {type(what).__name__}")
+    info = {} if time is None else {"time": time}
+    return _atoms_of(positions, velocities, edges, np.ones(len(positions)), *units_, symbol, info)
+
+
+def to_deck(atoms, file, *, sigma: float = 1.0, epsilon: float = 1.0, cutoff: float | None = None, truncation: str = "shifted",
+            temperature: float | None = None, **options) -> Deck:
+    """A deck that starts from ASE atoms: their positions, cell and velocities, in reduced units.
+
+    file: extended XYZ that is written, and that the deck then starts from; another run may be in memory, or have a directory
+    sigma, epsilon: one reduced unit in angstrom and eV
+    cutoff: [angstrom]; 3 sigma by default
+    temperature: [epsilon/k_B]; from the velocities by default. Atoms at rest have their velocities drawn at this temperature
+    options: as in `Deck.fluid`, in reduced units (switch_start, tail, seed, title, ...)
+
+    The mass of the atoms is the unit of mass. The motion of the centre of mass is removed when a run begins. Raises InputError
+    as the calculator, and for atoms of several masses.
+    """
+    sigma, epsilon = _positive(sigma, "sigma"), _positive(epsilon, "epsilon")
+    edges = edges_of(_edges(atoms) / sigma)
+    masses = atoms.get_masses()
+    if not (masses == masses[0]).all() or not masses[0] > 0:
+        raise InputError("the atoms have several masses, or none: in ljmd all atoms have one mass")
+    velocities = atoms.get_velocities() * np.sqrt(masses[0] / epsilon)
+    moving = bool(velocities.any())
+    if not moving and temperature is None:
+        raise InputError("the atoms are at rest: give a temperature, at which velocities are drawn")
+    deck = Deck.fluid(file=_written(file, atoms.positions / sigma, velocities if moving else None, edges),
+                      temperature=temperature, truncation=truncation,  # type: ignore[arg-type]
+                      cutoff=3.0 if cutoff is None else _positive(cutoff, "cutoff") / sigma, **options)
+    if temperature is None:
+        del deck.system["temperature"]
+    return deck
+
+
+def _written(file, positions, velocities, edges) -> str:
+    """Write a configuration as extended XYZ in reduced units, with all digits. Returns its path."""
+    if not np.isfinite(positions).all() or (velocities is not None and not np.isfinite(velocities).all()):
+        raise InputError("positions and velocities must be finite")
+    path = _check.directory_of(file)
+    columns = "species:S:1:pos:R:3" + ("" if velocities is None else ":velo:R:3") + ":id:I:1"
+    lines = [str(len(positions)),
+             f'Lattice="{edges[0]!r} 0 0 0 {edges[1]!r} 0 0 0 {edges[2]!r}" Properties={columns} pbc="T T T" units=reduced']
+    numbers = positions if velocities is None else np.hstack([positions, velocities])
+    lines += [f"X {' '.join(map(repr, row))} {k + 1}" for k, row in enumerate(numbers.tolist())]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return str(path)

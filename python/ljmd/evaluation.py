@@ -1,0 +1,129 @@
+"""Energy, forces and virial of configurations, without a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import _check, _core
+from .errors import InputError
+from .potentials import Pair
+
+DEFAULT = {"type": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"}
+
+
+@dataclass(frozen=True, repr=False)
+class Evaluation:
+    """What `ljmd.evaluate` finds, in reduced units.
+
+    potential_energy: U/N, with the tail if there is one [epsilon]
+    forces: by atom, shape (N, 3) [epsilon/sigma]
+    virial_tensor: W_ab = sum over pairs of r_a f_b, without tail, shape (3, 3) [epsilon]
+    virial_pressure: tr W/(3 V) + p_tail, the pressure of atoms at rest [epsilon/sigma^3]
+    """
+
+    potential_energy: float
+    forces: np.ndarray
+    virial_tensor: np.ndarray
+    virial_pressure: float
+
+    @property
+    def virial(self) -> float:
+        """W = sum over pairs of r . f [epsilon]."""
+        return float(np.trace(self.virial_tensor))
+
+    def __repr__(self) -> str:
+        return (f"<ljmd.Evaluation: {len(self.forces)} atoms, U/N = {self.potential_energy:.10g}, W = {self.virial:.10g}, "
+                f"virial pressure {self.virial_pressure:.10g}, largest force {np.linalg.norm(self.forces, axis=1).max():.4g}>")
+
+
+class Evaluator:
+    """Evaluates configurations one after another: `evaluator(positions, edges)`, see `ljmd.evaluate`.
+
+    Neighbours are kept from call to call, which saves time where atoms move a little between two. Forces then have the
+    order of sums of an earlier configuration: they differ in rounding from those of `ljmd.evaluate`.
+    """
+
+    def __init__(self, potential=None, *, skin: float = 0.3, threads: int | None = None, simd: str | None = None,
+                 precision: str = "double"):
+        if potential is not None and not isinstance(potential, (dict, Pair)):
+            raise InputError(f"potential: {potential!r} is not allowed: a table as [potential] of decks, or an ljmd.Pair")
+        self._potential = potential if isinstance(potential, Pair) else {**DEFAULT, **(potential or {})}
+        self._options = (float(skin), _check.threads_of(threads), simd or "", precision)
+        self._core = self._made()
+
+    def _made(self):
+        if isinstance(self._potential, Pair):
+            if self._options[3] != "double":
+                raise InputError("a pair potential in Python is computed in double precision")
+            return _core.Evaluator(self._potential._core, *self._options[:3])
+        table = dict(self._potential)
+        names = [table.pop("type"), table.pop("truncation")]
+        cutoff, switch_start = table.pop("cutoff"), table.pop("switch_start", 0.0)
+        tail = bool(table.pop("tail", False))
+        numbers = {"cutoff": cutoff, "switch_start": switch_start, **table}
+        for key, value in numbers.items():
+            if isinstance(value, (bool, str)) or not np.isscalar(value):
+                raise InputError(f"potential: {key} is {value!r}: a number is needed, in reduced units")
+        return _core.Evaluator(*names, float(cutoff), float(switch_start),
+                               [(key, float(value)) for key, value in table.items()], tail, *self._options)
+
+    @property
+    def cutoff(self) -> float:
+        """[sigma]"""
+        return float(self._potential.cutoff if isinstance(self._potential, Pair) else self._potential["cutoff"])
+
+    def __call__(self, positions, edges) -> Evaluation:
+        """See `ljmd.evaluate`."""
+        energy, virial, pressure, forces = self._core.evaluate(vectors(positions, "positions"), edges_of(edges))
+        return Evaluation(energy, forces, virial, pressure)
+
+    def __reduce__(self):
+        return _evaluator_of, (self._potential, self._options)
+
+    def __repr__(self) -> str:
+        what = repr(self._potential) if isinstance(self._potential, Pair) else self._potential
+        return f"<ljmd.Evaluator: {what}>"
+
+
+def _evaluator_of(potential, options) -> Evaluator:
+    skin, threads, simd, precision = options
+    return Evaluator(potential, skin=skin, threads=threads or None, simd=simd, precision=precision)
+
+
+def vectors(array, name: str) -> np.ndarray:
+    """Vectors of atoms as an array of doubles of shape (N, 3)."""
+    try:
+        found = np.asarray(array, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: an array of numbers of shape (N, 3) is needed") from None
+    if found.ndim != 2 or found.shape[1] != 3 or np.iscomplexobj(array):
+        raise InputError(f"{name}: shape {found.shape}, (N, 3) is needed")
+    return found
+
+
+def edges_of(edges) -> tuple:
+    """Three edges from one number or three."""
+    try:
+        found = np.asarray(edges, dtype=float)
+        return tuple(float(edge) for edge in (np.broadcast_to(found, 3)))
+    except (TypeError, ValueError):
+        raise InputError(f"edges: {edges!r}: one number or three are needed, those of the box") from None
+
+
+def evaluate(positions, edges, *, potential=None, threads: int | None = None, simd: str | None = None,
+             precision: str = "double") -> Evaluation:
+    """Energy, forces and virial of one configuration of a fluid: periodic box, one kind of atom, no run.
+
+        u = 4 (r^-12 - r^-6),  U = sum over pairs with r < cutoff,  f_i = -dU/dr_i,  W_ab = sum over pairs of r_a f_b
+
+    positions: shape (N, 3) [sigma]; may lie outside the box
+    edges: of the box, from the origin, three numbers or one [sigma]; each at least twice the cutoff
+    potential: a table as [potential] of decks, in reduced units, or an `ljmd.Pair`; by default Lennard-Jones, shifted at 2.5
+    threads, simd, precision: as in `Deck.run`
+
+    The bits are those of a run that starts from these positions. For many configurations in a row: `ljmd.Evaluator`.
+    Raises InputError for wrong shapes, numbers that are not finite, and a cutoff longer than half the box.
+    """
+    return Evaluator(potential, threads=threads, simd=simd, precision=precision)(positions, edges)

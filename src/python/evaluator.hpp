@@ -1,0 +1,10 @@
+#pragma once
+
+#include "values.hpp"
+
+namespace ljmd::python {
+
+/// The class Evaluator: energy, forces and virial of configurations that Python moves.
+void bind_evaluator(py::module_& module);
+
+}  // namespace ljmd::python
