@@ -12,19 +12,13 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 from checked_files import RunDirectoryError  # noqa: E402
 
-DPI = 200
 FORMATS = (".png", ".pdf", ".svg")
 
-# Okabe and Ito's palette: distinguishable with every common colour vision.
-BLUE = "#0072B2"
-ORANGE = "#E69F00"
-GREEN = "#009E73"
-VERMILION = "#D55E00"
-PURPLE = "#CC79A7"
-SKY = "#56B4E9"
-BLACK = "#000000"
+# The colours of the style file, Okabe and Ito's palette: one a body, or an integrator.
+STYLE = Path(__file__).resolve().parent / "ljmd.mplstyle"
+CYCLE = tuple(matplotlib.rc_params_from_file(STYLE, use_default_template=False)["axes.prop_cycle"].by_key()["color"])
+BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK = CYCLE
 GREY = "#999999"
-CYCLE = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK)  # one a body, or an integrator
 
 LABELS = {
     "time": r"$t$ / $\tau$",
@@ -46,26 +40,7 @@ LABELS = {
 
 def use() -> None:
     """Apply the style to all pictures made from here on."""
-    plt.rcParams.update(
-        {
-            "font.size": 10,
-            "axes.labelsize": 11,
-            "axes.titlesize": 11,
-            "axes.linewidth": 0.8,
-            "axes.grid": True,
-            "axes.axisbelow": True,
-            "axes.formatter.useoffset": False,
-            "grid.color": "#DDDDDD",
-            "grid.linewidth": 0.6,
-            "xtick.direction": "in",
-            "ytick.direction": "in",
-            "legend.frameon": False,
-            "legend.fontsize": 9,
-            "lines.linewidth": 1.2,
-            "savefig.dpi": DPI,
-            "mathtext.fontset": "dejavusans",
-        }
-    )
+    plt.style.use(STYLE)
 
 
 def colour(k: int) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import sys
 import time
+import warnings
 
 
 class _Line:
@@ -44,7 +45,9 @@ def shown(wanted, total: int, first: int = 0, unit: str = "step"):
         yield wanted if callable(wanted) else None
         return
     try:
-        from tqdm.auto import tqdm  # type: ignore
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # in a notebook without ipywidgets tqdm warns, and shows its bar as text
+            from tqdm.auto import tqdm  # type: ignore
         progress: _Bar | _Line = _Bar(tqdm(total=total, initial=first, unit=unit, leave=False))
     except ImportError:
         if not sys.stderr.isatty():
