@@ -15,6 +15,7 @@ All numbers are in reduced units, sigma = epsilon = m = k_B = 1, energies per at
 """
 
 from ._core import build
+from .comparisons import Comparison
 from .deck import ARGON, Check, Deck, Stage, Table
 from .equations import Properties, eos, equations
 from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
@@ -26,12 +27,13 @@ from .potentials import Pair, pair
 from .results import Observable, Quantity, Results, Run, resume
 from .results import open_run as open  # noqa: A001, ljmd.open
 from .simulation import Arrays, Simulation
+from .sweeps import Point, Sweep, open_sweep
 from .trajectories import Trajectory, trajectory
 
 __version__ = build()["version"]
 
-__all__ = ["ARGON", "Arrays", "Check", "CheckpointError", "DataError", "Deck", "Error", "Evaluation", "Evaluator",
+__all__ = ["ARGON", "Arrays", "Check", "CheckpointError", "Comparison", "DataError", "Deck", "Error", "Evaluation", "Evaluator",
            "FileError", "Frames", "InUseError", "InputError", "InternalError", "Interrupted", "Observable", "Pair",
-           "PhysicsError", "Properties", "Quantity", "Results", "Run", "RunWarning", "Simulation", "Stage", "Table",
-           "ThreadsError", "Trajectory", "build", "eos", "equations", "evaluate", "observable", "open", "pair",
+           "PhysicsError", "Point", "Properties", "Quantity", "Results", "Run", "RunWarning", "Simulation", "Stage", "Sweep", "Table",
+           "ThreadsError", "Trajectory", "build", "eos", "equations", "evaluate", "observable", "open", "open_sweep", "pair",
            "resume", "trajectory"]

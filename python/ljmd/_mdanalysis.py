@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import MDAnalysis
+import MDAnalysis  # type: ignore
 import numpy as np
-from MDAnalysis.coordinates.memory import MemoryReader
+from MDAnalysis.coordinates.memory import MemoryReader  # type: ignore
 
 from .errors import DataError
 

@@ -11,15 +11,15 @@ import warnings
 class _Line:
     """Per cent and steps per second, in one line of the terminal."""
 
-    def __init__(self, total: int, first: int):
-        self.total, self.first, self.began, self.shown = total, first, time.monotonic(), 0.0
+    def __init__(self, total: int, first: int, unit: str):
+        self.total, self.first, self.unit, self.began, self.shown = total, first, unit, time.monotonic(), 0.0
 
     def __call__(self, step: int) -> None:
         now = time.monotonic()
         if now - self.shown > 0.2:
             self.shown = now
             rate = (step - self.first) / max(now - self.began, 1e-9)
-            sys.stderr.write(f"\r{100 * step / max(self.total, 1):3.0f} %  step {step}/{self.total}  {rate:.3g} steps/s   ")
+            sys.stderr.write(f"\r{100 * step / max(self.total, 1):3.0f} %  {self.unit} {step}/{self.total}  {rate:.3g} {self.unit}s/s   ")
             sys.stderr.flush()
 
     def close(self) -> None:
@@ -39,7 +39,7 @@ class _Bar:
 
 
 @contextlib.contextmanager
-def shown(wanted, total: int, first: int = 0):
+def shown(wanted, total: int, first: int = 0, unit: str = "step"):
     """What the engine calls with the number of steps done, or None. `wanted`: True, False, or a function of one's own."""
     if callable(wanted) or not wanted:
         yield wanted if callable(wanted) else None
@@ -48,12 +48,12 @@ def shown(wanted, total: int, first: int = 0):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # in a notebook without ipywidgets tqdm warns, and shows its bar as text
             from tqdm.auto import tqdm  # type: ignore
-        progress: _Bar | _Line = _Bar(tqdm(total=total, initial=first, unit="step", leave=False))
+        progress: _Bar | _Line = _Bar(tqdm(total=total, initial=first, unit=unit, leave=False))
     except ImportError:
         if not sys.stderr.isatty():
             yield None
             return
-        progress = _Line(total, first)
+        progress = _Line(total, first, unit)
     try:
         yield progress
         progress(total)

@@ -33,6 +33,19 @@ def as_table(columns, numbers: np.ndarray):
     return pandas.DataFrame({name: numbers[:, k].astype(kind) for k, (name, kind) in enumerate(zip(columns, kinds))})
 
 
+def mixed_table(columns: dict):
+    """The same from columns by name, which may hold text and truth values."""
+    try:
+        import pandas  # type: ignore
+    except ImportError:
+        arrays = {name: np.array(values) for name, values in columns.items()}
+        table = np.empty(len(next(iter(arrays.values()))), dtype=[(name, array.dtype) for name, array in arrays.items()])
+        for name, array in arrays.items():
+            table[name] = array
+        return table
+    return pandas.DataFrame(columns)
+
+
 def html_table(header, rows, caption: str = "") -> str:
     """Cells are escaped; the first column is on the left, the others on the right."""
 

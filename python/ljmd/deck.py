@@ -7,10 +7,12 @@ import os
 
 from . import _check, _core, _toml
 from ._text import html_pre, html_table
+from .comparisons import Comparison, compare
 from .errors import InputError
 from .potentials import Pair
 from .results import Run
 from .simulation import Simulation
+from .sweeps import Sweep, sweep
 
 
 class Table(dict):
@@ -263,11 +265,16 @@ class Deck:
 
     def _source(self) -> tuple:
         """Name, text and settings for the reader: those of the file, unless the tables were changed in Python."""
-        if self._origin is not None:
+        if self._origin is not None and self._pair is None:
             name, text, settings, tables = self._origin
             if _without_empty(self._tables) == _without_empty(tables):
                 return name, text, settings
-        return "Deck", _toml.dumps(self._tables), []
+        return "Deck", self._note() + _toml.dumps(self._tables), []
+
+    def _note(self) -> str:
+        """A line above the tables that do not say all."""
+        return "" if self._pair is None else (f"# The pair potential is {self._pair.name!r}, a function of Python: that in "
+                                              "[potential] stands in for it.\n")
 
     @property
     def text(self) -> str:
@@ -282,11 +289,17 @@ class Deck:
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.text)
 
-    def _loaded(self, force: bool = False):
+    def _require_stages(self) -> None:
         if self._tables and not self._tables.get("stage"):
             raise InputError('this deck has no stages: deck.stages = [ljmd.Stage("production", 1000, sample=True)]')
+
+    def _loaded(self, force: bool = False):
+        self._require_stages()
+        pair = self._pair
+        if pair is not None and pair.stand_in != {k: v for k, v in self["potential"].items() if v is not None}:
+            raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
         name, text, settings = self._source()
-        return _core.load(name, text, settings, force)
+        return _core.load(name, text, settings, force, pair._core if pair is not None else None)
 
     def check(self, *, threads: int | None = None, simd: str | None = None, force: bool = False) -> "Check":
         """Find all mistakes, and estimate memory, disk and time. Nothing is run.
@@ -317,10 +330,58 @@ class Deck:
                 raise InputError("walltime and replace are for a run with a directory")
             simulation = Simulation(self, observables=observables, threads=threads, simd=simd, force=force)
             return simulation.run(progress=progress)
-        if self._pair is not None:
-            raise InputError("a pair potential in Python runs in memory alone: run() without a directory")
         return Run.in_directory(self._loaded(force), directory, observables=observables, threads=threads, simd=simd,
                                 progress=progress, replace=replace, walltime=walltime)
+
+    def sweep(self, points, *, jobs: int | None = None, directory=None, progress=True, force: bool = False) -> Sweep:
+        """Run this deck at many settings, several points at a time, each with one thread in a process of its own: `ljmd sweep`.
+
+            sweep = deck.sweep({"system.temperature": [1.0, 1.5, 2.0], "system.density": [0.2, 0.5]}, jobs=2, directory="runs/gas")
+            sweep.to_dataframe()
+
+        points: {"key": values}, all combinations are run, the last key fastest; or a list of {"key": value}, one for each point.
+            Keys are those of `Deck.set`
+        jobs: points at a time; one for each processor by default
+        directory: where the runs are kept; None: a temporary one, which lives as long as the sweep
+        progress: a bar; or a function that is called with the number of points done
+        force: accept unlikely values, and replace another sweep in the directory, but for points that both have
+
+        The same call goes on with a sweep that was interrupted, and tries failed points again. Ctrl-C stops all points with
+        checkpoints. A point that fails is a warning, and does not stop the others. Raises InputError with all mistakes of all points
+        before anything is run, InUseError, FileError.
+        """
+        return sweep(self, points, jobs=jobs, directory=directory, progress=progress, force=force)
+
+    def compare(self, program: str | None = None, *, parts=None, steps: int | None = None, frames=None, platform: str | None = None,
+                directory=None, threads: int | None = None, simd: str | None = None, precision: str | None = None,
+                force: bool = False) -> Comparison:
+        """Compare with an independent program, number by number: `ljmd compare`, see docs/crosscheck.md.
+
+            found = deck.compare("openmm", parts=["point", "trajectory"])
+            found.passed, found.checks
+
+        program: "openmm" or "lammps" for a fluid; "gsl", an adaptive solution, for few bodies. By default openmm or gsl
+        parts: of "point", "trajectory", "averages", "speed"; all by default
+        steps, frames: length of the trajectories, 1000 by default, and the steps at which they are judged
+        platform: of OpenMM: "Reference" (default), "CPU", "OpenCL"
+        directory: where tables and numbers are written; None: nowhere
+        force: accept unlikely values, and replace an earlier comparison in the directory
+
+        Checks that fail are no exception: see `passed`. Ctrl-C ends it at once. Raises InputError for mistakes of the deck, and where
+        the program is missing: also where ljmd was built without OpenMM.
+        """
+        return compare(self, program, parts=parts, steps=steps, frames=frames, platform=platform, directory=directory, threads=threads,
+                       simd=simd, precision=precision, force=force)
+
+    def _in_file(self, folder) -> tuple:
+        """The deck for the command line: a file that is written into the folder, and arguments of --set."""
+        if self._pair is not None:
+            raise InputError("a pair potential in Python is not known to the program: it runs in memory alone")
+        self._require_stages()
+        name, text, settings = self._source()
+        path = folder / "deck.toml"
+        path.write_text(text, encoding="utf-8")
+        return path, [argument for setting in settings for argument in ("--set", setting)]
 
     def __str__(self) -> str:
         return self.text

@@ -10,7 +10,7 @@ from . import _check, _core
 from .errors import InputError
 from .potentials import Pair
 
-DEFAULT = {"type": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"}
+DEFAULT: dict = {"type": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"}
 
 
 @dataclass(frozen=True, repr=False)
@@ -49,7 +49,7 @@ class Evaluator:
                  precision: str = "double"):
         if potential is not None and not isinstance(potential, (dict, Pair)):
             raise InputError(f"potential: {potential!r} is not allowed: a table as [potential] of decks, or an ljmd.Pair")
-        self._potential = potential if isinstance(potential, Pair) else {**DEFAULT, **(potential or {})}
+        self._potential: dict | Pair = potential if isinstance(potential, Pair) else {**DEFAULT, **(potential or {})}
         self._options = (float(skin), _check.threads_of(threads), simd or "", precision)
         self._core = self._made()
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from . import _core
 from ._check import whole
 from .errors import InputError
 
@@ -63,5 +62,8 @@ def described(observables) -> list:
     return [(each.name, each.unit, each.function, each.every, each.energy) for each in all_of]
 
 
+# docs/files.md has what they are.
 BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy", "pressure", "compressibility_factor",
-            "heat_capacity_cv", "density", *_core.build()["analyses"]}
+            *(f"pressure_{k}" for k in ("xx", "yy", "zz", "xy", "xz", "yz")), "virial", "heat_capacity_cv", "density",
+            "coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "diffusion_infinite_system",
+            "excess_chemical_potential"}

@@ -22,12 +22,21 @@ class Pair:
         self.name, self.cutoff, self.truncation = name, cutoff, truncation
         self.switch_start, self.error, self.force_error = switch_start, error, force_error
         self._table = (first, energies)
-        self._core = _core.Pair(name, first, cutoff, energies, truncation, switch_start or 0.0)
+        self._core = _core.Pair(name, first, cutoff, energies, truncation, switch_start or 0.0, error, force_error)
 
     def __reduce__(self):
         first, energies = self._table
         return type(self), (self.name, first, self.cutoff, energies, self.truncation, self.switch_start, self.error,
                             self.force_error)
+
+    @classmethod
+    def of_run(cls, directory) -> "Pair | None":
+        """The one that the run in a directory was given, from the table there; None if it was given none."""
+        found = _core.pair_of_run(directory)
+        if found is None:
+            return None
+        name, first, cutoff, energies, truncation, switch_start, error, force_error = found
+        return cls(name, first, cutoff, energies, truncation, switch_start or None, error, force_error)
 
     def __deepcopy__(self, memo):
         return self  # nothing of it changes
@@ -138,7 +147,7 @@ class _Table:
             k = np.flatnonzero(~np.isfinite(self.energies))[0]
             raise InputError(f"pair potential {name!r}: u({self.r[k]:.4g}) = {self.energies[k]}; a table has finite energies: "
                              "give a larger `start`")
-        self._core = _core.Pair("a table", first, last, self.energies, "cut", 0.0)
+        self._core = _core.Pair("a table", first, last, self.energies, "cut", 0.0, 0.0, 0.0)
 
     def error_of_energy(self):
         between = 0.5 * (self.r[1:] + self.r[:-1])

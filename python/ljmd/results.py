@@ -23,9 +23,9 @@ def _number(value) -> float:
     return math.nan if value is None else float(value)
 
 
-def _is_component(name: str) -> bool:
+def _is_component(name: str, data: dict) -> bool:
     """Whether only `data` has it, and no table: components of the pressure, the virial."""
-    return name.startswith(("pressure_", "virial"))
+    return name.startswith(("pressure_", "virial")) and not data.get("own")
 
 
 @dataclass(frozen=True)
@@ -51,6 +51,7 @@ class Observable(Quantity):
     independent_samples: its variance over the squared error
     converged: False: the series is too short for its correlations, and the error is a guess
     remark: why there is no value, or why to doubt it
+    own: measured by an observable of your own
     data: all of it, as in results.json
     """
 
@@ -59,6 +60,7 @@ class Observable(Quantity):
     independent_samples: float = math.nan
     converged: bool = True
     remark: str = ""
+    own: bool = False
     si: Quantity | None = None
     data: dict = field(default_factory=dict, repr=False, compare=False)
 
@@ -71,7 +73,7 @@ class Observable(Quantity):
         return cls(mean=_number(data.get("mean", data.get("value"))), error=_number(data.get("standard_error")),
                    unit=data.get("unit", ""), name=name, samples=data.get("samples", 0),
                    independent_samples=_number(data.get("independent_samples")),
-                   converged=data.get("error_is_converged", True), remark=data.get("remark", ""),
+                   converged=data.get("error_is_converged", True), remark=data.get("remark", ""), own=data.get("own", False),
                    si=Quantity(_number(si["mean"]), _number(si["standard_error"]), si["unit"]) if si else None, data=data)
 
 
@@ -126,13 +128,13 @@ class Results(Mapping):
     def _rows(self) -> list:
         rows = []
         for name, each in self.items():
-            if not _is_component(name):
+            if not _is_component(name, each.data):
                 mark = "" if each.converged and not each.remark else " *"
                 rows.append((name, with_error(each.mean, each.error) + mark, each.unit, str(each.si or "")))
         return rows
 
     def _remarks(self) -> list:
-        return [f"* {name}: {each.remark}" for name, each in self.items() if each.remark and not _is_component(name)] + \
+        return [f"* {name}: {each.remark}" for name, each in self.items() if each.remark and not _is_component(name, each.data)] + \
                [f"warning: {warning}" for warning in self.warnings]
 
     def __repr__(self) -> str:
@@ -194,11 +196,22 @@ class Run(Results):
         super().__init__(data, tables)
         self._frames = frames
         self._thermo, self.directory, self.finished = thermo, directory, finished
+        self._given: dict = {}  # as in run.json
 
     @property
     def thermo(self):
         """Energies, temperature and pressure of all samples: a row each, with the columns of thermo.csv (docs/files.md)."""
         return as_table(*(self._thermo if self._thermo is not None else read_csv(self.directory / "thermo.csv")))
+
+    @property
+    def potential(self):
+        """The pair potential of your own that a run in a directory was made with, from the table there; None: that of its
+        deck.
+
+        Raises DataError when the table cannot be read.
+        """
+        from .potentials import Pair
+        return None if self.directory is None else Pair.of_run(self.directory)
 
     @property
     def stages(self) -> list:
@@ -218,8 +231,8 @@ class Run(Results):
         if self.directory is None:
             raise DataError("a run in memory writes no file to analyse: give it a directory; frames() are there where the deck "
                             "has output.trajectory")
-        from .trajectories import Trajectory
-        return Trajectory(_core.frames_of_run(self.directory, start, positions))
+        from .trajectories import trajectory_of_run
+        return trajectory_of_run(self.directory, start, positions)
 
     def frames(self) -> Frames:
         """The frames that the deck's `output.trajectory` asks for, as arrays. Raises DataError if there are none."""
@@ -237,9 +250,13 @@ class Run(Results):
     def _heading(self) -> str:
         system = self.data.get("system", {})
         what = [self.data.get("title"), f"{system['atoms']} atoms, density {system['density']:.6g}" if "atoms" in system else
-                f"{system.get('bodies', '')} bodies", str(self.directory) if self.directory else "in memory",
+                f"{system.get('bodies', '')} bodies", self._potential_in_words(), str(self.directory) if self.directory else "in memory",
                 "" if self.finished else "not finished"]
         return "ljmd run: " + "; ".join(filter(None, what))
+
+    def _potential_in_words(self) -> str:
+        potential = self._given.get("potential")
+        return f"pair potential {potential['name']!r}" if potential else ""
 
     def _rows(self) -> list:
         rows = super()._rows()
@@ -247,17 +264,18 @@ class Run(Results):
                        for analysis, found in self.findings.items() for name, each in found.items()]
 
     @classmethod
-    def open(cls, directory, observables: dict | None = None) -> "Run":
+    def open(cls, directory) -> "Run":
         """See `ljmd.open`."""
         directory = _check.directory_of(directory)
         about, _ = _core.describe(directory)
         data = {"title": about["title"]}
         if about["finished"] and (directory / "results.json").exists():
             data = json.loads((directory / "results.json").read_text(encoding="utf-8"))
-            data["observables"].update(observables or {})
         names = [file["name"] for file in about["files"]]
         tables = [name[:-4] for name in names if name.endswith(".csv") and name != "thermo.csv"]
-        return cls(data, _Files(directory, tables), None, directory, about["finished"])
+        run = cls(data, _Files(directory, tables), None, directory, about["finished"])
+        run._given = about["given"] or {}
+        return run
 
     @classmethod
     def in_directory(cls, deck, directory, *, observables, threads, simd, progress, replace, walltime) -> "Run":
@@ -265,15 +283,19 @@ class Run(Results):
         directory = _check.directory_of(directory)
         options = (_check.threads_of(threads), simd or "", replace, _check.seconds_of(walltime), described(observables))
         with _progress.shown(progress, deck.total_steps) as tell:
-            found = _core.run(deck, directory, *options, tell, _check.warn)
-        return cls.open(directory, found)
+            _core.run(deck, directory, *options, tell, _check.warn)
+        return cls.open(directory)
 
 
-def open_run(directory) -> Run:
-    """The run in a directory, of Python or of the command line. It may be unfinished: then it has no results yet.
+def open_run(directory):
+    """The run in a directory, of Python or of the command line. It may be unfinished: then it has no results yet. Of a sweep: see
+    `ljmd.open_sweep`.
 
     Raises DataError when it is not the directory of a run.
     """
+    if (_check.directory_of(directory) / "sweep.json").exists():
+        from .sweeps import Sweep
+        return Sweep.open(directory)
     return Run.open(directory)
 
 
@@ -281,7 +303,7 @@ def resume(directory, *, steps: int = 0, observables=(), threads: int | None = N
     """Resume the run in a directory from its last checkpoint. It ends with the bits of a run that was not interrupted.
 
     steps: to add to the last stage
-    observables: those that it was begun with, in the same order
+    observables: those that it was begun with, in the same order; the pair potential is in the directory
     threads: as many as before by default
 
     Raises DataError, CheckpointError, InUseError; Interrupted and KeyboardInterrupt as `Deck.run`.
@@ -292,5 +314,5 @@ def resume(directory, *, steps: int = 0, observables=(), threads: int | None = N
     options = (_check.threads_of(threads), _check.seconds_of(walltime), described(observables))
     first = about["checkpoint"]["step"] if about["checkpoint"] else 0
     with _progress.shown(progress, about["total_steps"] + steps, first) as tell:
-        found = _core.resume(directory, steps, *options, tell, _check.warn)
-    return Run.open(directory, found)
+        _core.resume(directory, steps, *options, tell, _check.warn)
+    return Run.open(directory)

@@ -76,11 +76,8 @@ class Simulation:
     """
 
     def __init__(self, deck, *, observables=(), threads: int | None = None, simd: str | None = None, force: bool = False):
-        pair = deck._pair
-        if pair is not None and pair.stand_in != {k: v for k, v in deck["potential"].items() if v is not None}:
-            raise InputError("the deck's potential was changed after an ljmd.Pair was given: give it one with these values")
-        self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), simd or "",
-                                      pair._core if pair is not None else None, described(observables), _check.warn)
+        self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), simd or "", described(observables),
+                                      _check.warn)
         self._title = deck.title
         self._recorder = self._recorder_of(deck)
 
@@ -145,7 +142,6 @@ class Simulation:
     def results(self) -> Run:
         """The results so far."""
         data, _ = self._core.report()
-        data["observables"].update(self._core.observables())
         frames = None if self._recorder is None else self._recorder.frames()
         return Run(data, self._core.tables(), self._core.thermo(), None, self.finished, frames)
 
@@ -172,6 +168,10 @@ class Simulation:
         self._core.restore(bytes(checkpoint))
         if self._recorder is not None:
             self._recorder.go_back_to(self.step)
+
+    def __reduce__(self):
+        raise TypeError("a simulation cannot be copied or pickled: make another one of the same deck, and let it restore() this one's "
+                        "checkpoint()")
 
     step = property(lambda self: self._core.step(), doc="Steps done since the start.")
     total_steps = property(lambda self: self._core.total_steps(), doc="Steps of all stages.")

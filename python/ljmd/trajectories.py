@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 
 from . import _core, _toml
 from .frames import Frames
@@ -15,9 +16,10 @@ class Trajectory:
     Each analysis is a method, whose keywords are its options in decks; `every` counts frames. `analyze` does several.
     """
 
-    def __init__(self, frames):
-        self._frames = frames
-        self._about = frames.summary()
+    def __init__(self, open_again):
+        self._open_again = open_again
+        self._frames = open_again()
+        self._about = self._frames.summary()
 
     path = property(lambda self: self._about["path"])
     frames = property(lambda self: self._about["frames"], doc="Number of frames.")
@@ -44,7 +46,13 @@ class Trajectory:
         return self.arrays().universe()
 
     def __reduce__(self):
-        raise TypeError("an ljmd.Trajectory is an open look at a file: pickle its arrays(), or open its path again")
+        return Trajectory, (self._open_again,)  # reads the file once more
+
+    def __copy__(self):
+        return self  # nothing of it changes
+
+    def __deepcopy__(self, memo):
+        return self
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -74,5 +82,18 @@ def trajectory(path, *, deck=None, start: float | None = None, time_step: float 
 
     Raises DataError for a file that cannot be used.
     """
-    loaded = deck._loaded(True) if deck is not None else None
-    return Trajectory(_core.frames_of_file(os.fspath(path), loaded, energies, start, time_step, group, positions, xyz_comment))
+    deck = deck.copy() if deck is not None else None
+    return Trajectory(partial(_frames_of_file, os.fspath(path), deck, energies, start, time_step, group, positions, xyz_comment))
+
+
+def trajectory_of_run(directory, start, positions) -> Trajectory:
+    """See `Run.trajectory`."""
+    return Trajectory(partial(_frames_of_run, directory, start, positions))
+
+
+def _frames_of_run(*options):
+    return _core.frames_of_run(*options)
+
+
+def _frames_of_file(path, deck, *options):
+    return _core.frames_of_file(path, deck._loaded(True) if deck is not None else None, *options)

@@ -176,12 +176,13 @@ Document thermo_document(const ThermoReport& report) {
                       fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n{}", report.rows,
                                   report.first_step, report.last_step, report.interval, table.text())};
     if (report.heat_capacity) {
-        const auto& [name, symbol, unit, estimate, remark] = *report.heat_capacity;
+        const ObservableAverage& capacity = *report.heat_capacity;
+        const auto& estimate = capacity.estimate;
         const std::string value =
-            estimate ? with_error(estimate->mean, estimate->standard_error) + " " + unit : "no value";
-        document.text += fmt::format("  heat capacity {} of all rows, from their fluctuations: {}{}\n", symbol, value,
-                                     spaced(footnotes.mark(remark)));
-        document.data[name] = observables_data({*report.heat_capacity}, std::nullopt).at(name);
+            estimate ? with_error(estimate->mean, estimate->standard_error) + " " + capacity.unit : "no value";
+        document.text += fmt::format("  heat capacity {} of all rows, from their fluctuations: {}{}\n", capacity.symbol,
+                                     value, spaced(footnotes.mark(capacity.remark)));
+        document.data[capacity.name] = observables_data({capacity}, std::nullopt).at(capacity.name);
     }
     document.text += footnotes.text();
     return document;

@@ -91,15 +91,15 @@ SampledRun run_of(const Deck* deck, const TrajectorySummary& trajectory, const F
                                      : SampledRun{trajectory.atoms, box, 1.0, 0, 1, std::nullopt, std::nullopt};
     run.time_step = selection.spacing.value_or(1.0);
     run.steps = selection.longest_part;
-    if (deck != nullptr) {
+    if (deck != nullptr && (!deck->given.potential || deck->given.potential->potential)) {
         run.interaction = fluid_spec(*deck).interaction();
     }
     return run;
 }
 
 /// Why an analysis of a trajectory is impossible; empty if it is possible.
-std::string obstacle(const AnalysisMethod& method, const SampledRun& run, const TrajectorySummary& trajectory,
-                     const FrameSelection& selection) {
+std::string obstacle(const AnalysisMethod& method, const Deck* deck, const SampledRun& run,
+                     const TrajectorySummary& trajectory, const FrameSelection& selection) {
     const AnalysisNeeds& needs = method.needs;
     if (needs.velocities && !trajectory.has_velocities) {
         return fmt::format("needs velocities, {}", trajectory.missing_velocities);
@@ -115,7 +115,8 @@ std::string obstacle(const AnalysisMethod& method, const SampledRun& run, const 
                            *trajectory.box_changes);
     }
     if (needs.interaction && !run.interaction) {
-        return "needs the interaction: give a deck with --deck";
+        return deck != nullptr ? fmt::format("needs the interaction: {}", deck->given.potential->missing)
+                               : "needs the interaction: give a deck with --deck";
     }
     if (const double largest = 0.5 * run.box.shortest_edge();
         needs.interaction && run.interaction->potential.cutoff().radius > largest) {
@@ -141,7 +142,7 @@ std::vector<std::string> default_analyses(const TrajectorySummary& trajectory, c
 void check_thermo(const Deck* deck, const TrajectorySummary& trajectory, const FrameSelection& selection) {
     AnalysisMethod method;
     method.needs = {.velocities = true, .interaction = true, .fixed_box = false};
-    if (const std::string reason = obstacle(method, run_of(deck, trajectory, selection), trajectory, selection);
+    if (const std::string reason = obstacle(method, deck, run_of(deck, trajectory, selection), trajectory, selection);
         !reason.empty()) {
         throw InputError(fmt::format("thermo {}", reason));
     }
@@ -168,7 +169,7 @@ std::vector<FrameAnalysis> make_frame_analyses(const std::vector<std::string>& n
     Schema schema("[analysis]");
     for (const std::string& name : names) {
         const AnalysisMethod& method = methods.emplace_back(find_plugin(all_analyses(), name, "analysis"));
-        if (const std::string reason = obstacle(method, run, trajectory, selection); !reason.empty()) {
+        if (const std::string reason = obstacle(method, deck, run, trajectory, selection); !reason.empty()) {
             throw InputError(fmt::format("{} {}", name, reason));
         }
         schema = schema.with({Key::table(name, Schema(name, keys_of(method)))});

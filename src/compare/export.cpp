@@ -10,6 +10,8 @@
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
@@ -29,7 +31,14 @@ struct Export {
     fs::path directory;
 
     [[nodiscard]] Fluid fluid() const {
-        return fluid_of(state, pair_potential_of(deck.potential()), deck.potential().has_tail());
+        const FluidSpec spec = fluid_spec(deck);
+        if (spec.potential.is_custom()) {
+            throw InputError(
+                fmt::format("the pair potential {} is a formula of the program that made the run, which other programs "
+                            "do not have: only the configuration can be exported, to extxyz or h5md",
+                            in_quotes(spec.potential.formula())));
+        }
+        return fluid_of(state, spec.potential, spec.tail);
     }
     [[nodiscard]] std::string in_directory() const { return fmt::format("cd '{}'", directory.string()); }
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ljmd/deck/deck_sense.hpp"
 #include "ljmd/deck/deck_stages.hpp"
@@ -73,7 +74,7 @@ std::filesystem::path default_directory(const std::filesystem::path& deck) {
 
 template <class Tables>
 Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std::vector<std::string>& settings,
-             const std::optional<SubstanceUnits>& units, const Placed<Tables>& tables) {
+             const std::optional<SubstanceUnits>& units, const Placed<Tables>& tables, GivenParts given = {}) {
     const auto& output = tables.output;
     return {.path = path.string(),
             .source = file.source->text,
@@ -85,12 +86,35 @@ Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std:
             .directory = output.directory ? std::filesystem::path(*output.directory) : default_directory(path),
             .thermo_every = output.thermo.every,
             .trajectory = output.trajectory ? std::optional<TrajectoryOutput>(*output.trajectory) : std::nullopt,
-            .checkpoint = output.checkpoint};
+            .checkpoint = output.checkpoint,
+            .given = std::move(given)};
+}
+
+/// A potential of the program, and what the deck says that does not go with it.
+void check_given_potential(const GivenParts& given, const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+    if (!given.potential || diagnostics.has_errors()) {
+        return;
+    }
+    const Placed<PotentialTable>& potential = tables.potential;
+    if (potential.radius != given.potential->cutoff.radius || potential.truncation != given.potential->truncation ||
+        (potential.given(&PotentialTable::switch_start) &&
+         potential.switch_start != given.potential->cutoff.switch_start)) {
+        diagnostics.error(
+            potential.location(&PotentialTable::radius),
+            fmt::format("the pair potential of the program has truncation '{}' at {}, and these cannot be "
+                        "changed",
+                        given.potential->truncation, given.potential->cutoff.radius));
+    }
+    const Placed<PerformanceTable>& performance = tables.performance;
+    if (precision_of(performance.precision) == Precision::mixed) {
+        diagnostics.error(performance.location(&PerformanceTable::precision),
+                          "a pair potential of the program is computed in double precision");
+    }
 }
 
 /// @param path  the deck's name in messages
 std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, const std::vector<std::string>& settings,
-                            bool force, Diagnostics& diagnostics) {
+                            bool force, Diagnostics& diagnostics, GivenParts given = {}) {
     if (diagnostics.has_errors()) {
         return std::nullopt;
     }
@@ -101,6 +125,10 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
     const DeckKind kind = kind_of(file.table);
     if (kind == DeckKind::few_body) {
         explain_mixture(file.table, diagnostics);
+        if (!given.empty()) {
+            diagnostics.error(whole,
+                              "a pair potential and observers of a program are for fluids: this deck has few bodies");
+        }
         if (diagnostics.has_errors()) {
             return std::nullopt;
         }
@@ -119,11 +147,12 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
     }
     const Placed<FluidTables> tables(root);
     check_sense(tables, units.has_value(), force, diagnostics);
+    check_given_potential(given, tables, diagnostics);
     if (diagnostics.has_errors()) {
         return std::nullopt;
     }
     check_effects(tables, diagnostics);
-    const Deck deck = to_deck(path, file, settings, units, tables);
+    const Deck deck = to_deck(path, file, settings, units, tables, std::move(given));
     if (tables.system.lattice) {  // a file is checked later, see check_start
         check_start_effects(tables, false, diagnostics);
         check_phase(deck, *tables.system.density, diagnostics);
@@ -139,8 +168,9 @@ std::optional<Deck> load_deck(const std::filesystem::path& path, const std::vect
 }
 
 std::optional<Deck> load_deck_text(const std::string& name, const std::string& text,
-                                   const std::vector<std::string>& settings, bool force, Diagnostics& diagnostics) {
-    return deck_of(name, parse_deck(name, text, diagnostics), settings, force, diagnostics);
+                                   const std::vector<std::string>& settings, bool force, Diagnostics& diagnostics,
+                                   GivenParts given) {
+    return deck_of(name, parse_deck(name, text, diagnostics), settings, force, diagnostics, std::move(given));
 }
 
 }  // namespace ljmd

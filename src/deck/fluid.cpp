@@ -43,6 +43,10 @@ Start start_from_file(const SystemTable& system, const std::optional<SubstanceUn
     return {atoms, Box(edges), std::move(configuration)};
 }
 
+PairPotential potential_of(const Deck& deck) {
+    return deck.given.potential ? deck.given.potential->known() : pair_potential_of(deck.potential());
+}
+
 /// @throws DataError when the velocities that the deck asks for cannot be had
 void require_velocities(const SystemTable& system, const Start& start) {
     if (keeps_velocities(system, start)) {
@@ -89,7 +93,7 @@ FluidSpec fluid_spec(const Deck& deck) {
                    .temperature = system.temperature,
                    .keep_velocities = !system.draws_velocities(),
                    .seed = static_cast<std::uint64_t>(system.seed),
-                   .potential = pair_potential_of(deck.potential()),
+                   .potential = potential_of(deck),
                    .tail = deck.potential().has_tail(),
                    .neighbors = deck.neighbors(),
                    .stages = deck.stages,

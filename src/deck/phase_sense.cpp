@@ -13,8 +13,11 @@ namespace ljmd {
 void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
     const bool box_changes = std::ranges::any_of(
         deck.stages, [](const Stage& stage) { return stage.steps > 0 && stage.barostat.has_value(); });
+    if (box_changes || deck.given.potential || deck.potential().type != LennardJones::name) {
+        return;
+    }
     const auto temperature = requested_temperature(fluid_spec(deck));
-    if (box_changes || !temperature || deck.potential().type != LennardJones::name) {
+    if (!temperature) {
         return;
     }
     const auto densities = freezing_densities(*temperature);

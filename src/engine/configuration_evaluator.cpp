@@ -14,6 +14,8 @@ namespace {
 
 using Positions = Eigen::Ref<const Eigen::Matrix3Xd>;
 
+constexpr double max_crossings = 1e6;  // of one position, see State::wrap()
+
 void require_none(const std::vector<Mistake>& mistakes) {
     if (!mistakes.empty()) {
         throw InputError(in_words(mistakes.front()));
@@ -37,7 +39,7 @@ void require_sound(const Positions& positions, const Vec3& edges) {
 /// A position in the box, on its grid.
 Vec3 placed(const Box& box, const Vec3& r, Index atom) {
     const Vec3 n = box.crossings(r);
-    if (!(n.cwiseAbs().maxCoeff() < 1e6)) {
+    if (!(n.cwiseAbs().maxCoeff() < max_crossings)) {
         throw InputError(
             fmt::format("positions: atom {}, counted from 0, is more than a million edges away from the box", atom));
     }
@@ -95,8 +97,8 @@ void ConfigurationEvaluator::begin(const Positions& positions, const Vec3& edges
               edges});
 }
 
-/// Move each atom to the image of its new position that is nearest to where it is. @return false where that image lies
-/// too far outside the box for its grid: the atoms are then to be placed anew
+/// Move each atom to the image of its new position that is nearest to where it is. @return false where that is too
+/// far away, or the image too far outside the box for its grid: the atoms are then to be placed anew
 bool ConfigurationEvaluator::move_to(const Positions& positions) {
     const Box& box = parts_->state.box();
     const Vec3 lowest = -0.25 * box.edges();
@@ -107,7 +109,8 @@ bool ConfigurationEvaluator::move_to(const Positions& positions) {
         const Vec3 wanted = positions.col(ids[static_cast<std::size_t>(i)]);
         const Vec3 edges_away = (wanted - r.col(i)).cwiseQuotient(box.edges()).array().round();
         const Vec3 nearest = wanted - edges_away.cwiseProduct(box.edges());
-        if (!((nearest.array() > lowest.array()).all() && (nearest.array() < highest.array()).all())) {
+        if (!(edges_away.cwiseAbs().maxCoeff() < max_crossings && (nearest.array() > lowest.array()).all() &&
+              (nearest.array() < highest.array()).all())) {
             return false;
         }
         r.col(i) = box.snap(nearest);

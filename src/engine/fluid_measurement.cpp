@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
@@ -291,6 +292,12 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
     }
     if (const auto infinite = diffusion_in_infinite_system(result.averages, state.box())) {
         result.averages.push_back(*infinite);
+    }
+    for (const Observer* observer : observers_) {
+        if (auto average = observer->average()) {
+            average->own = true;
+            result.averages.push_back(std::move(*average));
+        }
     }
     add_remarks(result, spec_);
     return result;

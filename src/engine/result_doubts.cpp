@@ -46,7 +46,7 @@ std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
     if (steps == 0) {
         return doubts;
     }
-    if (result.averages.empty()) {
+    if (std::ranges::all_of(result.averages, &ObservableAverage::own)) {
         doubts.emplace_back("no sample was taken: set sample = true in a stage longer than the thermo interval");
     }
     if (result.order_at_sampling && *result.order_at_sampling > crystal_left) {

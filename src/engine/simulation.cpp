@@ -10,6 +10,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/fluid_measurement.hpp"
 #include "ljmd/engine/fluid_system.hpp"
+#include "ljmd/potentials/potential_identity.hpp"
 
 namespace ljmd {
 
@@ -34,22 +35,6 @@ FluidSpec seeded(FluidSpec spec) {
         stage.seed = stage.seed == 0 ? spec.seed : stage.seed;
     }
     return spec;
-}
-
-/// What tells a potential from others, as text. A formula of the calling program is told by some of its values.
-std::string identity(const PairPotential& potential) {
-    std::string text = fmt::format("{} {} {} {}", potential.formula(), potential.truncation(),
-                                   potential.cutoff().radius, potential.cutoff().switch_start);
-    for (const auto& [key, value] : potential.parameters()) {
-        text += fmt::format(" {}={}", key, value);
-    }
-    if (potential.is_custom()) {
-        for (const double part : {0.3, 0.5, 0.7, 0.9}) {
-            const PairTerm<double> term = potential.untruncated(part * potential.cutoff().radius);
-            text += fmt::format(" {} {}", term.u, term.w);
-        }
-    }
-    return text;
 }
 
 /// Everything of a specification that the trajectory and the results depend on but for the atoms, as text. Two

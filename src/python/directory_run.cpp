@@ -12,6 +12,7 @@
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/run/directory_report.hpp"
+#include "ljmd/run/given/given_record.hpp"
 #include "ljmd/run/held_run.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/results.hpp"
@@ -46,15 +47,16 @@ void run_freely(PythonObservers& observers, Attention& attention, const std::fil
     attention.raise();
 }
 
-/// Run a deck in a directory. @return its observables in Python, as in results.json
-py::object run(const LoadedDeck& loaded, const std::filesystem::path& directory, int threads, const std::string& simd,
-               bool replace, std::optional<double> walltime, const py::iterable& observables,
-               const py::object& progress, const py::object& warn) {
+/// Run a deck in a directory.
+void run(const LoadedDeck& loaded, const std::filesystem::path& directory, int threads, const std::string& simd,
+         bool replace, std::optional<double> walltime, const py::iterable& observables, const py::object& progress,
+         const py::object& warn) {
     PythonObservers observers(observables);
     Attention attention(progress, warn);
     Deck deck = loaded.deck;
     deck.directory = directory;
     require_fluid_for(observers, deck);
+    deck.given.observers = records_of(observers.all());
     run_freely(observers, attention, directory, [&] {
         Diagnostics diagnostics = loaded.diagnostics;
         CheckedRun checked = checked_run(deck, threads, simd, diagnostics);
@@ -67,22 +69,19 @@ py::object run(const LoadedDeck& loaded, const std::filesystem::path& directory,
         run_in_locked_directory(deck, system, replace, attention,
                                 {.interruption = attention.interruption(walltime), .observers = observers.all()});
     });
-    return to_python(observables_data(observers.averages(), deck.units));
 }
 
-/// Resume the run in a directory. @return its observables in Python, as in results.json
-py::object resume(const std::filesystem::path& directory, Index steps, int threads, std::optional<double> walltime,
-                  const py::iterable& observables, const py::object& progress, const py::object& warn) {
+/// Resume the run in a directory.
+void resume(const std::filesystem::path& directory, Index steps, int threads, std::optional<double> walltime,
+            const py::iterable& observables, const py::object& progress, const py::object& warn) {
     if (steps < 0) {
         throw InputError(fmt::format("{} more steps: allowed are 0 and more", steps));
     }
     PythonObservers observers(observables);
     Attention attention(progress, warn);
-    std::optional<SubstanceUnits> units;
     run_freely(observers, attention, directory, [&] {
-        HeldRun held(directory, steps, threads, [&](const std::string& text) { attention.warning(text); });
-        require_fluid_for(observers, held.deck());
-        units = held.deck().units;
+        HeldRun held(directory, steps, threads, [&](const std::string& text) { attention.warning(text); },
+                     {.by = "Python", .observers = observers.all()});
         for (const std::string& warning : held.warnings()) {
             attention.warning(warning);
         }
@@ -94,7 +93,6 @@ py::object resume(const std::filesystem::path& directory, Index steps, int threa
                   .observers = observers.all()});
         held.warn_if_moved();
     });
-    return to_python(observables_data(observers.averages(), units));
 }
 
 /// (unwrapped positions, velocities, edges, time) by id of the last configuration of a fluid's run.

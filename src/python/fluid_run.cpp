@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "ljmd/core/errors.hpp"
 #include "ljmd/deck/history_columns.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/run/results.hpp"
@@ -10,18 +9,6 @@
 namespace ljmd::python {
 
 namespace {
-
-/// What a deck says, but for the potential of the calling program.
-FluidSpec spec_of(const Deck& deck, Start start, const std::optional<PairPotential>& potential) {
-    FluidSpec spec = fluid_spec(deck, std::move(start));
-    if (potential) {
-        if (spec.tail) {
-            throw InputError("a pair potential in Python is not known beyond its cutoff: it takes tail=False");
-        }
-        spec.potential = *potential;
-    }
-    return spec;
-}
 
 class FluidRun : public MemoryRun {
   public:
@@ -85,9 +72,8 @@ DataTable FluidRun::thermo() const {
 }  // namespace
 
 std::unique_ptr<MemoryRun> fluid_run(const Deck& deck, Start start, const Execution& execution,
-                                     const std::optional<PairPotential>& potential,
                                      const std::function<void(const std::string&)>& warn) {
-    auto run = std::make_unique<FluidRun>(deck, spec_of(deck, std::move(start), potential), execution);
+    auto run = std::make_unique<FluidRun>(deck, fluid_spec(deck, std::move(start)), execution);
     for (const std::string& warning : run->warnings()) {
         warn(warning);
     }

@@ -1,6 +1,7 @@
 #include "loaded_deck.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <type_traits>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
+#include "pair.hpp"
 
 namespace ljmd::python {
 
@@ -62,11 +64,19 @@ py::dict parsed(const std::string& name, const std::string& text, const std::vec
     return table_of(file.table);
 }
 
+/// @param pair  the pair potential of the calling program, if it gives one
 std::unique_ptr<LoadedDeck> loaded(const std::string& name, const std::string& text,
-                                   const std::vector<std::string>& settings, bool force) {
+                                   const std::vector<std::string>& settings, bool force, const PairOfPython* pair) {
     Diagnostics diagnostics;
-    auto deck = load_deck_text(name, text, settings, force, diagnostics);
+    GivenParts given{.by = "Python"};
+    if (pair != nullptr) {
+        given.potential = pair->given();
+    }
+    auto deck = load_deck_text(name, text, settings, force, diagnostics, std::move(given));
     diagnostics.throw_if_errors();
+    if (pair != nullptr && deck->potential().has_tail()) {
+        throw InputError("a pair potential in Python is not known beyond its cutoff: it takes tail=False");
+    }
     return std::make_unique<LoadedDeck>(LoadedDeck{std::move(*deck), std::move(diagnostics)});
 }
 
@@ -122,7 +132,8 @@ void bind_decks(py::module_& module) {
     module.def("substance", &substance_of, py::arg("deck"));
     module.def("read_file", &text_of_file, py::arg("path"));
     module.def("parse", &parsed, py::arg("name"), py::arg("text"), py::arg("settings"));
-    module.def("load", &loaded, py::arg("name"), py::arg("text"), py::arg("settings"), py::arg("force"));
+    module.def("load", &loaded, py::arg("name"), py::arg("text"), py::arg("settings"), py::arg("force"),
+               py::arg("pair"));
     module.def("check", &checked, py::arg("deck"), py::arg("threads"), py::arg("simd"));
 }
 

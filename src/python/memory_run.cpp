@@ -2,18 +2,13 @@
 
 #include "few_body_run.hpp"
 #include "fluid_run.hpp"
-#include "ljmd/core/errors.hpp"
 
 namespace ljmd::python {
 
 std::unique_ptr<MemoryRun> memory_run(const Deck& deck, CheckedRun checked,
-                                      const std::optional<PairPotential>& potential,
                                       const std::function<void(const std::string&)>& warn) {
     if (checked.start) {
-        return fluid_run(deck, std::move(*checked.start), checked.execution, potential, warn);
-    }
-    if (potential) {
-        throw InputError("few bodies have a force, no pair potential");
+        return fluid_run(deck, std::move(*checked.start), checked.execution, warn);
     }
     return few_body_run(deck);
 }

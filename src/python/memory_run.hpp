@@ -53,11 +53,9 @@ class MemoryRun {
     MemoryRun& operator=(const MemoryRun&) = default;
 };
 
-/// @param potential  of a fluid, instead of the deck's; none: the deck's
-/// @param warn       receives remarks on the start
+/// @param warn  receives remarks on the start
 /// @throws InputError, DataError, PhysicsError as make_fluid()
 [[nodiscard]] std::unique_ptr<MemoryRun> memory_run(const Deck& deck, CheckedRun checked,
-                                                    const std::optional<PairPotential>& potential,
                                                     const std::function<void(const std::string&)>& warn);
 
 }  // namespace ljmd::python

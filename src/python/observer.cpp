@@ -108,7 +108,7 @@ void PythonObserver::sample(const Snapshot& snapshot) {
     series_.add(Eigen::VectorXd::Constant(1, measured(snapshot)));
 }
 
-ObservableAverage PythonObserver::average() const {
+std::optional<ObservableAverage> PythonObserver::average() const {
     ObservableAverage average{name_, name_, unit_, std::nullopt};
     if (series_.samples() > 0) {
         average.estimate = series_.estimate(0);
@@ -138,14 +138,6 @@ std::vector<Observer*> PythonObservers::all() const {
         all.push_back(observer.get());
     }
     return all;
-}
-
-std::vector<ObservableAverage> PythonObservers::averages() const {
-    std::vector<ObservableAverage> averages;
-    for (const auto& observer : observers_) {
-        averages.push_back(observer->average());
-    }
-    return averages;
 }
 
 void bind_snapshot(py::module_& module) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ class PythonObserver : public Observer {
 
     void archive(Archive& a) override { a(series_); }
 
-    [[nodiscard]] ObservableAverage average() const;
+    [[nodiscard]] ObserverRecord record() const override { return {name_, unit_, every_, energy_}; }
+    [[nodiscard]] std::optional<ObservableAverage> average() const override;
 
   private:
     [[nodiscard]] double call(const Snapshot& snapshot) const;
@@ -55,7 +57,6 @@ class PythonObservers {
 
     void attend(Attention* attention);
     [[nodiscard]] std::vector<Observer*> all() const;
-    [[nodiscard]] std::vector<ObservableAverage> averages() const;
     [[nodiscard]] bool empty() const { return observers_.empty(); }
 
   private:

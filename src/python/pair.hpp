@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "ljmd/potentials/pair_potential.hpp"
+#include "ljmd/run/given/given_record.hpp"
 #include "values.hpp"
 
 namespace ljmd::python {
@@ -12,19 +12,18 @@ namespace ljmd::python {
 /// A pair potential whose energies were computed in Python, as a table.
 class PairOfPython {
   public:
-    /// @param energies  see PairTable
     /// @throws InputError as PairTable and PairPotential::custom(); for a `switched` one unless 0 < switch_start < last
-    PairOfPython(const std::string& name, double first, double last, const std::vector<double>& energies,
-                 const std::string& truncation, double switch_start);
+    explicit PairOfPython(TabulatedPair table) : given_(given_potential(std::move(table))) {}
 
-    [[nodiscard]] const PairPotential& potential() const { return potential_; }
+    [[nodiscard]] const GivenPotential& given() const { return given_; }
+    [[nodiscard]] const PairPotential& potential() const { return given_.known(); }
 
     /// u and -u' at distances, of the formula without truncation or of the truncated one.
     [[nodiscard]] std::pair<py::array_t<double>, py::array_t<double>> values(const py::array_t<double>& distances,
                                                                              bool truncated) const;
 
   private:
-    PairPotential potential_;
+    GivenPotential given_;
 };
 
 void bind_pairs(py::module_& module);

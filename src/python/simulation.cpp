@@ -10,11 +10,9 @@
 #include "attention.hpp"
 #include "errors.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/run/results.hpp"
 #include "loaded_deck.hpp"
 #include "memory_run.hpp"
 #include "observer.hpp"
-#include "pair.hpp"
 
 namespace ljmd::python {
 
@@ -29,14 +27,13 @@ constexpr double part_of_turn = 0.02;
 /// Python, or the functions of its own observables, must not look at it.
 class PythonSimulation {
   public:
-    PythonSimulation(const LoadedDeck& deck, int threads, const std::string& simd, const PairOfPython* pair,
-                     const py::iterable& observables, const py::object& warn)
+    PythonSimulation(const LoadedDeck& deck, int threads, const std::string& simd, const py::iterable& observables,
+                     const py::object& warn)
         : observers_(observables) {
         const auto tell = [&warn](const std::string& text) {
             const py::gil_scoped_acquire lock;
             warn(python_text(text));
         };
-        const auto potential = pair != nullptr ? std::optional(pair->potential()) : std::nullopt;
         {
             const py::gil_scoped_release free;
             Diagnostics diagnostics = deck.diagnostics;
@@ -44,8 +41,7 @@ class PythonSimulation {
             for (const std::string& warning : warnings_of(diagnostics)) {
                 tell(warning);
             }
-            run_ = memory_run(deck.deck, std::move(checked), potential, tell);
-            units_ = deck.deck.units;
+            run_ = memory_run(deck.deck, std::move(checked), tell);
         }
         for (Observer* observer : observers_.all()) {
             run_->add(*observer);
@@ -82,8 +78,6 @@ class PythonSimulation {
         require_no_view();
         run_->restore(checkpoint);
     }
-
-    [[nodiscard]] Data observables() const { return observables_data(observers_.averages(), units_); }
 
     /// Someone looks at the memory of the atoms, which must not move meanwhile.
     class View {
@@ -147,7 +141,6 @@ class PythonSimulation {
 
     PythonObservers observers_;
     std::unique_ptr<MemoryRun> run_;
-    std::optional<SubstanceUnits> units_;
     Index part_ = 1;  ///< steps that take about part_of_turn
     int views_ = 0;   ///< of the memory of its atoms
     std::atomic<bool> is_running_ = false;
@@ -239,10 +232,8 @@ void bind_simulation(py::module_& module) {
         .def("masses", [](const py::object& v) { return numbers_view(v.cast<View&>().state().masses(), v); })
         .def("ids", [](const py::object& v) { return numbers_view(v.cast<View&>().state().ids(), v); });
     py::class_<PythonSimulation>(module, "Simulation", "A run in memory.")
-        .def(py::init<const LoadedDeck&, int, const std::string&, const PairOfPython*, const py::iterable&,
-                      const py::object&>(),
-             py::arg("deck"), py::arg("threads"), py::arg("simd"), py::arg("pair"), py::arg("observables"),
-             py::arg("warn"))
+        .def(py::init<const LoadedDeck&, int, const std::string&, const py::iterable&, const py::object&>(),
+             py::arg("deck"), py::arg("threads"), py::arg("simd"), py::arg("observables"), py::arg("warn"))
         .def("advance", &PythonSimulation::advance, py::arg("steps"), py::arg("progress"))
         .def(
             "view",
@@ -279,7 +270,6 @@ void bind_simulation(py::module_& module) {
         .def("report", [](Sim s) { return to_python(s.run().report()); })
         .def("tables", [](Sim s) { return to_python(s.run().tables()); })
         .def("thermo", [](Sim s) { return to_python(s.run().thermo()); })
-        .def("observables", [](Sim s) { return to_python(s.observables()); })
         .def("checkpoint", [](Sim s) { return py::bytes(s.run().checkpoint()); })
         .def("restore", &PythonSimulation::restore, py::arg("checkpoint"));
 }

@@ -15,6 +15,7 @@
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/run/continuation.hpp"
+#include "ljmd/run/given/given_record.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_report.hpp"
 
@@ -45,6 +46,10 @@ Contents contents_of(const fs::path& directory) {
     } catch (const CheckpointError& error) {
         contents.damaged = {error.what()};
     }
+    const auto& potential = contents.run.deck.given.potential;
+    if (potential && potential->bad_table) {
+        contents.damaged.push_back(potential->missing);
+    }
     for (const fs::path& entry : files::list(directory)) {
         if (const auto bytes = files::size_of(entry)) {
             contents.files.emplace_back(entry.filename().string(), *bytes);
@@ -72,6 +77,10 @@ std::string text_of(const Contents& contents, const fs::path& directory) {
     if (!contents.run.earlier.resumed_at_steps.empty()) {
         text += fmt::format("resumed       after steps {}\n", fmt::join(contents.run.earlier.resumed_at_steps, ", "));
     }
+    if (!deck.given.empty()) {
+        text += fmt::format("run with      {}, of a program in {}\n", in_words(deck.given),
+                            printable(deck.given.by, longest_words));
+    }
     text += fmt::format("finished      {}\n", contents.run.finished ? "yes"
                                               : contents.running    ? "no, it is running"
                                                                     : "no");
@@ -92,8 +101,10 @@ std::string text_of(const Contents& contents, const fs::path& directory) {
     }
     text += files.text();
     if (contents.continuation && !contents.running) {
-        text += contents.run.finished ? fmt::format("longer: ljmd resume {} --steps +N\n", directory.string())
-                                      : fmt::format("to go on: ljmd resume {}\n", directory.string());
+        const std::string how = how_to_resume(deck.given, directory);
+        text += !contents.run.finished ? fmt::format("to go on: {}\n", how)
+                : deck.given.empty()   ? fmt::format("longer: {} --steps +N\n", how)
+                                       : fmt::format("longer: {}, with more steps\n", how);
     }
     return text;
 }
@@ -118,6 +129,7 @@ Data data_of(const Contents& contents) {
             {"resumed_at_steps", contents.run.earlier.resumed_at_steps},
             {"total_steps", total_steps(deck.stages)},
             {"checkpoint", checkpoint},
+            {"given", given_data(deck.given)},
             {"damaged", contents.damaged},
             {"files", files}};
 }

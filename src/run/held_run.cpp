@@ -17,9 +17,11 @@ std::unique_ptr<RunLock> lock_of(const std::filesystem::path& directory, const R
     return input_is_directory(directory) ? std::make_unique<RunLock>(directory, warn) : nullptr;
 }
 
-RecordedRun locked_run(const std::filesystem::path& directory, Index more_steps, const std::unique_ptr<RunLock>& lock) {
+RecordedRun locked_run(const std::filesystem::path& directory, Index more_steps, const GivenAgain& again,
+                       const std::unique_ptr<RunLock>& lock) {
     RecordedRun run = recorded_run(directory, more_steps);
     run.deck.locked = lock->directory();
+    run.deck.given = resumed_parts(std::move(run.deck.given), again, directory);
     return run;
 }
 
@@ -35,9 +37,10 @@ Continuation newest_continuation(const RecordedRun& run) {
 
 }  // namespace
 
-HeldRun::HeldRun(const std::filesystem::path& directory, Index more_steps, int threads, const RunLock::Warn& warn)
+HeldRun::HeldRun(const std::filesystem::path& directory, Index more_steps, int threads, const RunLock::Warn& warn,
+                 const GivenAgain& again)
     : lock_(lock_of(directory, warn)),
-      run_(locked_run(directory, more_steps, lock_)),
+      run_(locked_run(directory, more_steps, again, lock_)),
       continuation_(newest_continuation(run_)),
       execution_(execution_options(run_.deck, threads > 0 ? threads : run_.threads, run_.simd)) {}
 

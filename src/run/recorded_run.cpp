@@ -10,6 +10,7 @@
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/io/tables/json_file.hpp"
+#include "ljmd/run/given/given_record.hpp"
 
 namespace ljmd {
 
@@ -25,6 +26,7 @@ struct Record {
     std::string simd;
     int threads;
     bool finished;
+    GivenParts given;
 };
 
 Record read_record(const fs::path& path) {
@@ -32,7 +34,7 @@ Record read_record(const fs::path& path) {
         throw DataError(
             fmt::format("{} is not the directory of a run: it has no run.json", path.parent_path().string()));
     }
-    return read_json(path, "the record of a run", [](const Data& record) -> Record {
+    return read_json(path, "the record of a run", [&path](const Data& record) -> Record {
         if (record.at("program") != "ljmd") {
             throw WrongData("it is that of another program");
         }
@@ -41,13 +43,15 @@ Record read_record(const fs::path& path) {
         for (const Data& step : record.at("resumed_at_steps").items()) {
             earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, max_steps));
         }
+        const Data* given = record.find("given");  // that older records do not have
         return {record.at("deck_file").text(),
                 record.at("deck").text(),
                 texts_of(record.at("settings"), "settings", max_settings),
                 std::move(earlier),
                 record.at("simd").is_null() ? "" : record.at("simd").text(),
                 static_cast<int>(integer_of(record.at("threads"), "threads", 1, max_threads)),
-                record.at("finished").flag()};
+                record.at("finished").flag(),
+                given != nullptr ? given_parts(*given, path.parent_path()) : GivenParts()};
     });
 }
 
@@ -63,7 +67,7 @@ Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& se
         record.settings.push_back(setting);
     }
     const std::string name = fmt::format("deck of {}", directory.string());
-    auto deck = load_deck_text(name, record.deck, record.settings, true, diagnostics);
+    auto deck = load_deck_text(name, record.deck, record.settings, true, diagnostics, std::move(record.given));
     diagnostics.throw_if_errors();
     return std::move(*deck);
 }
@@ -71,8 +75,8 @@ Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& se
 RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
     Record record = read_record(directory / "run.json");
     Diagnostics diagnostics;
-    auto deck =
-        load_deck_text(fmt::format("deck of {}", directory.string()), record.deck, record.settings, true, diagnostics);
+    auto deck = load_deck_text(fmt::format("deck of {}", directory.string()), record.deck, record.settings, true,
+                               diagnostics, std::move(record.given));
     diagnostics.throw_if_errors();
     deck->path = record.deck_file;
     deck->directory = directory;

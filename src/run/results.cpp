@@ -67,6 +67,9 @@ Data observable_data(const ObservableAverage& average, const std::optional<Subst
     if (const std::string remark = remark_of(average); !remark.empty()) {
         json["remark"] = remark;
     }
+    if (average.own) {
+        json["own"] = true;
+    }
     return json;
 }
 
@@ -74,13 +77,14 @@ Data observable_data(const ObservableAverage& average, const std::optional<Subst
 std::vector<std::string> table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units,
                                     Footnotes& footnotes) {
     const std::string mark = footnotes.mark(remark_of(average));
+    const std::string symbol = average.own ? "own" : average.symbol;
     if (!average.estimate || !std::isfinite(average.estimate->mean)) {
-        return {average.name, average.symbol, "no value", mark};
+        return {average.name, symbol, "no value", mark};
     }
     const Estimate& e = *average.estimate;
     std::vector<std::string> line{
         average.name,
-        average.symbol,
+        symbol,
         with_error(e.mean, e.standard_error),
         mark,
         average.unit,
@@ -136,11 +140,12 @@ std::string observables_table(const std::vector<ObservableAverage>& averages,
                      {"", Align::left}},
                     2);
     for (const ObservableAverage& average : averages) {
-        if (is_in_table(average.name)) {
+        if (is_in_table(average)) {
             table.add(table_line(average, units, footnotes));
         }
     }
-    return table.text() + footnotes.text();
+    const bool own = std::ranges::any_of(averages, &ObservableAverage::own);
+    return table.text() + footnotes.text() + (own ? "  own: measured by the program that made the run\n" : "");
 }
 
 std::string samples_footnote() {

@@ -14,6 +14,7 @@
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
+#include "ljmd/run/given/given_record.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/results.hpp"
 
@@ -40,7 +41,7 @@ std::vector<std::string> run_output_names() {
     for (const auto& format : all_trajectory_formats()) {
         names.push_back("trajectory." + format.name);
     }
-    names.insert(names.end(), {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name});
+    names.insert(names.end(), {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name, pair_table_name});
     for (const std::string& name : checkpoint_names()) {
         names.push_back(name);
     }

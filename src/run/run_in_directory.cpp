@@ -7,9 +7,11 @@
 #include <variant>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "ljmd/run/given/given_record.hpp"
 #include "ljmd/run/held_run.hpp"
 #include "ljmd/run/run.hpp"
 #include "ljmd/run/run_directory.hpp"
@@ -19,6 +21,8 @@
 namespace ljmd {
 
 namespace {
+
+constexpr const char* language = "C++";
 
 /// Passes on what it hears, and keeps the warnings for the results.
 class Relay : public RunListener {
@@ -48,12 +52,30 @@ class Relay : public RunListener {
     RunListener* listener_;
 };
 
+/// A text for decks, where Lennard-Jones stands in for a formula of the program.
+std::string stand_in_text(FluidSpec spec, const RunFiles& files, Precision precision,
+                          const std::filesystem::path& start) {
+    std::string text;
+    if (spec.potential.is_custom()) {
+        require_no_mistakes(spec, precision);  // while it is known that there is a formula
+        text = fmt::format(
+            "# The pair potential is {}, a formula of a program in C++: that in [potential] stands in for it.\n",
+            in_quotes(spec.potential.formula()));
+        spec.potential = PairPotential::lennard_jones(spec.potential.truncation(), spec.potential.cutoff());
+    }
+    return text + deck_text(spec, files, precision, start);
+}
+
 /// The deck that says the same. Nothing is read for it.
-Deck deck_of(const FluidSpec& spec, const std::filesystem::path& directory, const RunFiles& files,
+Deck deck_of(const FluidSpec& spec, const std::filesystem::path& directory, const DirectoryOptions& options,
              Precision precision) {
-    const std::string text = deck_text(spec, files, precision, directory / given_start_name);
+    const std::string text = stand_in_text(spec, options.files, precision, directory / given_start_name);
+    GivenParts given{.by = language, .observers = records_of(options.observers)};
+    if (spec.potential.is_custom()) {
+        given.potential = given_potential(spec.potential);
+    }
     Diagnostics diagnostics;
-    auto deck = load_deck_text("(a FluidSpec)", text, {}, true, diagnostics);
+    auto deck = load_deck_text("(a FluidSpec)", text, {}, true, diagnostics, std::move(given));
     if (!deck) {
         throw InputError(diagnostics.errors_without_places());
     }
@@ -78,7 +100,7 @@ RunResult run_in_directory(const FluidSpec& spec, const std::filesystem::path& d
     }
     Relay relay(options.listener);
     const auto warn = [&relay](const std::string& text) { relay.warning(text); };
-    Deck deck = deck_of(spec, directory, options.files, execution.precision());
+    Deck deck = deck_of(spec, directory, options, execution.precision());
     check_directory(deck, options.replace);
     FluidSpec told = fluid_spec(deck);
     told.start = spec.start;
@@ -104,7 +126,8 @@ RunResult resume_in_directory(const std::filesystem::path& directory, const Resu
     }
     Relay relay(options.listener);
     HeldRun run(directory, options.more_steps, options.threads,
-                [&relay](const std::string& text) { relay.warning(text); });
+                [&relay](const std::string& text) { relay.warning(text); },
+                {.by = language, .potential = options.potential, .observers = options.observers});
     require_fluid(run.deck(), fmt::format("{} holds a run of few bodies, not of a fluid", directory.string()));
     for (const std::string& warning : run.warnings()) {
         relay.warning(warning);

@@ -14,6 +14,8 @@
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/io/tables/pair_table_file.hpp"
+#include "ljmd/run/given/given_record.hpp"
 
 namespace ljmd {
 
@@ -40,6 +42,9 @@ std::string deck_hash(const Deck& deck) {
     std::string text = deck.source;
     for (const std::string& setting : deck.settings) {
         text += '\n' + setting;
+    }
+    if (deck.given.potential) {
+        text += '\n' + deck.given.potential->checksum;
     }
     return fmt::format("xxh3:{:016x}", XXH3_64bits(text.data(), text.size()));
 }
@@ -74,6 +79,10 @@ RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<
     : deck_(deck),
       execution_(std::move(execution)),
       parts_(continuation ? continuation->earlier : EarlierParts{.began = now(), .resumed_at_steps = {}}) {
+    // The table first: what the record names is there.
+    if (!continuation && deck_.given.potential && deck_.given.potential->table) {
+        write_pair_table(deck_.outputs() / pair_table_name, *deck_.given.potential->table);
+    }
     write(false, 0.0, std::nullopt);
 }
 
@@ -99,6 +108,7 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                    {"deck", deck_.source},
                    {"settings", deck_.settings},
                    {"deck_hash", deck_hash(deck_)},
+                   {"given", given_data(deck_.given)},
                    {"kind", kind_name(deck_)},
                    {"seed", few_body ? Data(nullptr) : Data(deck_.system().seed)},
                    {"units", few_body ? "the deck's own" : "reduced"},

@@ -329,6 +329,33 @@ def another_deck(t):
     (t.dir / "out/run.json").write_text(json.dumps(record))
 
 
+def given(by, potential, observables):
+    """As if a program had given a run a potential with a table, and observables."""
+    def change(t):
+        record = t.json("out/run.json")
+        table = {"file": "given-potential.json", "error": 1e-9, "force_error": 1e-7} if by == "Python" else None
+        record["given"] = {
+            "by": by,
+            "potential": potential and {"name": potential, "truncation": "cut", "cutoff": 2.5, "switch_start": 0.0,
+                                        "checksum": "xxh3:0123456789abcdef", "table": table},
+            "observables": [{"name": name, "unit": "sigma/tau", "every": 5, "energy": False} for name in observables]}
+        (t.dir / "out/run.json").write_text(json.dumps(record))
+    return change
+
+
+def given_is_told(t):
+    """`ljmd info` shows what a program gave, and how the run goes on; a table that is lost is said."""
+    stopped(t)
+    given("Python", None, ["fastest"])(t)
+    text = t.run_well("info", "out").out
+    t.contains(text, "run with      the observable 'fastest' (every 5 steps, sigma/tau), of a program in Python\n")
+    t.contains(text, 'to go on: ljmd.resume("out", observables=[fastest]) in Python\n')
+    given("Python", "soft", [])(t)
+    text = t.run_well("info", "out").out
+    t.contains(text, "run with      the pair potential 'soft', of a program in Python\n")
+    t.contains(text, "damaged       the pair potential 'soft' of this run is not known: out/given-potential.json: no such file\n")
+
+
 def pipe_for(name):
     def change(t):
         (t.dir / name).unlink()
@@ -424,6 +451,9 @@ def cases():
         Case("all checkpoints damaged", all_damaged),
         Case("no checkpoint", refused(no_checkpoints, 6)),
         Case("a checkpoint of another deck", refused(another_deck, 6)),
+        Case("a potential and observables of Python", refused(given("Python", "soft", ["fastest", "slowest"]), 6)),
+        Case("a potential of C++", refused(given("C++", "soft", []), 6)),
+        Case("what a program gave", given_is_told),
         Case("thermo.csv shorter than it was", refused(cut("out/thermo.csv", 100), 6)),
         Case("thermo.csv gone", refused(remove("out/thermo.csv"), 6)),
         Case("thermo.csv replaced by a pipe", refused(pipe_for("out/thermo.csv"), 6)),

@@ -80,7 +80,7 @@ TEST_CASE("wrong configurations are refused, and the next one is evaluated") {
     CHECK_THROWS_WITH(evaluator.evaluate(wrong, edges), Contains("atom 5") && Contains("not finite"));
     wrong(1, 5) = 1e9;
     CHECK_THROWS_WITH(evaluator.evaluate(wrong, edges), Contains("million"));
-    CHECK_THROWS_WITH(evaluator.evaluate(r, 0.8 * edges), Contains("half the box"));
+    CHECK_THROWS_WITH(evaluator.evaluate(r, 0.7 * edges), Contains("half the box"));
     CHECK_THROWS_WITH(evaluator.evaluate(r, -edges), Contains("above 0"));
     CHECK_THROWS_AS(evaluator.evaluate(Eigen::Matrix3Xd(3, 0), edges), InputError);
     CHECK(evaluator.evaluate(r, edges).forces == expected);

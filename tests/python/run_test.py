@@ -187,9 +187,7 @@ class Observables(Case):
             return fastest(s)
 
         self.assertRaises(RuntimeError, deck.run, directory, observables=[fails], progress=False)
-        said = command_line("resume", directory)
-        self.assertEqual(said.returncode, 6)
-        self.assertIn("1 observers of the program that wrote it", said.stderr)
+        self.assertEqual(command_line("resume", directory).returncode, 6)
         self.assertRaises(ljmd.CheckpointError, ljmd.resume, directory, progress=False)
         run = ljmd.resume(directory, observables=[fastest], progress=False)
         self.assertEqual(run["fastest"], whole["fastest"])

@@ -11,6 +11,7 @@
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/run/directory_report.hpp"
 #include "ljmd/run/held_run.hpp"
+#include "potentials/twelve_six.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -65,6 +66,22 @@ struct StopAt : RunListener {
 
     Index last;
     Index now = 0;
+};
+
+/// The mean speed, as an observable of the program.
+struct MeanSpeed : Observer {
+    [[nodiscard]] bool needs(Index step) const override { return step % 2 == 0; }
+    void sample(const Snapshot& snapshot) override {
+        series.add(Eigen::VectorXd::Constant(1, snapshot.velocities().colwise().norm().mean()));
+    }
+    void archive(Archive& a) override { a(series); }
+    [[nodiscard]] ObserverRecord record() const override { return {name, "sigma/tau", 2, false}; }
+    [[nodiscard]] std::optional<ObservableAverage> average() const override {
+        return ObservableAverage{name, "", "sigma/tau", series.estimate(0)};
+    }
+
+    std::string name = "mean_speed";
+    BlockingAccumulator series{1, Covariance::diagonal};
 };
 
 /// Sums up what it sees.
@@ -128,10 +145,81 @@ TEST_CASE("a run with observers is resumed with as many, by whoever has them") {
                     Interrupted);
     CHECK_THROWS_AS(resume_in_directory(folder / "run"), CheckpointError);
     CHECK_THROWS_WITH(resume_in_directory(folder / "run"),
-                      Contains("1 observers of the program that wrote it, and 0 are there: it is resumed by that "
-                               "program"));
+                      Contains("run was begun with the observable (unnamed); given: no observables\n  to go on: "
+                               "resume_in_directory(\"") &&
+                          Contains("in the program that began it"));
+    CHECK_THROWS_AS(HeldRun(folder / "run", 0, 0, no_warnings), CheckpointError);  // as the command line resumes it
     Sum again;
     CHECK_NOTHROW(resume_in_directory(folder / "run", {.observers = {&again}}));
+}
+
+TEST_CASE("results of observers are in results.json and results.txt, bit for bit after an interruption") {
+    const TemporaryFolder folder;
+    MeanSpeed whole;
+    const RunResult result =
+        run_in_directory(small_spec(), folder / "whole", {.files = files_of_deck, .observers = {&whole}});
+    CHECK(result.observable("mean_speed").own);
+    CHECK_FALSE(result.observable("pressure").own);
+    StopAt stop(33);
+    MeanSpeed before;
+    CHECK_THROWS_AS(
+        run_in_directory(
+            small_spec(), folder / "run",
+            {.files = files_of_deck, .interruption = stop.interruption(), .observers = {&before}, .listener = &stop}),
+        Interrupted);
+    MeanSpeed other;
+    other.name = "speed";
+    CHECK_THROWS_WITH(resume_in_directory(folder / "run", {.observers = {&other}}),
+                      Contains("was begun with the observable 'mean_speed' (every 2 steps, sigma/tau); given: the "
+                               "observable 'speed' (every 2 steps, sigma/tau)"));
+    MeanSpeed after;
+    resume_in_directory(folder / "run", {.observers = {&after}});
+    for (const char* name : {"results.json", "thermo.csv", "trajectory.xyz", "final.xyz"}) {
+        INFO(name);
+        CHECK(content_of(folder / "run" / name) == content_of(folder / "whole" / name));
+    }
+    const Data found = parse_json(content_of(folder / "run" / "results.json")).at("observables").at("mean_speed");
+    CHECK(found.at("mean") == whole.series.estimate(0).mean);
+    CHECK(found.at("own") == true);
+    const std::string table = content_of(folder / "run" / "results.txt");
+    CHECK_THAT(table, Contains("  mean_speed              own ") && Contains("own: measured by the program"));
+    const Data record = parse_json(content_of(folder / "run" / "run.json")).at("given");
+    CHECK(record.at("by") == "C++");
+    CHECK(record.at("potential").is_null());
+    CHECK(record.at("observables").at(0) ==
+          Data({{"name", "mean_speed"}, {"unit", "sigma/tau"}, {"every", 2}, {"energy", false}}));
+}
+
+TEST_CASE("a formula of the program runs in a directory, and is given again to a run that is resumed") {
+    const TemporaryFolder folder;
+    const auto own = [](double cutoff) {
+        return PairPotential::custom("twelve-six", TwelveSix{}, "shifted", {cutoff, 0.0});
+    };
+    FluidSpec spec = analysed_spec();
+    spec.potential = own(2.0);
+    run_in_directory(spec, folder / "whole", {.files = files_of_deck});
+    Simulation in_memory(spec);
+    StopAt stop(33);
+    CHECK_THROWS_AS(run_in_directory(spec, folder / "run",
+                                     {.files = files_of_deck, .interruption = stop.interruption(), .listener = &stop}),
+                    Interrupted);
+    CHECK_THROWS_WITH(resume_in_directory(folder / "run"),
+                      Contains("the pair potential 'twelve-six' of this run is a formula of the C++ program"));
+    CHECK_THROWS_AS(resume_in_directory(folder / "run", {.potential = own(1.9)}), CheckpointError);
+    CHECK_THROWS_WITH(resume_in_directory(folder / "run", {.potential = own(1.9)}),
+                      Contains("begun with the pair potential 'twelve-six', shifted at 2, and another one is given"));
+    CHECK_THROWS_AS(HeldRun(folder / "run", 0, 0, no_warnings), CheckpointError);  // as the command line resumes it
+    const RunResult result = resume_in_directory(folder / "run", {.potential = own(2.0)});
+    check_same_outputs(folder / "run", folder / "whole");
+    CHECK(result.stages.back().checksum_at_end == in_memory.run().stages.back().checksum_at_end);
+    const Data potential = parse_json(content_of(folder / "run" / "run.json")).at("given").at("potential");
+    CHECK(potential.at("name") == "twelve-six");
+    CHECK(potential.at("table").is_null());
+    CHECK_THAT(directory_report(folder / "run").text, Contains("run with      the pair potential 'twelve-six'"));
+
+    run_in_directory(small_spec(), folder / "plain");
+    CHECK_THROWS_WITH(resume_in_directory(folder / "plain", {.potential = own(2.0)}),
+                      Contains("was run with the potential of its deck, and another one is given"));
 }
 
 TEST_CASE("its directory is that of a run, for the commands, too") {

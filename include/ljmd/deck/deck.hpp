@@ -9,6 +9,7 @@
 #include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/deck/deck_schema.hpp"
+#include "ljmd/deck/given_parts.hpp"
 #include "ljmd/deck/tables/few_body_tables.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
 #include "ljmd/engine/stage.hpp"
@@ -31,6 +32,7 @@ struct Deck {
     std::optional<TrajectoryOutput> trajectory;
     CheckpointOutput checkpoint;
     bool start_at_hand = false;  ///< nothing is read: the run writes the configuration that it starts from
+    GivenParts given = {};       ///< what a program gives to the run beside this
 
     [[nodiscard]] DeckKind kind() const {
         return std::holds_alternative<Placed<FluidTables>>(tables) ? DeckKind::fluid : DeckKind::few_body;
@@ -58,8 +60,9 @@ struct Deck {
                                             bool force, Diagnostics& diagnostics);
 
 /// The same for a text in memory. @param name  the deck's name in messages
+/// @param given  what a program gives to the run beside the deck
 [[nodiscard]] std::optional<Deck> load_deck_text(const std::string& name, const std::string& text,
                                                  const std::vector<std::string>& settings, bool force,
-                                                 Diagnostics& diagnostics);
+                                                 Diagnostics& diagnostics, GivenParts given = {});
 
 }  // namespace ljmd

@@ -32,7 +32,9 @@ struct Start {
 /// sampled_run() of a deck.
 [[nodiscard]] SampledRun sampled_run(const Deck& deck, Index atoms, const Box& box);
 
-/// What a fluid's deck says, as values. Of a start file nothing is read: the configuration is empty.
+/// What a fluid's deck says, as values, with the potential that a program gave. Of a start file nothing is read: the
+/// configuration is empty.
+/// @throws DataError  the deck is that of a run with a potential which is not known here
 [[nodiscard]] FluidSpec fluid_spec(const Deck& deck);
 
 /// The same with the configuration of the start.

@@ -1,10 +1,24 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/engine/snapshot.hpp"
+#include "ljmd/observables/statistics/observable_average.hpp"
 
 namespace ljmd {
+
+/// What the record of a run says of an observer: by it is known whether a run is resumed with the same ones.
+struct ObserverRecord {
+    std::string name = {};  ///< may be empty
+    std::string unit = {};
+    Index every = 0;  ///< steps between samples; 0: not regular
+    bool energy = false;
+
+    friend bool operator==(const ObserverRecord&, const ObserverRecord&) = default;
+};
 
 /// A measurement by the user of the engine, in the sampled stages of a run. It cannot change the trajectory. What it
 /// throws ends the run.
@@ -26,6 +40,12 @@ class Observer {
 
     /// Read or write everything that sampling has changed, for checkpoints.
     virtual void archive(Archive& /*a*/) {}
+
+    /// What run.json says of it, in a run with a directory.
+    [[nodiscard]] virtual ObserverRecord record() const { return {.energy = needs_energy()}; }
+
+    /// Its result so far, for the results of the run; nothing if the program keeps it to itself.
+    [[nodiscard]] virtual std::optional<ObservableAverage> average() const { return std::nullopt; }
 
   protected:
     Observer() = default;

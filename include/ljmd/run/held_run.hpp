@@ -8,6 +8,7 @@
 
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/run/continuation.hpp"
+#include "ljmd/run/given/given_record.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/run/run_lock.hpp"
 
@@ -19,10 +20,13 @@ class HeldRun {
     /// @param more_steps  added to the last stage, besides those added earlier
     /// @param threads     their number; 0: as many as before
     /// @throws DataError        it is not the directory of a run
-    /// @throws CheckpointError  there is no checkpoint that can be used
+    /// @param again       what the caller gives to the run beside its deck; the command line gives nothing
+    /// @throws CheckpointError  there is no checkpoint that can be used; the run was begun with other potentials or
+    /// observers of a program
     /// @throws InputError       too many steps; a SIMD level that this processor does not have
     /// @throws InUseError, FileError, ThreadsError
-    HeldRun(const std::filesystem::path& directory, Index more_steps, int threads, const RunLock::Warn& warn);
+    HeldRun(const std::filesystem::path& directory, Index more_steps, int threads, const RunLock::Warn& warn,
+            const GivenAgain& again = {});
 
     [[nodiscard]] const Deck& deck() const { return run_.deck; }
     [[nodiscard]] const CheckpointHead& checkpoint() const { return continuation_.head; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "ljmd/deck/run_files.hpp"
@@ -26,9 +27,10 @@ struct DirectoryOptions {
 /// directory is created if it is missing, and locked while the run goes on. Results and files have the bits that a
 /// Simulation and a deck that says the same give.
 ///
-/// The record holds the specification as a deck, so `ljmd info`, `analyze`, `export` and `resume` know the run; a run
-/// with observers is resumed by resume_in_directory() alone. A configuration that the specification starts from is
-/// written to given-start.xyz.
+/// The record holds the specification as a deck, so `ljmd info`, `analyze`, `export` and `resume` know the run. A run
+/// with observers or with a formula of the program as its potential (PairPotential::custom) says so in its record, and
+/// is resumed by resume_in_directory() alone; results of observers (Observer::average) are in results.json. A
+/// configuration that the specification starts from is written to given-start.xyz.
 /// @return the results; their warnings also have remarks on the start
 /// @throws InputError       mistakes; a specification that no deck can tell, see deck_text(); a directory that cannot
 /// be used, such as one with another run
@@ -41,10 +43,11 @@ RunResult run_in_directory(const FluidSpec& spec, const std::filesystem::path& d
 
 /// Options of a run that is resumed.
 struct ResumedDirectoryOptions {
-    Index more_steps = 0;                   ///< added to the last stage, besides those added earlier
-    int threads = 0;                        ///< their number; 0: as many as before
-    Interruption interruption{};            ///< as in DirectoryOptions
-    std::vector<Observer*> observers = {};  ///< as many as before, made alike, in the same order
+    Index more_steps = 0;                         ///< added to the last stage, besides those added earlier
+    int threads = 0;                              ///< their number; 0: as many as before
+    Interruption interruption{};                  ///< as in DirectoryOptions
+    std::optional<PairPotential> potential = {};  ///< the formula of the program that the run was begun with, if it was
+    std::vector<Observer*> observers = {};        ///< as many as before, made alike, in the same order
     RunListener* listener = nullptr;
 };
 
@@ -52,7 +55,8 @@ struct ResumedDirectoryOptions {
 /// resume_in_directory() or `ljmd run` began it. It ends as if it had not been interrupted, to the last bit. A run that
 /// has come to its end writes its results anew and returns them.
 /// @throws DataError        it is not the directory of a run
-/// @throws CheckpointError  there is no checkpoint that can be used, or it has other observers
+/// @throws CheckpointError  there is no checkpoint that can be used; the run was begun with other observers or with
+/// another formula as its potential
 /// @throws as run_in_directory()
 RunResult resume_in_directory(const std::filesystem::path& directory, const ResumedDirectoryOptions& options = {});
 

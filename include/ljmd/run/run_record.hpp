@@ -12,10 +12,12 @@
 
 namespace ljmd {
 
-/// XXH3 (64 bits) of the deck's text and of every --set: identifies what was run.
+/// XXH3 (64 bits) of the deck's text, of every --set, and of the pair potential that a program gave: identifies what
+/// was run.
 [[nodiscard]] std::string deck_hash(const Deck& deck);
 
-/// run.json: what was run, by which program, where and when. Written at the beginning and the end of a run.
+/// run.json: what was run, by which program, where and when. Written at the beginning and the end of a run; at the
+/// beginning also the table of a pair potential that a program gave, which the record names.
 class RunRecord {
   public:
     /// @param execution     computes the run

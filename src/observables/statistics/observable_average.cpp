@@ -6,8 +6,8 @@
 
 namespace ljmd {
 
-bool is_in_table(const std::string& observable) {
-    return !observable.starts_with("pressure_") && observable != "virial";
+bool is_in_table(const ObservableAverage& average) {
+    return average.own || (!average.name.starts_with("pressure_") && average.name != "virial");
 }
 
 std::string remark_of(const ObservableAverage& average) {
@@ -23,7 +23,7 @@ std::string unsure_of(const std::vector<ObservableAverage>& averages) {
     std::string unsure;
     bool all_unsure = true;
     for (const ObservableAverage& average : averages) {
-        if (!is_in_table(average.name)) {
+        if (!is_in_table(average)) {
             continue;
         }
         const bool known = average.estimate && average.estimate->converged;

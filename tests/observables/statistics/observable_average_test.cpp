@@ -6,10 +6,14 @@
 using namespace ljmd;
 
 TEST_CASE("the table leaves out components of the pressure tensor and the virial, and nothing else") {
-    CHECK(is_in_table("pressure"));
-    CHECK(is_in_table("diffusion_green_kubo"));
-    CHECK_FALSE(is_in_table("pressure_xy"));
-    CHECK_FALSE(is_in_table("virial"));
+    const auto in_table = [](const std::string& name, bool own) {
+        return is_in_table({.name = name, .symbol = "", .unit = "", .estimate = std::nullopt, .own = own});
+    };
+    CHECK(in_table("pressure", false));
+    CHECK(in_table("diffusion_green_kubo", false));
+    CHECK_FALSE(in_table("pressure_xy", false));
+    CHECK_FALSE(in_table("virial", false));
+    CHECK(in_table("pressure_over_temperature", true));
 }
 
 TEST_CASE("error bars that are guesses are named, unless all are") {

@@ -16,11 +16,12 @@ struct ObservableAverage {
     std::string unit;                  ///< reduced, e.g. "epsilon/k_B"
     std::optional<Estimate> estimate;  ///< empty if the observable has no value (temperature of one atom)
     std::string remark = {};           ///< note for the reader: why there is no value, or why to doubt it
+    bool own = false;                  ///< measured by an Observer of the program that made the run
 };
 
 /// Whether the table at the end of a run shows an observable; components of the pressure tensor and the virial are only
 /// in results.json.
-[[nodiscard]] bool is_in_table(const std::string& observable);
+[[nodiscard]] bool is_in_table(const ObservableAverage& average);
 
 /// The remark on a number whose error bar is a guess (Estimate::converged).
 inline constexpr std::string_view guessed_error =

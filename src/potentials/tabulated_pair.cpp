@@ -1,0 +1,11 @@
+#include "ljmd/potentials/tabulated_pair.hpp"
+
+#include "ljmd/potentials/pair_table.hpp"
+
+namespace ljmd {
+
+PairPotential TabulatedPair::potential() const {
+    return PairPotential::custom(name, PairTable(first, cutoff.radius, energies), truncation, cutoff);
+}
+
+}  // namespace ljmd

@@ -1,0 +1,78 @@
+"""Analyses of trajectories stop at Ctrl-C, and leave the interpreter free while they compute."""
+
+import os
+import signal
+import threading
+import time
+import unittest
+import warnings
+
+import ljmd
+from cases import Case, long_deck
+
+PATIENCE = 5.0  # [s] a test hangs; on an idle machine the exception comes in 0.1 s
+
+
+class Analyses(Case):
+    def setUp(self):
+        super().setUp()
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
+        deck = long_deck(800)
+        deck.output.trajectory = dict(every=1, format="xyz")
+        self.trajectory = deck.run(self.folder / "run", progress=False).trajectory()
+
+    def test_ctrl_c_ends_an_analysis_and_the_next_one_is_whole(self):
+        file = self.folder / "run/trajectory.xyz"
+        for work in (lambda: self.trajectory.rdf(bins=100), self.trajectory.arrays, lambda: ljmd.trajectory(file)):
+            began = time.monotonic()
+            work()
+            whole = time.monotonic() - began
+            sent = []
+
+            def send(wait=0.3 * whole, sent=sent):
+                time.sleep(wait)
+                sent.append(time.monotonic())
+                os.kill(os.getpid(), signal.SIGINT)
+
+            thread = threading.Thread(target=send)
+            thread.start()
+            with self.assertRaises(KeyboardInterrupt):
+                work()
+                thread.join()
+            self.assertLess(time.monotonic() - sent[0], PATIENCE)
+            thread.join()
+        self.assertEqual(len(self.trajectory.rdf(bins=100).table()), 100)
+
+    def test_other_threads_go_on_meanwhile(self):
+        ticks = []
+        done = threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(0.005)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        began = time.monotonic()
+        self.trajectory.rdf(bins=100)
+        seconds = time.monotonic() - began
+        done.set()
+        thread.join()
+        self.assertGreater(sum(each > began for each in ticks), 0.1 * seconds / 0.005)
+
+    def test_two_threads_analyse_one_trajectory(self):
+        expected = self.trajectory.rdf(bins=50, every=8).table()["g"].sum()
+        found = []
+        threads = [threading.Thread(target=lambda: found.append(self.trajectory.rdf(bins=50, every=8).table()["g"].sum()))
+                   for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, [expected] * 3)
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("ignore", ljmd.RunWarning)
+    unittest.main(warnings="ignore")
