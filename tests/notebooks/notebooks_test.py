@@ -117,7 +117,7 @@ def check_stored() -> None:
         assert "version" not in notebook.metadata.language_info
         for cell in code_cells(notebook):
             assert not cell.outputs and cell.execution_count is None, (
-                f"{name}: stored with outputs; jupyter nbconvert --clear-output --inplace docs/notebooks/{name}.ipynb")
+                f"{name}: stored with outputs; tools/python -m nbconvert --clear-output --inplace docs/notebooks/{name}.ipynb")
         for cell in notebook.cells:
             for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", cell.source) if cell.cell_type == "markdown" else []:
                 assert (FOLDER / target).exists(), f"{name}: link to {target}"
