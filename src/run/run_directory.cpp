@@ -33,6 +33,10 @@ std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& sys
                          frames ? std::optional(frames->bytes) : std::nullopt);
 }
 
+std::string name_of(const std::shared_ptr<ExternalForce>& force) {
+    return force ? force->name() : "";
+}
+
 }  // namespace
 
 std::vector<std::string> run_output_names() {
@@ -123,8 +127,9 @@ RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std
     : deck_(deck),
       trajectory_(open_trajectory(deck, fluid.state, continuation)),
       thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
-              thermo_columns(deck, fluid.order.has_value()), kept(continuation, &CommittedOutputs::thermo)),
-      record_(deck, fluid.state.execution(), continuation) {}
+              thermo_columns(deck, fluid.order.has_value(), fluid.force_field.external().get()),
+              kept(continuation, &CommittedOutputs::thermo)),
+      record_(deck, fluid.state.execution(), continuation, name_of(fluid.force_field.external())) {}
 
 RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system,
                            const std::optional<Continuation>& continuation)

@@ -48,9 +48,10 @@ class Relay : public RunListener {
     RunListener* listener_;
 };
 
-/// The deck that says the same. Nothing is read for it.
-Deck deck_of(const FluidSpec& spec, const std::filesystem::path& directory, const RunFiles& files,
-             Precision precision) {
+/// The deck that says the same, but for the external force. Nothing is read for it.
+Deck deck_of(FluidSpec spec, const std::filesystem::path& directory, const RunFiles& files, Precision precision) {
+    require_no_mistakes(spec, precision);
+    spec.external = nullptr;
     const std::string text = deck_text(spec, files, precision, directory / given_start_name);
     Diagnostics diagnostics;
     auto deck = load_deck_text("(a FluidSpec)", text, {}, true, diagnostics);
@@ -82,6 +83,7 @@ RunResult run_in_directory(const FluidSpec& spec, const std::filesystem::path& d
     check_directory(deck, options.replace);
     FluidSpec told = fluid_spec(deck);
     told.start = spec.start;
+    told.external = spec.external;
     // Made before any file is touched: if this fails, an earlier run must not be lost.
     FluidSystem fluid = make_fluid(told, execution, warn);
     RunLock lock(deck, options.replace, warn);
@@ -109,8 +111,9 @@ RunResult resume_in_directory(const std::filesystem::path& directory, const Resu
     for (const std::string& warning : run.warnings()) {
         relay.warning(warning);
     }
-    FluidSystem fluid =
-        empty_fluid(fluid_spec(run.deck()), run.checkpoint().atoms, Box(run.checkpoint().edges), run.execution());
+    AnySystem system = empty_system(run.deck(), run.checkpoint().atoms, run.checkpoint().edges, run.execution(),
+                                    options.external);
+    auto& fluid = std::get<FluidSystem>(system);
     const RunControl control{
         .interruption = options.interruption, .continuation = run.take(), .observers = options.observers};
     RunResult result = run_deck(run.deck(), fluid, relay, control);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <utility>
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
@@ -70,10 +71,12 @@ std::string save_failure(const Deck& deck, const State& state) {
     return fmt::format("\n  the configuration is in {}", (deck.directory / name).string());
 }
 
-RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<Continuation>& continuation)
+RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<Continuation>& continuation,
+                     std::string external)
     : deck_(deck),
       execution_(std::move(execution)),
-      parts_(continuation ? continuation->earlier : EarlierParts{.began = now(), .resumed_at_steps = {}}) {
+      parts_(continuation ? continuation->earlier : EarlierParts{.began = now(), .resumed_at_steps = {}}),
+      external_(std::move(external)) {
     write(false, 0.0, std::nullopt);
 }
 
@@ -117,6 +120,9 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                            {"epsilon_K", deck_.units->kelvin()},
                            {"mass_u", deck_.units->dalton()},
                            {"tau_ps", deck_.units->picosecond()}};
+    }
+    if (!external_.empty()) {
+        record["external_force"] = external_;
     }
     const std::string text = to_json(record);
     write_file_atomically(deck_.outputs() / "run.json", text + "\n");

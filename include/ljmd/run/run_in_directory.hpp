@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "ljmd/deck/run_files.hpp"
@@ -27,7 +28,8 @@ struct DirectoryOptions {
 /// Simulation and a deck that says the same give.
 ///
 /// The record holds the specification as a deck, so `ljmd info`, `analyze`, `export` and `resume` know the run; a run
-/// with observers is resumed by resume_in_directory() alone. A configuration that the specification starts from is
+/// with observers or an external force is resumed by resume_in_directory() alone, and the record has the name of the
+/// force. A configuration that the specification starts from is
 /// written to given-start.xyz.
 /// @return the results; their warnings also have remarks on the start
 /// @throws InputError       mistakes; a specification that no deck can tell, see deck_text(); a directory that cannot
@@ -45,6 +47,7 @@ struct ResumedDirectoryOptions {
     int threads = 0;                        ///< their number; 0: as many as before
     Interruption interruption{};            ///< as in DirectoryOptions
     std::vector<Observer*> observers = {};  ///< as many as before, made alike, in the same order
+    std::shared_ptr<ExternalForce> external = {};  ///< the one that it had before, see FluidSpec
     RunListener* listener = nullptr;
 };
 
@@ -52,7 +55,8 @@ struct ResumedDirectoryOptions {
 /// resume_in_directory() or `ljmd run` began it. It ends as if it had not been interrupted, to the last bit. A run that
 /// has come to its end writes its results anew and returns them.
 /// @throws DataError        it is not the directory of a run
-/// @throws CheckpointError  there is no checkpoint that can be used, or it has other observers
+/// @throws CheckpointError  there is no checkpoint that can be used, or it has other observers or another external
+/// force
 /// @throws as run_in_directory()
 RunResult resume_in_directory(const std::filesystem::path& directory, const ResumedDirectoryOptions& options = {});
 

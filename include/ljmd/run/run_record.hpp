@@ -20,8 +20,10 @@ class RunRecord {
   public:
     /// @param execution     computes the run
     /// @param continuation  from where it is resumed, if it is
+    /// @param external      name of the external force that the program gave, which no deck has; empty: none
     /// @throws FileError
-    RunRecord(const Deck& deck, Execution execution, const std::optional<Continuation>& continuation = std::nullopt);
+    RunRecord(const Deck& deck, Execution execution, const std::optional<Continuation>& continuation = std::nullopt,
+              std::string external = {});
 
     /// @param seconds  wall time of the time loop
     /// @param phases   its parts, if measured
@@ -33,6 +35,7 @@ class RunRecord {
     const Deck& deck_;
     Execution execution_;
     EarlierParts parts_;
+    std::string external_;
 };
 
 /// Create or continue the trajectory that a deck asks for, in H5MD or extended XYZ; null if it asks for none.
