@@ -19,6 +19,7 @@ from .deck import ARGON, Check, Deck, Stage, Table
 from .equations import Properties, eos, equations
 from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
                      PhysicsError, RunWarning, ThreadsError)
+from .external import external_force
 from .observables import observable
 from .potentials import Pair, pair
 from .results import Observable, Quantity, Results, Run, resume
@@ -31,4 +32,4 @@ __version__ = build()["version"]
 __all__ = ["ARGON", "Arrays", "Check", "CheckpointError", "DataError", "Deck", "Error", "FileError", "InUseError",
            "InputError", "InternalError", "Interrupted", "Observable", "Pair", "PhysicsError", "Properties", "Quantity",
            "Results", "Run", "RunWarning", "Simulation", "Stage", "Table", "ThreadsError", "Trajectory", "build", "eos",
-           "equations", "observable", "open", "pair", "resume", "trajectory"]
+           "equations", "external_force", "observable", "open", "pair", "resume", "trajectory"]

@@ -13,7 +13,8 @@ class observable:
     It is called in the sampled stages, at steps that `every` divides, and its mean gets an error by blocking, as the
     built-in ones. The snapshot has `step`, `time`, `atoms`, `edges`, and `positions`, `unwrapped`, `velocities`,
     `forces` of shape (N, 3) in the order of the atoms' ids. With `energy=True` it also has `temperature`,
-    `potential_energy`, `kinetic_energy`, `total_energy` (per atom) and `pressure`. It is valid during the call.
+    `potential_energy`, `kinetic_energy`, `total_energy`, `external_energy` (per atom) and `pressure`. It is valid during
+    the call.
 
         @ljmd.observable(every=50, unit="sigma/tau")
         def fastest(s):
@@ -63,5 +64,5 @@ def described(observables) -> list:
     return [(each.name, each.unit, each.function, each.every, each.energy) for each in all_of]
 
 
-BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy", "pressure", "compressibility_factor",
+BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy", "external_energy", "pressure", "compressibility_factor",
             "heat_capacity_cv", "density", *_core.build()["analyses"]}

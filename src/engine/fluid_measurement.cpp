@@ -62,8 +62,8 @@ void FluidMeasurement::archive_external_force(Archive& a) const {
                                  : fmt::format("'{}' {} an energy", printable(force, 64), with ? "with" : "without");
         };
         throw CheckpointError(
-            fmt::format("the external force of the checkpoint is {}, and {} is there: a run with an external force is "
-                        "resumed by the program that has it",
+            fmt::format("the external force of the checkpoint is {}, and {} is there: such a run is resumed by the "
+                        "program that began it, with the same force",
                         in_words(name, energy), in_words(present, has_energy)));
     }
 }

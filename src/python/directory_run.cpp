@@ -8,6 +8,7 @@
 
 #include "attention.hpp"
 #include "errors.hpp"
+#include "external_force.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck_system.hpp"
@@ -31,9 +32,12 @@ void require_fluid_for(const PythonObservers& observers, const Deck& deck) {
 
 /// Do the work of a run without the interpreter's lock. Ctrl-C raises KeyboardInterrupt when the checkpoint is written.
 template <class Work>
-void run_freely(PythonObservers& observers, Attention& attention, const std::filesystem::path& directory,
-                const Work& work) {
+void run_freely(PythonObservers& observers, const std::shared_ptr<PythonExternalForce>& external, Attention& attention,
+                const std::filesystem::path& directory, const Work& work) {
     observers.attend(&attention);
+    if (external) {
+        external->attend(&attention);
+    }
     try {
         const py::gil_scoped_release free;
         work();
@@ -48,13 +52,14 @@ void run_freely(PythonObservers& observers, Attention& attention, const std::fil
 /// Run a deck in a directory. @return its observables in Python, as in results.json
 py::object run(const LoadedDeck& loaded, const std::filesystem::path& directory, int threads, const std::string& simd,
                bool replace, std::optional<double> walltime, const py::iterable& observables,
-               const py::object& progress, const py::object& warn) {
+               const py::object& external_force, const py::object& progress, const py::object& warn) {
     PythonObservers observers(observables);
+    const auto external = external_force_of(external_force);
     Attention attention(progress, warn);
     Deck deck = loaded.deck;
     deck.directory = directory;
     require_fluid_for(observers, deck);
-    run_freely(observers, attention, directory, [&] {
+    run_freely(observers, external, attention, directory, [&] {
         Diagnostics diagnostics = loaded.diagnostics;
         CheckedRun checked = checked_run(deck, threads, simd, diagnostics);
         for (const std::string& warning : warnings_of(diagnostics)) {
@@ -62,7 +67,7 @@ py::object run(const LoadedDeck& loaded, const std::filesystem::path& directory,
         }
         check_directory(deck, replace);
         AnySystem system = make_system(deck, std::move(checked.start), checked.execution,
-                                       [&](const std::string& text) { attention.warning(text); });
+                                       [&](const std::string& text) { attention.warning(text); }, external);
         run_in_locked_directory(deck, system, replace, attention,
                                 {.interruption = attention.interruption(walltime), .observers = observers.all()});
     });
@@ -71,14 +76,16 @@ py::object run(const LoadedDeck& loaded, const std::filesystem::path& directory,
 
 /// Resume the run in a directory. @return its observables in Python, as in results.json
 py::object resume(const std::filesystem::path& directory, Index steps, int threads, std::optional<double> walltime,
-                  const py::iterable& observables, const py::object& progress, const py::object& warn) {
+                  const py::iterable& observables, const py::object& external_force, const py::object& progress,
+                  const py::object& warn) {
     if (steps < 0) {
         throw InputError(fmt::format("{} more steps: allowed are 0 and more", steps));
     }
     PythonObservers observers(observables);
+    const auto external = external_force_of(external_force);
     Attention attention(progress, warn);
     std::optional<SubstanceUnits> units;
-    run_freely(observers, attention, directory, [&] {
+    run_freely(observers, external, attention, directory, [&] {
         HeldRun held(directory, steps, threads, [&](const std::string& text) { attention.warning(text); });
         require_fluid_for(observers, held.deck());
         units = held.deck().units;
@@ -86,7 +93,7 @@ py::object resume(const std::filesystem::path& directory, Index steps, int threa
             attention.warning(warning);
         }
         const CheckpointHead& from = held.checkpoint();
-        AnySystem system = empty_system(held.deck(), from.atoms, from.edges, held.execution());
+        AnySystem system = empty_system(held.deck(), from.atoms, from.edges, held.execution(), external);
         run_deck(held.deck(), system, attention,
                  {.interruption = attention.interruption(walltime),
                   .continuation = held.take(),
@@ -110,9 +117,10 @@ double seconds_of(const std::string& walltime) {
 
 void bind_directory_runs(py::module_& module) {
     module.def("run", &run, py::arg("deck"), py::arg("directory"), py::arg("threads"), py::arg("simd"),
-               py::arg("replace"), py::arg("walltime"), py::arg("observables"), py::arg("progress"), py::arg("warn"));
+               py::arg("replace"), py::arg("walltime"), py::arg("observables"), py::arg("external"), py::arg("progress"),
+               py::arg("warn"));
     module.def("resume", &resume, py::arg("directory"), py::arg("steps"), py::arg("threads"), py::arg("walltime"),
-               py::arg("observables"), py::arg("progress"), py::arg("warn"));
+               py::arg("observables"), py::arg("external"), py::arg("progress"), py::arg("warn"));
     module.def("seconds_of", &seconds_of, py::arg("walltime"));
     module.def(
         "describe", [](const std::filesystem::path& directory) { return to_python(directory_report(directory)); },

@@ -11,9 +11,11 @@ namespace ljmd::python {
 
 namespace {
 
-/// What a deck says, but for the potential of the calling program.
-FluidSpec spec_of(const Deck& deck, Start start, const std::optional<PairPotential>& potential) {
+/// What a deck says, but for the forces of the calling program.
+FluidSpec spec_of(const Deck& deck, Start start, const std::optional<PairPotential>& potential,
+                  const std::shared_ptr<ExternalForce>& external) {
     FluidSpec spec = fluid_spec(deck, std::move(start));
+    spec.external = external;
     if (potential) {
         if (spec.tail) {
             throw InputError("a pair potential in Python is not known beyond its cutoff: it takes tail=False");
@@ -47,6 +49,7 @@ class FluidRun : public MemoryRun {
                 {"potential_energy", values.potential_energy},
                 {"kinetic_energy", values.kinetic_energy},
                 {"total_energy", values.total_energy},
+                {"external_energy", values.external_energy},
                 {"pressure", values.pressure},
                 {"density", values.density}};
     }
@@ -74,7 +77,8 @@ class FluidRun : public MemoryRun {
 
 DataTable FluidRun::thermo() const {
     const std::vector<ThermoRow>& rows = simulation_.samples();
-    const ThermoColumns columns = thermo_columns(deck_, !rows.empty() && rows.front().order);
+    const ThermoColumns columns = thermo_columns(deck_, !rows.empty() && rows.front().order,
+                                                 simulation_.spec().external.get());
     DataTable table{"thermo", columns.names(), {}};
     for (const ThermoRow& row : rows) {
         table.rows.push_back(columns.row(row.step, row.time, row.values, {row.conserved_energy, row.order}));
@@ -86,8 +90,9 @@ DataTable FluidRun::thermo() const {
 
 std::unique_ptr<MemoryRun> fluid_run(const Deck& deck, Start start, const Execution& execution,
                                      const std::optional<PairPotential>& potential,
+                                     const std::shared_ptr<ExternalForce>& external,
                                      const std::function<void(const std::string&)>& warn) {
-    auto run = std::make_unique<FluidRun>(deck, spec_of(deck, std::move(start), potential), execution);
+    auto run = std::make_unique<FluidRun>(deck, spec_of(deck, std::move(start), potential, external), execution);
     for (const std::string& warning : run->warnings()) {
         warn(warning);
     }

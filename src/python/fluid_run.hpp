@@ -8,6 +8,7 @@ namespace ljmd::python {
 /// See memory_run().
 [[nodiscard]] std::unique_ptr<MemoryRun> fluid_run(const Deck& deck, Start start, const Execution& execution,
                                                    const std::optional<PairPotential>& potential,
+                                                   const std::shared_ptr<ExternalForce>& external,
                                                    const std::function<void(const std::string&)>& warn);
 
 }  // namespace ljmd::python

@@ -8,12 +8,16 @@ namespace ljmd::python {
 
 std::unique_ptr<MemoryRun> memory_run(const Deck& deck, CheckedRun checked,
                                       const std::optional<PairPotential>& potential,
+                                      const std::shared_ptr<ExternalForce>& external,
                                       const std::function<void(const std::string&)>& warn) {
     if (checked.start) {
-        return fluid_run(deck, std::move(*checked.start), checked.execution, potential, warn);
+        return fluid_run(deck, std::move(*checked.start), checked.execution, potential, external, warn);
     }
     if (potential) {
         throw InputError("few bodies have a force, no pair potential");
+    }
+    if (external) {
+        throw InputError("external forces are for fluids: this deck has few bodies");
     }
     return few_body_run(deck);
 }

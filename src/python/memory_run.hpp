@@ -54,10 +54,12 @@ class MemoryRun {
 };
 
 /// @param potential  of a fluid, instead of the deck's; none: the deck's
+/// @param external   force of the program on the atoms of a fluid; null: none
 /// @param warn       receives remarks on the start
 /// @throws InputError, DataError, PhysicsError as make_fluid()
 [[nodiscard]] std::unique_ptr<MemoryRun> memory_run(const Deck& deck, CheckedRun checked,
                                                     const std::optional<PairPotential>& potential,
+                                                    const std::shared_ptr<ExternalForce>& external,
                                                     const std::function<void(const std::string&)>& warn);
 
 }  // namespace ljmd::python

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/input_file.hpp"
@@ -25,6 +26,7 @@ struct Record {
     std::string simd;
     int threads;
     bool finished;
+    std::string external_force;  ///< its name; empty: none
 };
 
 Record read_record(const fs::path& path) {
@@ -41,13 +43,15 @@ Record read_record(const fs::path& path) {
         for (const Data& step : record.at("resumed_at_steps").items()) {
             earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, max_steps));
         }
+        const Data* external = record.find("external_force");
         return {record.at("deck_file").text(),
                 record.at("deck").text(),
                 texts_of(record.at("settings"), "settings", max_settings),
                 std::move(earlier),
                 record.at("simd").is_null() ? "" : record.at("simd").text(),
                 static_cast<int>(integer_of(record.at("threads"), "threads", 1, max_threads)),
-                record.at("finished").flag()};
+                record.at("finished").flag(),
+                external == nullptr ? "" : printable(external->text(), 64)};
     });
 }
 
@@ -61,6 +65,12 @@ Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& se
                 fmt::format("--set {}: [system] describes the start of a run, and this run has begun", setting));
         }
         record.settings.push_back(setting);
+    }
+    if (!record.external_force.empty()) {
+        throw InputError(
+            fmt::format("{} holds a run with the external force '{}' of a program, which no deck has: its deck alone is "
+                        "another run",
+                        directory.string(), record.external_force));
     }
     const std::string name = fmt::format("deck of {}", directory.string());
     auto deck = load_deck_text(name, record.deck, record.settings, true, diagnostics);
