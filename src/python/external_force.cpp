@@ -63,11 +63,11 @@ Doubles doubles_of(const py::handle& value, const std::string& what) {
     const py::array array = py::array::ensure(value);
     if (!array) {
         PyErr_Clear();
-        throw InputError(fmt::format("{} is of the type {}, no array of numbers", what, type_of(value)));
     }
-    if (std::string("fiu").find(array.dtype().kind()) == std::string::npos) {
-        throw InputError(fmt::format("{} is an array of the type {}, not of real numbers", what,
-                                     std::string(py::str(array.dtype()))));
+    if (!array || std::string("fiu").find(array.dtype().kind()) == std::string::npos) {
+        const bool of_numpy = py::isinstance<py::array>(value);
+        throw InputError(fmt::format("{} is {}{}, not an array of real numbers", what, type_of(value),
+                                     of_numpy ? fmt::format(" of {}", std::string(py::str(array.dtype()))) : ""));
     }
     return Doubles(array);
 }
