@@ -6,7 +6,6 @@
 
 #include "core/same_bits.hpp"
 #include "forces/made_external_force.hpp"
-#include "ljmd/engine/choices.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
 
@@ -24,7 +23,7 @@ PairPotential ideal() {
                                  {.radius = 0.5, .switch_start = 0.0});
 }
 
-FluidSpec ideal_gas(std::shared_ptr<ExternalForce> force) {
+FluidSpec free_atoms(std::shared_ptr<ExternalForce> force) {
     FluidSpec spec{.start = LatticeStart{.lattice = Lattice::fcc, .cells = 4},
                    .density = 0.5,
                    .temperature = temperature_held,
@@ -36,7 +35,7 @@ FluidSpec ideal_gas(std::shared_ptr<ExternalForce> force) {
                     .time_step = 0.02,
                     .steps = 500,
                     .temperature = temperature_held,
-                    .thermostat = thermostat("langevin", {{"time", 0.5}})}};
+                    .thermostat = choose(find_thermostat("langevin"))}};
     spec.stages.push_back(spec.stages.front());
     spec.stages.back().name = "sampled";
     spec.stages.back().steps = 5000;
@@ -85,7 +84,7 @@ class Profile : public Observer {
 TEST_CASE("an ideal gas in a field has Boltzmann's density, and the temperature of its thermostat") {
     const SameBits everywhere;
     constexpr double depth = 1.5;
-    Simulation simulation(ideal_gas(wave(depth)));
+    Simulation simulation(free_atoms(wave(depth)));
     Profile profile;
     simulation.add(profile);
     const RunResult result = simulation.run();
@@ -112,10 +111,10 @@ TEST_CASE("equipartition of atoms on springs: 3/2 T of potential and of kinetic 
     const SameBits everywhere;
     for (const char* bath : {"langevin", "andersen"}) {
         CAPTURE(bath);
-        FluidSpec spec = ideal_gas(springs(4.0));
+        FluidSpec spec = free_atoms(springs(4.0));
         spec.start = LatticeStart{.lattice = Lattice::fcc, .cells = 2};
         for (Stage& stage : spec.stages) {
-            stage.thermostat = thermostat(bath, {{"time", 0.5}});
+            stage.thermostat = choose(find_thermostat(bath));
         }
         const RunResult result = Simulation(spec).run();
         check_mean(result.observable("temperature").estimate.value(), temperature_held, 0.015);
@@ -128,14 +127,14 @@ TEST_CASE("a liquid in a field has the temperature of its thermostat, whether or
     const SameBits everywhere;
     for (const char* bath : {"langevin", "andersen", "stochastic-rescaling", "nose-hoover-chain"}) {
         CAPTURE(bath);
-        FluidSpec spec = ideal_gas(wave(2.0));
+        FluidSpec spec = free_atoms(wave(2.0));
         spec.start = LatticeStart{.lattice = Lattice::fcc, .cells = 2};  // 32 atoms: 3 of 96 degrees of freedom show
         spec.potential = PairPotential::lennard_jones("force-shifted", {.radius = 1.9, .switch_start = 0.0});
         spec.neighbors = {};
         for (Stage& stage : spec.stages) {
             stage.time_step = 0.004;
             stage.steps *= 4;
-            stage.thermostat = thermostat(bath, {{"time", 0.2}});
+            stage.thermostat = choose(find_thermostat(bath));
         }
         const RunResult result = Simulation(spec).run();
         check_mean(result.observable("temperature").estimate.value(), temperature_held, 0.01);
@@ -146,7 +145,7 @@ TEST_CASE("a liquid in a field has the temperature of its thermostat, whether or
 TEST_CASE("velocity Verlet conserves the total energy in a field to second order") {
     const SameBits everywhere;
     const auto deviation = [](double dt) {
-        FluidSpec spec = ideal_gas(wave(3.0));
+        FluidSpec spec = free_atoms(wave(3.0));
         spec.potential = PairPotential::lennard_jones("force-shifted", {.radius = 2.0, .switch_start = 0.0});
         spec.stages = {{.name = "only", .time_step = dt, .steps = std::lround(0.8 / dt), .sample = true}};
         spec.sample_every = 1;
@@ -172,7 +171,7 @@ TEST_CASE("every integrator keeps its order under a force that depends on time")
         }
         CAPTURE(method.name);
         const auto error = [&](double dt) {
-            FluidSpec spec = ideal_gas(std::make_shared<MadeForce>(
+            FluidSpec spec = free_atoms(std::make_shared<MadeForce>(
                 [](const AtomPositions& atoms, Eigen::Matrix3Xd& forces) -> ExternalEnergy {
                     forces.row(0).setConstant(a * std::cos(w * atoms.time()));
                     return {};

@@ -94,7 +94,7 @@ class Physics(Case):
         deck.stages = [ljmd.Stage("only", 20, temperature=1.0, thermostat="langevin",
                                   barostat={"type": "stochastic-cell-rescaling", "pressure": 1.0})]
         self.assertRaisesText(ljmd.InputError, "needs the virial of the external force 'wave'",
-                              of=lambda: deck.run(external=wave))
+                              of=lambda: deck.run(external=wave, progress=False))
         self.assertRaisesText(ljmd.InputError, "needs the virial",
                               of=lambda: deck.run(self.folder / "refused", external=wave, progress=False))
         scaled = ljmd.external_force(lambda s: (*wave(s), np.zeros((3, 3))), energy=True, virial=True)
@@ -195,12 +195,12 @@ class Answers(Case):
 
     def test_what_is_no_force_is_refused(self):
         for wrong in (5, "wave", ljmd.external_force()):
-            self.assertRaises(ljmd.InputError, small_deck().run, external=wrong)
-        self.assertRaisesText(ljmd.InputError, "few bodies", of=lambda: comet().run(external=uniform))
-        self.assertRaisesText(ljmd.InputError, "few bodies", of=lambda: comet().run(self.folder / "c", external=uniform))
+            self.assertRaises(ljmd.InputError, small_deck().run, external=wrong, progress=False)
+        self.assertRaisesText(ljmd.InputError, "few bodies", of=lambda: comet().run(external=uniform, progress=False))
+        self.assertRaisesText(ljmd.InputError, "few bodies", of=lambda: comet().run(self.folder / "c", external=uniform, progress=False))
         deck = small_deck()
         deck.analysis.viscosity()
-        self.assertRaisesText(ljmd.InputError, "homogeneous fluid", of=lambda: deck.run(external=wave))
+        self.assertRaisesText(ljmd.InputError, "homogeneous fluid", of=lambda: deck.run(external=wave, progress=False))
         self.assertRaisesText(ljmd.InputError, "printable", of=lambda: ends_with(ljmd.external_force(uniform, name="a\nb")))
         self.assertEqual(repr(wave), "<ljmd.external_force 'wave': with energy>")
         self.assertEqual(wave.__doc__, "U = 2 cos(2 pi x/L)")
