@@ -88,11 +88,11 @@ TEST_CASE("an ideal gas in a field has Boltzmann's density, and the temperature 
     Profile profile;
     simulation.add(profile);
     const RunResult result = simulation.run();
-    check_mean(result.observable("temperature").estimate.value(), temperature_held, 0.005);
-    check_mean(result.observable("kinetic_energy").estimate.value(), 1.5 * temperature_held, 0.01);
+    check_mean(result.observable("temperature").estimate.value(), temperature_held, 0.008);
+    check_mean(result.observable("kinetic_energy").estimate.value(), 1.5 * temperature_held, 0.012);
     const double b = depth / temperature_held;
     const double mean_cosine = -std::cyl_bessel_i(1.0, b) / std::cyl_bessel_i(0.0, b);
-    check_mean(result.observable("external_energy").estimate.value(), depth * mean_cosine, 0.01);
+    check_mean(result.observable("external_energy").estimate.value(), depth * mean_cosine, 0.015);
     constexpr int points = 2000;
     double smallest = 2.0;
     for (Index slice = 0; slice < Profile::slices; ++slice) {
@@ -102,7 +102,7 @@ TEST_CASE("an ideal gas in a field has Boltzmann's density, and the temperature 
             density += std::exp(-b * std::cos(2.0 * std::numbers::pi * x)) / (points * std::cyl_bessel_i(0.0, b));
         }
         smallest = std::min(smallest, density);
-        check_mean(profile.series.estimate(slice), density, 0.02);
+        check_mean(profile.series.estimate(slice), density, 0.03);
     }
     CHECK(smallest < 0.4);
 }
@@ -138,8 +138,10 @@ TEST_CASE("a liquid in a field has the temperature of its thermostat, whether or
             stage.thermostat = choose(find_thermostat(bath));
         }
         const RunResult result = Simulation(spec).run();
-        check_mean(result.observable("temperature").estimate.value(), temperature_held, 0.015);
-        check_mean(result.observable("kinetic_energy").estimate.value(), 1.5 * temperature_held, 0.024);
+        check_mean(result.observable("temperature").estimate.value(), temperature_held, 0.018);
+        // The field changes the momentum along x alone; thermostats of single atoms change that along y and z, too.
+        const double freedom = find_thermostat(bath).conserves_momentum ? 3.0 - 2.0 / 32.0 : 3.0;
+        check_mean(result.observable("kinetic_energy").estimate.value(), 0.5 * freedom * temperature_held, 0.03);
     }
 }
 
