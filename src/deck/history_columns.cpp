@@ -8,9 +8,8 @@ ThermoColumns thermo_columns(const Deck& deck, bool order_parameter, const Exter
     const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
     return {{.density = any([](const Stage& stage) { return stage.barostat.has_value(); }),
              .external_energy = external != nullptr && external->has_energy(),
-             .conserved_energy = any([external](const Stage& stage) {
-                 return stage.thermostat && conserves_energy(stage, external);
-             }),
+             .conserved_energy =
+                 any([external](const Stage& stage) { return stage.thermostat && conserves_energy(stage, external); }),
              .order_parameter = order_parameter},
             deck.units};
 }

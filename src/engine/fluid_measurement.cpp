@@ -311,7 +311,8 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
         std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
         std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
     }
-    if (const auto infinite = spec_.external ? std::nullopt : diffusion_in_infinite_system(result.averages, state.box())) {
+    if (const auto infinite =
+            spec_.external ? std::nullopt : diffusion_in_infinite_system(result.averages, state.box())) {
         result.averages.push_back(*infinite);
     }
     add_remarks(result, spec_);

@@ -37,9 +37,8 @@ void set_velocities(State& state, const FluidSpec& spec, const std::function<voi
 }  // namespace
 
 PairForceField make_force_field(const FluidSpec& spec, const Execution& execution) {
-    PairForceField force_field{spec.potential,
-                               make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every),
-                               execution};
+    PairForceField force_field{
+        spec.potential, make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every), execution};
     force_field.set_external(spec.external);
     return force_field;
 }

@@ -152,9 +152,10 @@ std::vector<Mistake> external_force_mistakes(const FluidSpec& spec) {
     }
     std::vector<Mistake> all = judged(spec.stages, [&](const Stage& stage, Mistakes& found) {
         if (stage.barostat && !spec.external->has_virial()) {
-            found.add({"barostat"},
-                      fmt::format("a barostat needs the virial of the external force '{}', which does not tell it", name),
-                      "see ExternalForce::has_virial(); a field that scales with the box has virial 0");
+            found.add(
+                {"barostat"},
+                fmt::format("a barostat needs the virial of the external force '{}', which does not tell it", name),
+                "see ExternalForce::has_virial(); a field that scales with the box has virial 0");
         }
     });
     for (const ChosenAnalysis& analysis : spec.analyses) {

@@ -69,8 +69,9 @@ void ExternalForceTerm::add(State& state, Request request, Evaluation& evaluatio
     forces_.setZero(3, state.count());
     const ExternalEnergy found = force_->compute(atoms_, request.energy, forces_);
     if (forces_.cols() != state.count()) {
-        throw InputError(fmt::format("the external force '{}' has changed the shape of the forces: they are of {} atoms",
-                                     force_->name(), state.count()));
+        throw InputError(
+            fmt::format("the external force '{}' has changed the shape of the forces: they are of {} atoms",
+                        force_->name(), state.count()));
     }
     require_finite(*force_, forces_);
     auto f = state.write_forces();

@@ -66,8 +66,9 @@ py::object run(const LoadedDeck& loaded, const std::filesystem::path& directory,
             attention.warning(warning);
         }
         check_directory(deck, replace);
-        AnySystem system = make_system(deck, std::move(checked.start), checked.execution,
-                                       [&](const std::string& text) { attention.warning(text); }, external);
+        AnySystem system = make_system(
+            deck, std::move(checked.start), checked.execution,
+            [&](const std::string& text) { attention.warning(text); }, external);
         run_in_locked_directory(deck, system, replace, attention,
                                 {.interruption = attention.interruption(walltime), .observers = observers.all()});
     });
@@ -117,8 +118,8 @@ double seconds_of(const std::string& walltime) {
 
 void bind_directory_runs(py::module_& module) {
     module.def("run", &run, py::arg("deck"), py::arg("directory"), py::arg("threads"), py::arg("simd"),
-               py::arg("replace"), py::arg("walltime"), py::arg("observables"), py::arg("external"), py::arg("progress"),
-               py::arg("warn"));
+               py::arg("replace"), py::arg("walltime"), py::arg("observables"), py::arg("external"),
+               py::arg("progress"), py::arg("warn"));
     module.def("resume", &resume, py::arg("directory"), py::arg("steps"), py::arg("threads"), py::arg("walltime"),
                py::arg("observables"), py::arg("external"), py::arg("progress"), py::arg("warn"));
     module.def("seconds_of", &seconds_of, py::arg("walltime"));

@@ -107,9 +107,10 @@ ExternalEnergy PythonExternalForce::call(const AtomPositions& atoms, bool energy
     if (energy && energy_) {
         const Doubles u = doubles_of(part(1), fmt::format("the energy of {}", what));
         if (u.ndim() != 0 && !(u.ndim() == 1 && u.shape(0) == atoms.atoms())) {
-            throw InputError(fmt::format("{} returned an energy of the shape {}: it is one number, or one for each of {} "
-                                         "atoms",
-                                         what, shape_in_words(u), atoms.atoms()));
+            throw InputError(
+                fmt::format("{} returned an energy of the shape {}: it is one number, or one for each of {} "
+                            "atoms",
+                            what, shape_in_words(u), atoms.atoms()));
         }
         found.energy = Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()).sum();
     }
@@ -140,7 +141,8 @@ std::shared_ptr<PythonExternalForce> external_force_of(const py::object& describ
 void bind_external_forces(py::module_& module) {
     using Seen = const SeenPositions&;
     py::class_<SeenPositions, std::shared_ptr<SeenPositions>>(
-        module, "Positions", "Where the atoms are, as the function of an external force sees them. Valid during its call.")
+        module, "Positions",
+        "Where the atoms are, as the function of an external force sees them. Valid during its call.")
         .def_property_readonly(
             "time", [](Seen s) { return s.now().time(); }, "time that the positions belong to [tau]")
         .def_property_readonly(

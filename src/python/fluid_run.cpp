@@ -77,8 +77,8 @@ class FluidRun : public MemoryRun {
 
 DataTable FluidRun::thermo() const {
     const std::vector<ThermoRow>& rows = simulation_.samples();
-    const ThermoColumns columns = thermo_columns(deck_, !rows.empty() && rows.front().order,
-                                                 simulation_.spec().external.get());
+    const ThermoColumns columns =
+        thermo_columns(deck_, !rows.empty() && rows.front().order, simulation_.spec().external.get());
     DataTable table{"thermo", columns.names(), {}};
     for (const ThermoRow& row : rows) {
         table.rows.push_back(columns.row(row.step, row.time, row.values, {row.conserved_energy, row.order}));

@@ -67,10 +67,10 @@ Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& se
         record.settings.push_back(setting);
     }
     if (!record.external_force.empty()) {
-        throw InputError(
-            fmt::format("{} holds a run with the external force '{}' of a program, which no deck has: its deck alone is "
-                        "another run",
-                        directory.string(), record.external_force));
+        throw InputError(fmt::format(
+            "{} holds a run with the external force '{}' of a program, which no deck has: its deck alone is "
+            "another run",
+            directory.string(), record.external_force));
     }
     const std::string name = fmt::format("deck of {}", directory.string());
     auto deck = load_deck_text(name, record.deck, record.settings, true, diagnostics);

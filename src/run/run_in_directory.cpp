@@ -111,8 +111,8 @@ RunResult resume_in_directory(const std::filesystem::path& directory, const Resu
     for (const std::string& warning : run.warnings()) {
         relay.warning(warning);
     }
-    AnySystem system = empty_system(run.deck(), run.checkpoint().atoms, run.checkpoint().edges, run.execution(),
-                                    options.external);
+    AnySystem system =
+        empty_system(run.deck(), run.checkpoint().atoms, run.checkpoint().edges, run.execution(), options.external);
     auto& fluid = std::get<FluidSystem>(system);
     const RunControl control{
         .interruption = options.interruption, .continuation = run.take(), .observers = options.observers};

@@ -244,7 +244,8 @@ TEST_CASE("what an external force throws ends the run") {
 TEST_CASE("a barostat needs the virial, and analyses of pair forces need a fluid without external force") {
     FluidSpec spec = with_thermostat(one_stage(uniform(Vec3::UnitX())), "stochastic-rescaling");
     spec.stages.front().barostat = barostat("stochastic-cell-rescaling", {{"pressure", 1.0}});
-    CHECK_THROWS_WITH(Simulation(spec), Contains("stage 'only': a barostat needs the virial of the external force 'uniform'"));
+    CHECK_THROWS_WITH(Simulation(spec),
+                      Contains("stage 'only': a barostat needs the virial of the external force 'uniform'"));
     spec.external = wave(1.0);
     Simulation simulation(spec);
     simulation.run();

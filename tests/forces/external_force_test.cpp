@@ -56,7 +56,8 @@ TEST_CASE("an external force is added to the pair forces by id, whatever the ord
     }
 }
 
-TEST_CASE("an external force is called once an evaluation, and sees positions by id, wrapped and unwrapped, and the time") {
+TEST_CASE(
+    "an external force is called once an evaluation, and sees positions by id, wrapped and unwrapped, and the time") {
     State state = fluid();
     state.time = 1.25;
     state.set_image(3, {2, 0, -1});
@@ -96,8 +97,8 @@ TEST_CASE("the virial of an external force is the response of its energy to a ch
         return with(force).evaluate(state, Request::forces_and_energy);
     };
     const auto alone = [&](double stretch) { return found(nullptr, stretch); };
-    for (const std::shared_ptr<ExternalForce>& force : {std::shared_ptr<ExternalForce>(trap(0.7)),
-                                                        std::shared_ptr<ExternalForce>(wave(2.0))}) {
+    for (const std::shared_ptr<ExternalForce>& force :
+         {std::shared_ptr<ExternalForce>(trap(0.7)), std::shared_ptr<ExternalForce>(wave(2.0))}) {
         const double response =
             -(*found(force, 1.0 + h).external_energy - *found(force, 1.0 - h).external_energy) / (2.0 * h);
         const double virial = found(force, 1.0).virial.trace() - alone(1.0).virial.trace();
@@ -119,7 +120,8 @@ TEST_CASE("what is not finite names the atom, and a wrong shape is refused") {
                       Contains("external force 'made' on atom 42 is (0, nan, 0), not finite"));
     forces(1, 41) = 0.0;
     CHECK_NOTHROW(evaluate(constant(forces, {not_a_number}), Request::forces));
-    CHECK_THROWS_WITH(evaluate(constant(forces, {not_a_number}), Request::forces_and_energy), Contains("energy of the external"));
+    CHECK_THROWS_WITH(evaluate(constant(forces, {not_a_number}), Request::forces_and_energy),
+                      Contains("energy of the external"));
     const auto bad_virial = std::make_shared<MadeForce>(
         [](const AtomPositions&, Eigen::Matrix3Xd&) {
             return ExternalEnergy{0.0, Mat3::Constant(not_a_number)};

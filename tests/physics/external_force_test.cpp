@@ -19,8 +19,11 @@ constexpr double most_errors = 3.5;  // the same bits everywhere
 
 /// Atoms that do not see each other.
 PairPotential ideal() {
-    return PairPotential::custom("ideal", [](const PairDistance<double>&) { return PairTerm<double>{0.0, 0.0}; }, "cut",
-                                 {.radius = 0.5, .switch_start = 0.0});
+    return PairPotential::custom("ideal",
+                                 [](const PairDistance<double>&) {
+                                     return PairTerm<double>{0.0, 0.0};
+                                 },
+                                 "cut", {.radius = 0.5, .switch_start = 0.0});
 }
 
 FluidSpec free_atoms(std::shared_ptr<ExternalForce> force) {
@@ -46,14 +49,15 @@ FluidSpec free_atoms(std::shared_ptr<ExternalForce> force) {
 /// Each atom on a spring to the place where it is first seen.
 std::shared_ptr<MadeForce> springs(double k) {
     auto sites = std::make_shared<Eigen::Matrix3Xd>();
-    return std::make_shared<MadeForce>([k, sites](const AtomPositions& atoms, Eigen::Matrix3Xd& forces) -> ExternalEnergy {
-        if (sites->cols() == 0) {
-            *sites = atoms.unwrapped();
-        }
-        const Eigen::Matrix3Xd d = atoms.unwrapped() - *sites;
-        forces = -k * d;
-        return {0.5 * k * d.squaredNorm()};
-    });
+    return std::make_shared<MadeForce>(
+        [k, sites](const AtomPositions& atoms, Eigen::Matrix3Xd& forces) -> ExternalEnergy {
+            if (sites->cols() == 0) {
+                *sites = atoms.unwrapped();
+            }
+            const Eigen::Matrix3Xd d = atoms.unwrapped() - *sites;
+            forces = -k * d;
+            return {0.5 * k * d.squaredNorm()};
+        });
 }
 
 void check_mean(const Estimate& found, double expected, double narrow) {
@@ -98,7 +102,8 @@ TEST_CASE("an ideal gas in a field has Boltzmann's density, and the temperature 
     for (Index slice = 0; slice < Profile::slices; ++slice) {
         double density = 0.0;
         for (int point = 0; point < points; ++point) {
-            const double x = (static_cast<double>(slice) + (point + 0.5) / points) / static_cast<double>(Profile::slices);
+            const double x =
+                (static_cast<double>(slice) + (point + 0.5) / points) / static_cast<double>(Profile::slices);
             density += std::exp(-b * std::cos(2.0 * std::numbers::pi * x)) / (points * std::cyl_bessel_i(0.0, b));
         }
         smallest = std::min(smallest, density);
@@ -107,7 +112,8 @@ TEST_CASE("an ideal gas in a field has Boltzmann's density, and the temperature 
     CHECK(smallest < 0.4);
 }
 
-TEST_CASE("equipartition of atoms on springs: 3/2 T of potential and of kinetic energy each, the centre of mass included") {
+TEST_CASE(
+    "equipartition of atoms on springs: 3/2 T of potential and of kinetic energy each, the centre of mass included") {
     const SameBits everywhere;
     for (const char* bath : {"langevin", "andersen"}) {
         CAPTURE(bath);
@@ -156,7 +162,8 @@ TEST_CASE("velocity Verlet conserves the total energy in a field to second order
         simulation.run();
         double largest = 0.0;
         for (const ThermoRow& row : simulation.samples()) {
-            largest = std::max(largest, std::abs(row.values.total_energy - simulation.samples().front().values.total_energy));
+            largest =
+                std::max(largest, std::abs(row.values.total_energy - simulation.samples().front().values.total_energy));
         }
         return largest;
     };
@@ -169,7 +176,8 @@ TEST_CASE("every integrator keeps its order under a force that depends on time")
     constexpr double a = 3.0;
     constexpr double w = 5.0;
     for (const IntegratorMethod& method : all_integrators()) {
-        if (method.unbounded_only || method.name == "leapfrog-2tau") {  // its kicks are at the beginnings of double steps
+        if (method.unbounded_only ||
+            method.name == "leapfrog-2tau") {  // its kicks are at the beginnings of double steps
             continue;
         }
         CAPTURE(method.name);
@@ -183,10 +191,8 @@ TEST_CASE("every integrator keeps its order under a force that depends on time")
             spec.start = LatticeStart{.lattice = Lattice::fcc, .cells = 1};
             spec.density = 0.1;
             spec.temperature = 0.0;
-            spec.stages = {{.name = "only",
-                            .integrator = choose(method),
-                            .time_step = dt,
-                            .steps = std::lround(1.0 / dt)}};
+            spec.stages = {
+                {.name = "only", .integrator = choose(method), .time_step = dt, .steps = std::lround(1.0 / dt)}};
             Simulation simulation(spec);
             const double before = simulation.state().unwrapped(0)[0];
             simulation.run();

@@ -54,8 +54,8 @@ using Operator = std::variant<Kick, Drift, Evaluate, Update, Thermalise, Solve>;
 /// Shapes: positions, velocities, forces (3, N) [sigma, sigma/tau, epsilon/sigma]; masses (N) [m].
 /// @param request  whether the last Evaluate of the list also computes the energy
 /// @param within   gets the states within a Solve
-/// At each evaluation state.time is the time of the positions, for forces that depend on it. In the end it is what it was
-/// before: whoever takes the step sets it.
+/// At each evaluation state.time is the time of the positions, for forces that depend on it. In the end it is what it
+/// was before: whoever takes the step sets it.
 /// @return result of the last Evaluate
 /// @throws ContractViolation if a Kick or an Update meets stale forces
 Evaluation apply(const std::vector<Operator>& operators, State& state, ForceField& force_field, Request request,

@@ -14,8 +14,8 @@ namespace ljmd {
 [[nodiscard]] double kinetic_energy(const State& state);
 
 /// Temperature of the motion about the centre of mass, T = (2 K - P^2/M)/(3 N - 3) [epsilon/k_B]. P = sum m v is 0
-/// except under thermostats that do not conserve momentum, and under external forces. Empty for fewer than two atoms, which have no degrees of
-/// freedom.
+/// except under thermostats that do not conserve momentum, and under external forces. Empty for fewer than two atoms,
+/// which have no degrees of freedom.
 [[nodiscard]] std::optional<double> temperature(const State& state);
 
 /// The same from K, P and the total mass M.

@@ -43,10 +43,10 @@ RunResult run_in_directory(const FluidSpec& spec, const std::filesystem::path& d
 
 /// Options of a run that is resumed.
 struct ResumedDirectoryOptions {
-    Index more_steps = 0;                   ///< added to the last stage, besides those added earlier
-    int threads = 0;                        ///< their number; 0: as many as before
-    Interruption interruption{};            ///< as in DirectoryOptions
-    std::vector<Observer*> observers = {};  ///< as many as before, made alike, in the same order
+    Index more_steps = 0;                          ///< added to the last stage, besides those added earlier
+    int threads = 0;                               ///< their number; 0: as many as before
+    Interruption interruption{};                   ///< as in DirectoryOptions
+    std::vector<Observer*> observers = {};         ///< as many as before, made alike, in the same order
     std::shared_ptr<ExternalForce> external = {};  ///< the one that it had before, see FluidSpec
     RunListener* listener = nullptr;
 };

@@ -59,9 +59,9 @@ void RunAverages::add(const Thermodynamics& s) {
     if (external_energy_) {
         row[external_energy_column] = s.external_energy.value_or(0.0);
     }
-    row.head(external_energy_column) << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure.value_or(0.0), s.density, p(0, 0),
-        p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial, t > 0.0 ? 1.0 / t : 0.0,
-        s.potential_energy * s.potential_energy;
+    row.head(external_energy_column) << t, s.potential_energy, s.kinetic_energy, s.total_energy,
+        s.pressure.value_or(0.0), s.density, p(0, 0), p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial,
+        t > 0.0 ? 1.0 / t : 0.0, s.potential_energy * s.potential_energy;
     series_.add(row);
 }
 
