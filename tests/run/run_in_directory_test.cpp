@@ -5,12 +5,15 @@
 #include <stdexcept>
 
 #include "engine/engine_fixtures.hpp"
+#include "forces/made_external_force.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/run/directory_report.hpp"
 #include "ljmd/run/held_run.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/run/spec_deck.hpp"
 #include "run/run_fixtures.hpp"
 
 using namespace ljmd;
@@ -132,6 +135,34 @@ TEST_CASE("a run with observers is resumed with as many, by whoever has them") {
                                "program"));
     Sum again;
     CHECK_NOTHROW(resume_in_directory(folder / "run", {.observers = {&again}}));
+}
+
+TEST_CASE("a run under an external force is resumed with it, to the last bit, and no deck tells it") {
+    const TemporaryFolder folder;
+    FluidSpec spec = analysed_spec();
+    spec.external = wave(2.0);
+    run_in_directory(spec, folder / "whole", {.files = files_of_deck});
+    CHECK_THAT(content_of(folder / "whole" / "run.json"), Contains("\"external_force\": \"wave\""));
+    CHECK_THAT(content_of(folder / "whole" / "thermo.csv"), Contains(",external_energy,"));
+    for (const Index step : {1, 20, 44}) {
+        INFO(step);
+        const std::filesystem::path directory = folder / fmt::format("stopped-{}", step);
+        StopAt stop(step);
+        CHECK_THROWS_AS(
+            run_in_directory(spec, directory,
+                             {.files = files_of_deck, .interruption = stop.interruption(), .listener = &stop}),
+            Interrupted);
+        CHECK_THROWS_WITH(resume_in_directory(directory), Contains("the external force of the checkpoint is 'wave'"));
+        CHECK_THROWS_AS(resume_in_directory(directory, {.external = trap(1.0)}), CheckpointError);
+        resume_in_directory(directory, {.threads = 2, .external = wave(2.0)});
+        check_same_outputs(directory, folder / "whole");
+    }
+    CHECK_THROWS_WITH(deck_text(spec), Contains("'wave' is a force of the program, which no deck can name"));
+    Diagnostics diagnostics;
+    CHECK_THROWS_WITH(recorded_deck(folder / "whole", {}, diagnostics), Contains("its deck alone is another run"));
+    run_in_directory(small_spec(), folder / "without");
+    CHECK_THROWS_AS(resume_in_directory(folder / "without", {.external = wave(2.0)}), CheckpointError);
+    CHECK(content_of(folder / "without" / "run.json").find("external_force") == std::string::npos);
 }
 
 TEST_CASE("its directory is that of a run, for the commands, too") {
