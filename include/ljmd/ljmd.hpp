@@ -7,6 +7,7 @@
 #include "ljmd/engine/observer.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/execution/execution.hpp"
+#include "ljmd/forces/external_force.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
 #include "ljmd/run/run_in_directory.hpp"
 #include "ljmd/run/spec_deck.hpp"

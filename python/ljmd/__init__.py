@@ -21,6 +21,7 @@ from .equations import Properties, eos, equations
 from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
                      PhysicsError, RunWarning, ThreadsError)
 from .evaluation import Evaluation, Evaluator, evaluate
+from .external import external_force
 from .frames import Frames
 from .observables import observable
 from .potentials import Pair, pair
@@ -35,5 +36,5 @@ __version__ = build()["version"]
 __all__ = ["ARGON", "Arrays", "Check", "CheckpointError", "Comparison", "DataError", "Deck", "Error", "Evaluation", "Evaluator",
            "FileError", "Frames", "InUseError", "InputError", "InternalError", "Interrupted", "Observable", "Pair",
            "PhysicsError", "Point", "Properties", "Quantity", "Results", "Run", "RunWarning", "Simulation", "Stage", "Sweep", "Table",
-           "ThreadsError", "Trajectory", "build", "eos", "equations", "evaluate", "observable", "open", "open_sweep", "pair",
-           "resume", "trajectory"]
+           "ThreadsError", "Trajectory", "build", "eos", "equations", "evaluate", "external_force", "observable", "open",
+           "open_sweep", "pair", "resume", "trajectory"]

@@ -309,12 +309,13 @@ class Deck:
         data, text, warnings = _core.check(self._loaded(force), _check.threads_of(threads), simd or "")
         return Check(data, text, warnings)
 
-    def run(self, directory=None, *, observables=(), threads: int | None = None, simd: str | None = None, progress=True,
+    def run(self, directory=None, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, progress=True,
             replace: bool = False, force: bool = False, walltime=None) -> Run:
         """Run all stages.
 
         directory: where results, tables and checkpoints are written, so that the run can be resumed; None: nowhere
         observables: measurements of your own, see `ljmd.observable`
+        external: a force of your own on the atoms, see `ljmd.external_force`
         threads: no result depends on it; OMP_NUM_THREADS or 1 by default
         simd: instruction set of the kernels, one of `ljmd.build()["simd_levels"]`
         progress: a bar; or a function that is called with the number of steps done, 20 times a second
@@ -328,9 +329,9 @@ class Deck:
         if directory is None:
             if walltime is not None or replace:
                 raise InputError("walltime and replace are for a run with a directory")
-            simulation = Simulation(self, observables=observables, threads=threads, simd=simd, force=force)
+            simulation = Simulation(self, observables=observables, external=external, threads=threads, simd=simd, force=force)
             return simulation.run(progress=progress)
-        return Run.in_directory(self._loaded(force), directory, observables=observables, threads=threads, simd=simd,
+        return Run.in_directory(self._loaded(force), directory, observables=observables, external=external, threads=threads, simd=simd,
                                 progress=progress, replace=replace, walltime=walltime)
 
     def sweep(self, points, *, jobs: int | None = None, directory=None, progress=True, force: bool = False) -> Sweep:

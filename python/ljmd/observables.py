@@ -12,7 +12,8 @@ class observable:
     It is called in the sampled stages, at steps that `every` divides, and its mean gets an error by blocking, as the
     built-in ones. The snapshot has `step`, `time`, `atoms`, `edges`, and `positions`, `unwrapped`, `velocities`,
     `forces` of shape (N, 3) in the order of the atoms' ids. With `energy=True` it also has `temperature`,
-    `potential_energy`, `kinetic_energy`, `total_energy` (per atom) and `pressure`. It is valid during the call.
+    `potential_energy`, `kinetic_energy`, `total_energy`, `external_energy` (per atom) and `pressure`. It is valid during
+    the call.
 
         @ljmd.observable(every=50, unit="sigma/tau")
         def fastest(s):
@@ -63,7 +64,8 @@ def described(observables) -> list:
 
 
 # docs/files.md has what they are.
-BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy", "pressure", "compressibility_factor",
+BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy", "external_energy", "pressure",
+            "compressibility_factor",
             *(f"pressure_{k}" for k in ("xx", "yy", "zz", "xy", "xz", "yz")), "virial", "heat_capacity_cv", "density",
             "coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "diffusion_infinite_system",
             "excess_chemical_potential"}

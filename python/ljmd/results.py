@@ -15,6 +15,7 @@ import numpy as np
 from . import _check, _core, _progress
 from ._text import as_table, html_lines, html_table, with_error
 from .errors import DataError
+from .external import described_force
 from .frames import Frames
 from .observables import described
 
@@ -278,10 +279,11 @@ class Run(Results):
         return run
 
     @classmethod
-    def in_directory(cls, deck, directory, *, observables, threads, simd, progress, replace, walltime) -> "Run":
+    def in_directory(cls, deck, directory, *, observables, external, threads, simd, progress, replace, walltime) -> "Run":
         """See `Deck.run`."""
         directory = _check.directory_of(directory)
-        options = (_check.threads_of(threads), simd or "", replace, _check.seconds_of(walltime), described(observables))
+        options = (_check.threads_of(threads), simd or "", replace, _check.seconds_of(walltime), described(observables),
+                   described_force(external))
         with _progress.shown(progress, deck.total_steps) as tell:
             _core.run(deck, directory, *options, tell, _check.warn)
         return cls.open(directory)
@@ -299,11 +301,12 @@ def open_run(directory):
     return Run.open(directory)
 
 
-def resume(directory, *, steps: int = 0, observables=(), threads: int | None = None, progress=True, walltime=None) -> Run:
+def resume(directory, *, steps: int = 0, observables=(), external=None, threads: int | None = None, progress=True, walltime=None) -> Run:
     """Resume the run in a directory from its last checkpoint. It ends with the bits of a run that was not interrupted.
 
     steps: to add to the last stage
     observables: those that it was begun with, in the same order; the pair potential is in the directory
+    external: the external force that it was begun with
     threads: as many as before by default
 
     Raises DataError, CheckpointError, InUseError; Interrupted and KeyboardInterrupt as `Deck.run`.
@@ -311,7 +314,8 @@ def resume(directory, *, steps: int = 0, observables=(), threads: int | None = N
     directory = _check.directory_of(directory)
     about, _ = _core.describe(directory)
     steps = _check.whole(steps, "steps", 0)
-    options = (_check.threads_of(threads), _check.seconds_of(walltime), described(observables))
+    options = (_check.threads_of(threads), _check.seconds_of(walltime), described(observables),
+               described_force(external))
     first = about["checkpoint"]["step"] if about["checkpoint"] else 0
     with _progress.shown(progress, about["total_steps"] + steps, first) as tell:
         _core.resume(directory, steps, *options, tell, _check.warn)

@@ -6,6 +6,7 @@ import contextlib
 
 from . import _check, _core, _progress
 from .errors import InputError
+from .external import described_force
 from .frames import Recorder
 from .observables import described
 from .results import Run
@@ -72,12 +73,12 @@ class Simulation:
     Arrays such as `sim.positions` are copies, shape (N, 3), in the order of the atoms' ids. `with sim.arrays() as a`
     gives the memory itself. Everything is in reduced units, energies per atom.
 
-    observables, threads, simd, force: as in `Deck.run`. Raises InputError with all mistakes of the deck.
+    observables, external, threads, simd, force: as in `Deck.run`. Raises InputError with all mistakes of the deck.
     """
 
-    def __init__(self, deck, *, observables=(), threads: int | None = None, simd: str | None = None, force: bool = False):
+    def __init__(self, deck, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, force: bool = False):
         self._core = _core.Simulation(deck._loaded(force), _check.threads_of(threads), simd or "", described(observables),
-                                      _check.warn)
+                                      described_force(external), _check.warn)
         self._title = deck.title
         self._recorder = self._recorder_of(deck)
 
@@ -85,7 +86,8 @@ class Simulation:
         """Take some steps; fewer if the stages end before.
 
         Ctrl-C raises KeyboardInterrupt between two steps, and the simulation can go on afterwards.
-        Raises PhysicsError when the run blows up, and what an observable raises: it can be looked at then, not continued.
+        Raises PhysicsError when the run blows up, and what an observable or an external force
+        raises: it can be looked at then, not continued.
         """
         steps = _check.whole(steps, "steps", 0)
         with _progress.shown(progress, min(self.step + steps, self.total_steps), self.step) as tell:
@@ -159,7 +161,8 @@ class Simulation:
         return self._core.checkpoint()
 
     def restore(self, checkpoint: bytes) -> None:
-        """Continue from a checkpoint of a simulation of the same deck and observables; the rest has the same bits.
+        """Continue from a checkpoint of a simulation of the same deck, observables and external force; the rest has the
+        same bits.
 
         Raises CheckpointError for another deck, and for damaged bytes.
         """
@@ -191,6 +194,7 @@ class Simulation:
     potential_energy = _energy("potential_energy", "Per atom, of few bodies in total [epsilon].")
     kinetic_energy = _energy("kinetic_energy", "Per atom, of few bodies in total [epsilon].")
     total_energy = _energy("total_energy", "Per atom, of few bodies in total [epsilon].")
+    external_energy = _energy("external_energy", "Of an external force that has one, else None; per atom [epsilon].")
     pressure = _energy("pressure", "[epsilon/sigma^3].")
     density = _energy("density", "N/V [sigma^-3].")
 

@@ -114,6 +114,10 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
         return fmt::format("needs a box that stays the same, but that of frame {} is another one than that of frame 1",
                            *trajectory.box_changes);
     }
+    if (needs.interaction && deck != nullptr && !deck->given.external.empty()) {
+        return fmt::format("is for a homogeneous fluid, and the external force {} acted on this one",
+                           in_quotes(deck->given.external));
+    }
     if (needs.interaction && !run.interaction) {
         return deck != nullptr ? fmt::format("needs the interaction: {}", deck->given.potential->missing)
                                : "needs the interaction: give a deck with --deck";

@@ -31,6 +31,12 @@ struct Export {
     fs::path directory;
 
     [[nodiscard]] Fluid fluid() const {
+        if (const std::string& external = deck.given.external; !external.empty()) {
+            throw InputError(fmt::format(
+                "the external force {} is a force of the program that made the run, which other programs do "
+                "not have: only the configuration can be exported, to extxyz or h5md",
+                in_quotes(external)));
+        }
         const FluidSpec spec = fluid_spec(deck);
         if (spec.potential.is_custom()) {
             throw InputError(

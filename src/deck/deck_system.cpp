@@ -3,6 +3,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_sense.hpp"
 #include "ljmd/deck/few_body.hpp"
+#include "ljmd/engine/mistakes.hpp"
 
 namespace ljmd {
 
@@ -18,20 +19,36 @@ void require(bool met, const std::string& otherwise) {
     }
 }
 
+FluidSpec with(const std::shared_ptr<ExternalForce>& external, FluidSpec spec) {
+    spec.external = external;
+    for (const Mistake& mistake : external_force_mistakes(spec)) {
+        throw InputError(in_words(mistake));
+    }
+    return spec;
+}
+
+void require_none(const std::shared_ptr<ExternalForce>& external) {
+    require(!external, "external forces are for fluids: this deck has few bodies");
+}
+
 }  // namespace
 
 AnySystem make_system(const Deck& deck, std::optional<Start> start, const Execution& execution,
-                      const std::function<void(const std::string&)>& warn) {
+                      const std::function<void(const std::string&)>& warn,
+                      const std::shared_ptr<ExternalForce>& external) {
     if (start) {
-        return make_fluid(fluid_spec(deck, std::move(*start)), execution, warn);
+        return make_fluid(with(external, fluid_spec(deck, std::move(*start))), execution, warn);
     }
+    require_none(external);
     return make_few_body_system(deck, execution);
 }
 
-AnySystem empty_system(const Deck& deck, Index atoms, const Vec3& edges, const Execution& execution) {
+AnySystem empty_system(const Deck& deck, Index atoms, const Vec3& edges, const Execution& execution,
+                       const std::shared_ptr<ExternalForce>& external) {
     if (is_fluid(deck)) {
-        return empty_fluid(fluid_spec(deck), atoms, Box(edges), execution);
+        return empty_fluid(with(external, fluid_spec(deck)), atoms, Box(edges), execution);
     }
+    require_none(external);
     return make_few_body_system(deck, execution);
 }
 

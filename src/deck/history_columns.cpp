@@ -4,10 +4,12 @@
 
 namespace ljmd {
 
-ThermoColumns thermo_columns(const Deck& deck, bool order_parameter) {
+ThermoColumns thermo_columns(const Deck& deck, bool order_parameter, const ExternalForce* external) {
     const auto any = [&](const auto& wanted) { return std::ranges::any_of(deck.stages, wanted); };
     return {{.density = any([](const Stage& stage) { return stage.barostat.has_value(); }),
-             .conserved_energy = any([](const Stage& stage) { return stage.thermostat && conserves_energy(stage); }),
+             .external_energy = external != nullptr && external->has_energy(),
+             .conserved_energy =
+                 any([external](const Stage& stage) { return stage.thermostat && conserves_energy(stage, external); }),
              .order_parameter = order_parameter},
             deck.units};
 }

@@ -8,6 +8,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/result_doubts.hpp"
 #include "ljmd/model/checksum.hpp"
@@ -28,7 +29,8 @@ FluidMeasurement::FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, Ru
       fluid_(fluid),
       outputs_(outputs),
       sample_every_(spec.sample_every),
-      averages_(fluid.state.count(), sampled_ensemble(spec.stages)),
+      averages_(fluid.state.count(), sampled_ensemble(spec.stages, spec.external != nullptr),
+                spec.external && spec.external->has_energy()),
       analysed_edges_(fluid.state.box().edges()) {
     for (Observer* observer : observers) {
         add(*observer);
@@ -48,7 +50,27 @@ void FluidMeasurement::resume_at(const LoopPosition& position) {
     }
 }
 
+/// A run is resumed with the external force that it had, which a checkpoint cannot hold.
+void FluidMeasurement::archive_external_force(Archive& a) const {
+    const std::string present = spec_.external ? spec_.external->name() : "";
+    const bool has_energy = spec_.external && spec_.external->has_energy();
+    std::string name = present;
+    bool energy = has_energy;
+    a(name, energy);
+    if (name != present || energy != has_energy) {
+        const auto in_words = [](const std::string& force, bool with) {
+            return force.empty() ? std::string("none")
+                                 : fmt::format("'{}' {} an energy", printable(force, 64), with ? "with" : "without");
+        };
+        throw CheckpointError(
+            fmt::format("the external force of the checkpoint is {}, and {} is there: such a run is resumed by the "
+                        "program that began it, with the same force",
+                        in_words(name, energy), in_words(present, has_energy)));
+    }
+}
+
 void FluidMeasurement::archive(Archive& a) {
+    archive_external_force(a);
     a(fluid_.state);
     fluid_.force_field.archive(a, fluid_.state);
     a.mark("averages");
@@ -93,8 +115,8 @@ void FluidMeasurement::checkpoint(const LoopPosition& position) {
 
 void FluidMeasurement::begin_to_watch(const Stage& stage) {
     sampling_ = stage.sample;
-    conserves_energy_ = conserves_energy(stage);
-    watch_.emplace(stage.time_step, !stage.thermostat, fluid_.force_field.potential());
+    conserves_energy_ = conserves_energy(stage, spec_.external.get());
+    watch_.emplace(stage.time_step, !stage.thermostat && conserves_energy_, fluid_.force_field.potential());
 }
 
 void FluidMeasurement::started(const Evaluation& evaluation) {
@@ -290,7 +312,8 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
         std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
         std::ranges::move(analysis->observables(), std::back_inserter(result.averages));
     }
-    if (const auto infinite = diffusion_in_infinite_system(result.averages, state.box())) {
+    if (const auto infinite =
+            spec_.external ? std::nullopt : diffusion_in_infinite_system(result.averages, state.box())) {
         result.averages.push_back(*infinite);
     }
     for (const Observer* observer : observers_) {

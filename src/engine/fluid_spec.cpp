@@ -111,7 +111,7 @@ void NeighborSpec::describe(Description& description) {
 }
 
 Interaction FluidSpec::interaction() const {
-    return {potential, tail ? TailCorrection(potential) : TailCorrection()};
+    return {potential, tail ? TailCorrection(potential) : TailCorrection(), external != nullptr};
 }
 
 Index atoms_of(const FluidSpec& spec) {
@@ -148,16 +148,20 @@ SampledRun sampled_run(const std::vector<Stage>& stages, std::uint64_t seed, Ind
     return run;
 }
 
-Ensemble sampled_ensemble(const std::vector<Stage>& stages) {
+Ensemble sampled_ensemble(const std::vector<Stage>& stages, bool external) {
     const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
     const auto first = std::ranges::find_if(stages, sampled);
     if (std::any_of(first, stages.end(), [](const Stage& stage) { return stage.barostat.has_value(); })) {
         return Ensemble::constant_pressure;
     }
-    if (std::ranges::count_if(stages, sampled) != 1 || !conserves_energy(*first)) {
+    if (external || std::ranges::count_if(stages, sampled) != 1 || !conserves_energy(*first)) {
         return Ensemble::none;
     }
     return first->thermostat ? Ensemble::canonical : Ensemble::constant_energy;
+}
+
+bool conserves_energy(const Stage& stage, const ExternalForce* external) {
+    return conserves_energy(stage) && (external == nullptr || external->has_energy());
 }
 
 std::vector<std::string> mistakes(const FluidSpec& spec, Precision precision) {
@@ -168,6 +172,7 @@ std::vector<std::string> mistakes(const FluidSpec& spec, Precision precision) {
     complaints.add(search_mistakes(spec.neighbors, precision));
     complaints.add(stage_mistakes(spec.stages));
     complaints.add(fluid_stage_mistakes(spec.stages));
+    complaints.add(external_force_mistakes(spec));
     if (!spec.stages.empty()) {
         complaints.add(sampling_mistakes(spec.analyses, spec.stages));
     }

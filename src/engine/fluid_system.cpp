@@ -24,6 +24,9 @@ void set_velocities(State& state, const FluidSpec& spec, const std::function<voi
         draw_velocities(state, spec.temperature.value(), spec.seed);
         return;
     }
+    if (spec.external) {
+        return;  // the centre of mass moves with it
+    }
     const double drift = (total_momentum(state) / static_cast<double>(state.count())).norm();
     if (drift > noticeable_drift) {
         warn(fmt::format("the centre of mass moved with {:.3g} sigma/tau; its motion was removed", drift));
@@ -34,8 +37,10 @@ void set_velocities(State& state, const FluidSpec& spec, const std::function<voi
 }  // namespace
 
 PairForceField make_force_field(const FluidSpec& spec, const Execution& execution) {
-    return {spec.potential, make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every),
-            execution};
+    PairForceField force_field{
+        spec.potential, make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every), execution};
+    force_field.set_external(spec.external);
+    return force_field;
 }
 
 std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, const State& state) {
@@ -97,7 +102,9 @@ FluidSystem make_fluid(const FluidSpec& spec, const Execution& execution,
         place(fluid.state, lattice_sites(crystal->lattice, crystal->cells, box));
     } else {
         place(fluid.state, random_positions(atoms, box, spec.seed));
+        fluid.force_field.set_external(nullptr);  // overlaps are pushed apart, but atoms do not fall meanwhile
         fluid.relaxation_iterations = relax(fluid.state, fluid.force_field).iterations;
+        fluid.force_field.set_external(spec.external);
     }
     set_velocities(fluid.state, spec, warn);
     return fluid;

@@ -140,6 +140,36 @@ std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages) {
     });
 }
 
+std::vector<Mistake> external_force_mistakes(const FluidSpec& spec) {
+    if (!spec.external) {
+        return {};
+    }
+    const std::string name = spec.external->name();
+    if (name.empty() || printable(name, longest_name) != name) {
+        Mistakes found("external force");
+        found.add({}, fmt::format("its name must be 1 to {} printable characters", longest_name));
+        return found.take();
+    }
+    std::vector<Mistake> all = judged(spec.stages, [&](const Stage& stage, Mistakes& found) {
+        if (stage.barostat && !spec.external->has_virial()) {
+            found.add(
+                {"barostat"},
+                fmt::format("a barostat needs the virial of the external force '{}', which does not tell it", name),
+                "see ExternalForce::has_virial(); a field that scales with the box has virial 0");
+        }
+    });
+    for (const ChosenAnalysis& analysis : spec.analyses) {
+        if (analysis.plugin.needs.interaction) {
+            Mistakes found("analysis", analysis.plugin.name);
+            found.add({}, fmt::format("it is for a homogeneous fluid, in which the pair forces act alone; here the "
+                                      "external force '{}' acts, too",
+                                      name));
+            found.move_to(all);
+        }
+    }
+    return all;
+}
+
 std::vector<Mistake> few_body_sampling_mistakes(const std::vector<Stage>& stages) {
     const Stage* last_sampled = nullptr;
     const Stage* previous = nullptr;

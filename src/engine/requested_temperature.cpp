@@ -77,7 +77,7 @@ std::string temperature_remark(const FluidSpec& spec, const std::optional<Estima
 std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
     const PairPotential& potential = spec.potential;
     const double radius = potential.cutoff().radius;
-    if (potential.formula() != "lennard-jones") {
+    if (potential.formula() != "lennard-jones" || spec.external) {
         return std::nullopt;
     }
     if (potential.truncation() == "cut" && spec.tail && radius >= min_full_cutoff) {
@@ -91,7 +91,7 @@ std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
 
 std::optional<AtRequestedTemperature> at_requested_temperature(const FluidSpec& spec, double density,
                                                                const RunAverages& averages) {
-    if (sampled_ensemble(spec.stages) != Ensemble::constant_energy) {
+    if (sampled_ensemble(spec.stages, spec.external != nullptr) != Ensemble::constant_energy) {
         return std::nullopt;
     }
     const auto requested = requested_temperature(spec);

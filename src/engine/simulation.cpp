@@ -54,6 +54,9 @@ std::string identity(const FluidSpec& spec, const Execution& execution) {
             text += fmt::format(" {} {}", stage.barostat->plugin.name, settings_in_words(stage.barostat->values));
         }
     }
+    if (spec.external) {
+        text += fmt::format("; external force {}", spec.external->name());
+    }
     for (const ChosenAnalysis& analysis : spec.analyses) {
         text += fmt::format("; {} {}", analysis.plugin.name, settings_in_words(analysis.values));
     }

@@ -51,9 +51,28 @@ Integrator integrator_of(const Stage& stage, const Thermostat* thermostat) {
     return integrator.with_mid_drift([thermostat](State& state) { thermostat->mid_drift(state); });
 }
 
-bool conserves_momentum(const Stage& stage) {
+bool thermostat_conserves_momentum(const Stage& stage) {
     return !stage.thermostat || stage.thermostat->plugin.conserves_momentum;
 }
+
+/// Brings the centre of mass to rest for as long as this lives, for thermostats that would conserve its momentum but
+/// find it moving under an external force. They thermalise the 3 N - 3 degrees of freedom about it: scaling these alone
+/// keeps Maxwell's distribution, whatever the centre of mass does.
+class CentreAtRest {
+  public:
+    explicit CentreAtRest(State& state) : state_(state) {
+        state_.finish_kick();
+        velocity_ = centre_velocity(state_);
+        shift_velocities(state_, -velocity_);
+    }
+    ~CentreAtRest() { shift_velocities(state_, velocity_); }
+    CentreAtRest(const CentreAtRest&) = delete;
+    CentreAtRest& operator=(const CentreAtRest&) = delete;
+
+  private:
+    State& state_;
+    Vec3 velocity_;
+};
 
 class TimeLoop {
   public:
@@ -128,7 +147,8 @@ class TimeLoop {
         position_.begun = true;
         position_.steps = 0;
         position_.first_time = state_.time;
-        if (position_.stage > 0 && conserves_momentum(stage) && !conserves_momentum(stages_[position_.stage - 1])) {
+        if (position_.stage > 0 && !has_external_force() && thermostat_conserves_momentum(stage) &&
+            !thermostat_conserves_momentum(stages_[position_.stage - 1])) {
             remove_momentum(state_);
         }
         integrator.prepare(state_, force_field_);
@@ -144,7 +164,7 @@ class TimeLoop {
         const Index n = ++position_.steps;
         const bool pressure_wanted = parts.barostat && parts.barostat->due(n);
         if (parts.thermostat) {
-            parts.thermostat->before_step(state_);
+            thermalise(stage, [&] { parts.thermostat->before_step(state_); });
         }
         const double end = position_.first_time + static_cast<double>(n) * stage.time_step;
         const Evaluation evaluation = parts.integrator.step_with_pending_kick(
@@ -160,13 +180,26 @@ class TimeLoop {
         observer_.moved(n);
         watch.lap();
         if (parts.thermostat) {
-            parts.thermostat->after_step(state_, n);
+            thermalise(stage, [&] { parts.thermostat->after_step(state_, n); });
             position_.seconds.steps += watch.lap();
         }
         observer_.step_done(stage, evaluation);
         if (pressure_wanted) {
             parts.barostat->apply(state_, virial_pressure(state_, evaluation, interaction_->tail));
         }
+    }
+
+    [[nodiscard]] bool has_external_force() const { return interaction_ && interaction_->external; }
+
+    /// Let the thermostat of a stage act. One that is not due at every step must not end the integrator's phase in
+    /// between; it scales the motion of the centre of mass, too, and holds the temperature about it all the same.
+    template <class Act>
+    void thermalise(const Stage& stage, const Act& act) {
+        std::optional<CentreAtRest> at_rest;
+        if (has_external_force() && stage.thermostat->plugin.every_step && thermostat_conserves_momentum(stage)) {
+            at_rest.emplace(state_);
+        }
+        act();
     }
 
     /// Pass on to the observer the states strictly between now and the end of the step; their times are rounded, too.

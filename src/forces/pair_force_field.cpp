@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "ljmd/core/errors.hpp"
@@ -40,6 +41,13 @@ PairForceField::PairForceField(PairPotential potential, PairSearch search, const
     }
 }
 
+void PairForceField::set_external(std::shared_ptr<ExternalForce> force) {
+    external_.reset();
+    if (force) {
+        external_.emplace(std::move(force));
+    }
+}
+
 const SearchStatistics& PairForceField::search_statistics() const {
     return std::visit([](const auto& search) -> const SearchStatistics& { return search.statistics(); }, search_);
 }
@@ -58,7 +66,10 @@ Evaluation PairForceField::compute(State& state, Request request) {
     }
     std::visit([&](auto& search) { search.prepare(state, cutoff); }, search_);
     Stopwatch watch;
-    const Evaluation evaluation = sum(state, request);
+    Evaluation evaluation = sum(state, request);
+    if (external_) {
+        external_->add(state, request, evaluation);
+    }
     seconds_summing_ += watch.lap();
     return evaluation;
 }

@@ -54,6 +54,21 @@ void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     });
 }
 
+/// Keeps state.time at that of the positions during a step, and gives it back afterwards.
+class TimeOfPositions {
+  public:
+    explicit TimeOfPositions(State& state) : state_(state), before_(state.time) {}
+    ~TimeOfPositions() { state_.time = before_; }
+    TimeOfPositions(const TimeOfPositions&) = delete;
+    TimeOfPositions& operator=(const TimeOfPositions&) = delete;
+
+    void move(double dt) { state_.time += dt; }
+
+  private:
+    State& state_;
+    double before_;
+};
+
 }  // namespace
 
 Evaluation apply(const std::vector<Operator>& operators, State& state, ForceField& force_field, Request request,
@@ -61,11 +76,13 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
     const auto evaluates = [](const Operator& op) { return std::holds_alternative<Evaluate>(op); };
     const auto after_last = std::find_if(operators.rbegin(), operators.rend(), evaluates).base();
     Evaluation evaluation;
+    TimeOfPositions time(state);
     for (auto op = operators.begin(); op != operators.end(); ++op) {
         if (const auto* k = std::get_if<Kick>(&*op)) {
             const auto next = op + 1;
             if (const auto* d = next != operators.end() ? std::get_if<Drift>(&*next) : nullptr) {
                 kick_and_drift(state, k->dt, d->dt);
+                time.move(d->dt);
                 ++op;
             } else {
                 require_current_forces(state);
@@ -73,6 +90,7 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
             }
         } else if (const auto* d = std::get_if<Drift>(&*op)) {
             drift(state, d->dt);
+            time.move(d->dt);
         } else if (const auto* e = std::get_if<Evaluate>(&*op)) {
             evaluation = force_field.evaluate(
                 state, {.energy = request.energy && op + 1 == after_last, .order_independent = e->order_independent});
@@ -80,6 +98,7 @@ Evaluation apply(const std::vector<Operator>& operators, State& state, ForceFiel
             require_current_forces(state);
             state.finish_kick();
             u->apply(state);
+            time.move(u->moves);
         } else if (const auto* t = std::get_if<Thermalise>(&*op)) {
             t->apply(state);
         } else {

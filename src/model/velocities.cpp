@@ -60,14 +60,18 @@ void draw_velocities(State& state, double target, std::uint64_t seed) {
     rescale_velocities(state, target);
 }
 
-void remove_momentum(State& state) {
-    if (state.count() == 0) {
-        return;
-    }
-    state.finish_kick();
-    const Vec3 drift = total_momentum(state) / total_mass(state);
+Vec3 centre_velocity(const State& state) {
+    return state.count() == 0 ? Vec3(Vec3::Zero()) : Vec3(total_momentum(state) / total_mass(state));
+}
+
+void shift_velocities(State& state, const Vec3& by) {
     auto v = state.write_velocities();
-    for_each_index(state.execution(), state.count(), [&](Index i) { v.col(i) -= drift; });
+    for_each_index(state.execution(), state.count(), [&](Index i) { v.col(i) += by; });
+}
+
+void remove_momentum(State& state) {
+    state.finish_kick();
+    shift_velocities(state, -centre_velocity(state));
 }
 
 void rescale_velocities(State& state, double target) {

@@ -38,6 +38,10 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
     result.potential_energy = evaluation.potential_energy / atoms + tail.energy(density);
     result.kinetic_energy = kinetic_energy / atoms;
     result.total_energy = result.potential_energy + result.kinetic_energy;
+    if (evaluation.external_energy) {
+        result.external_energy = *evaluation.external_energy / atoms;
+        result.total_energy += *result.external_energy;
+    }
     if (result.temperature) {
         const Mat3 about_centre = kinetic_tensor - momentum * momentum.transpose() / mass;
         result.pressure_tensor = (atoms / (atoms - 1.0) * about_centre + evaluation.virial) / volume +

@@ -46,4 +46,23 @@ class Attention : public RunListener {
     std::optional<py::error_already_set> raised_;
 };
 
+/// Call a function of the user's, which does not mind being called twice. If Ctrl-C meets it in its first moments it is
+/// called again, and the run stops after the step. With the lock.
+/// @param attention  whom to tell of Ctrl-C; null: nobody
+template <class Call>
+auto called_undisturbed(Attention* attention, const Call& call) {
+    constexpr std::chrono::milliseconds first_moments{100};
+    const auto began = std::chrono::steady_clock::now();
+    try {
+        return call();
+    } catch (const py::error_already_set& error) {
+        const bool soon = std::chrono::steady_clock::now() - began < first_moments;
+        if (!soon || attention == nullptr || attention->has_raised() || !error.matches(PyExc_KeyboardInterrupt)) {
+            throw;
+        }
+        attention->keep(error);
+    }
+    return call();
+}
+
 }  // namespace ljmd::python

@@ -8,6 +8,7 @@
 
 #include "attention.hpp"
 #include "errors.hpp"
+#include "external_force.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck_system.hpp"
@@ -33,9 +34,12 @@ void require_fluid_for(const PythonObservers& observers, const Deck& deck) {
 
 /// Do the work of a run without the interpreter's lock. Ctrl-C raises KeyboardInterrupt when the checkpoint is written.
 template <class Work>
-void run_freely(PythonObservers& observers, Attention& attention, const std::filesystem::path& directory,
-                const Work& work) {
+void run_freely(PythonObservers& observers, const std::shared_ptr<PythonExternalForce>& external, Attention& attention,
+                const std::filesystem::path& directory, const Work& work) {
     observers.attend(&attention);
+    if (external) {
+        external->attend(&attention);
+    }
     try {
         const py::gil_scoped_release free;
         work();
@@ -49,23 +53,26 @@ void run_freely(PythonObservers& observers, Attention& attention, const std::fil
 
 /// Run a deck in a directory.
 void run(const LoadedDeck& loaded, const std::filesystem::path& directory, int threads, const std::string& simd,
-         bool replace, std::optional<double> walltime, const py::iterable& observables, const py::object& progress,
-         const py::object& warn) {
+         bool replace, std::optional<double> walltime, const py::iterable& observables,
+         const py::object& external_force, const py::object& progress, const py::object& warn) {
     PythonObservers observers(observables);
+    const auto external = external_force_of(external_force);
     Attention attention(progress, warn);
     Deck deck = loaded.deck;
     deck.directory = directory;
     require_fluid_for(observers, deck);
     deck.given.observers = records_of(observers.all());
-    run_freely(observers, attention, directory, [&] {
+    deck.given.external = name_of(external);
+    run_freely(observers, external, attention, directory, [&] {
         Diagnostics diagnostics = loaded.diagnostics;
         CheckedRun checked = checked_run(deck, threads, simd, diagnostics);
         for (const std::string& warning : warnings_of(diagnostics)) {
             attention.warning(warning);
         }
         check_directory(deck, replace);
-        AnySystem system = make_system(deck, std::move(checked.start), checked.execution,
-                                       [&](const std::string& text) { attention.warning(text); });
+        AnySystem system = make_system(
+            deck, std::move(checked.start), checked.execution,
+            [&](const std::string& text) { attention.warning(text); }, external);
         run_in_locked_directory(deck, system, replace, attention,
                                 {.interruption = attention.interruption(walltime), .observers = observers.all()});
     });
@@ -73,20 +80,22 @@ void run(const LoadedDeck& loaded, const std::filesystem::path& directory, int t
 
 /// Resume the run in a directory.
 void resume(const std::filesystem::path& directory, Index steps, int threads, std::optional<double> walltime,
-            const py::iterable& observables, const py::object& progress, const py::object& warn) {
+            const py::iterable& observables, const py::object& external_force, const py::object& progress,
+            const py::object& warn) {
     if (steps < 0) {
         throw InputError(fmt::format("{} more steps: allowed are 0 and more", steps));
     }
     PythonObservers observers(observables);
+    const auto external = external_force_of(external_force);
     Attention attention(progress, warn);
-    run_freely(observers, attention, directory, [&] {
+    run_freely(observers, external, attention, directory, [&] {
         HeldRun held(directory, steps, threads, [&](const std::string& text) { attention.warning(text); },
-                     {.by = "Python", .observers = observers.all()});
+                     {.by = "Python", .observers = observers.all(), .external = external});
         for (const std::string& warning : held.warnings()) {
             attention.warning(warning);
         }
         const CheckpointHead& from = held.checkpoint();
-        AnySystem system = empty_system(held.deck(), from.atoms, from.edges, held.execution());
+        AnySystem system = empty_system(held.deck(), from.atoms, from.edges, held.execution(), external);
         run_deck(held.deck(), system, attention,
                  {.interruption = attention.interruption(walltime),
                   .continuation = held.take(),
@@ -126,9 +135,10 @@ double seconds_of(const std::string& walltime) {
 
 void bind_directory_runs(py::module_& module) {
     module.def("run", &run, py::arg("deck"), py::arg("directory"), py::arg("threads"), py::arg("simd"),
-               py::arg("replace"), py::arg("walltime"), py::arg("observables"), py::arg("progress"), py::arg("warn"));
+               py::arg("replace"), py::arg("walltime"), py::arg("observables"), py::arg("external"),
+               py::arg("progress"), py::arg("warn"));
     module.def("resume", &resume, py::arg("directory"), py::arg("steps"), py::arg("threads"), py::arg("walltime"),
-               py::arg("observables"), py::arg("progress"), py::arg("warn"));
+               py::arg("observables"), py::arg("external"), py::arg("progress"), py::arg("warn"));
     module.def("last_configuration", &last, py::arg("directory"));
     module.def("seconds_of", &seconds_of, py::arg("walltime"));
     module.def(

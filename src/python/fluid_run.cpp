@@ -1,5 +1,6 @@
 #include "fluid_run.hpp"
 
+#include <memory>
 #include <utility>
 
 #include "ljmd/deck/history_columns.hpp"
@@ -34,6 +35,7 @@ class FluidRun : public MemoryRun {
                 {"potential_energy", values.potential_energy},
                 {"kinetic_energy", values.kinetic_energy},
                 {"total_energy", values.total_energy},
+                {"external_energy", values.external_energy},
                 {"pressure", values.pressure},
                 {"density", values.density}};
     }
@@ -61,7 +63,8 @@ class FluidRun : public MemoryRun {
 
 DataTable FluidRun::thermo() const {
     const std::vector<ThermoRow>& rows = simulation_.samples();
-    const ThermoColumns columns = thermo_columns(deck_, !rows.empty() && rows.front().order);
+    const ThermoColumns columns =
+        thermo_columns(deck_, !rows.empty() && rows.front().order, simulation_.spec().external.get());
     DataTable table{"thermo", columns.names(), {}};
     for (const ThermoRow& row : rows) {
         table.rows.push_back(columns.row(row.step, row.time, row.values, {row.conserved_energy, row.order}));
@@ -72,8 +75,11 @@ DataTable FluidRun::thermo() const {
 }  // namespace
 
 std::unique_ptr<MemoryRun> fluid_run(const Deck& deck, Start start, const Execution& execution,
+                                     const std::shared_ptr<ExternalForce>& external,
                                      const std::function<void(const std::string&)>& warn) {
-    auto run = std::make_unique<FluidRun>(deck, fluid_spec(deck, std::move(start)), execution);
+    FluidSpec spec = fluid_spec(deck, std::move(start));
+    spec.external = external;
+    auto run = std::make_unique<FluidRun>(deck, std::move(spec), execution);
     for (const std::string& warning : run->warnings()) {
         warn(warning);
     }

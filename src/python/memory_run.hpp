@@ -10,6 +10,7 @@
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck.hpp"
 #include "ljmd/engine/observer.hpp"
+#include "ljmd/forces/external_force.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/observables/analysis.hpp"
 
@@ -53,9 +54,11 @@ class MemoryRun {
     MemoryRun& operator=(const MemoryRun&) = default;
 };
 
-/// @param warn  receives remarks on the start
+/// @param external  force of the program on the atoms of a fluid; null: none
+/// @param warn      receives remarks on the start
 /// @throws InputError, DataError, PhysicsError as make_fluid()
 [[nodiscard]] std::unique_ptr<MemoryRun> memory_run(const Deck& deck, CheckedRun checked,
+                                                    const std::shared_ptr<ExternalForce>& external,
                                                     const std::function<void(const std::string&)>& warn);
 
 }  // namespace ljmd::python

@@ -3,6 +3,7 @@
 #include "directory_run.hpp"
 #include "errors.hpp"
 #include "evaluator.hpp"
+#include "external_force.hpp"
 #include "frames.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
@@ -76,6 +77,7 @@ PYBIND11_MODULE(_core, module) {
     module.def("build", &build);
     bind_decks(module);
     bind_snapshot(module);
+    bind_external_forces(module);
     bind_pairs(module);
     bind_evaluator(module);
     bind_simulation(module);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -11,9 +10,6 @@
 namespace ljmd::python {
 
 namespace {
-
-/// A function that Ctrl-C meets in its first moments is called again, and the run stops after the step.
-constexpr std::chrono::milliseconds first_moments{100};
 
 /// A snapshot as Python sees it: during one call of a function.
 class SeenSnapshot {
@@ -89,23 +85,10 @@ double PythonObserver::call(const Snapshot& snapshot) const {
     return *number;
 }
 
-double PythonObserver::measured(const Snapshot& snapshot) const {
-    const auto began = std::chrono::steady_clock::now();
-    try {
-        return call(snapshot);
-    } catch (const py::error_already_set& error) {
-        const bool soon = std::chrono::steady_clock::now() - began < first_moments;
-        if (!soon || attention_ == nullptr || attention_->has_raised() || !error.matches(PyExc_KeyboardInterrupt)) {
-            throw;
-        }
-        attention_->keep(error);
-    }
-    return call(snapshot);
-}
-
 void PythonObserver::sample(const Snapshot& snapshot) {
     const py::gil_scoped_acquire lock;
-    series_.add(Eigen::VectorXd::Constant(1, measured(snapshot)));
+    const double value = called_undisturbed(attention_, [&] { return call(snapshot); });
+    series_.add(Eigen::VectorXd::Constant(1, value));
 }
 
 std::optional<ObservableAverage> PythonObserver::average() const {
@@ -175,6 +158,9 @@ void bind_snapshot(py::module_& module) {
             "per atom [epsilon]; takes energy=True")
         .def_property_readonly(
             "total_energy", [](Seen s) { return s.energies().total_energy; }, "per atom [epsilon]; takes energy=True")
+        .def_property_readonly(
+            "external_energy", [](Seen s) { return s.energies().external_energy; },
+            "of an external force with an energy, else None: per atom [epsilon]; takes energy=True")
         .def_property_readonly(
             "pressure", [](Seen s) { return s.energies().pressure; }, "[epsilon/sigma^3]; takes energy=True");
 }

@@ -38,7 +38,6 @@ class PythonObserver : public Observer {
 
   private:
     [[nodiscard]] double call(const Snapshot& snapshot) const;
-    [[nodiscard]] double measured(const Snapshot& snapshot) const;
 
     std::string name_;
     std::string unit_;

@@ -9,6 +9,7 @@
 
 #include "attention.hpp"
 #include "errors.hpp"
+#include "external_force.hpp"
 #include "ljmd/core/errors.hpp"
 #include "loaded_deck.hpp"
 #include "memory_run.hpp"
@@ -28,8 +29,8 @@ constexpr double part_of_turn = 0.02;
 class PythonSimulation {
   public:
     PythonSimulation(const LoadedDeck& deck, int threads, const std::string& simd, const py::iterable& observables,
-                     const py::object& warn)
-        : observers_(observables) {
+                     const py::object& external, const py::object& warn)
+        : observers_(observables), external_(external_force_of(external)) {
         const auto tell = [&warn](const std::string& text) {
             const py::gil_scoped_acquire lock;
             warn(python_text(text));
@@ -41,7 +42,7 @@ class PythonSimulation {
             for (const std::string& warning : warnings_of(diagnostics)) {
                 tell(warning);
             }
-            run_ = memory_run(deck.deck, std::move(checked), tell);
+            run_ = memory_run(deck.deck, std::move(checked), external_, tell);
         }
         for (Observer* observer : observers_.all()) {
             run_->add(*observer);
@@ -94,6 +95,14 @@ class PythonSimulation {
     };
 
   private:
+    /// Whom functions in Python tell of Ctrl-C.
+    void attend(Attention* attention) {
+        observers_.attend(attention);
+        if (external_) {
+            external_->attend(attention);
+        }
+    }
+
     /// Before the atoms move in memory.
     void require_no_view() const {
         static_cast<void>(run());
@@ -111,10 +120,10 @@ class PythonSimulation {
       public:
         Running(PythonSimulation& simulation, Attention& attention) : simulation_(simulation) {
             simulation_.is_running_ = true;
-            simulation_.observers_.attend(&attention);
+            simulation_.attend(&attention);
         }
         ~Running() {
-            simulation_.observers_.attend(nullptr);
+            simulation_.attend(nullptr);
             simulation_.is_running_ = false;
         }
         Running(const Running&) = delete;
@@ -140,6 +149,7 @@ class PythonSimulation {
     }
 
     PythonObservers observers_;
+    std::shared_ptr<PythonExternalForce> external_;  ///< null: none
     std::unique_ptr<MemoryRun> run_;
     Index part_ = 1;  ///< steps that take about part_of_turn
     int views_ = 0;   ///< of the memory of its atoms
@@ -232,8 +242,10 @@ void bind_simulation(py::module_& module) {
         .def("masses", [](const py::object& v) { return numbers_view(v.cast<View&>().state().masses(), v); })
         .def("ids", [](const py::object& v) { return numbers_view(v.cast<View&>().state().ids(), v); });
     py::class_<PythonSimulation>(module, "Simulation", "A run in memory.")
-        .def(py::init<const LoadedDeck&, int, const std::string&, const py::iterable&, const py::object&>(),
-             py::arg("deck"), py::arg("threads"), py::arg("simd"), py::arg("observables"), py::arg("warn"))
+        .def(py::init<const LoadedDeck&, int, const std::string&, const py::iterable&, const py::object&,
+                      const py::object&>(),
+             py::arg("deck"), py::arg("threads"), py::arg("simd"), py::arg("observables"), py::arg("external"),
+             py::arg("warn"))
         .def("advance", &PythonSimulation::advance, py::arg("steps"), py::arg("progress"))
         .def(
             "view",

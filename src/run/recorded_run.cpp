@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/io/files/input_file.hpp"

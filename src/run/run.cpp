@@ -25,7 +25,8 @@ auto saving_failure(const Deck& deck, State& state, const Work& work) {
 }  // namespace
 
 RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control) {
-    const FluidSpec spec = fluid_spec(deck);
+    FluidSpec spec = fluid_spec(deck);
+    spec.external = fluid.force_field.external();
     DirectoryOutputs outputs(deck, listener, control);
     FluidMeasurement measurement(spec, fluid, outputs, control.observers);
     const auto from = outputs.begin(measurement, fluid);

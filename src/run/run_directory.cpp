@@ -124,7 +124,8 @@ RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std
     : deck_(deck),
       trajectory_(open_trajectory(deck, fluid.state, continuation)),
       thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
-              thermo_columns(deck, fluid.order.has_value()), kept(continuation, &CommittedOutputs::thermo)),
+              thermo_columns(deck, fluid.order.has_value(), fluid.force_field.external().get()),
+              kept(continuation, &CommittedOutputs::thermo)),
       record_(deck, fluid.state.execution(), continuation) {}
 
 RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system,

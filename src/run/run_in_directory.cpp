@@ -52,17 +52,18 @@ class Relay : public RunListener {
     RunListener* listener_;
 };
 
-/// A text for decks, where Lennard-Jones stands in for a formula of the program.
+/// A text for decks, where Lennard-Jones stands in for a formula of the program; without its external force.
 std::string stand_in_text(FluidSpec spec, const RunFiles& files, Precision precision,
                           const std::filesystem::path& start) {
     std::string text;
+    require_no_mistakes(spec, precision);  // while it is known what the program gives
     if (spec.potential.is_custom()) {
-        require_no_mistakes(spec, precision);  // while it is known that there is a formula
         text = fmt::format(
             "# The pair potential is {}, a formula of a program in C++: that in [potential] stands in for it.\n",
             in_quotes(spec.potential.formula()));
         spec.potential = PairPotential::lennard_jones(spec.potential.truncation(), spec.potential.cutoff());
     }
+    spec.external = nullptr;
     return text + deck_text(spec, files, precision, start);
 }
 
@@ -70,7 +71,7 @@ std::string stand_in_text(FluidSpec spec, const RunFiles& files, Precision preci
 Deck deck_of(const FluidSpec& spec, const std::filesystem::path& directory, const DirectoryOptions& options,
              Precision precision) {
     const std::string text = stand_in_text(spec, options.files, precision, directory / given_start_name);
-    GivenParts given{.by = language, .observers = records_of(options.observers)};
+    GivenParts given{.by = language, .observers = records_of(options.observers), .external = name_of(spec.external)};
     if (spec.potential.is_custom()) {
         given.potential = given_potential(spec.potential);
     }
@@ -104,6 +105,7 @@ RunResult run_in_directory(const FluidSpec& spec, const std::filesystem::path& d
     check_directory(deck, options.replace);
     FluidSpec told = fluid_spec(deck);
     told.start = spec.start;
+    told.external = spec.external;
     // Made before any file is touched: if this fails, an earlier run must not be lost.
     FluidSystem fluid = make_fluid(told, execution, warn);
     RunLock lock(deck, options.replace, warn);
@@ -125,15 +127,16 @@ RunResult resume_in_directory(const std::filesystem::path& directory, const Resu
             fmt::format("{} more steps, {} threads: allowed are 0 and more", options.more_steps, options.threads));
     }
     Relay relay(options.listener);
-    HeldRun run(directory, options.more_steps, options.threads,
-                [&relay](const std::string& text) { relay.warning(text); },
-                {.by = language, .potential = options.potential, .observers = options.observers});
+    HeldRun run(
+        directory, options.more_steps, options.threads, [&relay](const std::string& text) { relay.warning(text); },
+        {.by = language, .potential = options.potential, .observers = options.observers, .external = options.external});
     require_fluid(run.deck(), fmt::format("{} holds a run of few bodies, not of a fluid", directory.string()));
     for (const std::string& warning : run.warnings()) {
         relay.warning(warning);
     }
-    FluidSystem fluid =
-        empty_fluid(fluid_spec(run.deck()), run.checkpoint().atoms, Box(run.checkpoint().edges), run.execution());
+    AnySystem system =
+        empty_system(run.deck(), run.checkpoint().atoms, run.checkpoint().edges, run.execution(), options.external);
+    auto& fluid = std::get<FluidSystem>(system);
     const RunControl control{
         .interruption = options.interruption, .continuation = run.take(), .observers = options.observers};
     RunResult result = run_deck(run.deck(), fluid, relay, control);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <utility>
 
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"

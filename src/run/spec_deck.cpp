@@ -74,6 +74,9 @@ std::string not_for_decks(const FluidSpec& spec) {
         return fmt::format("potential: '{}' is a formula of the program, which no deck can name",
                            spec.potential.formula());
     }
+    if (spec.external) {
+        return fmt::format("external: '{}' is a force of the program, which no deck can name", spec.external->name());
+    }
     if (spec.seed > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
         return fmt::format("seed: a deck has one below 2^63, found {}", spec.seed);
     }

@@ -95,6 +95,11 @@ TEST_CASE("an analysis of what a trajectory lacks is refused") {
     const Deck deck = folder.load({});
     CHECK_THAT(complaint({"viscosity"}, summary), Contains("viscosity needs the interaction"));
     CHECK(complaint({"viscosity"}, summary, {}, &deck) == "no InputError");
+    Deck pushed = deck;
+    pushed.given.external = "wave";
+    CHECK_THAT(complaint({"viscosity"}, summary, {}, &pushed),
+               Contains("viscosity is for a homogeneous fluid, and the external force 'wave' acted"));
+    CHECK(complaint({"rdf"}, summary, {}, &pushed) == "no InputError");
     summary.smallest_edges[1] = 3.9;
     CHECK_THAT(complaint({"chemical_potential"}, summary, {}, &deck), Contains("the cutoff of the deck, 2, is more"));
     summary = fifty_frames();

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What Python costs beside the engine: control after each step, views, copies by id, observables.
+"""What Python costs beside the engine: control after each step, views, copies by id, observables, external
+forces.
 
     tools/python tests/benchmarks/python_overhead.py
 
@@ -86,6 +87,29 @@ def observables():
         print(f"observable at every step, {name}: {1e6 * (found[name] - found['without']) / count:.1f} us a call")
 
 
+def external_forces():
+    count = 1000
+    deck = liquid(864, count)
+    nothing = np.zeros((864, 3))
+
+    def trap(s):
+        return -0.1 * (s.positions - 0.5 * s.edges)
+
+    def trap_with_energy(s):
+        d = s.positions - 0.5 * s.edges
+        return -0.1 * d, 0.05 * np.vdot(d, d)
+
+    forces = {"zeros": ljmd.external_force(lambda s: nothing), "a trap": ljmd.external_force(trap),
+              "a trap with energy": ljmd.external_force(trap_with_energy, energy=True)}
+    sims = {name: ljmd.Simulation(deck, external=force) for name, force in forces.items()}
+    sims["without"] = ljmd.Simulation(deck)
+    part = count // 20
+    found = medians(19, **{name: lambda sim=sim: sim.advance(part) for name, sim in sims.items()})
+    for name in forces:
+        print(f"external force of 864 atoms, {name}: {1e6 * (found[name] - found['without']) / part:.1f} us a step more than "
+              f"the engine's {1e6 * found['without'] / part:.1f} us")
+
+
 def pairs():
     count = 300
     own = liquid(864, count)
@@ -120,5 +144,6 @@ if __name__ == "__main__":
     control_after_each_step()
     views_and_copies()
     observables()
+    external_forces()
     pairs()
     two_threads()

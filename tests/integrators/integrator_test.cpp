@@ -214,3 +214,22 @@ TEST_CASE("what is to be done half-way of a drift is done there, and a drift in 
     CHECK((test::positions(whole) - test::positions(halves)).norm() < 1e-14);
     CHECK((test::velocities(whole) - test::velocities(halves)).norm() < 1e-14);
 }
+
+TEST_CASE("every integrator says by how much its operators move the positions: one time step in all") {
+    for (const IntegratorMethod& method : all_integrators()) {
+        CAPTURE(method.name);
+        for (const std::vector<Operator>& step : method.options()->scheme(0.3).cycle) {
+            double moved = 0.0;
+            bool solves = false;
+            for (const Operator& op : step) {
+                if (const auto* drift = std::get_if<Drift>(&op)) {
+                    moved += drift->dt;
+                } else if (const auto* update = std::get_if<Update>(&op)) {
+                    moved += update->moves;
+                }
+                solves = solves || std::holds_alternative<Solve>(op);
+            }
+            CHECK(moved == Approx(solves ? 0.0 : 0.3));
+        }
+    }
+}

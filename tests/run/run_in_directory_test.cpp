@@ -5,12 +5,15 @@
 #include <stdexcept>
 
 #include "engine/engine_fixtures.hpp"
+#include "forces/made_external_force.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/run/directory_report.hpp"
 #include "ljmd/run/held_run.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/run/spec_deck.hpp"
 #include "potentials/twelve_six.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -220,6 +223,40 @@ TEST_CASE("a formula of the program runs in a directory, and is given again to a
     run_in_directory(small_spec(), folder / "plain");
     CHECK_THROWS_WITH(resume_in_directory(folder / "plain", {.potential = own(2.0)}),
                       Contains("was run with the potential of its deck, and another one is given"));
+}
+
+TEST_CASE("a run under an external force is resumed with it, to the last bit, and no deck tells it") {
+    const TemporaryFolder folder;
+    FluidSpec spec = analysed_spec();
+    spec.external = wave(2.0);
+    run_in_directory(spec, folder / "whole", {.files = files_of_deck});
+    CHECK_THAT(content_of(folder / "whole" / "run.json"), Contains("\"external_force\": \"wave\""));
+    CHECK_THAT(content_of(folder / "whole" / "thermo.csv"), Contains(",external_energy,"));
+    for (const Index step : {1, 20, 44}) {
+        INFO(step);
+        const std::filesystem::path directory = folder / fmt::format("stopped-{}", step);
+        StopAt stop(step);
+        CHECK_THROWS_AS(
+            run_in_directory(spec, directory,
+                             {.files = files_of_deck, .interruption = stop.interruption(), .listener = &stop}),
+            Interrupted);
+        CHECK_THROWS_WITH(resume_in_directory(directory),
+                          Contains("was begun with the external force 'wave'; given: no external force"));
+        CHECK_THROWS_WITH(HeldRun(directory, 0, 0, no_warnings),  // as the command line resumes it
+                          Contains("was run with the external force 'wave' of a program in C++"));
+        CHECK_THROWS_AS(resume_in_directory(directory, {.external = trap(1.0)}), CheckpointError);
+        resume_in_directory(directory, {.threads = 2, .external = wave(2.0)});
+        check_same_outputs(directory, folder / "whole");
+    }
+    CHECK_THROWS_WITH(deck_text(spec), Contains("'wave' is a force of the program, which no deck can name"));
+    Diagnostics diagnostics;
+    CHECK(recorded_deck(folder / "whole", {}, diagnostics).given.external == "wave");
+    CHECK_THAT(directory_report(folder / "whole").text,
+               Contains("run with      the external force 'wave', of a program in C++"));
+    run_in_directory(small_spec(), folder / "without");
+    CHECK_THROWS_WITH(resume_in_directory(folder / "without", {.external = wave(2.0)}),
+                      Contains("was begun with no external force; given: the external force 'wave'"));
+    CHECK(content_of(folder / "without" / "run.json").find("external_force") == std::string::npos);
 }
 
 TEST_CASE("its directory is that of a run, for the commands, too") {

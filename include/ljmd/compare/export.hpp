@@ -40,7 +40,7 @@ struct Exported {
 ///     h5md     start.h5md                                 one frame, with velocities
 ///
 /// @pre check_export accepted it
-/// @throws InputError  the other program does not have this potential
+/// @throws InputError  the other program does not have this potential, or an external force acted on the atoms
 /// @throws FileError
 Exported export_configuration(const Deck& deck, const State& state, const std::string& target,
                               const std::filesystem::path& directory);

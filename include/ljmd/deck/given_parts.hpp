@@ -36,8 +36,9 @@ struct GivenParts {
     std::string by = {};  ///< the language of the program: "Python" or "C++"
     std::optional<GivenPotential> potential = {};
     std::vector<ObserverRecord> observers = {};
+    std::string external = {};  ///< the name of its external force; empty: none
 
-    [[nodiscard]] bool empty() const { return !potential && observers.empty(); }
+    [[nodiscard]] bool empty() const { return !potential && observers.empty() && external.empty(); }
 };
 
 }  // namespace ljmd

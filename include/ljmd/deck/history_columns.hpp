@@ -10,7 +10,8 @@ namespace ljmd {
 /// Columns of the history of a fluid: the density if a stage has a barostat, the conserved energy if one has a
 /// thermostat that knows it, SI columns for a substance.
 /// @param order_parameter  the run starts from a lattice
-[[nodiscard]] ThermoColumns thermo_columns(const Deck& deck, bool order_parameter);
+[[nodiscard]] ThermoColumns thermo_columns(const Deck& deck, bool order_parameter,
+                                           const ExternalForce* external = nullptr);
 
 /// Columns of the trajectories of few bodies: the polar angle if the force has one, accelerations if the deck asks for
 /// them.

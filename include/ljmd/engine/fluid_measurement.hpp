@@ -48,6 +48,7 @@ class FluidMeasurement : public RunMeasurement {
     void stage_ends(const Stage& stage) override;
 
   private:
+    void archive_external_force(Archive& a) const;
     void begin_to_watch(const Stage& stage);
     void complete(StageResult& stage) const;
     void adapt_analyses();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "ljmd/core/units.hpp"
 #include "ljmd/engine/stage.hpp"
 #include "ljmd/execution/simd.hpp"
+#include "ljmd/forces/external_force.hpp"
 #include "ljmd/model/box.hpp"
 #include "ljmd/model/configuration.hpp"
 #include "ljmd/model/lattice.hpp"
@@ -62,6 +64,7 @@ struct FluidSpec {
     PairPotential potential = PairPotential::lennard_jones("shifted", {2.5, 0.0});
     bool tail = false;  ///< correct energy and pressure for what the truncation removes, with g(r) = 1
     NeighborSpec neighbors = {};
+    std::shared_ptr<ExternalForce> external = {};  ///< acts on the atoms beside the pair forces; null: none
 
     std::vector<Stage> stages = {};  ///< what is done, one after the other
     Index sample_every = 10;         ///< steps between samples of energy and pressure
@@ -91,7 +94,13 @@ struct FluidSpec {
 
 /// The ensemble of the samples of a run. Without a barostat, several sampled stages have none: their samples do not
 /// fluctuate like those of one.
-[[nodiscard]] Ensemble sampled_ensemble(const std::vector<Stage>& stages);
+/// @param external  there is an external force: fluctuations are not those of a homogeneous fluid, nor of one whose
+/// centre of mass rests
+[[nodiscard]] Ensemble sampled_ensemble(const std::vector<Stage>& stages, bool external = false);
+
+/// Whether a stage of a fluid conserves its total energy minus the heat from the thermostat: as
+/// conserves_energy(stage), unless there is an external force without an energy.
+[[nodiscard]] bool conserves_energy(const Stage& stage, const ExternalForce* external);
 
 /// Why a fluid cannot be run, one sentence for each mistake, beginning with where it is ("stage 'production': ...").
 /// Empty if it can.

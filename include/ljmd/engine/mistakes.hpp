@@ -32,6 +32,10 @@ struct Mistake {
 /// Integrators, thermostats and barostats of a fluid's stages.
 [[nodiscard]] std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages);
 
+/// What an external force does not go with: a barostat that is not told its virial, and analyses of the pair forces
+/// alone.
+[[nodiscard]] std::vector<Mistake> external_force_mistakes(const FluidSpec& spec);
+
 /// Analyses of few bodies follow the motion step by step: they would mistake a gap between the sampled stages for one
 /// long step, and a reversal for motion. @pre there are analyses
 [[nodiscard]] std::vector<Mistake> few_body_sampling_mistakes(const std::vector<Stage>& stages);

@@ -80,9 +80,10 @@ class StepObserver {
 /// The time loop: evaluates the start, then takes every step of every stage.
 ///
 /// Time increases in all stages, also in those that run the motion backwards. The centre of mass is brought to rest at
-/// the beginning of a stage that conserves momentum, if the stage before it did not.
+/// the beginning of a stage that conserves momentum, if the stage before it did not. Under an external force it is
+/// left as it is; then thermostats that would conserve momentum act on the motion about it.
 /// @param from  position to continue from; state, force field and observer are as they were then
-/// @param interaction  of a fluid; needed by barostats
+/// @param interaction  of a fluid; needed by barostats, and where there is an external force
 /// @param until  last step of the run to take; none: the last one of the stages
 /// @return the position after the last step that was taken; its stage is stages.size() when all is done
 /// @throws PhysicsError naming the step and the stage

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "ljmd/core/types.hpp"
 #include "ljmd/model/state.hpp"
 
@@ -21,6 +23,7 @@ inline constexpr Request Request::forces_and_energy{.energy = true};
 struct Evaluation {
     double potential_energy = 0.0;  ///< U [epsilon], without tail correction
     Mat3 virial = Mat3::Zero();     ///< W_ab = sum over pairs of r_a f_b [epsilon]; its trace is the scalar virial
+    std::optional<double> external_energy = {};  ///< of an external force that has one (ExternalForce) [epsilon]
 };
 
 /// Forces on particles. This is all that integrators know of the physics.

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "ljmd/core/aligned_vector.hpp"
 #include "ljmd/execution/execution.hpp"
+#include "ljmd/forces/external_force.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/neighbors/tile_positions.hpp"
@@ -19,6 +22,8 @@ namespace ljmd {
 ///
 /// With a Verlet list, kernels of the SIMD level compute the sum in either precision. With the other searches, for
 /// order-independent forces, and for custom potentials, scalar code computes it in double (see sum_pairs).
+///
+/// An external force, if there is one, is added to the sum.
 class PairForceField : public ForceField {
   public:
     /// @pre potential.cutoff().radius <= L/2 for every box that will be evaluated (checked: ContractViolation)
@@ -31,7 +36,10 @@ class PairForceField : public ForceField {
     [[nodiscard]] SimdLevel simd() const { return simd_; }
     [[nodiscard]] Precision precision() const { return precision_; }
     [[nodiscard]] const SearchStatistics& search_statistics() const;
-    /// Wall time spent on pair sums, without the neighbour search [s].
+    /// The external force; null: none. Set it before the evaluation that it is to be in.
+    void set_external(std::shared_ptr<ExternalForce> force);
+    [[nodiscard]] std::shared_ptr<ExternalForce> external() const { return external_ ? external_->force() : nullptr; }
+    /// Wall time spent on pair sums and on the external force, without the neighbour search [s].
     [[nodiscard]] double seconds_summing() const { return seconds_summing_; }
 
     void archive(Archive& a, const State& state) override;
@@ -54,6 +62,7 @@ class PairForceField : public ForceField {
     PairSearch search_;
     SimdLevel simd_;
     Precision precision_;
+    std::optional<ExternalForceTerm> external_;
     std::vector<Workspace> workspaces_;
     std::vector<AlignedVector<double>> ghost_forces_;  ///< forces on each tile's ghost clusters
     double seconds_summing_ = 0.0;

@@ -32,6 +32,7 @@ struct Evaluate {
 /// @pre forces current
 struct Update {
     std::function<void(State&)> apply;
+    double moves = 0.0;  ///< time by which it moves the positions on [tau]
 };
 
 /// A change of velocities while forces may be stale, such as that of a thermostat in the middle of a drift.
@@ -53,6 +54,8 @@ using Operator = std::variant<Kick, Drift, Evaluate, Update, Thermalise, Solve>;
 /// Shapes: positions, velocities, forces (3, N) [sigma, sigma/tau, epsilon/sigma]; masses (N) [m].
 /// @param request  whether the last Evaluate of the list also computes the energy
 /// @param within   gets the states within a Solve
+/// At each evaluation state.time is the time of the positions, for forces that depend on it. In the end it is what it
+/// was before: whoever takes the step sets it.
 /// @return result of the last Evaluate
 /// @throws ContractViolation if a Kick or an Update meets stale forces
 Evaluation apply(const std::vector<Operator>& operators, State& state, ForceField& force_field, Request request,

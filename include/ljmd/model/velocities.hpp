@@ -14,8 +14,8 @@ namespace ljmd {
 [[nodiscard]] double kinetic_energy(const State& state);
 
 /// Temperature of the motion about the centre of mass, T = (2 K - P^2/M)/(3 N - 3) [epsilon/k_B]. P = sum m v is 0
-/// except under thermostats that do not conserve momentum. Empty for fewer than two atoms, which have no degrees of
-/// freedom.
+/// except under thermostats that do not conserve momentum, and under external forces. Empty for fewer than two atoms,
+/// which have no degrees of freedom.
 [[nodiscard]] std::optional<double> temperature(const State& state);
 
 /// The same from K, P and the total mass M.
@@ -29,6 +29,12 @@ namespace ljmd {
 /// or T = 0, gives atoms at rest.
 /// @param target  temperature [epsilon/k_B], >= 0
 void draw_velocities(State& state, double target, std::uint64_t seed);
+
+/// Velocity of the centre of mass, P/M [sigma/tau]; zero without atoms.
+[[nodiscard]] Vec3 centre_velocity(const State& state);
+
+/// Add the same velocity to all atoms.
+void shift_velocities(State& state, const Vec3& by);
 
 /// Subtract the velocity of the centre of mass.
 void remove_momentum(State& state);

@@ -14,18 +14,24 @@ namespace ljmd {
 /// The kinetic part of the pressure is rho T of all N atoms, although 3 N - 3 degrees of freedom may carry it. So the
 /// mean is the thermodynamic pressure whether or not momentum is conserved. The kinetic part of the tensor is scaled
 /// likewise. A single atom has no motion about the centre of mass, so it has neither temperature nor pressure.
+///
+/// With an external force nothing of this changes: the temperature is that of 3 N - 3 degrees of freedom, the motion
+/// about the centre of mass. Whether the force lets the centre of mass rest, move thermally or fall, in any direction,
+/// 2 K - P^2/M is 3 N - 3 times T. The pressure is that of the pairs, and of the force if it tells its virial.
 struct Thermodynamics {
     std::optional<double> temperature;    ///< of the motion about the centre of mass [epsilon/k_B]; empty for one atom
-    double potential_energy = 0.0;        ///< U/N + u_tail [epsilon]
+    double potential_energy = 0.0;        ///< U/N + u_tail, of the pairs [epsilon]
     double kinetic_energy = 0.0;          ///< K/N [epsilon]
-    double total_energy = 0.0;            ///< sum of the two [epsilon]
+    double total_energy = 0.0;            ///< sum of the two, and of the external energy [epsilon]
     std::optional<double> pressure;       ///< rho T + W/(3 V) + p_tail [epsilon/sigma^3]; empty for one atom
     std::optional<Mat3> pressure_tensor;  ///< N/(N - 1) (sum m v v - P P/M)/V + W_ab/V + p_tail delta_ab; trace/3 = p
     double density = 0.0;                 ///< N/V [sigma^-3]
     double virial = 0.0;                  ///< W = sum over pairs of r . f [epsilon], of the whole system, without tail
+    std::optional<double> external_energy = {};  ///< U_ext/N of an external force that has one [epsilon]
 
     void archive(Archive& a) {
-        a(temperature, potential_energy, kinetic_energy, total_energy, pressure, pressure_tensor, density, virial);
+        a(temperature, potential_energy, kinetic_energy, total_energy, pressure, pressure_tensor, density, virial,
+          external_energy);
     }
 };
 

@@ -29,7 +29,8 @@ struct RunControl {
 /// Run all stages of a deck and write its output directory (see docs/files.md): run.json at the beginning and the end,
 /// thermo.csv and the trajectory during the run, final.xyz, the tables of the analyses and results.json at the end.
 ///
-/// @param fluid, system  what the deck makes, see make_fluid() and make_few_body_system()
+/// @param fluid, system  what the deck makes, see make_fluid() and make_few_body_system(); an external force of the
+/// fluid is noted in run.json, and a run that had one is resumed with it
 /// @pre  the output directory exists and has no earlier outputs, or it is that of the resumed run
 /// @throws PhysicsError, FileError, CheckpointError, Interrupted; files written until then stay
 RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control = {});

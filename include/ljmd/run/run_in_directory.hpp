@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -28,9 +29,9 @@ struct DirectoryOptions {
 /// Simulation and a deck that says the same give.
 ///
 /// The record holds the specification as a deck, so `ljmd info`, `analyze`, `export` and `resume` know the run. A run
-/// with observers or with a formula of the program as its potential (PairPotential::custom) says so in its record, and
-/// is resumed by resume_in_directory() alone; results of observers (Observer::average) are in results.json. A
-/// configuration that the specification starts from is written to given-start.xyz.
+/// with observers, an external force or a formula of the program as its potential (PairPotential::custom) says so in
+/// its record, and is resumed by resume_in_directory() alone; results of observers (Observer::average) are in
+/// results.json. A configuration that the specification starts from is written to given-start.xyz.
 /// @return the results; their warnings also have remarks on the start
 /// @throws InputError       mistakes; a specification that no deck can tell, see deck_text(); a directory that cannot
 /// be used, such as one with another run
@@ -48,6 +49,7 @@ struct ResumedDirectoryOptions {
     Interruption interruption{};                  ///< as in DirectoryOptions
     std::optional<PairPotential> potential = {};  ///< the formula of the program that the run was begun with, if it was
     std::vector<Observer*> observers = {};        ///< as many as before, made alike, in the same order
+    std::shared_ptr<ExternalForce> external = {};  ///< the one that it had before, see FluidSpec
     RunListener* listener = nullptr;
 };
 
@@ -55,8 +57,8 @@ struct ResumedDirectoryOptions {
 /// resume_in_directory() or `ljmd run` began it. It ends as if it had not been interrupted, to the last bit. A run that
 /// has come to its end writes its results anew and returns them.
 /// @throws DataError        it is not the directory of a run
-/// @throws CheckpointError  there is no checkpoint that can be used; the run was begun with other observers or with
-/// another formula as its potential
+/// @throws CheckpointError  there is no checkpoint that can be used; the run was begun with other observers, another
+/// external force or another formula as its potential
 /// @throws as run_in_directory()
 RunResult resume_in_directory(const std::filesystem::path& directory, const ResumedDirectoryOptions& options = {});
 

@@ -98,7 +98,7 @@ IntegratorMethod bit_reversible() {
             const Update difference{[dt](State& state) { central_difference(state, dt); }};
             return {
                 .begin = {Update{put_on_grid}, forces, Update{[dt](State& state) { begin(state, dt); }}, difference},
-                .cycle = {{Update{[dt](State& state) { advance(state, dt); }}, forces, difference}},
+                .cycle = {{Update{[dt](State& state) { advance(state, dt); }, dt}, forces, difference}},
                 .reverse = {Update{[dt](State& state) { reverse(state, dt); }}}};
         })};
 }

@@ -32,7 +32,7 @@ IntegratorMethod euler() {
             .order = 1,
             .reversible = false,
             .options = without_options([](double dt) -> Scheme {
-                const Update advance{[dt](State& state) { euler_step(state, dt); }};
+                const Update advance{[dt](State& state) { euler_step(state, dt); }, dt};
                 return {.begin = {}, .cycle = {{advance, Evaluate{}}}, .reverse = {}};
             })};
 }

@@ -33,7 +33,7 @@ IntegratorMethod garcia_midpoint() {
         .order = 1,
         .reversible = false,
         .options = without_options([](double dt) -> Scheme {
-            const Update advance{[dt](State& state) { garcia_step(state, dt); }};
+            const Update advance{[dt](State& state) { garcia_step(state, dt); }, dt};
             return {.begin = {}, .cycle = {{advance, Evaluate{}}}, .reverse = {}};
         })};
 }

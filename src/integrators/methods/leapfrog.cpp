@@ -61,7 +61,7 @@ IntegratorMethod leapfrog() {
             .reversible = true,
             .options = without_options([](double dt) -> Scheme {
                 return {.begin = {Update{[dt](State& state) { begin(state, dt); }}},
-                        .cycle = {{Update{[dt](State& state) { leap(state, dt); }}, Evaluate{},
+                        .cycle = {{Update{[dt](State& state) { leap(state, dt); }, dt}, Evaluate{},
                                    Update{[dt](State& state) { synchronise(state, dt); }}}},
                         .reverse = {Update{[dt](State& state) { reverse(state, dt); }}}};
             })};

@@ -71,7 +71,7 @@ struct Options : IntegratorOptions {
     }
     [[nodiscard]] Scheme scheme(double dt) const override {
         return {.begin = {Update{[dt, how = start](State& state) { begin(state, dt, how); }}},
-                .cycle = {{Update{[dt](State& state) { advance(state, dt); }}, Evaluate{},
+                .cycle = {{Update{[dt](State& state) { advance(state, dt); }, dt}, Evaluate{},
                            Update{[dt](State& state) { central_difference(state, dt); }}}},
                 .reverse = {Update{[dt](State& state) { reverse(state, dt); }}}};
     }

@@ -46,8 +46,8 @@ IntegratorMethod rk2_midpoint() {
             .order = 2,
             .reversible = false,
             .options = without_options([](double dt) -> Scheme {
-                const Update to_midpoint{[dt](State& state) { half_euler_step(state, dt); }};
-                const Update to_end{[dt](State& state) { full_step_from_midpoint(state, dt); }};
+                const Update to_midpoint{[dt](State& state) { half_euler_step(state, dt); }, 0.5 * dt};
+                const Update to_end{[dt](State& state) { full_step_from_midpoint(state, dt); }, 0.5 * dt};
                 return {.begin = {}, .cycle = {{to_midpoint, Evaluate{}, to_end, Evaluate{}}}, .reverse = {}};
             })};
 }

@@ -18,6 +18,9 @@ std::vector<std::string> ThermoColumns::names() const {
     if (extra_.density) {
         names.emplace_back("density");
     }
+    if (extra_.external_energy) {
+        names.emplace_back("external_energy");
+    }
     if (extra_.conserved_energy) {
         names.emplace_back("conserved_energy");
     }
@@ -43,6 +46,9 @@ std::vector<double> ThermoColumns::row(Index step, double time, const Thermodyna
     }
     if (extra_.density) {
         row.push_back(sample.density);
+    }
+    if (extra_.external_energy) {
+        row.push_back(number(sample.external_energy));
     }
     if (extra_.conserved_energy) {
         row.push_back(number(values.conserved_energy));

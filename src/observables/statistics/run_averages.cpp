@@ -20,6 +20,7 @@ struct Column {
 
 constexpr Index temperature_column = 0;
 constexpr Index potential_energy_column = 1;
+constexpr Index total_energy_column = 3;
 constexpr Index pressure_column = 4;
 constexpr Index density_column = 5;
 constexpr Index virial_column = 12;
@@ -37,25 +38,30 @@ constexpr std::array<Column, 13> columns{{{"temperature", "T", "epsilon/k_B"},
                                           {"pressure_yz", "p_yz", "epsilon/sigma^3"},
                                           {"virial", "W", "epsilon"}}};
 
-/// After the reported columns: 1/T and u^2.
+/// After the reported columns: 1/T, u^2 and, where there is one, the external energy.
 constexpr auto inverse_temperature_column = static_cast<Index>(columns.size());
 constexpr Index squared_energy_column = inverse_temperature_column + 1;
+constexpr Index external_energy_column = squared_energy_column + 1;
 
 }  // namespace
 
-RunAverages::RunAverages(Index atoms, Ensemble ensemble)
+RunAverages::RunAverages(Index atoms, Ensemble ensemble, bool external_energy)
     : atoms_(static_cast<double>(atoms)),
       degrees_of_freedom_(static_cast<double>(degrees_of_freedom(atoms))),
       ensemble_(ensemble),
-      series_(squared_energy_column + 1, Covariance::full) {}
+      external_energy_(external_energy),
+      series_(external_energy_column + (external_energy ? 1 : 0), Covariance::full) {}
 
 void RunAverages::add(const Thermodynamics& s) {
     const Mat3 p = s.pressure_tensor.value_or(Mat3::Zero());
     const double t = s.temperature.value_or(0.0);
     Eigen::VectorXd row(series_.width());
-    row << t, s.potential_energy, s.kinetic_energy, s.total_energy, s.pressure.value_or(0.0), s.density, p(0, 0),
-        p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial, t > 0.0 ? 1.0 / t : 0.0,
-        s.potential_energy * s.potential_energy;
+    if (external_energy_) {
+        row[external_energy_column] = s.external_energy.value_or(0.0);
+    }
+    row.head(external_energy_column) << t, s.potential_energy, s.kinetic_energy, s.total_energy,
+        s.pressure.value_or(0.0), s.density, p(0, 0), p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial,
+        t > 0.0 ? 1.0 / t : 0.0, s.potential_energy * s.potential_energy;
     series_.add(row);
 }
 
@@ -171,6 +177,9 @@ std::vector<ObservableAverage> RunAverages::averages() const {
             average.estimate = series_.estimate(k);
         }
         result.push_back(average);
+        if (k == total_energy_column && external_energy_) {
+            result.push_back({"external_energy", "U_ext/N", "epsilon", series_.estimate(external_energy_column)});
+        }
         if (k == pressure_column) {
             const auto z = compressibility_factor();
             result.push_back({"compressibility_factor", "Z", "1", z, z ? "" : no_temperature});

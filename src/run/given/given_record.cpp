@@ -103,6 +103,11 @@ std::string in_words(const std::vector<ObserverRecord>& observers) {
     return fmt::format("the observable{} {}", observers.size() == 1 ? "" : "s", fmt::join(words, ", "));
 }
 
+/// "the external force 'wave'"; "no external force"
+std::string force_in_words(const std::string& name) {
+    return name.empty() ? "no external force" : fmt::format("the external force {}", in_quotes(name));
+}
+
 void require_same(const GivenPotential& recorded, const GivenPotential& again) {
     const bool same = recorded.potential ? identity(*recorded.potential) == identity(again.known())
                                          : recorded.checksum == again.checksum;
@@ -145,6 +150,10 @@ std::vector<ObserverRecord> records_of(const std::vector<Observer*>& observers) 
     return records;
 }
 
+std::string name_of(const std::shared_ptr<ExternalForce>& external) {
+    return external ? external->name() : "";
+}
+
 Data given_data(const GivenParts& given) {
     if (given.empty()) {
         return nullptr;
@@ -155,7 +164,8 @@ Data given_data(const GivenParts& given) {
     }
     return {{"by", given.by},
             {"potential", given.potential ? potential_data(*given.potential) : Data(nullptr)},
-            {"observables", observers}};
+            {"observables", observers},
+            {"external_force", given.external.empty() ? Data(nullptr) : Data(given.external)}};
 }
 
 GivenParts given_parts(const Data& given, const fs::path& directory) {
@@ -173,6 +183,9 @@ GivenParts given_parts(const Data& given, const fs::path& directory) {
     for (const Data& observer : given.at("observables").items()) {
         parts.observers.push_back(observer_of(observer));
     }
+    if (const Data& external = given.at("external_force"); !external.is_null()) {
+        parts.external = external.text();
+    }
     return parts;
 }
 
@@ -180,6 +193,9 @@ std::string in_words(const GivenParts& given) {
     std::vector<std::string> words;
     if (given.potential) {
         words.push_back(fmt::format("the pair potential {}", in_quotes(given.potential->name)));
+    }
+    if (!given.external.empty()) {
+        words.push_back(force_in_words(given.external));
     }
     if (!given.observers.empty()) {
         words.push_back(in_words(given.observers));
@@ -198,8 +214,9 @@ std::string how_to_resume(const GivenParts& given, const fs::path& directory) {
     for (const ObserverRecord& observer : given.observers) {
         names.push_back(printable(observer.name, 60));
     }
-    return fmt::format("ljmd.resume(\"{}\"{}) in Python", directory.string(),
-                       names.empty() ? "" : fmt::format(", observables=[{}]", fmt::join(names, ", ")));
+    return fmt::format("ljmd.resume(\"{}\"{}{}) in Python", directory.string(),
+                       names.empty() ? "" : fmt::format(", observables=[{}]", fmt::join(names, ", ")),
+                       given.external.empty() ? "" : fmt::format(", external={}", printable(given.external, 60)));
 }
 
 GivenParts resumed_parts(GivenParts recorded, const GivenAgain& again, const fs::path& directory) {
@@ -213,6 +230,10 @@ GivenParts resumed_parts(GivenParts recorded, const GivenAgain& again, const fs:
     if (const auto given = records_of(again.observers); given != recorded.observers) {
         throw CheckpointError(fmt::format("{} was begun with {}; given: {}\n  to go on: {}", directory.string(),
                                           in_words(recorded.observers), in_words(given), how));
+    }
+    if (const std::string given = name_of(again.external); given != recorded.external) {
+        throw CheckpointError(fmt::format("{} was begun with {}; given: {}\n  to go on: {}", directory.string(),
+                                          force_in_words(recorded.external), force_in_words(given), how));
     }
     if (again.potential) {
         if (!recorded.potential) {

@@ -61,6 +61,8 @@ TEST_CASE("a record says what a program gave, and nothing for the command line")
     REQUIRE(parts.potential->table);
     CHECK(parts.potential->table->energies == soft_table().energies);
     CHECK(parts.potential->known()(1.3).u == soft_table().potential()(1.3).u);
+    CHECK(parts.external.empty());
+    CHECK(read_again({.by = "C++", .external = "wave"}, folder / "").external == "wave");
     CHECK(in_words(parts) ==
           "the pair potential 'soft' and the observables 'fastest' (every 5 steps, with energy, sigma/tau), 'other'");
 }
@@ -113,6 +115,14 @@ TEST_CASE("the command line refuses a run of a program, and says how it is resum
     CHECK(how_to_resume({.by = "Python", .potential = parts.potential}, "runs/mine") ==
           "ljmd.resume(\"runs/mine\") in Python");
     CHECK_NOTHROW(resumed_parts({}, {}, "runs/mine"));
+    const GivenParts all{.by = "Python", .potential = parts.potential, .observers = {fastest}, .external = "wave"};
+    CHECK(in_words(all) ==
+          "the pair potential 'soft' and the external force 'wave' and the observable 'fastest' (every 5 steps, with "
+          "energy, sigma/tau)");
+    CHECK(how_to_resume(all, "runs/mine") ==
+          "ljmd.resume(\"runs/mine\", observables=[fastest], external=wave) in Python");
+    CHECK_THROWS_WITH(resumed_parts({.by = "C++", .external = "wave"}, {}, "run"),
+                      Contains("run was run with the external force 'wave' of a program in C++"));
 }
 
 TEST_CASE("a program resumes with its observers, and with the potential of the table or the formula given again") {

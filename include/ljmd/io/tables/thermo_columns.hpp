@@ -20,6 +20,7 @@ class ThermoColumns {
     /// Columns that only some runs have.
     struct Extra {
         bool density = false;           ///< when a barostat changes it
+        bool external_energy = false;   ///< when an external force has an energy
         bool conserved_energy = false;  ///< when a thermostat has a conserved energy
         bool order_parameter = false;   ///< when the run started from a lattice
     };

@@ -36,7 +36,8 @@ enum class Ensemble {
 class RunAverages {
   public:
     /// @param ensemble  of all samples
-    RunAverages(Index atoms, Ensemble ensemble);
+    /// @param external_energy  whether the samples have one
+    RunAverages(Index atoms, Ensemble ensemble, bool external_energy = false);
 
     void add(const Thermodynamics& sample);
     [[nodiscard]] Index samples() const { return series_.samples(); }
@@ -67,6 +68,7 @@ class RunAverages {
     double atoms_;
     double degrees_of_freedom_;
     Ensemble ensemble_;
+    bool external_energy_;
     BlockingAccumulator series_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "ljmd/core/data.hpp"
 #include "ljmd/deck/given_parts.hpp"
 #include "ljmd/engine/observer.hpp"
+#include "ljmd/forces/external_force.hpp"
 
 namespace ljmd {
 
@@ -19,6 +21,9 @@ inline constexpr const char* pair_table_name = "given-potential.json";
 [[nodiscard]] GivenPotential given_potential(TabulatedPair table);
 
 [[nodiscard]] std::vector<ObserverRecord> records_of(const std::vector<Observer*>& observers);
+
+/// Of an external force; empty if there is none.
+[[nodiscard]] std::string name_of(const std::shared_ptr<ExternalForce>& external);
 
 /// `given` in run.json: null if a program gave nothing.
 [[nodiscard]] Data given_data(const GivenParts& given);
@@ -39,6 +44,7 @@ struct GivenAgain {
     std::string by = {};  ///< its language; empty: the command line, which can give nothing
     std::optional<PairPotential> potential = {};
     std::vector<Observer*> observers = {};
+    std::shared_ptr<ExternalForce> external = {};
 };
 
 /// The parts of a run that is resumed: those of its record, with the potential that is given again, if one is.
