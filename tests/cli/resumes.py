@@ -329,8 +329,8 @@ def another_deck(t):
     (t.dir / "out/run.json").write_text(json.dumps(record))
 
 
-def given(by, potential, observables):
-    """As if a program had given a run a potential with a table, and observables."""
+def given(by, potential, observables, force=None):
+    """As if a program had given a run a potential with a table, observables and an external force."""
     def change(t):
         record = t.json("out/run.json")
         table = {"file": "given-potential.json", "error": 1e-9, "force_error": 1e-7} if by == "Python" else None
@@ -338,7 +338,8 @@ def given(by, potential, observables):
             "by": by,
             "potential": potential and {"name": potential, "truncation": "cut", "cutoff": 2.5, "switch_start": 0.0,
                                         "checksum": "xxh3:0123456789abcdef", "table": table},
-            "observables": [{"name": name, "unit": "sigma/tau", "every": 5, "energy": False} for name in observables]}
+            "observables": [{"name": name, "unit": "sigma/tau", "every": 5, "energy": False} for name in observables],
+            "external_force": force}
         (t.dir / "out/run.json").write_text(json.dumps(record))
     return change
 
@@ -350,6 +351,10 @@ def given_is_told(t):
     text = t.run_well("info", "out").out
     t.contains(text, "run with      the observable 'fastest' (every 5 steps, sigma/tau), of a program in Python\n")
     t.contains(text, 'to go on: ljmd.resume("out", observables=[fastest]) in Python\n')
+    given("Python", None, [], "wave")(t)
+    text = t.run_well("info", "out").out
+    t.contains(text, "run with      the external force 'wave', of a program in Python\n")
+    t.contains(text, 'to go on: ljmd.resume("out", external=wave) in Python\n')
     given("Python", "soft", [])(t)
     text = t.run_well("info", "out").out
     t.contains(text, "run with      the pair potential 'soft', of a program in Python\n")
@@ -453,6 +458,7 @@ def cases():
         Case("a checkpoint of another deck", refused(another_deck, 6)),
         Case("a potential and observables of Python", refused(given("Python", "soft", ["fastest", "slowest"]), 6)),
         Case("a potential of C++", refused(given("C++", "soft", []), 6)),
+        Case("an external force of Python", refused(given("Python", None, [], "wave"), 6)),
         Case("what a program gave", given_is_told),
         Case("thermo.csv shorter than it was", refused(cut("out/thermo.csv", 100), 6)),
         Case("thermo.csv gone", refused(remove("out/thermo.csv"), 6)),
