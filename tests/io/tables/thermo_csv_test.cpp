@@ -122,17 +122,19 @@ TEST_CASE("a run from a lattice has a column for the order parameter") {
 TEST_CASE("runs with a barostat have a column for the density, those with a thermostat one for the conserved energy") {
     Thermodynamics s = sample();
     s.density = 0.1 + 0.7;
-    const auto rows = written({true, true, true}, std::nullopt, s, {-2.0 / 3.0, 0.5});
+    ThermoColumns::Extra extra{.density = true, .conserved_energy = true, .order_parameter = true};
+    const auto rows = written(extra, std::nullopt, s, {-2.0 / 3.0, 0.5});
     CHECK(Row(rows[0].end() - 3, rows[0].end()) == Row{"density", "conserved_energy", "order_parameter"});
     CHECK(number(fields(rows, 1)["density"]) == 0.1 + 0.7);
     CHECK(number(fields(rows, 1)["conserved_energy"]) == -2.0 / 3.0);
-    CHECK(fields(written({true, true, false}, std::nullopt, s, {}), 1)["conserved_energy"].empty());
+    extra.order_parameter = false;
+    CHECK(fields(written(extra, std::nullopt, s, {}), 1)["conserved_energy"].empty());
 }
 
 TEST_CASE("a substance adds its columns in SI") {
     const Thermodynamics s = sample();
     const bool order = GENERATE(false, true);
-    const auto rows = written({false, false, order}, argon(), s, {std::nullopt, 0.5});
+    const auto rows = written({.order_parameter = order}, argon(), s, {std::nullopt, 0.5});
     CHECK(Row(rows[0].end() - 6, rows[0].end()) == Row{"time_ps", "temperature_K", "potential_energy_kJ_per_mol",
                                                        "kinetic_energy_kJ_per_mol", "total_energy_kJ_per_mol",
                                                        "pressure_bar"});
