@@ -74,7 +74,7 @@ std::filesystem::path default_directory(const std::filesystem::path& deck) {
 
 template <class Tables>
 Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std::vector<std::string>& settings,
-             const std::optional<SubstanceUnits>& units, const Placed<Tables>& tables, GivenParts given = {}) {
+             const std::optional<SubstanceUnits>& units, const Placed<Tables>& tables, GivenParts&& given = {}) {
     const auto& output = tables.output;
     return {.path = path.string(),
             .source = file.source->text,
