@@ -347,7 +347,7 @@ class Deck:
         progress: a bar; or a function that is called with the number of points done
         force: accept unlikely values, and replace another sweep in the directory, but for points that both have
 
-        The same call goes on with a sweep that was interrupted, and tries failed points again. Ctrl-C stops all points with
+        The same call continues an interrupted sweep, and tries failed points again. Ctrl-C stops all points with
         checkpoints. A point that fails is a warning, and does not stop the others. Raises InputError with all mistakes of all points
         before anything is run, InUseError, FileError.
         """
