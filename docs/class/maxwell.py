@@ -61,6 +61,8 @@ left.legend()
 T, rho = ljmd.open(gas)["temperature"].mean, 0.05
 viscosity = 5 / 16 * math.sqrt(T / math.pi) / 1.314  # Chapman and Enskog; 1.314 is their collision integral at T = 1.5
 expected = 1.5 * viscosity / (rho * T)
+answer("gas: most probable speed / (sigma/tau)", math.sqrt(2 * T))
+answer("the same of argon, m/s", 157.9 * math.sqrt(2 * T))
 answer("mean free time of spheres of diameter sigma", 1 / (math.sqrt(2) * math.pi * rho * math.sqrt(8 * T / math.pi)))
 answer("Chapman and Enskog: relaxation time 3 eta/(2 p)", expected)
 for name, directory, longest in ("gas", equal, 8.0), ("liquid", equal_liquid, 0.25):

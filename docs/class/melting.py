@@ -57,11 +57,15 @@ for row in up[solid]:
 for row in up[solid]:
     L = lindemann(row[1])
     answer(f"Lindemann ratio at T = {row[0]:.2f}", L, row[2] / row[1] * 3 / (8 * np.pi**2 * L))
+answer("Lindemann ratio at the melting temperature", np.interp(T_m, up[solid][:, 0], lindemann(up[solid][:, 1])))
+answer("harmonic crystal at T = 0.80, from T = 0.40", up[0, 1]**2)
 answer("highest temperature of the crystal", last[0])
 answer("lowest temperature of the melt on heating", first[0])
 answer("melting temperature by equations", T_m)
 for row in down:
     answer(f"cooled: order parameter at T = {row[0]:.2f}", row[1], row[2])
+answer("crystal at T = 0.40: density", up[0, 3], up[0, 4])
+answer("cooled: density at T = 0.40", down[-1, 3], down[-1, 4])
 
 # Both at T = 0.8, the crystal on its way up, the liquid on its way down.
 (crystal,), (liquid,) = up[up[:, 0] == 0.8], down[down[:, 0] == 0.8]
@@ -73,6 +77,7 @@ answer("crystal at T = 0.80: density", crystal[3], crystal[4])
 answer("liquid at T = 0.80: density", liquid[3], liquid[4])
 answer("heat of melting", heat, heat_error)
 answer("entropy of melting", heat / T_m, heat_error / T_m)
+answer("entropy of melting of argon", 1180 / 83.8 / 8.314)
 slope = volume * T_m / heat
 answer("dT_m/dp by Clausius and Clapeyron", slope, slope * np.hypot(volume_error / volume, heat_error / heat))
 answer("dT_m/dp by equations", (melting_temperature(1.2) - melting_temperature(0.8)) / 0.4)

@@ -99,8 +99,8 @@ def check_quotes() -> None:
         answers = (FOLDER / f"answers/{name}.md").read_text(encoding="utf-8")
         known = [float(number) for number in NUMBER.findall(shown(name) + page(name) + decks)]
         known += [error for _, error in values(shown(name)).values()]
-        for number in NUMBER.findall(BLOCK.sub("", answers)):
-            assert is_quoted(number, known), f"answers/{name}.md: {number} is neither printed by the script nor given"
+        unknown = [number for number in NUMBER.findall(BLOCK.sub("", answers)) if not is_quoted(number, known)]
+        assert not unknown, f"answers/{name}.md: neither printed by the script nor given: {', '.join(unknown)}"
         assert f"]({name}.md)" in overview and f"](answers/{name}.md)" in overview, f"{name} is not in docs/class/README.md"
         asked = re.findall(r"^(\d+)\. ", page(name).partition("## Questions")[2], re.M)
         answered = re.findall(r"^(\d+)\. ", answers, re.M)
