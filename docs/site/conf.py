@@ -1,0 +1,55 @@
+"""Sphinx's settings for the documentation site. tools/docs calls it: sphinx-build -c docs/site docs build/docs."""
+
+import os
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path.insert(0, str(HERE))
+
+project = "ljmd"
+author = "The ljmd developers"
+copyright = "the ljmd developers; licence GPL-3.0-or-later"
+root_doc = "index"
+language = "en"
+exclude_patterns = ["site/*.py", "**/__pycache__"]
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "breathe", "mathml", "repository_files", "notebook_pages", "folders", "python_docstrings"]
+
+# Markdown: formulas between dollars, links to headings.
+source_suffix = {".md": "markdown"}
+myst_enable_extensions = ["dollarmath", "colon_fence"]
+myst_heading_anchors = 4
+myst_dmath_double_inline = True
+suppress_warnings = ["myst.header"]  # a page may begin with a picture or skip a level
+
+# The Python package: that of a build, or its sources alone with the engine left out.
+package = os.environ.get("LJMD_PYTHON_PATH")
+if package:
+    sys.path.insert(0, package)
+else:
+    sys.path.insert(0, str(ROOT / "python"))
+    autodoc_mock_imports = ["ljmd._core"]
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+add_module_names = False
+default_role = "literal"
+
+# The C++ library: Doxygen's XML, made by tools/docs.
+breathe_projects = {"ljmd": os.environ.get("LJMD_DOXYGEN_XML", str(ROOT / "build/doxygen/xml"))}
+breathe_default_project = "ljmd"
+
+html_theme = "furo"
+html_title = "ljmd"
+html_static_path = ["_static"]
+html_css_files = ["ljmd.css"]
+html_copy_source = False
+html_show_sphinx = False
+html_math_renderer = "mathml"
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#005b8f", "color-brand-content": "#0072b2"},
+    "dark_css_variables": {"color-brand-primary": "#56b4e9", "color-brand-content": "#7cc4ee"},
+}
+pygments_style = "friendly"
+pygments_dark_style = "native"
