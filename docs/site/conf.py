@@ -24,13 +24,9 @@ myst_heading_anchors = 4
 myst_dmath_double_inline = True
 suppress_warnings = ["myst.header"]  # a page may begin with a picture or skip a level
 
-# The Python package: that of a build, or its sources alone with the engine left out.
-package = os.environ.get("LJMD_PYTHON_PATH")
-if package:
-    sys.path.insert(0, package)
-else:
-    sys.path.insert(0, str(ROOT / "python"))
-    autodoc_mock_imports = ["ljmd._core"]
+# The Python package, from its sources: the engine, which would have to be built, is left out. All that is documented is in Python.
+sys.path.insert(0, str(ROOT / "python"))
+autodoc_mock_imports = ["ljmd._core"]
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 add_module_names = False
@@ -47,9 +43,36 @@ html_css_files = ["ljmd.css"]
 html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "mathml"
+# Debian's furo has lost the rules for browsers that ask for a dark page: these are its own dark colours, with another blue.
+DARK = {
+    "color-problematic": "#ee5151",
+    "color-foreground-primary": "#ffffffcc",
+    "color-foreground-secondary": "#9ca0a5",
+    "color-foreground-muted": "#81868d",
+    "color-foreground-border": "#666666",
+    "color-background-primary": "#131416",
+    "color-background-secondary": "#1a1c1e",
+    "color-background-hover": "#1e2124ff",
+    "color-background-hover--transparent": "#1e212400",
+    "color-background-border": "#303335",
+    "color-background-item": "#444",
+    "color-announcement-background": "#000000dd",
+    "color-announcement-text": "#eeebee",
+    "color-brand-primary": "#56b4e9",
+    "color-brand-content": "#7cc4ee",
+    "color-highlighted-background": "#083563",
+    "color-guilabel-background": "#08356380",
+    "color-guilabel-border": "#13395f80",
+    "color-api-keyword": "var(--color-foreground-secondary)",
+    "color-highlight-on-target": "#333300",
+    "color-admonition-background": "#18181a",
+    "color-card-border": "var(--color-background-secondary)",
+    "color-card-background": "#18181a",
+    "color-card-marginals-background": "var(--color-background-hover)",
+}
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#005b8f", "color-brand-content": "#0072b2"},
-    "dark_css_variables": {"color-brand-primary": "#56b4e9", "color-brand-content": "#7cc4ee"},
+    "dark_css_variables": DARK,
 }
 pygments_style = "friendly"
 pygments_dark_style = "native"

@@ -20,6 +20,8 @@ ROOT = Path(__file__).resolve().parents[2]
 LANGUAGES = {".cpp": "cpp", ".hpp": "cpp", ".py": "python", ".toml": "toml", ".sh": "sh", ".cff": "yaml", ".json": "json"}
 # Documents of the repository that stand outside of docs/, and their pages.
 PAGES = {"CONTRIBUTING.md": "site/contributing", "CHANGELOG.md": "site/changelog", "README.md": "index"}
+# Pages that include documents of the repository, whose links are those of the document.
+ORIGINS = {"site/contributing": "CONTRIBUTING.md", "site/changelog": "CHANGELOG.md", "site/first-deck": "README.md"}
 
 
 def tracked_files() -> list[str]:
@@ -31,8 +33,7 @@ def tracked_files() -> list[str]:
 
 def origin(env) -> str:
     """The document of the repository that the page shows."""
-    shown = {page: path for path, page in PAGES.items() if page != "index"}
-    return shown.get(env.docname) or f"docs/{env.doc2path(env.docname, base=False)}"
+    return ORIGINS.get(env.docname) or f"docs/{env.doc2path(env.docname, base=False)}"
 
 
 class RepositoryLinks(SphinxTransform):
