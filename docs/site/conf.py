@@ -15,7 +15,8 @@ root_doc = "index"
 language = "en"
 exclude_patterns = ["site/*.py", "**/__pycache__"]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "breathe", "mathml", "repository_files", "notebook_pages", "folders", "python_docstrings"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "breathe", "folders", "furo_of_debian", "mathml", "notebook_pages", "python_docstrings",
+              "repository_files"]
 
 # Markdown: formulas between dollars, links to headings.
 source_suffix = {".md": "markdown"}
