@@ -3,7 +3,7 @@
 Usage: class_test.py --ljmd PROGRAM [--update] [NAME]     one exercise, such as `melting`; without a name what the answers quote
 
 PYTHONPATH has the package `ljmd`. The numbers are the same on every processor (tests/same_bits.env).
---update writes what the scripts print into the answers.
+--update writes what the scripts print into the answers, and their pictures, half as large, into docs/images.
 """
 
 import argparse
@@ -49,7 +49,14 @@ def run(command: str, ljmd: str, folder: pathlib.Path) -> str:
     return done.stdout
 
 
-def printed(name: str, ljmd: str) -> str:
+def keep_picture(drawn: pathlib.Path, name: str) -> None:
+    from PIL import Image
+    picture = Image.open(drawn).convert("RGB")
+    picture = picture.resize((picture.width // 2, picture.height // 2), Image.Resampling.LANCZOS)
+    picture.quantize(64, Image.Quantize.FASTOCTREE).save(ROOT / f"docs/images/class-{name}.png", optimize=True)
+
+
+def printed(name: str, ljmd: str, keep: bool = False) -> str:
     """What the last script of the page prints, after all commands before it."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
@@ -58,8 +65,10 @@ def printed(name: str, ljmd: str) -> str:
                    for command in block.splitlines()]
         numbers = [text for text in outputs if "picture: " in text]
         assert len(numbers) == 1, f"{name}: {len(numbers)} scripts drew a picture"
-        pictures = re.findall(r"^picture: (.*)$", numbers[0], re.M)
-        assert all((folder / path).stat().st_size > 10_000 for path in pictures), pictures
+        picture = folder / re.findall(r"^picture: (.*)$", numbers[0], re.M)[0]
+        assert picture.stat().st_size > 10_000, picture
+        if keep:
+            keep_picture(picture, name)
     return "".join(line + "\n" for line in numbers[0].splitlines() if not line.startswith("picture: "))
 
 
@@ -109,7 +118,7 @@ def check_quotes() -> None:
 
 def update(name: str, ljmd: str) -> None:
     path = FOLDER / f"answers/{name}.md"
-    block = f"```text\n{printed(name, ljmd)}```"
+    block = f"```text\n{printed(name, ljmd, keep=True)}```"
     path.write_text(BLOCK.sub(lambda _: block, path.read_text(encoding="utf-8")), encoding="utf-8")
 
 
