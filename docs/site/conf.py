@@ -1,5 +1,6 @@
 """Sphinx's settings for the documentation site. tools/docs calls it: sphinx-build -c docs/site docs build/docs."""
 
+import importlib.util
 import os
 import sys
 from pathlib import Path
@@ -25,9 +26,10 @@ myst_heading_anchors = 4
 myst_dmath_double_inline = True
 suppress_warnings = ["myst.header"]  # a page may begin with a picture or skip a level
 
-# The Python package, from its sources: the engine, which would have to be built, is left out. All that is documented is in Python.
+# The Python package, from its sources: the engine, which would have to be built, is left out, and ASE where it is not installed. All that
+# is documented is in Python.
 sys.path.insert(0, str(ROOT / "python"))
-autodoc_mock_imports = ["ljmd._core"]
+autodoc_mock_imports = ["ljmd._core"] + ([] if importlib.util.find_spec("ase") else ["ase"])
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 add_module_names = False
