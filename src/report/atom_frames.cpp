@@ -140,10 +140,10 @@ Data AtomFrames::data(const std::string& words) const {
     }
     const auto frames = std::ssize(kept_);
     std::string said = frames == seen_ ? fmt::format("{} frame{}", frames, frames == 1 ? "" : "s")
-                                       : fmt::format("{} of {} frames are shown, every {}th, to keep the page small",
+                                       : fmt::format("{} of {} frames are shown, one in {}, to keep the page small",
                                                      frames, seen_, every_);
     if (each_ > 1) {
-        said += fmt::format("; {} of {} atoms are shown, every {}th", shown, atoms_, each_);
+        said += fmt::format("; {} of {} atoms are shown, one in {}", shown, atoms_, each_);
     }
     return {{"atoms", atoms_},
             {"shown_atoms", shown},

@@ -178,7 +178,7 @@ Verdict reference_verdict(const std::vector<Quantity>& quantities, const std::st
         }
         const double error = std::hypot(*each.error, each.reference_error.value_or(0.0));
         const double score = error > 0.0 ? (each.value - *each.reference) / error : std::nan("");
-        scores.push_back(fmt::format("{} by {:+.1f} errors", in_plain_words(each.name), score));
+        scores.push_back(fmt::format("{} is {:+.1f} errors", in_plain_words(each.name), score));
         farthest = std::isnan(score) ? farthest : std::max(farthest, std::abs(score));
     }
     if (scores.empty()) {
@@ -186,7 +186,7 @@ Verdict reference_verdict(const std::vector<Quantity>& quantities, const std::st
     }
     const bool agrees = farthest <= farthest_errors;
     return {"equation of state", agrees ? "good" : "doubt",
-            fmt::format("{} the equation of state {}: {} away from it.", agrees ? "Agrees with" : "Differs from",
+            fmt::format("{} the equation of state {}: {} away.", agrees ? "Agrees with" : "Differs from",
                         equation, fmt::join(scores, ", "))};
 }
 
