@@ -267,7 +267,8 @@ int main(int argc, char** argv) {
     ljmd::ReportOptions reported;
     CLI::App& report = *app.add_subcommand(
         "report", "write one HTML page about a run, a sweep, a reproduced table or a comparison, or about several");
-    report.add_option("directory", reported.directories, "directory of a run, a sweep, a reproduced table, a comparison")
+    report
+        .add_option("directory", reported.directories, "directory of a run, a sweep, a reproduced table, a comparison")
         ->required()
         ->type_name("RUN");
     report

@@ -19,8 +19,8 @@ constexpr double base64_growth = 4.0 / 3.0;
 constexpr double position_bytes = 6.0 * base64_growth;
 constexpr double colour_bytes = 1.0 * base64_growth;
 constexpr Index most_frames = 200;
-constexpr Index most_atoms = 1'000'000;  // points that a graphics card draws; more would be no picture either
-constexpr Index most_counted = 20'000;   // atoms whose neighbours are counted: above, frames are worth more
+constexpr Index most_atoms = 1'000'000;     // points that a graphics card draws; more would be no picture either
+constexpr Index most_counted = 20'000;      // atoms whose neighbours are counted: above, frames are worth more
 constexpr double neighbour_distance = 1.5;  // [sigma], about the first minimum of g(r) of a liquid
 constexpr double grid = 65536.0;
 

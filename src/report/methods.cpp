@@ -63,16 +63,16 @@ std::string methods_paragraph(const RunFacts& facts) {
     if (const Deck* deck = facts.deck()) {
         words = (deck->kind() == DeckKind::fluid ? fluid_in_words(facts, *deck) : bodies_in_words(*deck)) + " ";
     }
-    return fmt::format("{}Computed with ljmd {} (commit {}; {} precision).", words,
-                       text_in(facts.record, {"version"}), text_in(facts.record, {"commit"}).substr(0, 12),
-                       text_in(facts.record, {"precision"}));
+    return fmt::format("{}Computed with ljmd {} (commit {}; {} precision).", words, text_in(facts.record, {"version"}),
+                       text_in(facts.record, {"commit"}).substr(0, 12), text_in(facts.record, {"precision"}));
 }
 
 std::string bibtex_of(const std::string& version) {
     return fmt::format(
         "@software{{ljmd,\n  author  = {{{{The ljmd developers}}}},\n  title   = {{ljmd: Lennard-Jones molecular "
         "dynamics}},\n  version = {{{}}},\n  license = {{GPL-3.0-or-later}}\n}}\n\n@article{{verlet1967,\n  author  = "
-        "{{Loup Verlet}},\n  title   = {{Computer \"Experiments\" on Classical Fluids. {{I}}. Thermodynamical Properties "
+        "{{Loup Verlet}},\n  title   = {{Computer \"Experiments\" on Classical Fluids. {{I}}. Thermodynamical "
+        "Properties "
         "of {{Lennard-Jones}} Molecules}},\n  journal = {{Physical Review}},\n  volume  = {{159}},\n  pages   = "
         "{{98--103}},\n  year    = {{1967}},\n  doi     = {{10.1103/PhysRev.159.98}}\n}}\n",
         version);

@@ -35,7 +35,8 @@ std::string json_for_html(const Data& data) {
 
 std::string page_html(const PageContent& content, const PageBundle& bundle) {
     const std::string data = json_for_html(page_data(content));
-    std::array<Part, 3> parts{{{"/*ljmd:css*/", bundle.style}, {"/*ljmd:data*/", data}, {"/*ljmd:js*/", bundle.script}}};
+    std::array<Part, 3> parts{
+        {{"/*ljmd:css*/", bundle.style}, {"/*ljmd:data*/", data}, {"/*ljmd:js*/", bundle.script}}};
     // All places are found before anything is put in: a title may look like one.
     for (Part& part : parts) {
         part.at = bundle.frame.find(part.place);

@@ -4,21 +4,21 @@
 // clang refuses such long ones. LJMD_REPORT_BUNDLE is their folder (cmake/LjmdLibrary.cmake).
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): names of symbols, and a path
-#define LJMD_EMBEDDED(symbol, file)                            \
-    __asm__(                                                   \
-        ".pushsection .rodata\n"                               \
-        ".hidden ljmd_report_" symbol                          \
-        "\n"                                                   \
-        ".global ljmd_report_" symbol                          \
-        "\n"                                                   \
-        ".hidden ljmd_report_" symbol                          \
-        "_end\n"                                               \
-        ".global ljmd_report_" symbol                          \
-        "_end\n"                                               \
+#define LJMD_EMBEDDED(symbol, file)                                      \
+    __asm__(                                                             \
+        ".pushsection .rodata\n"                                         \
+        ".hidden ljmd_report_" symbol                                    \
+        "\n"                                                             \
+        ".global ljmd_report_" symbol                                    \
+        "\n"                                                             \
+        ".hidden ljmd_report_" symbol                                    \
+        "_end\n"                                                         \
+        ".global ljmd_report_" symbol                                    \
+        "_end\n"                                                         \
         "ljmd_report_" symbol ": .incbin \"" LJMD_REPORT_BUNDLE "/" file \
-        "\"\n"                                                 \
-        "ljmd_report_" symbol                                  \
-        "_end: .byte 0\n"                                      \
+        "\"\n"                                                           \
+        "ljmd_report_" symbol                                            \
+        "_end: .byte 0\n"                                                \
         ".popsection\n")
 // NOLINTEND(cppcoreguidelines-macro-usage)
 

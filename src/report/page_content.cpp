@@ -67,8 +67,9 @@ Data chart_data(const Chart& chart) {
     for (const Mark& mark : chart.marks) {
         marks.push_back(mark_data(mark));
     }
-    return {{"id", chart.id},         {"title", chart.title},     {"caption", chart.caption}, {"lead", chart.lead},
-            {"x", axis_data(chart.x)}, {"y", axis_data(chart.y)}, {"marks", marks}};
+    return {{"id", chart.id},     {"title", chart.title},    {"caption", chart.caption},
+            {"lead", chart.lead}, {"x", axis_data(chart.x)}, {"y", axis_data(chart.y)},
+            {"marks", marks}};
 }
 
 Data table_data(const PageTable& table) {
@@ -79,12 +80,9 @@ Data table_data(const PageTable& table) {
                            {"unit", column.unit}});
     }
     const std::size_t shown = table.values.empty() ? 0 : table.values.front().size();
-    return {{"name", table.name},
-            {"title", table.title},
-            {"file", table.file},
-            {"rows", std::max<Index>(table.rows, static_cast<Index>(shown))},
-            {"shown", shown},
-            {"columns", columns},
+    return {{"name", table.name},    {"title", table.title},
+            {"file", table.file},    {"rows", std::max<Index>(table.rows, static_cast<Index>(shown))},
+            {"shown", shown},        {"columns", columns},
             {"values", table.values}};
 }
 
@@ -134,6 +132,10 @@ void PageTable::add(PageColumn column, Data::List items) {
     values.push_back(std::move(items));
 }
 
+bool PageTable::has_column(const std::string& name) const {
+    return std::ranges::find(columns, name, &PageColumn::name) != columns.end();
+}
+
 Data page_data(const PageContent& content) {
     Data verdicts = Data::list();
     for (const auto& [subject, level, words] : content.verdicts) {
@@ -174,7 +176,8 @@ Data page_data(const PageContent& content) {
                  {"charts", charts},
                  {"tables", tables},
                  {"downloads", object_data(content.downloads)}};
-    for (const auto& [key, part] : {std::pair{"atoms", &content.atoms}, {"tracks", &content.tracks}, {"points", &content.points}}) {
+    for (const auto& [key, part] :
+         {std::pair{"atoms", &content.atoms}, {"tracks", &content.tracks}, {"points", &content.points}}) {
         if (!part->is_null()) {
             data[key] = *part;
         }

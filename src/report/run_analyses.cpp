@@ -48,13 +48,9 @@ std::string file_of(const RunFacts& facts, const std::string& name) {
     return "";
 }
 
-bool has(const PageTable& table, const std::string& name) {
-    return std::ranges::any_of(table.columns, [&](const PageColumn& column) { return column.name == name; });
-}
-
 Chart chart_of(const AnalysisChart& drawn, const PageTable& table) {
     const std::string error = fmt::format("{}_standard_error", drawn.y);
-    const bool has_error = has(table, error);
+    const bool has_error = table.has_column(error);
     Chart chart{.id = fmt::format("{}-{}", drawn.file, drawn.y),
                 .title = drawn.title,
                 .caption = has_error ? "The band is one standard error on either side." : "",
@@ -90,7 +86,7 @@ void add_analyses(PageContent& page, const RunFacts& facts) {
                 page.tables.push_back(page_table(read_csv(facts.directory / file), drawn.title, file));
                 found = page.tables.end() - 1;
             }
-            if (has(*found, drawn.x) && has(*found, drawn.y)) {
+            if (found->has_column(drawn.x) && found->has_column(drawn.y)) {
                 page.charts.push_back(chart_of(drawn, *found));
             }
         });
@@ -114,12 +110,13 @@ void add_phases(PageContent& page, const RunFacts& facts) {
     table.add({"phase"}, names);
     table.add(described("seconds"), seconds);
     page.tables.push_back(std::move(table));
-    page.charts.push_back({.id = "phases",
-                           .title = "Where the time went",
-                           .caption = "Wall time of the time loop by phase.",
-                           .x = {"phase", "category"},
-                           .y = {axis_label("seconds")},
-                           .marks = {{.type = "bars", .label = "seconds", .table = "phases", .x = "phase", .y = "seconds"}}});
+    page.charts.push_back(
+        {.id = "phases",
+         .title = "Where the time went",
+         .caption = "Wall time of the time loop by phase.",
+         .x = {"phase", "category"},
+         .y = {axis_label("seconds")},
+         .marks = {{.type = "bars", .label = "seconds", .table = "phases", .x = "phase", .y = "seconds"}}});
 }
 
 }  // namespace ljmd

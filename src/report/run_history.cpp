@@ -18,10 +18,6 @@ constexpr std::size_t most_rows = 2000;
 constexpr std::size_t blocks = 20;
 constexpr std::array<const char*, 3> judged{"temperature", "potential_energy", "pressure"};
 
-bool has(const DataTable& table, const std::string& name) {
-    return std::ranges::find(table.columns, name) != table.columns.end();
-}
-
 /// The rows of the sampled stages; all if the deck cannot be read.
 DataTable sampled_rows(DataTable table, const RunFacts& facts, const std::filesystem::path& path) {
     if (const Deck* deck = facts.deck()) {
@@ -52,7 +48,7 @@ PageTable block_means(const DataTable& sampled) {
     };
     table.add(described("time"), means("time"));
     for (const char* name : {"temperature", "potential_energy", "pressure", "density"}) {
-        if (has(sampled, name)) {
+        if (has_column(sampled, name)) {
             table.add(described(name), means(name));
         }
     }
@@ -95,6 +91,10 @@ std::string titled(const std::string& name) {
 
 }  // namespace
 
+bool has_column(const DataTable& table, const std::string& name) {
+    return std::ranges::find(table.columns, name) != table.columns.end();
+}
+
 DataTable thinned(const DataTable& table, std::size_t most) {
     const std::size_t every = (table.rows.size() + most - 1) / std::max<std::size_t>(1, most);
     if (every <= 1) {
@@ -112,7 +112,7 @@ PageTable page_table(const DataTable& table, const std::string& title, const std
     const DataTable shown = thinned(table, most);
     PageTable page{.name = table.name, .title = title, .file = file, .rows = static_cast<Index>(table.rows.size())};
     for (const std::string& name : columns.empty() ? table.columns : columns) {
-        if (has(table, name)) {
+        if (has_column(table, name)) {
             page.add(described(name), column(shown, name));
         }
     }
@@ -125,7 +125,7 @@ void add_history(PageContent& page, const RunFacts& facts) {
     if (table.rows.empty()) {
         return;
     }
-    const std::string conserved = has(table, "conserved_energy") ? "conserved_energy" : "total_energy";
+    const std::string conserved = has_column(table, "conserved_energy") ? "conserved_energy" : "total_energy";
     page.tables.push_back(page_table(table, "Time series", "thermo.csv",
                                      {"step", "time", "temperature", "potential_energy", "kinetic_energy",
                                       "total_energy", "conserved_energy", "pressure", "density", "order_parameter"},
@@ -136,7 +136,7 @@ void add_history(PageContent& page, const RunFacts& facts) {
         page.tables.push_back(block_means(sampled));
     }
     for (const char* name : {"temperature", "potential_energy", "pressure", "density", "order_parameter"}) {
-        if (!has(table, name)) {
+        if (!has_column(table, name)) {
             continue;
         }
         Chart chart{.id = name,
@@ -155,14 +155,15 @@ void add_history(PageContent& page, const RunFacts& facts) {
         }
         page.charts.push_back(std::move(chart));
     }
-    if (has_blocks && has(sampled, conserved)) {
+    if (has_blocks && has_column(sampled, conserved)) {
         page.tables.push_back(energy_change(sampled, conserved));
         page.charts.push_back(
             {.id = "energy",
              .title = "Conservation of energy",
-             .caption = conserved == "total_energy"
-                            ? "Change of the total energy per atom since sampling began."
-                            : "Change of the total energy per atom less the heat of the thermostat, since sampling began.",
+             .caption =
+                 conserved == "total_energy"
+                     ? "Change of the total energy per atom since sampling began."
+                     : "Change of the total energy per atom less the heat of the thermostat, since sampling began.",
              .lead = true,
              .x = {axis_label("time")},
              .y = {axis_label("energy_change")},
@@ -215,8 +216,9 @@ void add_blocking_curves(PageContent& page, const RunFacts& facts) {
     page.tables.push_back(std::move(table));
     page.charts.push_back({.id = "blocking",
                            .title = "Blocking curves",
-                           .caption = "Error of the mean if blocks of this length are independent, in units of the error "
-                                      "without correlations. It is right where the curve is level.",
+                           .caption =
+                               "Error of the mean if blocks of this length are independent, in units of the error "
+                               "without correlations. It is right where the curve is level.",
                            .x = {axis_label("length"), "log"},
                            .y = {"error / error without correlations"},
                            .marks = {{.type = "line",

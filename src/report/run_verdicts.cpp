@@ -101,11 +101,11 @@ void add_time_step_verdict(std::vector<Verdict>& verdicts, const Data& results) 
         const std::string remark = text_in(stage, {"time_step_remark"});
         verdicts.push_back(
             {"time step", remark.empty() ? "good" : "bad",
-             remark.empty() ? fmt::format("The time step of stage '{}' is short enough: it sets the temperatures of "
-                                          "velocities and of configurations {} apart.",
-                                          text_in(stage, {"name"}), percent(std::abs(*error)))
-                            : fmt::format("The time step of stage '{}' is too long: {}.", text_in(stage, {"name"}),
-                                          remark)});
+             remark.empty()
+                 ? fmt::format("The time step of stage '{}' is short enough: it sets the temperatures of "
+                               "velocities and of configurations {} apart.",
+                               text_in(stage, {"name"}), percent(std::abs(*error)))
+                 : fmt::format("The time step of stage '{}' is too long: {}.", text_in(stage, {"name"}), remark)});
     }
 }
 
@@ -186,8 +186,8 @@ Verdict reference_verdict(const std::vector<Quantity>& quantities, const std::st
     }
     const bool agrees = farthest <= farthest_errors;
     return {"equation of state", agrees ? "good" : "doubt",
-            fmt::format("{} the equation of state {}: {} away.", agrees ? "Agrees with" : "Differs from",
-                        equation, fmt::join(scores, ", "))};
+            fmt::format("{} the equation of state {}: {} away.", agrees ? "Agrees with" : "Differs from", equation,
+                        fmt::join(scores, ", "))};
 }
 
 }  // namespace ljmd

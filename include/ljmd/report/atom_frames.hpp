@@ -40,7 +40,7 @@ class AtomFrames {
         double time;
         Vec3 edges;
         std::vector<std::uint16_t> positions;
-        std::vector<float> speeds;          ///< empty if the frame has no velocities
+        std::vector<float> speeds;             ///< empty if the frame has no velocities
         std::vector<std::uint8_t> neighbours;  ///< empty if there is no room for them
     };
 

@@ -41,6 +41,8 @@ struct PageTable {
     void add(PageColumn column, const std::vector<double>& numbers);
     void add(PageColumn column, const std::vector<std::string>& texts);
     void add(PageColumn column, Data::List items);
+
+    [[nodiscard]] bool has_column(const std::string& name) const;
 };
 
 /// What a chart draws: columns of a table, or a line at a fixed value.
@@ -50,12 +52,12 @@ struct Mark {
     std::string table = {};
     std::string x = {};
     std::string y = {};
-    std::string error = {};           ///< column of standard errors
-    std::string group = {};           ///< column that splits rows into series
-    std::string flag = {};            ///< column of flags: these rows are marked
-    std::string fill = {};            ///< column that colours cells
-    std::optional<double> value = {}; ///< of a rule
-    int colour = 0;                   ///< a role, 0 to 7
+    std::string error = {};            ///< column of standard errors
+    std::string group = {};            ///< column that splits rows into series
+    std::string flag = {};             ///< column of flags: these rows are marked
+    std::string fill = {};             ///< column that colours cells
+    std::optional<double> value = {};  ///< of a rule
+    int colour = 0;                    ///< a role, 0 to 7
 };
 
 struct Axis {
@@ -93,9 +95,9 @@ struct Quantity {
 using TextPairs = std::vector<std::pair<std::string, std::string>>;
 
 struct PageContent {
-    std::string kind;    ///< run, few-body, sweep, reproduction, comparison or set
-    std::string title;   ///< the user's
-    std::string source;  ///< the directory as it was given
+    std::string kind;                ///< run, few-body, sweep, reproduction, comparison or set
+    std::string title;               ///< the user's
+    std::string source;              ///< the directory as it was given
     std::string state = "finished";  ///< finished, stopped, running, failed or damaged
     std::string state_words = {};
     TextPairs program = {};
@@ -105,11 +107,11 @@ struct PageContent {
     std::vector<Quantity> quantities = {};
     std::vector<Chart> charts = {};
     std::vector<PageTable> tables = {};
-    Data atoms = {};       ///< see report/atom_frames.hpp; null if there are none
-    Data tracks = {};      ///< see report/body_tracks.hpp; null if there are none
+    Data atoms = {};   ///< see report/atom_frames.hpp; null if there are none
+    Data tracks = {};  ///< see report/body_tracks.hpp; null if there are none
     TextPairs downloads = {};
     std::vector<std::pair<std::string, PageContent>> members = {};  ///< of a set, with their labels
-    Data points = {};      ///< of a study: label, directory, state, words of each run; null if there are none
+    Data points = {};  ///< of a study: label, directory, state, words of each run; null if there are none
 };
 
 /// The content as the page reads it, and as `ljmd report --json` prints it.

@@ -6,6 +6,8 @@
 
 namespace ljmd {
 
+[[nodiscard]] bool has_column(const DataTable& table, const std::string& name);
+
 /// The rows of a table that a page shows: every n-th one, at most `most`, always the first.
 [[nodiscard]] DataTable thinned(const DataTable& table, std::size_t most);
 

@@ -1,4 +1,4 @@
-#include "ljmd/report/fluid_page.hpp"
+#include "ljmd/report/pages/fluid_page.hpp"
 
 #include <fmt/format.h>
 
@@ -43,8 +43,9 @@ void add_atoms(PageContent& page, const RunFacts& facts) {
         const double expected = last_step(facts.directory) / static_cast<double>(deck->trajectory->every) + 1.0;
         page.atoms = trajectory_atoms(path, deck->units, static_cast<Index>(expected), page.warnings);
     }
-    for (const auto& [name, words] : {std::pair{"final.xyz", "It is the last configuration; the run has no trajectory."},
-                                      {"failed.xyz", "It is the configuration at which the run stopped."}}) {
+    for (const auto& [name, words] :
+         {std::pair{"final.xyz", "It is the last configuration; the run has no trajectory."},
+          {"failed.xyz", "It is the configuration at which the run stopped."}}) {
         if (page.atoms.is_null() && input_is_there(facts.directory / name)) {
             add_if_readable(page.warnings, [&] { page.atoms = configuration_atoms(facts.directory / name, words); });
         }
@@ -83,7 +84,8 @@ PageContent fluid_page(const RunFacts& facts) {
             thermo = thermo_report(*facts.run);
             page.verdicts.push_back(equilibrium_verdict(*thermo));
         } catch (const Error& error) {
-            page.verdicts.push_back({"equilibrium", "unknown", fmt::format("Equilibrium cannot be judged: {}.", error.what())});
+            page.verdicts.push_back(
+                {"equilibrium", "unknown", fmt::format("Equilibrium cannot be judged: {}.", error.what())});
         }
     }
     if (!facts.results.is_null()) {
@@ -94,8 +96,8 @@ PageContent fluid_page(const RunFacts& facts) {
     page.quantities = run_quantities(facts, thermo);
     if (facts.run) {
         add_if_readable(page.warnings, [&] {
-            const std::string equation = add_references(page.quantities, facts.run->deck,
-                                                        number_in(facts.results, {"system", "density"}));
+            const std::string equation =
+                add_references(page.quantities, facts.run->deck, number_in(facts.results, {"system", "density"}));
             page.verdicts.push_back(reference_verdict(page.quantities, equation));
         });
     }
