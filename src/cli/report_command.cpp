@@ -11,6 +11,7 @@
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/report/page.hpp"
 #include "ljmd/report/report.hpp"
+#include "ljmd/run/run_directory.hpp"
 
 namespace ljmd {
 
@@ -45,10 +46,9 @@ void report_command(const ReportOptions& options) {
         print_result(to_json_line(page_data(content)) + "\n");
         return;
     }
-    constexpr const char* name = "report.html";
     const fs::path page = !options.out.empty()     ? fs::path(options.out)
-                          : directories.size() > 1 ? fs::path(name)
-                                                   : directories.front() / name;
+                          : directories.size() > 1 ? fs::path(report_name)
+                                                   : directories.front() / report_name;
     write_file_atomically(page, page_html(content));
     for (const std::string& warning : content.warnings) {
         warn(warning);

@@ -53,6 +53,7 @@ Data mark_data(const Mark& mark) {
     add_if(data, "group", mark.group);
     add_if(data, "flag", mark.flag);
     add_if(data, "fill", mark.fill);
+    add_if(data, "tip", mark.tip);
     add_if(data, "value", mark.value);
     data["colour"] = mark.colour;
     return data;
@@ -67,17 +68,30 @@ Data chart_data(const Chart& chart) {
     for (const Mark& mark : chart.marks) {
         marks.push_back(mark_data(mark));
     }
-    return {{"id", chart.id},     {"title", chart.title},    {"caption", chart.caption},
-            {"lead", chart.lead}, {"x", axis_data(chart.x)}, {"y", axis_data(chart.y)},
-            {"marks", marks}};
+    Data data = {{"id", chart.id},     {"title", chart.title},    {"caption", chart.caption},
+                 {"lead", chart.lead}, {"x", axis_data(chart.x)}, {"y", axis_data(chart.y)},
+                 {"marks", marks}};
+    if (chart.follows_time) {
+        data["cursor"] = true;
+    }
+    if (chart.equal_axes) {
+        data["equal_axes"] = true;
+    }
+    return data;
 }
 
 Data table_data(const PageTable& table) {
     Data columns = Data::list();
     for (const PageColumn& column : table.columns) {
-        columns.push_back({{"name", column.name},
-                           {"label", column.label.empty() ? column.name : column.label},
-                           {"unit", column.unit}});
+        static constexpr std::string_view error = "_standard_error";
+        Data described = {
+            {"name", column.name}, {"label", column.label.empty() ? column.name : column.label}, {"unit", column.unit}};
+        const std::string of =
+            column.name.ends_with(error) ? column.name.substr(0, column.name.size() - error.size()) : "";
+        if (table.has_column(of)) {
+            described["error_of"] = of;
+        }
+        columns.push_back(std::move(described));
     }
     const std::size_t shown = table.values.empty() ? 0 : table.values.front().size();
     return {{"name", table.name},    {"title", table.title},

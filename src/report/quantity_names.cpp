@@ -43,12 +43,12 @@ constexpr std::array<Named, 43> known{{{"time", "t", "tau"},
                                        {"excess_chemical_potential", "mu_ex", "epsilon"},
                                        {"r", "r", "sigma"},
                                        {"g", "g(r)", ""},
-                                       {"k", "k", "1/sigma"},
+                                       {"k", "k sigma", ""},
                                        {"S", "S(k)", ""},
                                        {"msd", "<dr^2>", "sigma^2"},
                                        {"vacf", "<v(0) v(t)>", "sigma^2/tau^2"},
                                        {"vacf_normalized", "<v(0) v(t)>/<v^2>", ""},
-                                       {"angular_frequency", "omega", "1/tau"},
+                                       {"angular_frequency", "omega tau", ""},
                                        {"spectrum", "spectrum", ""},
                                        {"stress_autocorrelation", "<s(0) s(t)>", "epsilon^2/sigma^6"},
                                        {"step", "step", ""},
@@ -85,7 +85,7 @@ std::string symbol_of(const std::string& observable) {
 
 std::string axis_label(const std::string& column) {
     const PageColumn of = described(column);
-    const bool compound = of.unit.find_first_of(" /^") != std::string::npos;
+    const bool compound = of.unit.find_first_of(" /") != std::string::npos;
     return of.unit.empty() ? of.label
            : compound      ? fmt::format("{} / ({})", of.label, of.unit)
                            : fmt::format("{} / {}", of.label, of.unit);

@@ -34,6 +34,8 @@ struct PageTable {
     std::string title;
     std::string file = {};  ///< of the directory, that has all rows and digits; empty if there is none
     Index rows = 0;         ///< in that file
+    bool lead = false;      ///< open from the start
+    std::string flag = {};  ///< column of flags: these rows are marked
     std::vector<PageColumn> columns = {};
     std::vector<Data::List> values = {};  ///< of each column
 
@@ -55,6 +57,7 @@ struct Mark {
     std::string error = {};            ///< column of standard errors
     std::string group = {};            ///< column that splits rows into series
     std::string flag = {};             ///< column of flags: these rows are marked
+    std::string tip = {};              ///< column of texts for hints
     std::string fill = {};             ///< column that colours cells
     std::optional<double> value = {};  ///< of a rule
     int colour = 0;                    ///< a role, 0 to 7
@@ -73,6 +76,8 @@ struct Chart {
     Axis x;
     Axis y;
     std::vector<Mark> marks = {};
+    bool follows_time = false;  ///< x is the time of the atoms or tracks: a line follows their playback
+    bool equal_axes = false;    ///< one unit is as long along x as along y: a path in space
 };
 
 /// A quantity with its error.

@@ -159,7 +159,8 @@ void add_trajectory(PageContent& page, const DataTable& trajectory) {
              .lead = true,
              .x = {"x"},
              .y = {"y"},
-             .marks = {{.type = "line", .label = "", .table = "paths", .x = "x", .y = "y", .group = "body"}}});
+             .marks = {{.type = "line", .label = "", .table = "paths", .x = "x", .y = "y", .group = "body"}},
+             .equal_axes = true});
     }
     if (has_column(trajectory, "x1") && has_column(trajectory, "vx1")) {
         page.tables.push_back(page_table(trajectory, "Body 1 in phase space", "trajectory.csv", {"time", "x1", "vx1"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "ljmd/core/text.hpp"
@@ -154,56 +155,104 @@ std::string equation_of(const Finished& finished) {
     return "";
 }
 
-void add_charts(PageContent& page, const Finished& finished, const std::vector<VariedKey>& keys, std::size_t along) {
-    const PageTable& table = page.tables.back();
-    const VariedKey& key = keys[along];
-    const bool measured = key.is_temperature && table.has_column("temperature");
-    const std::string x = measured ? "temperature" : column_of(key);
-    const Axis x_axis{measured ? axis_label("temperature") : key.heading, key.numbers.empty() ? "category" : "linear"};
-    const std::string group = keys.size() > 1 ? "series" : "";
-    std::size_t drawn = 0;
-    constexpr std::size_t leading = 3;
+/// What a sweep is about first; the energies that follow from others are in the table alone.
+std::vector<std::string> drawn_names(const Finished& finished) {
+    std::vector<std::string> names{"potential_energy", "pressure"};
     for (const std::string& name : names_of(finished)) {
-        if (name == x || (name == "temperature" && key.is_temperature)) {
+        const bool follows = name == "kinetic_energy" || name == "total_energy";
+        if (std::ranges::find(names, name) == names.end() && !follows) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+Chart line_chart(const PageTable& table, const std::string& name, const std::string& x, const Axis& axis,
+                 const std::string& equation) {
+    const std::string group = table.has_column("series") ? "series" : "";
+    Chart chart{.id = name,
+                .title = in_plain_words(name),
+                .caption = x == "temperature" ? "Against the temperature that was measured." : "",
+                .x = axis,
+                .y = {axis_label(name)}};
+    if (table.has_column(name + "_reference")) {
+        chart.marks.push_back({.type = "line",
+                               .label = equation,
+                               .table = table.name,
+                               .x = x,
+                               .y = name + "_reference",
+                               .group = group,
+                               .colour = 2});
+    }
+    chart.marks.push_back({.type = "dots",
+                           .label = "measured",
+                           .table = table.name,
+                           .x = x,
+                           .y = name,
+                           .error = name + "_standard_error",
+                           .group = group});
+    return chart;
+}
+
+Chart map_chart(const std::string& name, const VariedKey& key, const VariedKey& other) {
+    return {.id = name + "-map",
+            .title = in_plain_words(name) + ", as a map",
+            .caption = "",
+            .x = {key.heading, "category"},
+            .y = {other.heading, "category"},
+            .marks = {{.type = "cells",
+                       .label = axis_label(name),
+                       .table = "points",
+                       .x = column_of(key),
+                       .y = column_of(other),
+                       .fill = name}}};
+}
+
+/// Order the points along the axis of the charts, because lines join them in their order.
+void sort_points(Finished& finished, const std::vector<double>& along) {
+    std::vector<std::size_t> order(along.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t point) { return along[point]; });
+    Finished sorted;
+    for (const std::size_t point : order) {
+        sorted.values.push_back(finished.values[point]);
+        sorted.quantities.push_back(finished.quantities[point]);
+    }
+    finished = std::move(sorted);
+}
+
+/// The key that varies most becomes the axis; for temperatures the measured ones.
+void add_points(PageContent& page, const SweepPlan& plan, Finished finished) {
+    std::vector<VariedKey> keys = keys_of(plan, finished);
+    const auto different = [](const VariedKey& key) { return key.numbers.empty() ? std::size_t{0} : key.different; };
+    const auto along = static_cast<std::size_t>(std::ranges::max_element(keys, {}, different) - keys.begin());
+    const std::vector<std::string> names = names_of(finished);
+    const bool measured = keys[along].is_temperature && std::ranges::find(names, "temperature") != names.end();
+    if (!keys[along].numbers.empty()) {
+        sort_points(finished, measured ? numbers(finished, "temperature",
+                                                 [](const Quantity& q) { return std::optional(q.value); })
+                                       : keys[along].numbers);
+        keys = keys_of(plan, finished);
+    }
+    const VariedKey& key = keys[along];
+    const PageTable table = points_table(finished, keys, along);
+    page.tables.push_back(table);
+    const std::string x = measured ? "temperature" : column_of(key);
+    const Axis axis{measured ? axis_label("temperature") : key.heading, key.numbers.empty() ? "category" : "linear"};
+    constexpr std::size_t leading = 2;
+    std::size_t drawn = 0;
+    for (const std::string& name : drawn_names(finished)) {
+        if (!table.has_column(name) || (name == "temperature" && key.is_temperature)) {
             continue;
         }
-        Chart chart{.id = name,
-                    .title = in_plain_words(name),
-                    .caption = measured ? "Against the temperature that was measured." : "",
-                    .lead = drawn++ < leading,
-                    .x = x_axis,
-                    .y = {axis_label(name)}};
-        if (table.has_column(name + "_reference")) {
-            chart.marks.push_back({.type = "line",
-                                   .label = equation_of(finished),
-                                   .table = "points",
-                                   .x = x,
-                                   .y = name + "_reference",
-                                   .group = group,
-                                   .colour = 2});
+        page.charts.push_back(line_chart(table, name, x, axis, equation_of(finished)));
+        page.charts.back().lead = drawn < leading;
+        const VariedKey& other = keys[along == 0 ? keys.size() - 1 : 0];
+        if (keys.size() == 2 && key.different > 2 && other.different > 2) {
+            page.charts.push_back(map_chart(name, key, other));
+            page.charts.back().lead = drawn < leading;
         }
-        chart.marks.push_back({.type = "dots",
-                               .label = "measured",
-                               .table = "points",
-                               .x = x,
-                               .y = name,
-                               .error = name + "_standard_error",
-                               .group = group});
-        page.charts.push_back(std::move(chart));
-        const auto other = std::ranges::find_if(keys, [&](const VariedKey& one) { return one.heading != key.heading; });
-        if (keys.size() == 2 && key.different > 2 && other->different > 2) {
-            page.charts.push_back({.id = name + "-map",
-                                   .title = in_plain_words(name) + ", as a map",
-                                   .caption = "",
-                                   .x = {key.heading, "category"},
-                                   .y = {other->heading, "category"},
-                                   .marks = {{.type = "cells",
-                                              .label = axis_label(name),
-                                              .table = "points",
-                                              .x = column_of(key),
-                                              .y = column_of(*other),
-                                              .fill = name}}});
-        }
+        ++drawn;
     }
 }
 
@@ -237,12 +286,7 @@ PageContent sweep_page(const fs::path& directory) {
         }
     }
     if (!finished.values.empty()) {
-        const std::vector<VariedKey> keys = keys_of(*plan, finished);
-        const auto most = std::ranges::max_element(
-            keys, {}, [](const VariedKey& key) { return key.numbers.empty() ? std::size_t{0} : key.different; });
-        const auto along = static_cast<std::size_t>(most - keys.begin());
-        page.tables.push_back(points_table(finished, keys, along));
-        add_charts(page, finished, keys, along);
+        add_points(page, *plan, std::move(finished));
     }
     return page;
 }

@@ -6,7 +6,8 @@
 
 namespace ljmd {
 
-/// One page that compares others: their quantities side by side, their g(r) in one chart, and each of them.
+/// One page of several, each with a label; the script of the page puts their quantities side by side and draws charts
+/// with the same id in one.
 /// @pre there are at least two members
 [[nodiscard]] PageContent set_page(std::vector<PageContent> members);
 
