@@ -56,8 +56,8 @@ export function drawChart(chart, tables, width) {
     const types = new Set(parts.map((part) => part.mark.type));
     const isMap = types.has("cells");
     const isScores = types.has("diverging-dots");
-    const xIsCategory = isMap || chart.x?.scale === "category";
-    const yIsCategory = isMap || isScores;
+    const xIsCategory = isMap || types.has("bars") || chart.x?.scale === "category";
+    const yIsCategory = isMap || isScores || chart.y?.scale === "category";
     const y = axis(chart.y, rows.map((row) => row.y), yIsCategory);
     if (isMap) y.reverse = true;
     const x = axis(chart.x, rows.map((row) => row.x), xIsCategory);

@@ -19,7 +19,7 @@ function line({ rows, colour, label }, mark) {
     const dash = mark.dash ? "6 4" : null;
     return [
         band.length > 0 ? Plot.areaY(band, { x: "x", y1: "low", y2: "high", fill: colour, fillOpacity: 0.2, ariaHidden: "true" }) : null,
-        Plot.lineY(rows, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, strokeDasharray: dash, strokeLinejoin: "round", ariaLabel: label }),
+        Plot.lineY(rows, { x: "x", y: "y", stroke: colour, strokeWidth: rows.length > 1000 ? 1 : 1.6, strokeDasharray: dash, strokeLinejoin: "round", ariaLabel: label }),
     ];
 }
 
@@ -43,9 +43,23 @@ function steps({ rows, colour, label }) {
     return [Plot.lineY(rows, { x: "x", y: "y", stroke: colour, strokeWidth: 1.6, curve: "step-after", ariaLabel: label })];
 }
 
+function bars({ rows, colour, label }) {
+    const drawn = finite(rows, "x", "y");
+    return [
+        Plot.barY(drawn, { x: "x", y: "y", fill: colour, insetLeft: 3, insetRight: 3, ariaLabel: label }),
+        Plot.ruleX(finite(drawn, "low", "high"), { x: "x", y1: "low", y2: "high", stroke: "var(--ink)", strokeWidth: 1.4, ariaHidden: "true" }),
+        Plot.ruleY([0], { stroke: "var(--faint-ink)" }),
+    ];
+}
+
+/** A dashed line with its name beside it, at the upper end or at the right. */
 function rule(mark) {
-    const options = { stroke: mark.colour === undefined ? "var(--faint-ink)" : role(mark.colour), strokeDasharray: "5 4", strokeWidth: 1.2, ariaLabel: mark.label };
-    return [mark.type === "rule-x" ? Plot.ruleX([mark.value], options) : Plot.ruleY([mark.value], options)];
+    const colour = role(mark.colour ?? 7);
+    const line = { stroke: colour, strokeDasharray: "5 4", strokeWidth: 1.2, ariaLabel: mark.label };
+    const name = { text: () => mark.label ?? "", fill: colour, stroke: "var(--card)", strokeWidth: 4, fontSize: 11, ariaHidden: "true" };
+    return mark.type === "rule-x"
+        ? [Plot.ruleX([mark.value], line), Plot.text([mark.value], { ...name, x: (value) => value, frameAnchor: "top", textAnchor: "start", dx: 4, dy: 1, lineAnchor: "top" })]
+        : [Plot.ruleY([mark.value], line), Plot.text([mark.value], { ...name, y: (value) => value, frameAnchor: "right", textAnchor: "end", dx: -2, dy: -7 })];
 }
 
 /** The range of a heat map's colours. */
@@ -84,7 +98,13 @@ function divergingDots(rows, label) {
     ];
 }
 
-const SERIES = { line, dots, band, steps };
+const SERIES = { line, dots, band, steps, bars };
+const SHAPES = { dots: "dot", band: "band", bars: "band" };
+
+function shapeOf(mark) {
+    if (mark.open) return "open";
+    return SHAPES[mark.type] ?? (mark.dash ? "dash" : "line");
+}
 
 /**
  * @returns {{marks: object[], rows: object[], key: {label: string, colour: string, shape: string}[]}} Plot's marks, the
@@ -92,8 +112,7 @@ const SERIES = { line, dots, band, steps };
  */
 export function plotMarks(mark, chart, tables) {
     if (mark.type === "rule-x" || mark.type === "rule-y") {
-        const key = mark.label ? [{ label: mark.label, colour: mark.colour === undefined ? "var(--faint-ink)" : role(mark.colour), shape: "dash" }] : [];
-        return Number.isFinite(mark.value) ? { marks: rule(mark), rows: [], key } : { marks: [], rows: [], key: [] };
+        return { marks: Number.isFinite(mark.value) ? rule(mark) : [], rows: [], key: [] };
     }
     const rows = rowsOf(mark, chart, tables);
     if (mark.type === "cells") return { marks: cells(rows, mark.label), rows, key: [] };
@@ -104,7 +123,7 @@ export function plotMarks(mark, chart, tables) {
     const draw = SERIES[mark.type];
     if (!draw) return { marks: [], rows: [], key: [] };
     const all = series(mark, rows);
-    const shape = mark.type === "dots" ? (mark.open ? "open" : "dot") : mark.type === "band" ? "band" : mark.dash ? "dash" : "line";
+    const shape = shapeOf(mark);
     const key = all.filter((entry) => entry.label).map((entry) => ({ label: entry.label, colour: entry.colour, shape }));
     if (rows.some((row) => row.flag)) key.push({ label: "suspect", colour: "var(--bad)", shape: "triangle" });
     return { marks: all.flatMap((entry) => draw(entry, mark)), rows: mark.type === "band" ? [] : rows.map((row) => ({ ...row, label: row.group ?? mark.label })), key };

@@ -35,7 +35,7 @@ function reference(quantity) {
     const entry = quantity.reference;
     if (!entry) return null;
     const apart = (quantity.value - entry.value) / Math.hypot(quantity.error ?? NaN, entry.error ?? 0);
-    return element("span", {}, withError(entry.value, entry.error),
+    return element("span", {}, entry.text ? pretty(entry.text) : withError(entry.value, entry.error),
         element("span", { class: "unit" }, " ", entry.label, Number.isFinite(apart) ? ` (${number(apart, 2)} errors away)` : null));
 }
 
