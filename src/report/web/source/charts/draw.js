@@ -1,0 +1,95 @@
+// A chart as SVG, by Observable Plot.
+import * as Plot from "@observablehq/plot";
+import { number, pretty, subscriptParts, withError } from "../format.js";
+import { plotMarks } from "./marks.js";
+import { categories } from "./rows.js";
+
+const SVG = "http://www.w3.org/2000/svg";
+
+function hint(row, chart) {
+    if (row.tip) return row.tip;
+    const x = typeof row.x === "string" ? row.x : `${pretty(chart.x?.label)} = ${number(row.x)}`;
+    const value = typeof row.y === "string" ? row.y : `${pretty(chart.y?.label)} = ${withError(row.y, row.error)}`;
+    return [row.label, x, value].filter(Boolean).join("\n").replace(/_(\w)/g, "$1");
+}
+
+function axis(of, values, isCategory) {
+    const type = of?.scale === "log" ? "log" : undefined;
+    const options = { label: pretty(of?.label), grid: !isCategory, nice: false };
+    if (type) options.type = type;
+    if (isCategory) options.domain = categories(values);
+    return options;
+}
+
+/** Sets what follows a `_` in the labels of the axes lower. */
+function lowerSubscripts(svg) {
+    for (const text of svg.querySelectorAll('g[aria-label$="axis label"] text')) {
+        if (!text.textContent.includes("_")) continue;
+        const parts = subscriptParts(text.textContent);
+        text.replaceChildren();
+        let lowered = false;
+        for (const [plain, low] of parts) {
+            for (const [content, isLow] of [[plain, false], [low, true]]) {
+                if (content === "") continue;
+                const span = document.createElementNS(SVG, "tspan");
+                span.textContent = content;
+                if (isLow !== lowered) span.setAttribute("dy", isLow ? "0.3em" : "-0.3em");
+                if (isLow) span.setAttribute("font-size", "0.8em");
+                lowered = isLow;
+                text.append(span);
+            }
+        }
+    }
+}
+
+const longest = (values, most) => Math.max(0, ...values.map((value) => Math.min(String(value).length, most)));
+
+/**
+ * @param {object} chart of the payload
+ * @param {Map<string, object>} tables by name
+ * @param {number} width in pixels
+ * @returns {{svg: SVGSVGElement, key: object[], fills: number[]|null, xScale: object}}
+ */
+export function drawChart(chart, tables, width) {
+    const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables) }));
+    const rows = parts.flatMap((part) => part.rows);
+    const types = new Set(parts.map((part) => part.mark.type));
+    const isMap = types.has("cells");
+    const isScores = types.has("diverging-dots");
+    const xIsCategory = isMap || types.has("bars") || chart.x?.scale === "category";
+    const yIsCategory = isMap || isScores || chart.y?.scale === "category";
+    const y = axis(chart.y, rows.map((row) => row.y), yIsCategory);
+    if (isMap) y.reverse = true;
+    const x = axis(chart.x, rows.map((row) => row.x), xIsCategory);
+    const most = width < 500 ? 16 : 44;
+    const labels = yIsCategory ? y.domain.map((value) => (typeof value === "number" ? number(value) : value)) : [];
+    const short = (value) => {
+        const text = typeof value === "number" ? number(value) : String(value);
+        return text.length > most ? `${text.slice(0, most - 1)}…` : text;
+    };
+    if (yIsCategory) y.tickFormat = short;
+    if (xIsCategory) x.tickFormat = short;
+    if (isScores) y.label = null;
+    const turned = xIsCategory && longest(x.domain, 30) * 7 * x.domain.length > width - 80;
+    if (turned) x.tickRotate = -40;
+    const pointed = rows.filter((row) => [row.x, row.y].every((value) => typeof value === "string" || Number.isFinite(value)));
+    const find = isMap || isScores || types.has("dots") ? Plot.pointer : Plot.pointerX;
+    const svg = Plot.plot({
+        width,
+        height: isScores ? 60 + 20 * labels.length : isMap ? 90 + Math.max(26 * labels.length, 120) : Math.round(Math.min(300, 170 + width / 6)),
+        marginLeft: yIsCategory ? 24 + 6.6 * longest(labels, most) : 62,
+        marginBottom: turned ? 34 + 4.2 * longest(x.domain, most) : 42,
+        marginTop: 26, marginRight: 18,
+        style: { fontSize: "12px", fontFamily: "inherit", overflow: "visible", background: "transparent", color: "inherit" },
+        ariaLabel: chart.title,
+        x, y,
+        marks: [
+            ...parts.flatMap((part) => part.marks).filter(Boolean),
+            pointed.length > 0 ? Plot.tip(pointed, find({ x: "x", y: "y", title: (row) => hint(row, chart), fill: "var(--card)", stroke: "var(--line)", ariaHidden: "true" })) : null,
+        ].filter(Boolean),
+    });
+    svg.setAttribute("role", "img");
+    lowerSubscripts(svg);
+    const fills = isMap ? parts.flatMap((part) => (part.mark.type === "cells" ? part.rows.map((row) => row.fill) : [])).filter(Number.isFinite) : null;
+    return { svg, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
+}
