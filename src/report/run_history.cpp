@@ -145,6 +145,7 @@ void add_history(PageContent& page, const RunFacts& facts) {
                     .lead = std::ranges::find(judged, std::string(name)) != judged.end(),
                     .x = {axis_label("time")},
                     .y = {axis_label(name)}};
+        chart.follows_time = true;
         chart.marks = stage_rules(facts);
         chart.marks.push_back(
             {.type = "line", .label = in_plain_words(name), .table = "thermo", .x = "time", .y = name, .colour = 0});
@@ -173,7 +174,8 @@ void add_history(PageContent& page, const RunFacts& facts) {
                         .table = "energy",
                         .x = "time",
                         .y = "energy_change",
-                        .colour = 0}}});
+                        .colour = 0}},
+             .follows_time = true});
     }
 }
 

@@ -53,7 +53,7 @@ void add_checks(PageContent& page, const Data& results) {
                              count == 0      ? std::string("Nothing was judged.")
                              : failures == 0 ? fmt::format("All {} checks are within their tolerances.", count)
                                              : fmt::format("{} of {} checks failed.", failures, count)});
-    PageTable table{.name = "checks", .title = "Checks"};
+    PageTable table{.name = "checks", .title = "Checks", .lead = true, .flag = "failed"};
     table.add({"check"}, names);
     table.add({"value", "found"}, values);
     table.add({"tolerance", "allowed"}, tolerances);

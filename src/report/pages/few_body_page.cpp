@@ -112,7 +112,8 @@ void add_thermo(PageContent& page, const DataTable& thermo) {
          .x = {"t"},
          .y = {"relative error of the energy"},
          .marks = {{.type = "rule-y", .label = "no error", .value = 0.0, .colour = 7},
-                   {.type = "line", .label = "error", .table = "energy", .x = "time", .y = "energy_error"}}});
+                   {.type = "line", .label = "error", .table = "energy", .x = "time", .y = "energy_error"}},
+         .follows_time = true});
     page.tables.push_back(page_table(thermo, "Totals against time", "thermo.csv", {}, most_few_body_rows));
     for (const std::string& name : thermo.columns) {
         if (name.starts_with("angular_momentum")) {
@@ -122,8 +123,8 @@ void add_thermo(PageContent& page, const DataTable& thermo) {
                  .caption = "",
                  .x = {"t"},
                  .y = {in_plain_words(name)},
-                 .marks = {
-                     {.type = "line", .label = in_plain_words(name), .table = "thermo", .x = "time", .y = name}}});
+                 .marks = {{.type = "line", .label = in_plain_words(name), .table = "thermo", .x = "time", .y = name}},
+                 .follows_time = true});
         }
     }
 }

@@ -47,7 +47,7 @@ Data::List flags(const std::vector<ReproducedRow>& rows, std::optional<Printed> 
 }
 
 PageTable rows_table(const std::vector<ReproducedRow>& rows) {
-    PageTable table{.name = "rows", .title = "The table of 1967", .file = "rows.csv"};
+    PageTable table{.name = "rows", .title = "The table of 1967", .file = "rows.csv", .lead = true, .flag = "suspect"};
     table.add({"row", "density, temperature"}, each(rows, label_of));
     table.add(described("rho"), each(rows, [](const auto& row) { return row.verlet.density; }));
     table.add(described("T"), each(rows, [](const auto& row) { return row.verlet.temperature; }));
@@ -69,23 +69,30 @@ PageTable rows_table(const std::vector<ReproducedRow>& rows) {
               each(rows, [](const auto& row) { return value_of(row.verlet.compressibility_factor) - row.z.mean; }));
     table.add({"U_verlet_off", "U/N as printed less U/N found"},
               each(rows, [](const auto& row) { return value_of(row.verlet.potential_energy) - row.u.mean; }));
+    Data::List suspect;
+    for (const ReproducedRow& row : rows) {
+        suspect.emplace_back(is_unsound(row.verlet.compressibility_factor) || is_unsound(row.verlet.potential_energy));
+    }
+    table.add({"suspect"}, std::move(suspect));
     table.add({"remark"}, each(rows, [](const auto& row) { return remark_of(row); }));
     return table;
 }
 
 Chart score_chart(const std::string& quantity) {
-    return {
-        .id = "scores-" + quantity,
-        .title = fmt::format("z-scores of {}", quantity == "Z" ? "Z" : "U/N"),
-        .caption =
-            "(found + correction for the cutoff - Thol 2016)/standard error of each row, named by density and "
-            "temperature. Two of three should lie between -1 and 1.",
-        .lead = true,
-        .x = {"density, temperature", "category"},
-        .y = {"z-score"},
-        .marks = {
-            {.type = "rule-y", .label = "", .value = 0.0, .colour = 7},
-            {.type = "diverging-dots", .label = quantity, .table = "rows", .x = "row", .y = "z_score_" + quantity}}};
+    return {.id = "scores-" + quantity,
+            .title = fmt::format("z-scores of {}", quantity == "Z" ? "Z" : "U/N"),
+            .caption =
+                "(found + correction for the cutoff - Thol 2016)/standard error of each row, named by density and "
+                "temperature. Two of three should lie between -1 and 1.",
+            .lead = true,
+            .x = {"z-score"},
+            .y = {"density, temperature", "category"},
+            .marks = {{.type = "diverging-dots",
+                       .label = quantity,
+                       .table = "rows",
+                       .x = "z_score_" + quantity,
+                       .y = "row",
+                       .flag = quantity + "_suspect"}}};
 }
 
 Chart printed_chart(const std::string& quantity) {
@@ -95,7 +102,7 @@ Chart printed_chart(const std::string& quantity) {
             .x = {"density, temperature", "category"},
             .y = {"printed - found"},
             .marks = {{.type = "rule-y", .label = "", .value = 0.0, .colour = 7},
-                      {.type = "diverging-dots",
+                      {.type = "dots",
                        .label = quantity,
                        .table = "rows",
                        .x = "row",

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/report/lenient_data.hpp"
 #include "ljmd/report/pages/study_pages.hpp"
+#include "ljmd/run/run_directory.hpp"
 
 namespace ljmd {
 
@@ -10,10 +12,14 @@ Data study_points(const Data& runs, const std::filesystem::path& directory) {
     Data points = Data::list();
     for (const Data& run : runs.items()) {
         const std::filesystem::path place = text_in(run, {"directory"});
-        points.push_back({{"label", text_in(run, {"name"})},
-                          {"directory", place.lexically_relative(directory).string()},
-                          {"state", text_in(run, {"state"})},
-                          {"words", text_in(run, {"words"})}});
+        const std::filesystem::path relative = place.lexically_relative(directory);
+        Data& point = points.push_back({{"label", text_in(run, {"name"})},
+                                        {"directory", relative.string()},
+                                        {"state", text_in(run, {"state"})},
+                                        {"words", text_in(run, {"words"})}});
+        if (input_is_there(place / report_name)) {
+            point["href"] = (relative / report_name).string();
+        }
     }
     return points;
 }

@@ -120,7 +120,7 @@ std::vector<std::string> series_of(const std::vector<VariedKey>& keys, std::size
 }
 
 PageTable points_table(const Finished& finished, const std::vector<VariedKey>& keys, std::size_t along) {
-    PageTable table{.name = "points", .title = "Points", .file = "sweep.csv"};
+    PageTable table{.name = "points", .title = "Points", .file = "sweep.csv", .lead = true};
     for (const VariedKey& key : keys) {
         if (key.numbers.empty()) {
             table.add({column_of(key), key.heading}, key.texts);
