@@ -47,8 +47,8 @@ void add_observables(std::vector<Quantity>& quantities, const Data* observables,
     }
 }
 
-Quantity* find(std::vector<Quantity>& quantities, const std::string& name) {
-    const auto found = std::ranges::find(quantities, name, &Quantity::name);
+Quantity* quantity_named(std::vector<Quantity>& quantities, const std::string& name) {
+    const auto found = std::ranges::quantity_named(quantities, name, &Quantity::name);
     return found == quantities.end() ? nullptr : &*found;
 }
 
@@ -94,8 +94,8 @@ std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, 
     if (!equation) {
         return "there is no equation of state of exactly this fluid";
     }
-    const Quantity* temperature = find(quantities, "temperature");
-    if (const Quantity* measured = find(quantities, "density")) {
+    const Quantity* temperature = quantity_named(quantities, "temperature");
+    if (const Quantity* measured = quantity_named(quantities, "density")) {
         density = measured->value;
     }
     if (temperature == nullptr || !std::isfinite(temperature->value) || temperature->value <= 0.0 || !density) {
@@ -110,7 +110,7 @@ std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, 
     const FluidProperties there = properties(*equation, t, *density);
     const FluidProperties warmer = properties(*equation, t + error, *density);
     for (const auto& [name, property] : comparables) {
-        if (Quantity* found = find(quantities, name)) {
+        if (Quantity* found = quantity_named(quantities, name)) {
             found->reference = there.*property;
             found->reference_error = std::abs(warmer.*property - there.*property);
             found->reference_label = equation->name;

@@ -8,7 +8,7 @@ using namespace ljmd;
 using namespace ljmd::test;
 using Catch::Matchers::Contains;
 
-TEST_CASE("a run is finished, stopped or failed; a page begins with its title and ends with how it was made") {
+TEST_CASE("a run is finished, stopped or failed, and its page tells title, deck and program") {
     const DeckFolder folder;
     const Deck deck = folder.load();
     run_until(deck, 30);
