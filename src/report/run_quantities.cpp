@@ -48,7 +48,7 @@ void add_observables(std::vector<Quantity>& quantities, const Data* observables,
 }
 
 Quantity* quantity_named(std::vector<Quantity>& quantities, const std::string& name) {
-    const auto found = std::ranges::quantity_named(quantities, name, &Quantity::name);
+    const auto found = std::ranges::find(quantities, name, &Quantity::name);
     return found == quantities.end() ? nullptr : &*found;
 }
 
