@@ -6,12 +6,15 @@ const SYMBOLS = {
 };
 const RAISED = { 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹", "-": "⁻", "+": "⁺" };
 
+const MINUS = "−";
+
 /** `epsilon/sigma^3` as `ε/σ³`. Subscripts stay `_B`; {@link withSubscripts} and charts set them lower. */
 export function pretty(label) {
     return String(label ?? "")
         .replace(/[A-Za-z]+/g, (word) => SYMBOLS[word] ?? word)
         .replace(/\^([-+]?\d+)/g, (_, digits) => [...digits].map((digit) => RAISED[digit]).join(""))
-        .replace(/ \+- /g, " ± ");
+        .replace(/ \+- /g, " ± ")
+        .replace(/(^|[\s(:,])-(?=[\d.])/g, `$1${MINUS}`);
 }
 
 /** A pretty label cut at its subscripts: `ε/k_B` is [["ε/k", ""], ["", "B"]]. */
@@ -29,8 +32,6 @@ export function withSubscripts(label) {
         return [document.createTextNode(plain), sub];
     });
 }
-
-const MINUS = "−";
 
 /** A number with at most `digits` significant digits, without trailing zeros. */
 export function number(value, digits = 6) {

@@ -13,11 +13,20 @@ function hint(row, chart) {
     return [row.label, x, value].filter(Boolean).join("\n").replace(/_(\w)/g, "$1");
 }
 
+/** Powers of ten, at most about eight of them. */
+function decades(values) {
+    const exponents = values.filter((value) => value > 0).map(Math.log10);
+    const [low, high] = [Math.ceil(Math.min(...exponents) - 1e-9), Math.floor(Math.max(...exponents) + 1e-9)];
+    const step = Math.max(1, Math.ceil((high - low) / 8));
+    const ticks = [];
+    for (let exponent = low; exponent <= high; exponent += step) ticks.push(10 ** exponent);
+    return ticks.length > 1 ? ticks : undefined;
+}
+
 function axis(of, values, isCategory) {
-    const type = of?.scale === "log" ? "log" : undefined;
-    const options = { label: pretty(of?.label), grid: !isCategory, nice: false };
-    if (type) options.type = type;
+    const options = { label: pretty(of?.label), grid: !isCategory, nice: false, tickFormat: (value) => number(value, 5) };
     if (isCategory) options.domain = categories(values);
+    else if (of?.scale === "log") Object.assign(options, { type: "log", ticks: decades(values) });
     return options;
 }
 
@@ -42,6 +51,11 @@ function lowerSubscripts(svg) {
     }
 }
 
+function heightOf(isScores, yIsCategory, rows, width) {
+    if (yIsCategory) return 80 + Math.max((isScores ? 20 : 34) * rows, 120);
+    return Math.round(Math.min(300, 170 + width / 6));
+}
+
 const longest = (values, most) => Math.max(0, ...values.map((value) => Math.min(String(value).length, most)));
 
 /**
@@ -62,24 +76,23 @@ export function drawChart(chart, tables, width) {
     if (isMap) y.reverse = true;
     const x = axis(chart.x, rows.map((row) => row.x), xIsCategory);
     const most = width < 500 ? 16 : 44;
-    const labels = yIsCategory ? y.domain.map((value) => (typeof value === "number" ? number(value) : value)) : [];
     const short = (value) => {
-        const text = typeof value === "number" ? number(value) : String(value);
+        const text = typeof value === "number" ? number(value) : pretty(value);
         return text.length > most ? `${text.slice(0, most - 1)}…` : text;
     };
     if (yIsCategory) y.tickFormat = short;
     if (xIsCategory) x.tickFormat = short;
-    if (isScores) y.label = null;
+    if (isScores) Object.assign(y, { label: null });
     const turned = xIsCategory && longest(x.domain, 30) * 7 * x.domain.length > width - 80;
     if (turned) x.tickRotate = -40;
     const pointed = rows.filter((row) => [row.x, row.y].every((value) => typeof value === "string" || Number.isFinite(value)));
     const find = isMap || isScores || types.has("dots") ? Plot.pointer : Plot.pointerX;
     const svg = Plot.plot({
         width,
-        height: isScores ? 60 + 20 * labels.length : isMap ? 90 + Math.max(26 * labels.length, 120) : Math.round(Math.min(300, 170 + width / 6)),
-        marginLeft: yIsCategory ? 24 + 6.6 * longest(labels, most) : 62,
+        height: heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width),
+        marginLeft: yIsCategory ? 24 + 6.6 * longest(y.domain.map(short), most) : 62,
         marginBottom: turned ? 34 + 4.2 * longest(x.domain, most) : 42,
-        marginTop: 26, marginRight: 18,
+        marginTop: 26, marginRight: 18, inset: isMap || xIsCategory ? 0 : isScores || types.has("dots") ? 6 : 0,
         style: { fontSize: "12px", fontFamily: "inherit", overflow: "visible", background: "transparent", color: "inherit" },
         ariaLabel: chart.title,
         x, y,
@@ -91,5 +104,5 @@ export function drawChart(chart, tables, width) {
     svg.setAttribute("role", "img");
     lowerSubscripts(svg);
     const fills = isMap ? parts.flatMap((part) => (part.mark.type === "cells" ? part.rows.map((row) => row.fill) : [])).filter(Number.isFinite) : null;
-    return { svg, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
+    return { svg, tall: yIsCategory && y.domain.length > 15, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
 }

@@ -28,6 +28,9 @@ export function chartFigure(chart, tables, playback, level) {
     const follow = () => {
         if (!cursor) return;
         const at = drawn.xScale.apply(playback.time);
+        const [left, right] = drawn.xScale.range;
+        // Outside the axis, and on the axis of values, a line would mislead.
+        cursor.style.display = at > left && at <= right ? "" : "none";
         cursor.setAttribute("x1", at);
         cursor.setAttribute("x2", at);
     };
@@ -46,6 +49,7 @@ export function chartFigure(chart, tables, playback, level) {
         drawn = drawChart(chart, tables, width);
         drawn.svg.setAttribute("aria-describedby", caption.id);
         place.replaceChildren(drawn.svg);
+        node.classList.toggle("tall", drawn.tall);
         const several = drawn.key.length > 1 || drawn.key.some((entry) => entry.shape === "triangle");
         below.replaceChildren(...[several ? keyList(drawn.key) : null,
             drawn.fills?.length > 0 ? ramp(Math.min(...drawn.fills), Math.max(...drawn.fills), pretty(chart.fill_label ?? "")) : null].filter(Boolean));
