@@ -47,7 +47,8 @@ export function number(value, digits = 6) {
 function power(value, digits) {
     const [mantissa, exponent] = value.toExponential(Math.min(digits, 4) - 1).split("e");
     const short = mantissa.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "").replace("-", MINUS);
-    return `${short}×10${[...String(Number(exponent))].map((digit) => RAISED[digit]).join("")}`;
+    const times = short === "1" ? "" : `${short}×`;
+    return `${times}10${[...String(Number(exponent))].map((digit) => RAISED[digit]).join("")}`;
 }
 
 /** 32000 as 32 000 with narrow spaces; four digits stay together. */

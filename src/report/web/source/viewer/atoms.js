@@ -91,6 +91,7 @@ export class AtomViewer {
         this.software = SOFTWARE.test(names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "");
         this.scene.uniforms.radius.value = RADIUS;
         this.pace = new Pace(gl, this.atoms.count, (drawn) => this.draw(drawn));
+        this.playback.ready = () => !this.pace.busy;
         steer(this.stage, this.camera, { changed: () => this.moved(), click: (x, y) => this.pickAt(x, y) });
         this.canvas.addEventListener("webglcontextlost", (event) => {
             event.preventDefault();
@@ -101,7 +102,8 @@ export class AtomViewer {
 
     /** Goes on without WebGL: a canvas that gave a WebGL context gives no other, so it is replaced. */
     fallBack(reason) {
-        this.scene = null;
+        this.scene = this.pace = null;
+        this.playback.ready = () => true;
         const canvas = element("canvas", {});
         this.canvas.replaceWith(canvas);
         this.canvas = canvas;
@@ -125,8 +127,12 @@ export class AtomViewer {
             this.scene.setShades(coloursAt(this.colour, frame, this.atoms.count));
         }
         this.describePicked();
-        if (this.playback.playing) this.moved();
-        else this.redraw();
+        if (this.playback.playing && this.pace) {
+            this.pace.moved();
+            this.pace.drawNow();
+        } else {
+            this.redraw();
+        }
         this.canvas.dataset.frame = frame;
     }
 
