@@ -24,9 +24,12 @@ function decades(values) {
 }
 
 function axis(of, values, isCategory) {
-    const options = { label: pretty(of?.label), grid: !isCategory, nice: false, tickFormat: (value) => number(value, 5) };
-    if (isCategory) options.domain = categories(values);
-    else if (of?.scale === "log") Object.assign(options, { type: "log", ticks: decades(values) });
+    const options = { label: pretty(of?.label), grid: !isCategory, nice: false };
+    if (isCategory) return { ...options, domain: categories(values) };
+    const largest = Math.max(0, ...values.filter(Number.isFinite).map(Math.abs));
+    if (of?.scale === "log") Object.assign(options, { type: "log", ticks: decades(values) });
+    // Plot's own way with ticks is good, but for powers of ten.
+    if (of?.scale === "log" || largest < 1e-3 || largest >= 1e6) options.tickFormat = (value) => number(value, 5);
     return options;
 }
 
@@ -65,7 +68,8 @@ const longest = (values, most) => Math.max(0, ...values.map((value) => Math.min(
  * @returns {{svg: SVGSVGElement, key: object[], fills: number[]|null, xScale: object}}
  */
 export function drawChart(chart, tables, width) {
-    const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables) }));
+    const uprights = (chart.marks ?? []).filter((mark) => mark.type === "rule-x");
+    const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables, uprights.indexOf(mark)) }));
     const rows = parts.flatMap((part) => part.rows);
     const types = new Set(parts.map((part) => part.mark.type));
     const isMap = types.has("cells");

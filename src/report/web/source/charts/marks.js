@@ -52,13 +52,13 @@ function bars({ rows, colour, label }) {
     ];
 }
 
-/** A dashed line with its name beside it, at the upper end or at the right. */
-function rule(mark) {
+/** A dashed line with its name beside it, at the upper end or at the right. Names of neighbours stand at two heights. */
+function rule(mark, place) {
     const colour = role(mark.colour ?? 7);
     const line = { stroke: colour, strokeDasharray: "5 4", strokeWidth: 1.2, ariaDescription: mark.label };
     const name = { text: () => mark.label ?? "", fill: colour, stroke: "var(--card)", strokeWidth: 4, fontSize: 11, ariaHidden: "true" };
     return mark.type === "rule-x"
-        ? [Plot.ruleX([mark.value], line), Plot.text([mark.value], { ...name, x: (value) => value, frameAnchor: "top", textAnchor: "start", dx: 4, dy: 1, lineAnchor: "top" })]
+        ? [Plot.ruleX([mark.value], line), Plot.text([mark.value], { ...name, x: (value) => value, frameAnchor: "top", textAnchor: "start", dx: 4, dy: 1 + 13 * (place % 2), lineAnchor: "top" })]
         : [Plot.ruleY([mark.value], line), Plot.text([mark.value], { ...name, y: (value) => value, frameAnchor: "right", textAnchor: "end", dx: -2, dy: -7 })];
 }
 
@@ -107,12 +107,13 @@ function shapeOf(mark) {
 }
 
 /**
+ * @param {number} place among the upright rules of the chart
  * @returns {{marks: object[], rows: object[], key: {label: string, colour: string, shape: string}[]}} Plot's marks, the
  *     rows that the pointer can find, and entries for the legend
  */
-export function plotMarks(mark, chart, tables) {
+export function plotMarks(mark, chart, tables, place) {
     if (mark.type === "rule-x" || mark.type === "rule-y") {
-        return { marks: Number.isFinite(mark.value) ? rule(mark) : [], rows: [], key: [] };
+        return { marks: Number.isFinite(mark.value) ? rule(mark, place) : [], rows: [], key: [] };
     }
     const rows = rowsOf(mark, chart, tables);
     if (mark.type === "cells") return { marks: cells(rows, mark.label), rows, key: [] };

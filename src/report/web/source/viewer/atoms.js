@@ -31,7 +31,7 @@ export class AtomViewer {
         this.picked = -1;
         this.colour = atoms.colours[0];
         const box = atoms.box(0);
-        this.camera = new Camera(0.43 * Math.hypot(...box) + RADIUS);  // corners come near the frame, no atom leaves it
+        this.camera = new Camera(0.46 * Math.hypot(...box) + RADIUS);  // corners come near the frame, no atom leaves it
         this.canvas = element("canvas", {});
         this.stage = element("div", {
             class: "stage", tabindex: 0, role: "application", "aria-roledescription": "three-dimensional view",
