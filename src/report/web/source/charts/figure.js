@@ -6,6 +6,9 @@ import { drawChart } from "./draw.js";
 import { svgText } from "./export.js";
 import { keyList, ramp } from "./key.js";
 
+// Widths on paper, in pixels: two charts side by side, and one alone.
+const PAPER = 380;
+const PAPER_WIDE = 720;
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
@@ -63,6 +66,19 @@ export function chartFigure(chart, tables, playback, level) {
         draw();
     }).observe(place);
     if (chart.cursor && playback) playback.onTime(follow);
+
+    // On paper charts are narrower than on the screen; drawn for that width, their letters keep their size.
+    const drawAt = (pixels) => {
+        if (!drawn) return;
+        width = pixels;
+        draw();
+    };
+    let onScreen = 0;
+    window.addEventListener("beforeprint", () => {
+        onScreen = width;
+        drawAt(drawn?.tall ? PAPER_WIDE : PAPER);
+    });
+    window.addEventListener("afterprint", () => drawAt(onScreen));
 
     const svg = () => {
         if (!drawn) {
