@@ -27,6 +27,15 @@ export function verdict() {
 
 export const launch = () => chromium.launch({ executablePath: plan.browser, args: ARGUMENTS });
 
+/** Waits until something holds on a page. (Playwright's own way needs `eval`, which the page forbids.) */
+export async function until(page, holds) {
+    for (let tries = 0; tries < 300; ++tries) {
+        if (await page.evaluate(holds)) return;
+        await new Promise((resolve) => setTimeout(resolve, 100));
+    }
+    throw new Error(`waited in vain for ${holds}`);
+}
+
 /**
  * Opens a page and notes what must not happen on it: messages on the console, requests, errors.
  * @returns {Promise<{page: object, complaints: string[]}>}
@@ -46,7 +55,7 @@ export async function open(browser, file, { width = 1280, height = 900, dark = f
     if (before) await page.addInitScript(before);
     await page.goto(pathToFileURL(file).href);
     await page.waitForSelector("html[data-ready]", { timeout: 60000 });
-    await page.waitForFunction(() => [...document.querySelectorAll("main > section .drawing")].every((place) => place.offsetWidth === 0 || place.querySelector("svg")));
+    await until(page, () => [...document.querySelectorAll("main > section .drawing")].every((place) => place.offsetWidth === 0 || place.querySelector("svg")));
     return { page, complaints };
 }
 

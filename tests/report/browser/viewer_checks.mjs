@@ -1,5 +1,5 @@
 // The viewers: something is drawn, it plays, it turns, an atom can be picked; by mouse and by keyboard.
-import { check, coloursOf, settled } from "./harness.mjs";
+import { check, coloursOf, settled, until } from "./harness.mjs";
 
 const frameOf = (page) => page.locator(".stage canvas").first().evaluate((canvas) => Number(canvas.dataset.frame));
 
@@ -10,7 +10,7 @@ export async function checkViewer(name, page) {
     check(`${name}: the picture is not blank`, (await coloursOf(page, first)) > 20, await coloursOf(page, first));
 
     await page.locator("button.play").first().click();
-    await page.waitForFunction(() => Number(document.querySelector(".stage canvas").dataset.frame) > 0, undefined, { timeout: 20000 });
+    await until(page, () => Number(document.querySelector(".stage canvas").dataset.frame) > 0);
     await page.locator("button.play").first().click();
     const played = await settled(stage);
     const frame = await frameOf(page);

@@ -54,6 +54,17 @@ function lowerSubscripts(svg) {
     }
 }
 
+/** A label is allowed on a group alone, so what has one is a group; it says which series it is. */
+function nameParts(svg) {
+    for (const part of svg.querySelectorAll("g[aria-label]")) {
+        part.setAttribute("role", "group");
+        const series = part.getAttribute("aria-description");
+        if (!series) continue;
+        part.setAttribute("aria-label", `${part.getAttribute("aria-label")}: ${series}`);
+        part.removeAttribute("aria-description");
+    }
+}
+
 function heightOf(isScores, yIsCategory, rows, width) {
     if (yIsCategory) return 80 + Math.max((isScores ? 20 : 34) * rows, 120);
     return Math.round(Math.min(300, 170 + width / 6));
@@ -106,6 +117,7 @@ export function drawChart(chart, tables, width) {
         ].filter(Boolean),
     });
     svg.setAttribute("role", "img");
+    nameParts(svg);
     lowerSubscripts(svg);
     const fills = isMap ? parts.flatMap((part) => (part.mark.type === "cells" ? part.rows.map((row) => row.fill) : [])).filter(Number.isFinite) : null;
     return { svg, tall: yIsCategory && y.domain.length > 15, key: parts.flatMap((part) => part.key), fills, xScale: svg.scale("x") };
