@@ -6,12 +6,15 @@ const SYMBOLS = {
 };
 const RAISED = { 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹", "-": "⁻", "+": "⁺" };
 
+const MINUS = "−";
+
 /** `epsilon/sigma^3` as `ε/σ³`. Subscripts stay `_B`; {@link withSubscripts} and charts set them lower. */
 export function pretty(label) {
     return String(label ?? "")
         .replace(/[A-Za-z]+/g, (word) => SYMBOLS[word] ?? word)
         .replace(/\^([-+]?\d+)/g, (_, digits) => [...digits].map((digit) => RAISED[digit]).join(""))
-        .replace(/ \+- /g, " ± ");
+        .replace(/ \+- /g, " ± ")
+        .replace(/(^|[\s(:,])-(?=[\d.])/g, `$1${MINUS}`);
 }
 
 /** A pretty label cut at its subscripts: `ε/k_B` is [["ε/k", ""], ["", "B"]]. */
@@ -30,8 +33,6 @@ export function withSubscripts(label) {
     });
 }
 
-const MINUS = "−";
-
 /** A number with at most `digits` significant digits, without trailing zeros. */
 export function number(value, digits = 6) {
     if (value === null || value === undefined || Number.isNaN(value)) return "–";
@@ -46,7 +47,8 @@ export function number(value, digits = 6) {
 function power(value, digits) {
     const [mantissa, exponent] = value.toExponential(Math.min(digits, 4) - 1).split("e");
     const short = mantissa.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "").replace("-", MINUS);
-    return `${short}×10${[...String(Number(exponent))].map((digit) => RAISED[digit]).join("")}`;
+    const times = short === "1" ? "" : `${short}×`;
+    return `${times}10${[...String(Number(exponent))].map((digit) => RAISED[digit]).join("")}`;
 }
 
 /** 32000 as 32 000 with narrow spaces; four digits stay together. */

@@ -1,4 +1,5 @@
 // A chart as an SVG file of its own: light colours, white ground, title and legend inside.
+import { pretty } from "../format.js";
 import { distinct, sign } from "./key.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -46,8 +47,9 @@ export function svgText(svg, title, key) {
         const place = document.createElementNS(SVG, "g");
         place.setAttribute("transform", `translate(${x} 30)`);
         place.append(sign(entry));
-        copy.append(place, label(entry.label, x + 28, 41, 400));
-        x += 44 + 7 * entry.label.length;
+        const words = pretty(entry.label);
+        copy.append(place, label(words, x + 28, 41, 400));
+        x += 44 + 7 * words.length;
     }
     copy.append(group);
     copy.setAttribute("xmlns", SVG);

@@ -6,6 +6,9 @@ import { drawChart } from "./draw.js";
 import { svgText } from "./export.js";
 import { keyList, ramp } from "./key.js";
 
+// Widths on paper, in pixels: two charts side by side, and one alone.
+const PAPER = 380;
+const PAPER_WIDE = 720;
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
@@ -28,6 +31,9 @@ export function chartFigure(chart, tables, playback, level) {
     const follow = () => {
         if (!cursor) return;
         const at = drawn.xScale.apply(playback.time);
+        const [left, right] = drawn.xScale.range;
+        // Outside the axis, and on the axis of values, a line would mislead.
+        cursor.style.display = at > left && at <= right ? "" : "none";
         cursor.setAttribute("x1", at);
         cursor.setAttribute("x2", at);
     };
@@ -46,6 +52,7 @@ export function chartFigure(chart, tables, playback, level) {
         drawn = drawChart(chart, tables, width);
         drawn.svg.setAttribute("aria-describedby", caption.id);
         place.replaceChildren(drawn.svg);
+        node.classList.toggle("tall", drawn.tall);
         const several = drawn.key.length > 1 || drawn.key.some((entry) => entry.shape === "triangle");
         below.replaceChildren(...[several ? keyList(drawn.key) : null,
             drawn.fills?.length > 0 ? ramp(Math.min(...drawn.fills), Math.max(...drawn.fills), pretty(chart.fill_label ?? "")) : null].filter(Boolean));
@@ -59,6 +66,19 @@ export function chartFigure(chart, tables, playback, level) {
         draw();
     }).observe(place);
     if (chart.cursor && playback) playback.onTime(follow);
+
+    // On paper charts are narrower than on the screen; drawn for that width, their letters keep their size.
+    const drawAt = (pixels) => {
+        if (!drawn) return;
+        width = pixels;
+        draw();
+    };
+    let onScreen = 0;
+    window.addEventListener("beforeprint", () => {
+        onScreen = width;
+        drawAt(drawn?.tall ? PAPER_WIDE : PAPER);
+    });
+    window.addEventListener("afterprint", () => drawAt(onScreen));
 
     const svg = () => {
         if (!drawn) {

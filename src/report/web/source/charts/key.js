@@ -1,6 +1,6 @@
 // The legend of a chart: what its lines, dots and colours mean.
 import { element } from "../dom.js";
-import { number } from "../format.js";
+import { number, pretty } from "../format.js";
 import { css, viridis } from "../palette.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -13,20 +13,31 @@ const SHAPES = {
     triangle: ["path", { d: "M11 1L16.5 10.5H5.5Z", "stroke-width": 1.7 }],
 };
 
-/** The sign of an entry, as an SVG element that can stand in the page or in a saved chart. */
-export function sign({ shape, colour }) {
-    const [tag, { filled, ...attributes }] = SHAPES[shape];
-    const made = document.createElementNS(SVG, tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    made.setAttribute("fill", filled ? colour : "none");
-    if (filled) made.setAttribute("fill-opacity", filled);
-    if (filled !== 1) made.setAttribute("stroke", filled ? "none" : colour);
-    return made;
+/** What stands for an entry, as an SVG group that can stand in the page or in a saved chart. */
+export function sign({ shapes, colour }) {
+    const group = document.createElementNS(SVG, "g");
+    for (const shape of shapes) {
+        const [tag, { filled, ...attributes }] = SHAPES[shape];
+        const made = document.createElementNS(SVG, tag);
+        for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+        made.setAttribute("fill", filled ? colour : "none");
+        if (filled) made.setAttribute("fill-opacity", filled);
+        if (filled !== 1) made.setAttribute("stroke", filled ? "none" : colour);
+        group.append(made);
+    }
+    return group;
 }
 
-/** Entries that say the same once. */
+/** One entry for what has the same name and colour: a line with its dots, a line with its band. */
 export function distinct(key) {
-    return [...new Map(key.map((entry) => [`${entry.label}|${entry.colour}|${entry.shape}`, entry])).values()];
+    const entries = new Map();
+    for (const { label, colour, shape } of key) {
+        const name = `${label}|${colour}`;
+        const entry = entries.get(name) ?? { label, colour, shapes: [] };
+        if (!entry.shapes.includes(shape)) entry.shapes.push(shape);
+        entries.set(name, entry);
+    }
+    return [...entries.values()];
 }
 
 export function keyList(key) {
@@ -39,7 +50,7 @@ export function keyList(key) {
         drawing.setAttribute("height", 12);
         drawing.setAttribute("aria-hidden", "true");
         drawing.append(sign(entry));
-        return element("li", {}, drawing, " ", element("bdi", {}, entry.label));
+        return element("li", {}, drawing, " ", element("bdi", {}, pretty(entry.label)));
     }));
 }
 

@@ -1,6 +1,6 @@
 // Several runs on one page: their results side by side, their charts on top of each other.
 import { element, scroller, section } from "../dom.js";
-import { number, pretty, withSubscripts } from "../format.js";
+import { number, withSubscripts } from "../format.js";
 import { levelSign, worst } from "./verdict.js";
 import { valueText } from "./results.js";
 
@@ -29,7 +29,7 @@ export function comparedSection(members, level) {
         const entries = payloads.map((payload) => find(payload, name));
         const any = entries.find(Boolean);
         return element("tr", {},
-            element("th", { scope: "row" }, name.replaceAll("_", " "), any.unit && any.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(any.unit)) : null),
+            element("th", { scope: "row" }, name.replaceAll("_", " "), " ", any.unit && any.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(any.unit)) : null),
             entries.map((entry, place) => comparedCell(entry, entries[0], place === 0)));
     });
     const table = element("table", { class: "results" },
@@ -60,7 +60,8 @@ export function overlaidCharts(members) {
             chart.marks.push({ ...mark, table: name, colour: place, label: member.label, group: undefined });
         }
     });
-    return { charts: charts.filter((chart) => chart.marks.length > 1).map((chart) => ({ ...chart, caption: pretty(chart.caption ?? "") })), tables };
+    const words = members.length > MOST_OVERLAID ? `The first ${MOST_OVERLAID} of ${members.length} runs.` : "";
+    return { charts: charts.filter((chart) => chart.marks.length > 1).map((chart) => ({ ...chart, caption: words, note: "" })), tables };
 }
 
 /** Each run as a part that is drawn when it is opened. */

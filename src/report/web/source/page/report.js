@@ -67,9 +67,9 @@ export function reportSections(payload, level = 2) {
     const sections = [
         verdictSection(payload, level),
         tracks && section("Playback", level, element("div", { class: "linked" }, tracks.node, chartGrid(linked))),
+        members.length > 0 && comparedSection(members, level),
         chartsFirst && section("Overview", level, chartGrid(leading)),
         resultsSection(payload, level),
-        members.length > 0 && comparedSection(members, level),
         (rest.length > 0 || (leading.length > 0 && !chartsFirst)) && section("Charts", level, chartGrid(chartsFirst ? rest : [...leading, ...rest])),
         atoms && section("Atoms", level, atoms.node),
         pointsSection(payload.points ?? [], level),

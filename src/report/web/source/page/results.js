@@ -15,9 +15,21 @@ function siText(quantity) {
 const unit = (text) => text && text !== "1" && element("span", { class: "unit" }, withSubscripts(text));
 const words = (name) => String(name ?? "").replaceAll("_", " ");
 
+// What a reader looks for first, where the payload does not say.
+const FIRST = ["temperature", "potential_energy", "pressure", "density", "diffusion", "viscosity"];
+
 function leading(quantities) {
     const asked = quantities.filter((entry) => entry.lead);
-    return asked.length > 0 ? asked : quantities.filter((entry) => entry.error > 0).slice(0, 4);
+    if (asked.length > 0) return asked;
+    const place = (entry) => (FIRST.includes(entry.name) ? FIRST.indexOf(entry.name) : FIRST.length);
+    return quantities.filter((entry) => entry.error > 0).sort((a, b) => place(a) - place(b)).slice(0, 4);
+}
+
+/** The value large, its error smaller, and no line break within either. */
+function largeValue(quantity) {
+    const [value, error] = valueText(quantity).split(" ± ");
+    return element("span", { class: "value" }, element("span", {}, value), error ? element("span", { class: "error" }, ` ± ${error}`) : null,
+        quantity.mark ? element("sup", {}, quantity.mark) : null);
 }
 
 function card(quantity) {
@@ -25,7 +37,7 @@ function card(quantity) {
     return element("li", {},
         element("span", { class: "name" }, words(quantity.name),
             quantity.symbol && element("i", {}, " ", withSubscripts(quantity.symbol))),
-        element("span", { class: "value" }, valueText(quantity), quantity.mark && element("sup", {}, quantity.mark)),
+        largeValue(quantity),
         element("span", { class: "below" }, unit(quantity.unit), si && unit(quantity.unit) && " · ",
             si && element("span", {}, si, " ", unit(quantity.si_unit))));
 }
@@ -36,7 +48,7 @@ function reference(quantity) {
     if (!entry) return null;
     const apart = (quantity.value - entry.value) / Math.hypot(quantity.error ?? NaN, entry.error ?? 0);
     return element("span", {}, entry.text ? pretty(entry.text) : withError(entry.value, entry.error),
-        element("span", { class: "unit" }, " ", entry.label, Number.isFinite(apart) ? ` (${number(apart, 2)} errors away)` : null));
+        element("span", { class: "unit from" }, [entry.label, Number.isFinite(apart) ? `${number(apart, 2)} errors away` : null].filter(Boolean).join(", ")));
 }
 
 function row(quantity, has) {

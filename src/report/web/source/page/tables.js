@@ -42,7 +42,7 @@ export function grid(table, label) {
             }))));
     };
     const heads = columns.map((entry) => {
-        const head = element("th", { scope: "col" });
+        const head = element("th", { scope: "col", class: entry.values.some((value) => typeof value === "string") ? "text" : null });
         const button = element("button", { type: "button", class: "sort" }, withSubscripts(entry.label || entry.name),
             entry.unit && entry.unit !== "1" ? element("span", { class: "unit" }, withSubscripts(entry.unit)) : null);
         button.addEventListener("click", () => {

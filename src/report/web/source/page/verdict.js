@@ -40,11 +40,11 @@ export function pageHead(payload) {
 export function verdictList(verdict) {
     return element("ul", { class: "verdict" }, verdict.map((entry) =>
         element("li", { class: known(entry.level) }, levelSign(entry.level),
-            element("div", {}, entry.subject && element("strong", {}, entry.subject), element("p", {}, entry.words)))));
+            element("div", {}, entry.subject && element("strong", {}, entry.subject), element("p", {}, pretty(entry.words))))));
 }
 
 export function warningList(warnings) {
-    return element("ul", { class: "warnings" }, warnings.map((text) => element("li", {}, text)));
+    return element("ul", { class: "warnings" }, warnings.map((text) => element("li", {}, pretty(text))));
 }
 
 /** The verdict and the warnings as a section; null where there are none. */

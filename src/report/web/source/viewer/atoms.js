@@ -31,7 +31,7 @@ export class AtomViewer {
         this.picked = -1;
         this.colour = atoms.colours[0];
         const box = atoms.box(0);
-        this.camera = new Camera(0.5 * Math.hypot(...box) + RADIUS);
+        this.camera = new Camera(0.46 * Math.hypot(...box) + RADIUS);  // corners come near the frame, no atom leaves it
         this.canvas = element("canvas", {});
         this.stage = element("div", {
             class: "stage", tabindex: 0, role: "application", "aria-roledescription": "three-dimensional view",
@@ -39,7 +39,7 @@ export class AtomViewer {
         }, this.canvas);
         this.thin = element("p", { class: "thin", "aria-hidden": "true" });
         this.info = element("p", { class: "picked", "aria-live": "polite" });
-        this.playback = new Playback(atoms.frames, atoms.times, pretty(data.time_unit ?? "tau"));
+        this.playback = new Playback(atoms.frames, atoms.times, pretty(data.time_unit ?? "tau"), 8);
         this.node = this.layout();
         this.begin();
     }
@@ -57,17 +57,15 @@ export class AtomViewer {
         this.atomField.addEventListener("change", () => this.select(this.atomField.value === "" ? -1 : this.placeOf(Number(this.atomField.value))));
         const stillOf = element("canvas", { class: "print-only", width: 1200, height: 900, role: "img", "aria-label": `Atoms of ${this.title}` });
         window.addEventListener("beforeprint", () => this.drawStillOn(stillOf, { ground: "#ffffff", edge: "#9aa3ad" }));
-        this.live = [
-            element("div", { class: "controls" },
-                element("label", {}, "Colour ", this.choice),
-                element("label", { class: "live" }, this.boxSwitch, " Box"),
-                element("label", { class: "live" }, "Atom ", this.atomField),
-                element("label", { class: "live" }, this.traceSwitch, " Trace"),
-                element("button", { type: "button", class: "small live", onclick: () => { this.camera.reset(); this.moved(); } }, "Reset view"),
-                element("button", { type: "button", class: "small", onclick: () => this.savePicture() }, "PNG")),
-        ];
+        this.controls = element("div", { class: "controls" },
+            element("label", {}, "Colour ", this.choice),
+            element("label", { class: "live" }, this.boxSwitch, " Box"),
+            element("label", { class: "live" }, "Atom ", this.atomField),
+            element("label", { class: "live" }, this.traceSwitch, " Trace"),
+            element("button", { type: "button", class: "small live", onclick: () => { this.camera.reset(); this.moved(); } }, "Reset view"),
+            element("button", { type: "button", class: "small", onclick: () => this.savePicture() }, "PNG"));
         return element("div", { class: "viewer" }, element("div", { class: "stage-frame" }, this.stage, this.thin), stillOf,
-            this.playback.node, this.live, this.legend, this.info,
+            this.playback.node, this.controls, this.legend, this.info,
             element("p", { class: "caption" }, this.data.words ? `${pretty(this.data.words)} ` : null,
                 `${number(count)} atoms, ${this.atoms.frames} ${this.atoms.frames === 1 ? "frame" : "frames"}.`));
     }
@@ -93,6 +91,7 @@ export class AtomViewer {
         this.software = SOFTWARE.test(names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "");
         this.scene.uniforms.radius.value = RADIUS;
         this.pace = new Pace(gl, this.atoms.count, (drawn) => this.draw(drawn));
+        this.playback.ready = () => !this.pace.busy;
         steer(this.stage, this.camera, { changed: () => this.moved(), click: (x, y) => this.pickAt(x, y) });
         this.canvas.addEventListener("webglcontextlost", (event) => {
             event.preventDefault();
@@ -103,7 +102,8 @@ export class AtomViewer {
 
     /** Goes on without WebGL: a canvas that gave a WebGL context gives no other, so it is replaced. */
     fallBack(reason) {
-        this.scene = null;
+        this.scene = this.pace = null;
+        this.playback.ready = () => true;
         const canvas = element("canvas", {});
         this.canvas.replaceWith(canvas);
         this.canvas = canvas;
@@ -127,8 +127,12 @@ export class AtomViewer {
             this.scene.setShades(coloursAt(this.colour, frame, this.atoms.count));
         }
         this.describePicked();
-        if (this.playback.playing) this.moved();
-        else this.redraw();
+        if (this.playback.playing && this.pace) {
+            this.pace.moved();
+            this.pace.drawNow();
+        } else {
+            this.redraw();
+        }
         this.canvas.dataset.frame = frame;
     }
 

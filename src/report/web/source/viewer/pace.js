@@ -35,7 +35,15 @@ export class Pace {
         if (!this.busy) requestAnimationFrame(() => this.picture());
     }
 
+    /** Draws without waiting for the next frame of the browser: for callers that are called by it, if nothing is under way. */
+    drawNow() {
+        if (this.busy) return;
+        this.wanted = true;
+        this.picture();
+    }
+
     picture() {
+        if (!this.wanted || this.busy) return;
         this.wanted = false;
         this.busy = true;
         const moving = performance.now() - this.movedAt < REST;

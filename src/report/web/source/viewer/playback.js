@@ -2,18 +2,24 @@
 import { element } from "../dom.js";
 import { number } from "../format.js";
 
-const SECONDS = 8;  // for all frames, at speed 1
 const SPEEDS = [["0.25", "¼ ×"], ["0.5", "½ ×"], ["1", "1 ×"], ["2", "2 ×"], ["4", "4 ×"]];
 
 export class Playback {
-    /** @param {number[]} times of the frames @param {string} unit of the times */
-    constructor(frames, times, unit) {
+    /**
+     * @param {number} frames
+     * @param {number[]} times of the frames
+     * @param {string} unit of the times
+     * @param {number} seconds that all frames take at speed 1
+     */
+    constructor(frames, times, unit, seconds) {
+        this.seconds = seconds;
         this.frames = frames;
         this.times = times;
         this.unit = unit;
         this.frame = 0;
         this.playing = false;
         this.listeners = [];
+        this.ready = () => true;    // false while the frame before is still being drawn
         this.speed = 1;
         this.node = this.controls();
         this.show(0);
@@ -53,14 +59,16 @@ export class Playback {
         if (this.frame === this.frames - 1) this.show(0);
         let at = this.frame;
         let before = null;
+        let shown = this.frame;
+        const moved = () => this.frame !== shown;  // by the slider or a chart
         const tick = (now) => {
             if (!this.playing) return;
-            // The slider may have been moved meanwhile.
-            if (Math.floor(at) % this.frames !== this.frame) at = this.frame;
-            at += before === null ? 0 : (Math.min(now - before, 500) / 1000) * this.speed * (this.frames / SECONDS);
+            if (moved()) at = this.frame;
+            at += before === null ? 0 : (Math.min(now - before, 500) / 1000) * this.speed * (this.frames / this.seconds);
             before = now;
             const frame = Math.floor(at) % this.frames;
-            if (frame !== this.frame) this.show(frame);
+            if (frame !== this.frame && this.ready()) this.show(frame);
+            shown = this.frame;
             requestAnimationFrame(tick);
         };
         requestAnimationFrame(tick);

@@ -19,7 +19,7 @@ void main() {
     ring = gl_VertexID == picked ? 1.0 : 0.0;
     gl_PointSize = 2.0 * radius * pixels / -eye.z * (1.0 + 0.25 * ring);
     colour = texture(palette, vec2(shade * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
-    faint = smoothstep(fog.x, fog.y, -eye.z);
+    faint = 0.62 * smoothstep(fog.x, fog.y, -eye.z);
 }`;
 
 export const FRAGMENT = `
@@ -30,13 +30,16 @@ uniform vec3 ground, ink;
 out vec4 pixel;
 void main() {
     vec2 at = gl_PointCoord * 2.0 - 1.0;
-    float out2 = dot(at, at);
-    if (out2 > 1.0) discard;
-    if (ring > 0.5 && out2 > 0.62) { pixel = vec4(ink, 1.0); return; }
-    float height = sqrt(1.0 - out2);
-    float light = 0.42 + 0.58 * max(dot(vec3(at.x, -at.y, height), vec3(-0.38, 0.52, 0.765)), 0.0);
-    float gleam = pow(max(dot(vec3(at.x, -at.y, height), vec3(-0.22, 0.30, 0.928)), 0.0), 24.0) * 0.28;
-    vec3 lit = colour * light + gleam;
-    lit *= mix(1.0, 0.72, smoothstep(0.75, 1.0, out2));
-    pixel = vec4(mix(lit, ground, faint * 0.62), 1.0);
+    float reach = dot(at, at);
+    if (reach > 1.0) discard;
+    if (ring * reach > 0.62) { pixel = vec4(ink, 1.0); return; }
+    // The light comes from the upper left; its gleam is where the surface mirrors it to the eye.
+    float height = sqrt(1.0 - reach);
+    float light = 0.42 + 0.58 * max(dot(vec3(at, height), vec3(-0.38, -0.52, 0.765)), 0.0);
+    float gleam = max(dot(vec3(at, height), vec3(-0.22, -0.30, 0.928)), 0.0);
+    gleam *= gleam;
+    gleam *= gleam;
+    gleam *= gleam;
+    gleam *= gleam;
+    pixel = vec4(mix(colour * light + 0.25 * gleam, ground, faint), 1.0);
 }`;

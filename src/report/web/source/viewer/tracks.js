@@ -37,7 +37,7 @@ export class TrackViewer {
             class: "stage", tabindex: 0, role: "application", "aria-roledescription": "three-dimensional view",
             "aria-label": `Tracks of ${title}. Arrow keys turn, plus and minus zoom, 0 resets.`,
         }, this.canvas);
-        this.playback = new Playback(this.frames, data.times ?? [], pretty(data.time_unit ?? ""));
+        this.playback = new Playback(this.frames, data.times ?? [], pretty(data.time_unit ?? ""), 20);
         const print = element("canvas", { class: "print-only", width: 1200, height: 900, role: "img", "aria-label": `Tracks of ${title}` });
         window.addEventListener("beforeprint", () => this.paint(print, 1.5, { ground: "#ffffff", ink: "#1a1d21" }));
         this.node = element("div", { class: "viewer" }, element("div", { class: "stage-frame" }, this.stage), print, this.playback.node,
