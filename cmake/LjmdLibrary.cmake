@@ -17,6 +17,12 @@ ljmd_for_extension(ljmd_library)
 target_precompile_headers(ljmd_library PRIVATE ${ljmd_precompiled_headers})
 ljmd_compile_together(ljmd_library ${ljmd_sources})
 add_dependencies(ljmd_library ljmd_version_header)
+# The page of `ljmd report`, which the assembler includes.
+set(ljmd_bundle ${PROJECT_SOURCE_DIR}/src/report/web/dist)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/report/page_bundle.cpp PROPERTIES
+    COMPILE_DEFINITIONS LJMD_REPORT_BUNDLE="${ljmd_bundle}"
+    OBJECT_DEPENDS "${ljmd_bundle}/index.html;${ljmd_bundle}/report.css;${ljmd_bundle}/report.js"
+    SKIP_UNITY_BUILD_INCLUSION ON)
 set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
 target_compile_features(ljmd_library PUBLIC cxx_std_20)
 target_include_directories(ljmd_library

@@ -264,6 +264,19 @@ int main(int argc, char** argv) {
     CLI::App& analyze = *app.add_subcommand(
         "analyze", "where a run has come to equilibrium; structure and transport from the frames of a trajectory");
     add_analyze_options(analyze, analyzed);
+    ljmd::ReportOptions reported;
+    CLI::App& report = *app.add_subcommand(
+        "report", "write one HTML page about a run, a sweep, a reproduced table or a comparison, or about several");
+    report
+        .add_option("directory", reported.directories, "directory of a run, a sweep, a reproduced table, a comparison")
+        ->required()
+        ->type_name("RUN");
+    report
+        .add_option("--out", reported.out,
+                    "file to write, RUN/report.html by default; for several report.html in the working directory")
+        ->type_name("FILE");
+    CLI::Option* opened = report.add_flag("--open", reported.open, "open the page in a browser");
+    report.add_flag("--json", reported.json, "print the data of the page as JSON, and write no page")->excludes(opened);
     CLI::App& info =
         *app.add_subcommand("info", "version, build and what decks can select; of a run or sweep, how far it got");
     CLI::Option* of_run =
@@ -306,6 +319,8 @@ int main(int argc, char** argv) {
             ljmd::sweep_command(swept);
         } else if (analyze.parsed()) {
             ljmd::analyze_command(analyzed);
+        } else if (report.parsed()) {
+            ljmd::report_command(reported);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
         } else {

@@ -41,7 +41,8 @@ std::vector<std::string> run_output_names() {
     for (const auto& format : all_trajectory_formats()) {
         names.push_back("trajectory." + format.name);
     }
-    names.insert(names.end(), {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name, pair_table_name});
+    names.insert(names.end(),
+                 {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name, pair_table_name, report_name});
     for (const std::string& name : checkpoint_names()) {
         names.push_back(name);
     }

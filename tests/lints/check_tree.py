@@ -42,6 +42,9 @@ WITH_LONG_TESTS = {"neighbors", "run", "physics", "parity"}
 
 MAXIMUM_LINES = 400
 
+# Written by programs: the page of `ljmd report` in one file, and what it is built from.
+GENERATED = {Path("src/report/web/dist"), Path("src/report/web/package-lock.json")}
+
 # Flags and pragmas that allow the compiler to compute something else than what is written.
 FAST_MATH = re.compile(r"fast-math|-Ofast\b|-funsafe-math|-fassociative-math|-freciprocal-math|-ffinite-math-only")
 FAST_MATH_FILES = ("CMakeLists.txt", "CMakePresets.json", "*.cmake", "*.cpp", "*.hpp", "*.in", "*.sh", "tools/*",
@@ -88,7 +91,7 @@ def check_top_level(files):
 def check_lengths(root, files):
     complaints = []
     for path in files:
-        if path.parts[0] in ("src", "include"):
+        if path.parts[0] in ("src", "include") and path not in GENERATED and path.parent not in GENERATED:
             lines = len((root / path).read_bytes().splitlines())
             if lines > MAXIMUM_LINES:
                 complaints.append(f"{path}: {lines} lines; at most {MAXIMUM_LINES}, better 200")

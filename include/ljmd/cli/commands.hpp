@@ -136,4 +136,15 @@ struct InfoOptions {
 
 void info_command(const InfoOptions& options);
 
+/// Options of `ljmd report`.
+struct ReportOptions {
+    std::vector<std::string> directories = {};
+    std::string out = {};  ///< file; empty: report.html in the directory, or in the working directory for several
+    bool open = false;     ///< open the page in a browser
+    bool json = false;     ///< print the page's data instead of writing a page
+};
+
+/// ljmd report RUN...: one page about a run, a study or a comparison, or about several.
+void report_command(const ReportOptions& options);
+
 }  // namespace ljmd
