@@ -106,6 +106,9 @@ TEST_CASE("what a run has at the temperature that was asked stands in results.js
     const std::size_t line = table.find("  brought to T = 0.73, which was asked, by the equation of state thol2016:\n");
     REQUIRE(line != std::string::npos);
     CHECK_THAT(table.substr(line), Contains("pressure") && Contains("0.520 +- 0.011"));
+    CHECK(found.at("equation_of_state").is_null());
+    result.equation_of_state = "thol2016";
+    CHECK(results_report(deck_with(""), result).data.at("equation_of_state") == "thol2016");
     result.requested_temperature.reset();
     CHECK(results_report(deck_with(""), result).data.at("asked_temperature").is_null());
 }
