@@ -44,7 +44,7 @@ def pictures_of(run: FewBodyRun, relative_to: int) -> dict[str, Callable[[], plt
 
 
 def coincide(one: np.ndarray, other: np.ndarray) -> bool:
-    """Whether most points of a path (F, 2) lie on another path, within a hundredth of its size."""
+    """Whether nearly all points of a path (F, 2) lie on another path, within 0.3 % of its size."""
     size = float(np.ptp(other, axis=0).max())
     if size == 0.0:
         return False
@@ -53,7 +53,7 @@ def coincide(one: np.ndarray, other: np.ndarray) -> bool:
     length = np.maximum((step**2).sum(axis=1), 1e-300)
     along = np.clip(((some[:, np.newaxis] - start) * step).sum(axis=2) / length, 0.0, 1.0)
     nearest = np.linalg.norm(start + along[..., np.newaxis] * step - some[:, np.newaxis], axis=2).min(axis=1)
-    return bool(np.mean(nearest < 0.01 * size) > 0.6)
+    return bool(np.mean(nearest < 0.003 * size) > 0.9)
 
 
 def widths(points: np.ndarray) -> list[float]:
@@ -77,9 +77,9 @@ def draw_paths(axes: plt.Axes, run: FewBodyRun, points: np.ndarray) -> None:
 
 
 def draw_ends(axes: plt.Axes, x: np.ndarray, y: np.ndarray, colour: str) -> None:
-    """An open circle where a path starts, a full one where it ends."""
-    axes.plot(x[0], y[0], "o", color=colour, markerfacecolor="white", markersize=6.5, markeredgewidth=1.3, zorder=3)
-    axes.plot(x[-1], y[-1], "o", color=colour, markeredgecolor="white", markeredgewidth=0.7, markersize=6.5, zorder=4)
+    """An open circle where a path starts, a smaller full one where it ends: both are seen where it is closed."""
+    axes.plot(x[0], y[0], "o", color=colour, markerfacecolor="white", markersize=9.0, markeredgewidth=1.3, zorder=3)
+    axes.plot(x[-1], y[-1], "o", color=colour, markeredgecolor="white", markeredgewidth=0.7, markersize=6.0, zorder=4)
 
 
 def legend_of_paths(axes: plt.Axes, bodies: int) -> None:
@@ -153,8 +153,10 @@ def plot_phase(run: FewBodyRun) -> plt.Figure:
         axes.margins(0.08)
         if run.bodies > 1:
             axes.set_title(style.plain(run.name(body)), fontsize=10)
-    shown = f"bodies 1 to {panels} of {run.bodies}; " if panels < run.bodies else ""
-    style.head(figure, run.title, shown + (run.status or "open circle: start, filled: end"))
+    legend_of_paths(grid[0, -1], 1)
+    style.head(figure, run.title, run.status if run.bodies == 1 else "")
+    if panels < run.bodies:
+        grid[-1, 0].set_xlabel(f"{run.coordinate[0]}\nbodies 1 to {panels} of {run.bodies}")
     return figure
 
 
@@ -172,7 +174,6 @@ def plot_energy(run: FewBodyRun) -> plt.Figure:
     upper.plot(time, error, color=style.BLACK, linewidth=0.9, marker=marker)
     upper.set_ylabel("$E - E(0)$")
     relative = f" = {worst(error) / abs(energy[0]):.2g} $|E(0)|$" if energy[0] != 0.0 else ""
-    upper.set_title(f"largest $|E - E(0)|$ = {worst(error):.2g}{relative}", fontsize=9.5)
     for name, colour, label in (
         ("kinetic_energy", style.PURPLE, "kinetic"),
         ("potential_energy", style.BLUE, "potential"),
@@ -182,7 +183,8 @@ def plot_energy(run: FewBodyRun) -> plt.Figure:
     lower.set_xlabel("$t$")
     lower.set_ylabel("energy")
     style.legend_beside(lower)
-    style.head(figure, run.title, run.status)
+    largest = f"largest $|E - E(0)|$ = {worst(error):.2g}{relative}"
+    style.head(figure, run.title, "; ".join(filter(None, [largest, run.status])))
     return figure
 
 

@@ -174,13 +174,14 @@ def plot_thermo(run: RunDirectory) -> plt.Figure:
     )
     for axes, name in zip(grid[:, 0], names):
         values = run.thermo[name]
-        axes.plot(time, values, color=PANELS[name], linewidth=0.6, alpha=0.55, marker="." if time.size < 3 else "")
+        axes.plot(time, values, color=PANELS[name], linewidth=0.6, alpha=0.7, marker="." if time.size < 3 else "")
         axes.set_ylim(value_range(values, sampled))
         for stage in sampled_stages:
             draw_stage(axes, run, stage, name, PANELS[name])
         axes.set_ylabel(style.LABELS[name])
         axes.text(
-            0.99, 0.95, panel_caption(run, name), transform=axes.transAxes, ha="right", va="top", fontsize=9, zorder=5
+            0.99, 0.95, panel_caption(run, name), transform=axes.transAxes, ha="right", va="top", fontsize=9, zorder=5,
+            bbox={"facecolor": "white", "alpha": 0.75, "edgecolor": "none", "pad": 1.5},
         )
         add_si_axis(axes, run.thermo, name, vertical=True)
     if time[-1] > time[0]:

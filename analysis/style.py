@@ -56,10 +56,11 @@ def colour(k: int) -> str:
 
 
 def head(figure: plt.Figure, title: str, note: str = "") -> None:
-    """The title of a picture, which is a text of others, and below it a note of ours."""
-    width = int(9.0 * figure.get_figwidth())  # characters of this size in a line
-    text = "\n".join(filter(None, [lines(title, width), lines(note, width)]))
-    figure.suptitle(text, fontsize=11.5, linespacing=1.35)
+    """The title of a picture, which is a text of others, and below it, smaller, a note of ours."""
+    width = int(10.0 * figure.get_figwidth())  # characters of this size in a line
+    figure.suptitle(lines(title, width), fontsize=12)
+    if note:
+        figure.axes[0].set_title(note, fontsize=9.5, color="#444444", loc="center")
 
 
 def legend_beside(axes: plt.Axes, **more: object) -> None:

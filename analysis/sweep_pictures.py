@@ -27,9 +27,9 @@ from style import plt
 USUAL = ("pressure", "total_energy")
 ERROR = "_standard_error"
 REMARKS = "remarks"  # the column that is no number
-MOST_STATES = 240  # at which an equation of state is asked, of all lines together
+MOST_STATES = 120  # at which an equation of state is asked, of all lines together
 MOST_COLOURS = len(style.CYCLE) - 1  # beyond them lines get the colours of a scale
-BESIDE = 7  # lines with which the legend stands beside the panel
+BESIDE = 4  # lines beyond which the legend stands beside the panel
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def load(directory: Path) -> Sweep:
             raise damaged(directory, "no point has come to its end yet")
     fitting = len(results) == len(next(iter(columns.values()), []))  # else the table is of another sweep
     return Sweep(
-        columns, observables, directory.resolve().name, status,
+        columns, observables, title_of(results) or directory.resolve().name, status,
         [one.get("equation_of_state") if one else None for one in results] if fitting else [],
         np.array([density_of(one) for one in results]) if fitting else np.empty(0),
     )
@@ -74,6 +74,12 @@ def results_of_points(directory: Path, request: dict[str, Any]) -> list[Optional
         path = directory / "points" / field(directory / "sweep.json", point, "name", str) / "results.json"
         found.append(read_json(path) if path.exists() else None)
     return found
+
+
+def title_of(results: Sequence[Optional[dict[str, Any]]]) -> str:
+    """That of the deck, which all points have."""
+    title = next((one.get("title") for one in results if one), "")
+    return title if isinstance(title, str) else ""
 
 
 def density_of(results: Optional[dict[str, Any]]) -> float:
@@ -241,7 +247,7 @@ def plot(sweep: Sweep, observable: str, against: str) -> plt.Figure:
     error = np.nan_to_num(sweep.observables.get(observable + ERROR, np.zeros(len(y))))
     others = [key for key in sweep.keys if key != against]
     lines = lines_of(sweep, axis, y, others)
-    beside = len(lines) > BESIDE
+    beside = len(lines) > BESIDE or (axis.asked is not None and bool(others))
     figure, axes = plt.subplots(figsize=(8.2 if beside else 7.0, 4.9), constrained_layout=True)
     curves = 0
     for number, ((values, rows), colour) in enumerate(zip(lines.items(), colours_of(lines))):
@@ -281,7 +287,7 @@ def draw_legend(axes: plt.Axes, sweep: Sweep, axis: Axis, named: bool, curves: i
                                       markersize=5.0, label=label))
     if curves:
         models = " and ".join(sorted({one for one in sweep.equations if one}))
-        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=1.2, label=f"equation of state: {models}"))
+        handles.append(plt.Line2D([], [], color=style.GREY, linewidth=1.2, label=f"equation of state {models},\nwhere one phase is stable"))
     if handles and beside:
         style.legend_beside(axes, handles=handles, ncols=1 + (len(handles) - 1) // 20)
     elif handles:
