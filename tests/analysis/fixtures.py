@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import os
 import struct
@@ -33,6 +35,19 @@ def run_script(script: str, *arguments: Any, path: Optional[Path] = None) -> sub
     environment = os.environ if path is None else {**os.environ, "PATH": str(path)}
     command = [sys.executable, str(ANALYSIS / script), *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+
+
+def plot(*arguments: Any) -> subprocess.CompletedProcess[str]:
+    """plot.py in this process: starting one takes a second."""
+    import plot as script
+
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            code = script.main([str(argument) for argument in arguments])
+        except SystemExit as end:  # of argparse
+            code = end.code
+    return subprocess.CompletedProcess(list(arguments), code, out.getvalue(), err.getvalue())
 
 
 def check_error(result: subprocess.CompletedProcess[str], exit_code: int, *words: str) -> None:
