@@ -8,12 +8,17 @@ import subprocess
 from harness import DECK, STARS, Case, Skip, clean_environment
 
 
+ASKED = {}  # once: starting Python and its modules takes a second
+
+
 def python_environment(t, **more):
     """As a person has it; the case is skipped where there is no Python that can draw."""
-    environment = {**clean_environment(), **{key: value for key, value in os.environ.items() if key == "LJMD_PYTHON"}, **more}
-    if t.run("plot", "nowhere", env=environment).err.startswith("error: pictures are drawn by Python"):
+    chosen = {key: value for key, value in os.environ.items() if key == "LJMD_PYTHON"}
+    if "answer" not in ASKED:
+        ASKED["answer"] = t.run("plot", "nowhere", env={**clean_environment(), **chosen}).err
+    if ASKED["answer"].startswith("error: pictures are drawn by Python"):
         raise Skip("no Python with numpy and matplotlib")
-    return environment
+    return {**clean_environment(), **chosen, **more}
 
 
 def pictures(t, *arguments, **options):
@@ -43,7 +48,7 @@ def stopped_and_failed(t):
 def running(t):
     environment = python_environment(t)
     t.deck(("steps = 40", "steps = 40000000"))
-    with subprocess.Popen([t.ljmd, "run", "deck.toml", "--out", "out", "--quiet"], cwd=t.dir) as run:
+    with subprocess.Popen([t.ljmd, "run", "deck.toml", "--out", "out", "--quiet"], cwd=t.dir, stderr=subprocess.DEVNULL) as run:
         try:
             thermo = t.dir / "out/thermo.csv"
             while run.poll() is None and not (thermo.exists() and thermo.read_text().count("\n") > 5):
@@ -57,7 +62,7 @@ def running(t):
 
 def few_bodies_and_sweeps(t):
     environment = python_environment(t)
-    t.deck(text=STARS)
+    t.deck(("[output]", "[output]\ntrajectory = { every = 5 }"), text=STARS)
     t.run_well("sweep", "deck.toml", "--grid", "stage.orbits.time_step=0.01|0.02", "--quiet", "--out", "sweep")
     t.equal(pictures(t, "sweep", env=environment), ["sweep/total_energy.png"], "of a sweep")
     point = next((t.dir / "sweep/points").glob("time_step=0.01"))
