@@ -19,6 +19,7 @@ from matplotlib.collections import LineCollection
 from style import plt
 
 INCHES = 6.0
+PIXELS = 480  # across the atoms of a fluid
 TRAIL = 0.125  # length of a trail, as a part of all frames
 TRAIL_POINTS = 200
 
@@ -83,7 +84,7 @@ class BoxScene:
         record = checked_files.read_json(directory / "run.json")
         diameter = atoms_picture.atom_diameter(directory / "run.json", record, frames.length_unit)
         self.frames = frames
-        self.view = AtomsView(Atoms.of(frames, diameter))
+        self.view = AtomsView(Atoms.of(frames, diameter), PIXELS)
         self.figure, self.axes = self.view.figure, self.view.axes
         self.rows = np.arange(len(frames.positions))
         self.title = checked_files.field(directory / "run.json", record, "title", str, default="")

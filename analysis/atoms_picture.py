@@ -65,8 +65,8 @@ class Atoms:
 class AtomsView:
     """A figure of the atoms, in which any of the frames can be shown."""
 
-    def __init__(self, atoms: Atoms):
-        self.atoms = atoms
+    def __init__(self, atoms: Atoms, pixels: int = PIXELS):
+        self.atoms, self.pixels = atoms, pixels
         self.figure, self.axes = plt.subplots(figsize=(INCHES, INCHES), constrained_layout=True)
         points = atoms.seen.reshape(-1, 3)
         edges = atoms.frames.edges
@@ -90,7 +90,7 @@ class AtomsView:
         if atoms.frames.edges is not None:
             for lines, edges in zip(self.box, spheres.edges_of_box(atoms.frames.edges[frame])):
                 lines.set_segments(edges[:, :, :2])
-        self.image.set_data(spheres.render(atoms.seen[frame], atoms.colours(frame), 0.5 * atoms.diameter, self.window, PIXELS))
+        self.image.set_data(spheres.render(atoms.seen[frame], atoms.colours(frame), 0.5 * atoms.diameter, self.window, self.pixels))
 
 
 def last_configuration(directory: Path) -> Optional[Path]:

@@ -98,8 +98,11 @@ def columns_of(record: Path, request: dict[str, Any], results: Sequence[Optional
     keys = {key: [str(row[k]) for row in values] for k, key in enumerate(field(record, request, "keys", list))}
     observables: dict[str, np.ndarray] = {}
     for row, one in enumerate(results):
-        for name, entry in (one or {}).get("observables", {}).items():
-            for column, number in ((name, entry.get("mean")), (name + ERROR, entry.get("standard_error"))):
+        found = dict((one or {}).get("observables", {}))
+        for analysis, entries in (one or {}).get("analysis", {}).items():  # of few bodies
+            found |= {f"{analysis}_{name}": entry for name, entry in entries.items()}
+        for name, entry in found.items():
+            for column, number in ((name, entry.get("mean", entry.get("value"))), (name + ERROR, entry.get("standard_error"))):
                 if isinstance(number, (int, float)):
                     observables.setdefault(column, np.full(len(results), math.nan))[row] = number
     return keys, observables
