@@ -8,6 +8,7 @@ import tempfile
 DECK = """
 [force]
 type = "newtonian-gravity"
+gravitational_constant = 1.0
 central_mass = 1.0
 [[body]]
 mass = 1.0
