@@ -57,7 +57,7 @@ def colour(k: int) -> str:
 
 def head(figure: plt.Figure, title: str, note: str = "") -> None:
     """The title of a picture, which is a text of others, and below it, smaller, a note of ours."""
-    width = int(10.0 * figure.get_figwidth())  # characters of this size in a line
+    width = int(11.5 * figure.get_figwidth())  # characters of this size in a line
     figure.suptitle(lines(title, width), fontsize=12)
     if note:
         figure.axes[0].set_title(note, fontsize=9.5, color="#444444", loc="center")

@@ -138,17 +138,20 @@ void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
 
 void add_plot_options(CLI::App& command, ljmd::PlotOptions& options) {
     command
-        .add_option("path", options.path,
-                    "directory of a run, an analysis, a sweep, a reproduced table or a comparison; or one of their tables")
+        .add_option(
+            "path", options.path,
+            "directory of a run, an analysis, a sweep, a reproduced table or a comparison; or one of their tables")
         ->required()
         ->type_name("DIR|FILE");
     command
-        .add_option("names", options.names,
-                    "pictures to draw, e.g. thermo rdf; of a sweep its columns, e.g. pressure; all that suit by default")
+        .add_option(
+            "names", options.names,
+            "pictures to draw, e.g. thermo rdf; of a sweep its columns, e.g. pressure; all that suit by default")
         ->type_name("NAME");
     command
-        .add_option("--out", options.out,
-                    "file that ends in .png, .svg or .pdf (several pictures add their names), or a directory; DIR by default")
+        .add_option(
+            "--out", options.out,
+            "file that ends in .png, .svg or .pdf (several pictures add their names), or a directory; DIR by default")
         ->type_name("FILE");
     command.add_option("--against", options.against, "of a sweep: the varied key on the axis, the last by default")
         ->type_name("KEY");

@@ -22,8 +22,8 @@ constexpr auto has_modules =
     "sys.exit(sys.version_info < (3, 9) or not all(map(find_spec, ('numpy', 'matplotlib'))))";
 
 bool fits(const fs::path& python) {
-    return run_process({.program = python, .arguments = {"-c", has_modules}, .directory = ".", .output = "/dev/null"}) ==
-           0;
+    return run_process(
+               {.program = python, .arguments = {"-c", has_modules}, .directory = ".", .output = "/dev/null"}) == 0;
 }
 
 }  // namespace
@@ -59,9 +59,10 @@ fs::path plot_script(const fs::path& program_directory) {
             return script;
         }
     }
-    throw InputError(fmt::format(
-        "the scripts that draw pictures are neither in '{}' nor in '{}'; `cmake --install` puts them beside the program",
-        installed.parent_path().string(), built.parent_path().string()));
+    throw InputError(
+        fmt::format("the scripts that draw pictures are neither in '{}' nor in '{}'; `cmake --install` puts them "
+                    "beside the program",
+                    installed.parent_path().string(), built.parent_path().string()));
 }
 
 }  // namespace ljmd
