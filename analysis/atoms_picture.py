@@ -109,7 +109,7 @@ def plot_atoms(directory: Path, path: Path) -> plt.Figure:
     diameter = atom_diameter(directory / "run.json", record, frames.length_unit)
     view = AtomsView(Atoms.of(frames, diameter))
     view.show(0)
-    what = "the configuration at which the run failed" if path.name == "failed.xyz" else "last configuration"
+    what = "where the run failed" if path.name == "failed.xyz" else "last configuration"
     edges = "" if frames.edges is None else "; box " + r" $\times$ ".join(f"{edge:.4g}" for edge in frames.edges[0]) + f" {LENGTHS[frames.length_unit]}$^3$"
     style.head(view.figure, checked_files.field(directory / "run.json", record, "title", str, default=""),
                f"{what}: {frames.positions.shape[1]} atoms{edges}")
