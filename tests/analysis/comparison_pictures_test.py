@@ -90,7 +90,7 @@ def test_pictures(tmp: Path) -> None:
     pictures = [tmp / "both" / "compare-openmm.png", tmp / "both" / "compare-lammps.png"]
     assert result.stdout.splitlines() == list(map(str, pictures)), result
     for picture in pictures:
-        assert png_size(picture)[0] == 1600, picture
+        assert png_size(picture)[0] == 400, picture
     result = plot(tmp / "both", "compare-lammps", "--out", tmp / "new" / "x.svg")
     assert result.returncode == 0 and result.stdout.splitlines() == [str(tmp / "new" / "x.svg")], result
     assert (tmp / "new" / "x.svg").read_text().startswith("<?xml")

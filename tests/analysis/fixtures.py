@@ -13,6 +13,7 @@ import tempfile
 import traceback
 from pathlib import Path
 from typing import Any, Callable, Optional
+from unittest import mock
 
 ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
 sys.path.insert(0, str(ANALYSIS))
@@ -38,11 +39,12 @@ def run_script(script: str, *arguments: Any, path: Optional[Path] = None) -> sub
 
 
 def plot(*arguments: Any) -> subprocess.CompletedProcess[str]:
-    """plot.py in this process: starting one takes a second."""
+    """plot.py in this process, with coarse pictures (50 dots an inch): a process of its own takes a second, and so do fine ones."""
     import plot as script
 
     out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+    coarse = mock.patch.object(script.style, "use", lambda: script.style.plt.style.use([script.style.STYLE, {"savefig.dpi": 50}]))
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), coarse:
         try:
             code = script.main([str(argument) for argument in arguments])
         except SystemExit as end:  # of argparse

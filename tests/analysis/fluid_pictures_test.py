@@ -71,8 +71,8 @@ def test_pictures_are_made(tmp: Path) -> None:
     assert result.returncode == 0, result.stderr
     assert result.stderr == "", result.stderr
     assert result.stdout.splitlines() == [str(run / "thermo.png"), str(run / "rdf.png")], result.stdout
-    assert png_size(run / "thermo.png") == (1400, 1900), png_size(run / "thermo.png")
-    assert png_size(run / "rdf.png") == (1400, 900), png_size(run / "rdf.png")
+    assert png_size(run / "thermo.png") == (350, 475), png_size(run / "thermo.png")
+    assert png_size(run / "rdf.png") == (350, 225), png_size(run / "rdf.png")
     for name in ("thermo.png", "rdf.png"):
         picture = fluid_pictures.plt.imread(run / name)[..., :3]
         ink = np.mean(picture.min(axis=2) < 0.9)
@@ -182,7 +182,7 @@ def test_runs_without_rdf_temperature_or_samples(tmp: Path) -> None:
     edit(run / "thermo.csv", (run / "thermo.csv").read_text().splitlines()[1].split(",")[2], "")  # no temperature
     result = plot(run)
     assert result.returncode == 0 and result.stderr == "", result
-    assert png_size(run / "thermo.png")[1] < 1900  # one panel less
+    assert png_size(run / "thermo.png")[1] < 475  # one panel less
 
     run = write_run(tmp / "not-sampled")
     edit(run / "results.json", '"sampled": true', '"sampled": false')

@@ -68,7 +68,7 @@ def test_kinds_of_files(tmp: Path) -> None:
     assert kind(both / "compare-lammps-rdf.csv") == ("comparison", ["compare-lammps"])
     (tmp / "mine.csv").write_bytes((run / "rdf.csv").read_bytes())
     result = plot(tmp / "mine.csv", "--out", tmp / "g.png")
-    assert result.returncode == 0 and png_size(tmp / "g.png") == (1400, 900), result
+    assert result.returncode == 0 and png_size(tmp / "g.png") == (350, 225), result
     assert plot(tmp / "mine.csv").stdout.splitlines() == [str(tmp / "mine.png")]
     (tmp / "notes.txt").write_text("")
     refused(lambda: kind(tmp / "notes.txt"), "no table of ljmd")

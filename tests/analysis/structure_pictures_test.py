@@ -44,7 +44,7 @@ def test_every_table_has_its_picture(tmp: Path) -> None:
     assert result.stdout.splitlines() == [str(run / f"{name}.png") for name in names], result.stdout
     for name in structure_pictures.PICTURES:
         width, height = png_size(run / f"{name}.png")
-        assert width == 1400 and height >= 900, (name, width, height)
+        assert width == 350 and height >= 225, (name, width, height)
 
 
 def test_tables_that_are_not_there_have_none(tmp: Path) -> None:
