@@ -29,6 +29,7 @@ RunResult some_result() {
                          average("compressibility_factor", "1", 0.9, unknown, unknown)},
             .requested_temperature = 0.722,
             .at_requested = std::nullopt,
+            .equation_of_state = std::nullopt,
             .order_at_sampling = 0.0125,
             .stages = {{"equilibrate", "velocity-verlet", 0, 5000, 0.004, false, true, false, std::nullopt, "a", "b"},
                        {"production", "velocity-verlet", 5000, 25000, 0.004, true, false, false, -1.5e-7, "b", "c"}},
