@@ -45,6 +45,12 @@ if(OpenMM_FOUND)
     ljmd_includes_openmm(${openmm_sources})
 endif()
 
+# `ljmd plot` finds its scripts by the place of the program: after installation below this folder, before it by a link.
+file(RELATIVE_PATH ljmd_data_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/ljmd)
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/cli/plot_scripts.cpp
+             APPEND PROPERTY COMPILE_DEFINITIONS LJMD_DATA_FROM_PROGRAM="${ljmd_data_from_program}")
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/analysis ${PROJECT_BINARY_DIR}/analysis SYMBOLIC)
+
 add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
 target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)
 # It reads the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.

@@ -164,8 +164,7 @@ void compare_fluid(const Deck& deck, CheckedRun fluid, const DeckOptions& option
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
     }
-    const std::string files =
-        out.empty() ? "" : fmt::format("\nfiles: {0}\nto draw them: analysis/plot_comparison.py {0}\n", out);
+    const std::string files = out.empty() ? "" : fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", out);
     print_result(options.json ? crosscheck_json(found, deck, compared) + "\n"
                               : crosscheck_table(found, deck, compared) + files);
     if (!found.passed()) {

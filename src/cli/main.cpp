@@ -136,6 +136,32 @@ void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
     command.add_flag("--json", options.json, "print the result as JSON");
 }
 
+void add_plot_options(CLI::App& command, ljmd::PlotOptions& options) {
+    command
+        .add_option(
+            "path", options.path,
+            "directory of a run, an analysis, a sweep, a reproduced table or a comparison; or one of their tables")
+        ->required()
+        ->type_name("DIR|FILE");
+    command
+        .add_option(
+            "names", options.names,
+            "pictures to draw, e.g. thermo rdf; of a sweep its columns, e.g. pressure; all that suit by default")
+        ->type_name("NAME");
+    command
+        .add_option(
+            "--out", options.out,
+            "file that ends in .png, .svg or .pdf (several pictures add their names), or a directory; DIR by default")
+        ->type_name("FILE");
+    command.add_option("--against", options.against, "of a sweep: the varied key on the axis, the last by default")
+        ->type_name("KEY");
+    command
+        .add_option("--relative-to", options.relative_to,
+                    "of few bodies: the body from which the others are seen, counted from 1")
+        ->type_name("K")
+        ->check(CLI::PositiveNumber);
+}
+
 constexpr int usage_error = 2;
 
 /// Message for an unknown command, with the nearest known one.
@@ -277,6 +303,9 @@ int main(int argc, char** argv) {
         ->type_name("FILE");
     CLI::Option* opened = report.add_flag("--open", reported.open, "open the page in a browser");
     report.add_flag("--json", reported.json, "print the data of the page as JSON, and write no page")->excludes(opened);
+    ljmd::PlotOptions drawn;
+    CLI::App& plot = *app.add_subcommand("plot", "draw the pictures of a run, a sweep, a comparison or a table");
+    add_plot_options(plot, drawn);
     CLI::App& info =
         *app.add_subcommand("info", "version, build and what decks can select; of a run or sweep, how far it got");
     CLI::Option* of_run =
@@ -323,6 +352,8 @@ int main(int argc, char** argv) {
             ljmd::report_command(reported);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
+        } else if (plot.parsed()) {
+            ljmd::plot_command(drawn);
         } else {
             ljmd::info_command(told);
         }

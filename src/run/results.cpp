@@ -179,6 +179,7 @@ Document results_report(const Deck& deck, const RunResult& result) {
              {"observables", observables_data(result.averages, deck.units)},
              {"asked_temperature", result.requested_temperature},
              {"at_asked_temperature", at_requested_data(result.at_requested, deck.units)},
+             {"equation_of_state", result.equation_of_state},
              {"translational_order_at_sampling", result.order_at_sampling},
              {"stages", stages},
              {"neighbor_list_rebuilds", result.search.rebuilds},

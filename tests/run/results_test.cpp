@@ -29,6 +29,7 @@ RunResult some_result() {
                          average("compressibility_factor", "1", 0.9, unknown, unknown)},
             .requested_temperature = 0.722,
             .at_requested = std::nullopt,
+            .equation_of_state = std::nullopt,
             .order_at_sampling = 0.0125,
             .stages = {{"equilibrate", "velocity-verlet", 0, 5000, 0.004, false, true, false, std::nullopt, "a", "b"},
                        {"production", "velocity-verlet", 5000, 25000, 0.004, true, false, false, -1.5e-7, "b", "c"}},
@@ -106,6 +107,9 @@ TEST_CASE("what a run has at the temperature that was asked stands in results.js
     const std::size_t line = table.find("  brought to T = 0.73, which was asked, by the equation of state thol2016:\n");
     REQUIRE(line != std::string::npos);
     CHECK_THAT(table.substr(line), Contains("pressure") && Contains("0.520 +- 0.011"));
+    CHECK(found.at("equation_of_state").is_null());
+    result.equation_of_state = "thol2016";
+    CHECK(results_report(deck_with(""), result).data.at("equation_of_state") == "thol2016");
     result.requested_temperature.reset();
     CHECK(results_report(deck_with(""), result).data.at("asked_temperature").is_null());
 }

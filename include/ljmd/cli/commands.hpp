@@ -126,6 +126,18 @@ void sweep_command(const SweepOptions& options);
 /// trajectory; thermo of a trajectory: energies and pressures of its frames. Writes the same tables as a run.
 void analyze_command(const AnalyzeOptions& options);
 
+/// Options of `ljmd plot`.
+struct PlotOptions {
+    std::string path;                  ///< a directory, or a table, of ljmd
+    std::vector<std::string> names{};  ///< of pictures; empty: all that suit it
+    std::string out{};                 ///< file or directory; empty: beside what is drawn
+    std::string against{};             ///< key of a sweep on the axis; empty: the last
+    int relative_to = 0;               ///< body from which few bodies are seen, counted from 1; 0: the first
+};
+
+/// ljmd plot DIR|FILE [NAME ...]: draw pictures, by the scripts in analysis/. On success Python takes over the process.
+void plot_command(const PlotOptions& options);
+
 /// The subject of `ljmd info`, at most one of these; by default the program.
 struct InfoOptions {
     std::string directory = {};  ///< of a run or a study

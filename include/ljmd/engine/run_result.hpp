@@ -53,6 +53,7 @@ struct RunResult {
     std::vector<ObservableAverage> averages;
     std::optional<double> requested_temperature;         ///< see requested_temperature()
     std::optional<AtRequestedTemperature> at_requested;  ///< converted, if the run missed that temperature
+    std::optional<std::string> equation_of_state;        ///< name of that of this fluid, see equation_of_fluid()
     std::optional<double> order_at_sampling;             ///< translational order when sampling began
     std::vector<StageResult> stages;
     std::vector<DataTable> tables;      ///< of the analyses

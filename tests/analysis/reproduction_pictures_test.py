@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of analysis/plot_reproduction.py on made-up tables. Prints "N passed, M failed"."""
+"""Tests of analysis/plot.py on made-up tables. Prints "N passed, M failed"."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any
 
 import fixtures
 import numpy as np
-import plot_reproduction
+import reproduction_pictures
 import style
-from fixtures import check_error, edit, png_size, refused, run_script
+from fixtures import check_error, edit, png_size, refused, plot
 
 VERLET = [{"value": 3.5, "soundness": "sound"}, {"value": 2.0, "soundness": "suspect"}, None]
 
@@ -33,18 +33,18 @@ def write_table(directory: Path, rows: int = 3) -> Path:
 
 
 def test_picture(tmp: Path) -> None:
-    result = run_script("plot_reproduction.py", write_table(tmp / "table"))
+    result = plot(write_table(tmp / "table"))
     assert result.returncode == 0 and result.stderr == "", result
     assert result.stdout.splitlines() == [str(tmp / "table" / "isotherms.png")], result
-    assert png_size(tmp / "table" / "isotherms.png") == (1500, 1600)
-    result = run_script("plot_reproduction.py", tmp / "table", "--out", tmp / "x.svg")
+    assert png_size(tmp / "table" / "isotherms.png") == (375, 400)
+    result = plot(tmp / "table", "--out", tmp / "x.svg")
     assert result.returncode == 0 and (tmp / "x.svg").read_text().startswith("<?xml"), result
 
 
 def test_what_is_drawn(tmp: Path) -> None:
     style.use()
-    rows, isotherms = plot_reproduction.load(write_table(tmp))
-    above, below = plot_reproduction.plot(rows, isotherms).axes[:2]
+    rows, isotherms = reproduction_pictures.load(write_table(tmp))
+    above, below = reproduction_pictures.plot(rows, isotherms).axes[:2]
     assert len([line for line in above.lines if len(line.get_xdata()) == 5]) == 4  # two equations, two temperatures
     found, verlet = above.collections[:2]
     assert np.allclose(found.get_offsets(), [[0.5, 1.0], [0.6, 2.0], [0.7, 3.0]]), found.get_offsets()
@@ -58,20 +58,21 @@ def test_what_is_drawn(tmp: Path) -> None:
 
 
 def test_a_single_row(tmp: Path) -> None:
-    rows, isotherms = plot_reproduction.load(write_table(tmp, rows=1))
-    plot_reproduction.plot(rows, isotherms)
+    rows, isotherms = reproduction_pictures.load(write_table(tmp, rows=1))
+    reproduction_pictures.plot(rows, isotherms)
 
 
 def test_what_cannot_be_drawn(tmp: Path) -> None:
-    check_error(run_script("plot_reproduction.py", tmp / "none"), 3, "results.json")
-    check_error(run_script("plot_reproduction.py", write_table(tmp), "--out", tmp / "x.txt"), 2, "must end in .png")
+    (tmp / "begun" / "rows").mkdir(parents=True)
+    check_error(plot(tmp / "begun"), 3, "not come to its end")
+    check_error(plot(write_table(tmp), "--out", tmp / "x.txt"), 2, "must end in .png")
     edit(tmp / "results.json", '"Z_thol2016": 0.9, ', "")
-    refused(lambda: plot_reproduction.load(tmp), "Z_thol2016")
-    refused(lambda: plot_reproduction.load(write_table(tmp, rows=0)), "no rows")
+    refused(lambda: reproduction_pictures.load(tmp), "Z_thol2016")
+    refused(lambda: reproduction_pictures.load(write_table(tmp, rows=0)), "no rows")
     (write_table(tmp) / "results.json").write_text('{"rows": [1]}')
-    refused(lambda: plot_reproduction.load(tmp), "not an object")
+    refused(lambda: reproduction_pictures.load(tmp), "not an object")
     edit(write_table(tmp) / "isotherms.csv", "rho", "r")
-    refused(lambda: plot_reproduction.load(tmp), "no column 'rho'")
+    refused(lambda: reproduction_pictures.load(tmp), "no column 'rho'")
 
 
 if __name__ == "__main__":

@@ -1,22 +1,21 @@
 #!/usr/bin/env python3
-"""Tests of analysis/plot_run.py on made-up run directories. Prints "N passed, M failed"; exit code 1 if any failed."""
+"""Tests of the pictures of fluids, through plot.py, on made-up run directories. Prints "N passed, M failed"; exit code 1 if any failed."""
 
 from __future__ import annotations
 
 import json
 import math
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
 import fixtures
 import numpy as np
-import plot_run
 import checked_files
+import fluid_pictures
 import run_directory
 import style
-from fixtures import edit, png_size
+from fixtures import edit, plot, png_size
 
 HEADER = "step,time,temperature,potential_energy,kinetic_energy,total_energy,pressure"
 TIME_STEP = 0.005
@@ -62,24 +61,20 @@ def stage(name: str, first: int, last: int, sampled: bool) -> dict[str, Any]:
     return {"name": name, "first_step": first, "last_step": last, "sampled": sampled, **steps}
 
 
-def run_script(*arguments: Any) -> subprocess.CompletedProcess[str]:
-    return fixtures.run_script("plot_run.py", *arguments)
-
-
 def check_error(directory: Path, exit_code: int, *words: str) -> None:
-    fixtures.check_error(run_script(directory), exit_code, *words)
+    fixtures.check_error(plot(directory), exit_code, *words)
 
 
 def test_pictures_are_made(tmp: Path) -> None:
     run = write_run(tmp / "run", argon=True)
-    result = run_script(run)
+    result = plot(run)
     assert result.returncode == 0, result.stderr
     assert result.stderr == "", result.stderr
     assert result.stdout.splitlines() == [str(run / "thermo.png"), str(run / "rdf.png")], result.stdout
-    assert png_size(run / "thermo.png") == (1400, 1900), png_size(run / "thermo.png")
-    assert png_size(run / "rdf.png") == (1400, 900), png_size(run / "rdf.png")
+    assert png_size(run / "thermo.png") == (350, 475), png_size(run / "thermo.png")
+    assert png_size(run / "rdf.png") == (350, 225), png_size(run / "rdf.png")
     for name in ("thermo.png", "rdf.png"):
-        picture = plot_run.plt.imread(run / name)[..., :3]
+        picture = fluid_pictures.plt.imread(run / name)[..., :3]
         ink = np.mean(picture.min(axis=2) < 0.9)
         assert 0.01 < ink < 0.6, (name, ink)
 
@@ -88,25 +83,30 @@ def test_other_directory_and_formats(tmp: Path) -> None:
     run = write_run(tmp / "run")
     before = sorted(run.iterdir())
     for suffix, magic in (("pdf", b"%PDF"), ("svg", b"<?xml")):
-        result = run_script(run, "--out", tmp / "new" / "pictures", "--format", suffix)
+        result = plot(run, "--out", tmp / "new" / f"x.{suffix}")
         assert result.returncode == 0, result.stderr
         for name in ("thermo", "rdf"):
-            assert (tmp / "new" / "pictures" / f"{name}.{suffix}").read_bytes().startswith(magic)
+            assert (tmp / "new" / f"x-{name}.{suffix}").read_bytes().startswith(magic)
+        result = plot(run, "rdf", "--out", tmp / f"one.{suffix}")
+        assert result.stdout.splitlines() == [str(tmp / f"one.{suffix}")], result
+        assert (tmp / f"one.{suffix}").read_bytes().startswith(magic)
+    assert plot(run, "--out", tmp / "pictures").stdout.splitlines() == [
+        str(tmp / "pictures" / "thermo.png"), str(tmp / "pictures" / "rdf.png")]
     assert sorted(run.iterdir()) == before
-    assert run_script(run, "--format", "gif").returncode == 2
+    fixtures.check_error(plot(run, "--out", tmp / "x.gif"), 2, "must end in .png")
 
 
 def test_block_averages(tmp: Path) -> None:
     time = np.arange(43.0)
     values = np.where(time < 3, 1e6, np.floor((time - 3) / 2))  # the odd rows at the start are left out
-    times, means, error = plot_run.block_averages(time, values)
+    times, means, error = fluid_pictures.block_averages(time, values)
     assert np.array_equal(means, np.arange(20.0)), means
     assert np.array_equal(times, 3.5 + 2.0 * np.arange(20.0)), times
     assert math.isclose(error, math.sqrt(35.0)), error  # variance of 0 ... 19: 20 * 21 / 12
-    times, means, error = plot_run.block_averages(time[:7], time[:7])
+    times, means, error = fluid_pictures.block_averages(time[:7], time[:7])
     assert np.array_equal(means, [1.5, 3.5, 5.5]), means
     for rows in range(4):
-        times, means, error = plot_run.block_averages(time[:rows], values[:rows])
+        times, means, error = fluid_pictures.block_averages(time[:rows], values[:rows])
         assert times.size == means.size == 0 and math.isnan(error)
 
 
@@ -119,13 +119,13 @@ def test_rows_of_a_stage(tmp: Path) -> None:
 def test_peaks(tmp: Path) -> None:
     r = np.arange(0.01, 3.0, 0.02)
     g = 1.0 + 2.0 * np.exp(-(((r - 1.09) / 0.1) ** 2)) + 0.3 * np.exp(-(((r - 2.05) / 0.2) ** 2))
-    places = [r[i] for i in plot_run.peaks(r, g, np.zeros_like(r))]
+    places = [r[i] for i in fluid_pictures.peaks(r, g, np.zeros_like(r))]
     assert np.allclose(places, [1.09, 2.05]), places
-    places = [r[i] for i in plot_run.peaks(r, g, np.full_like(r, 0.1))]  # the second is three errors high
+    places = [r[i] for i in fluid_pictures.peaks(r, g, np.full_like(r, 0.1))]  # the second is three errors high
     assert np.allclose(places, [1.09]), places
-    assert plot_run.peaks(r, np.ones_like(r), np.zeros_like(r)) == []
+    assert fluid_pictures.peaks(r, np.ones_like(r), np.zeros_like(r)) == []
     near_end = 1.0 + np.exp(-(((r - 2.85) / 0.1) ** 2))  # the whole peak is not to be seen
-    assert plot_run.peaks(r, near_end, np.zeros_like(r)) == []
+    assert fluid_pictures.peaks(r, near_end, np.zeros_like(r)) == []
 
 
 def test_summit(tmp: Path) -> None:
@@ -139,22 +139,22 @@ def test_summit(tmp: Path) -> None:
             g = 1.0 + height * np.exp(-(((r - middle) / width) ** 2)) + noise
             top = int(np.argmax(g))
             farthest = max(farthest, abs(r[top] - middle))
-            place, found = plot_run.summit(r, g, error, top)
+            place, found = fluid_pictures.summit(r, g, error, top)
             assert abs(place - middle) < 0.02, (seed, place, middle)
             assert abs(found - 1.0 - height) < 0.01, (seed, found)
     assert farthest > 0.05, farthest  # the highest row itself would not have passed
     two = 1.0 + np.exp(-(((r - 1.9) / 0.03) ** 2)) + np.exp(-(((r - 2.1) / 0.03) ** 2))
     top = int(np.argmax(two))
-    assert plot_run.summit(r, two, np.full_like(r, 1.0), top) == (r[top], two[top])
+    assert fluid_pictures.summit(r, two, np.full_like(r, 1.0), top) == (r[top], two[top])
     few = np.array([0.0, 1.0, 3.0, 1.0, 0.0])
-    assert plot_run.summit(np.arange(5.0), few, np.zeros(5), 2) == (2.0, 3.0)
+    assert fluid_pictures.summit(np.arange(5.0), few, np.zeros(5), 2) == (2.0, 3.0)
 
 
 def test_si_factor(tmp: Path) -> None:
     table = {"time": np.array([0.0, 1.0, 2.0]), "time_ps": np.array([0.0, 2.15, 4.3])}
-    assert math.isclose(plot_run.si_factor(table, "time"), 2.15)
-    assert plot_run.si_factor({"time": table["time"]}, "time") is None
-    assert plot_run.si_factor({"time": np.zeros(3), "time_ps": np.zeros(3)}, "time") is None
+    assert math.isclose(fluid_pictures.si_factor(table, "time"), 2.15)
+    assert fluid_pictures.si_factor({"time": table["time"]}, "time") is None
+    assert fluid_pictures.si_factor({"time": np.zeros(3), "time_ps": np.zeros(3)}, "time") is None
 
 
 def test_number_with_uncertainty(tmp: Path) -> None:
@@ -174,20 +174,20 @@ def test_number_with_uncertainty(tmp: Path) -> None:
 def test_runs_without_rdf_temperature_or_samples(tmp: Path) -> None:
     run = write_run(tmp / "no-rdf")
     (run / "rdf.csv").unlink()
-    result = run_script(run)
+    result = plot(run)
     assert result.returncode == 0 and result.stdout.splitlines() == [str(run / "thermo.png")], result
-    assert len(result.stderr.splitlines()) == 1 and "rdf.csv" in result.stderr, result.stderr
+    assert result.stderr == "", result.stderr
 
     run = write_run(tmp / "one-row", rows=1, title=r"50 $ and \unknown 60 $")
     edit(run / "thermo.csv", (run / "thermo.csv").read_text().splitlines()[1].split(",")[2], "")  # no temperature
-    result = run_script(run)
+    result = plot(run)
     assert result.returncode == 0 and result.stderr == "", result
-    assert png_size(run / "thermo.png")[1] < 1900  # one panel less
+    assert png_size(run / "thermo.png")[1] < 475  # one panel less
 
     run = write_run(tmp / "not-sampled")
     edit(run / "results.json", '"sampled": true', '"sampled": false')
     edit(run / "results.json", '"mean": 0.72', '"mean": null')
-    result = run_script(run)
+    result = plot(run)
     assert result.returncode == 0 and result.stderr == "", result
 
 
@@ -216,11 +216,14 @@ def test_runs_that_have_not_ended(tmp: Path) -> None:
     run = write_run(tmp / "run")
     (run / "rdf.csv").unlink()
     stop(run, DECK, ["stage.production.steps=2500"])
-    result = run_script(run)
+    result = plot(run)
     assert result.returncode == 0 and result.stdout.splitlines() == [str(run / "thermo.png")], result
-    assert len(result.stderr.splitlines()) == 1 and "not come to its end" in result.stderr, result.stderr
+    assert result.stderr == "", result.stderr
     found = run_directory.load(run)
     assert found.thermo["step"].size == 300 and found.observables == {}
+    assert found.status == "the run has not come to its end: drawn up to step 2990 of 3500", found.status
+    (run / "failed.xyz").write_text("")
+    assert "blew up" in run_directory.load(run).status
     assert [(one.name, one.first_step, one.last_step, one.sampled) for one in found.stages] == [
         ("equilibrate", 0, 1000, False), ("production", 1000, 3500, True)]
 
@@ -231,7 +234,7 @@ def test_tables_of_analyze(tmp: Path) -> None:
     tables.mkdir()
     (run / "rdf.csv").rename(tables / "rdf.csv")
     (tables / "msd.csv").write_text("time,msd,msd_standard_error\n0,0,0\n1,0.5,0.01\n2,1.0,0.02\n")
-    result = run_script(tables)
+    result = plot(tables)
     assert result.returncode == 0 and result.stderr == "", result
     assert result.stdout.splitlines() == [str(tables / "rdf.png"), str(tables / "msd.png")], result.stdout
     assert run_directory.tables_of_analysis(tables).title == "run"
@@ -245,10 +248,10 @@ def test_line_ends_and_byte_order_mark(tmp: Path) -> None:
 
 
 def test_missing_files(tmp: Path) -> None:
-    check_error(tmp / "nowhere", 2, "nowhere", "no such directory")
+    check_error(tmp / "nowhere", 2, "nowhere", "no such file or directory")
     (tmp / "file").write_text("")
-    check_error(tmp / "file", 2, "not a directory")
-    for name in ("thermo.csv", "results.json", "run.json"):
+    check_error(tmp / "file", 3, "no table of ljmd")
+    for name in ("thermo.csv", "results.json"):
         run = write_run(tmp / f"no-{name}")
         (run / name).unlink()
         check_error(run, 3, name, "no such file")
@@ -313,7 +316,7 @@ def test_damaged_results(tmp: Path) -> None:
 def test_output_that_cannot_be_written(tmp: Path) -> None:
     run = write_run(tmp / "run")
     (tmp / "file").write_text("")
-    result = run_script(run, "--out", tmp / "file")
+    result = plot(run, "--out", tmp / "file")
     assert result.returncode == 4 and result.stdout == "", result
     assert len(result.stderr.splitlines()) == 1 and "cannot be written" in result.stderr, result.stderr
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of analysis/plot_comparison.py on made-up comparisons. Prints "N passed, M failed"."""
+"""Tests of analysis/plot.py on made-up comparisons. Prints "N passed, M failed"."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from typing import Any
 
 import fixtures
 import numpy as np
-import plot_comparison
+import comparison_pictures
 import style
-from fixtures import check_error, edit, png_size, refused, run_script
+from fixtures import check_error, edit, png_size, refused, plot
 
 TIME_STEP = 0.005
 RATE = 3.5
@@ -67,7 +67,7 @@ def write_comparison(directory: Path, program: str = "openmm", parts: tuple[str,
 
 def draw(directory: Path, program: str = "openmm") -> dict[str, Any]:
     """The panels, by their vertical labels or, of averages, the horizontal one."""
-    figure = plot_comparison.plot(plot_comparison.load(directory, program))
+    figure = comparison_pictures.plot(comparison_pictures.load(directory, program))
     figure.canvas.draw()
     panels = {axes.get_ylabel() or axes.get_xlabel(): axes for axes in figure.axes}
     assert len(panels) == len(figure.axes), [axes.get_ylabel() for axes in figure.axes]
@@ -85,13 +85,13 @@ AVERAGES = "averages without tail: difference / its standard error"
 def test_pictures(tmp: Path) -> None:
     write_comparison(tmp / "both")
     write_comparison(tmp / "both", "lammps")
-    result = run_script("plot_comparison.py", tmp / "both")
+    result = plot(tmp / "both")
     assert result.returncode == 0 and result.stderr == "", result
     pictures = [tmp / "both" / "compare-openmm.png", tmp / "both" / "compare-lammps.png"]
     assert result.stdout.splitlines() == list(map(str, pictures)), result
     for picture in pictures:
-        assert png_size(picture)[0] == 1600, picture
-    result = run_script("plot_comparison.py", tmp / "both", "--with", "lammps", "--out", tmp / "new" / "x.svg")
+        assert png_size(picture)[0] == 400, picture
+    result = plot(tmp / "both", "compare-lammps", "--out", tmp / "new" / "x.svg")
     assert result.returncode == 0 and result.stdout.splitlines() == [str(tmp / "new" / "x.svg")], result
     assert (tmp / "new" / "x.svg").read_text().startswith("<?xml")
 
@@ -106,7 +106,8 @@ def test_what_was_not_compared_is_left_out(tmp: Path) -> None:
 
 def test_caption(tmp: Path) -> None:
     def caption() -> list[str]:
-        return draw(tmp)["figure"]._suptitle.get_text().split("\n")
+        figure = draw(tmp)["figure"]
+        return [figure._suptitle.get_text(), figure.axes[0].get_title("center")]
 
     write_comparison(tmp)
     assert caption() == [r"cost \$5 \$.toml against Peer 1 (slow), long runs Peer 1 (fast)", "2 of 7 checks FAILED"]
@@ -158,10 +159,10 @@ def test_equal_trajectories(tmp: Path) -> None:
     path = tmp / "compare-openmm-trajectory.csv"
     header, *rows = path.read_text().splitlines()
     path.write_text("\n".join([header, *(",".join([*row.split(",")[:2], "0", "", "0", "0"]) for row in rows)]) + "\n")
-    result = run_script("plot_comparison.py", tmp)
+    result = plot(tmp)
     assert result.returncode == 0 and result.stderr == "", result
     path.write_text(f"{header}\n0,0,0,0,0,0\n")
-    result = run_script("plot_comparison.py", tmp)
+    result = plot(tmp)
     assert result.returncode == 0 and result.stderr == "", result
 
 
@@ -203,24 +204,31 @@ def test_averages_without_errors(tmp: Path) -> None:
 
 
 def test_mistakes(tmp: Path) -> None:
-    script = "plot_comparison.py"
-    check_error(run_script(script, tmp / "none"), 2, "none: no such directory")
     (tmp / "file").write_text("")
-    check_error(run_script(script, tmp / "file"), 2, "file: not a directory")
-    check_error(run_script(script, tmp), 3, "no compare-openmm.json or compare-lammps.json", "--with openmm")
     write_comparison(tmp / "one")
-    check_error(run_script(script, tmp / "one", "--with", "lammps"), 3, "no compare-lammps.json;", "--with lammps")
-    check_error(run_script(script, tmp / "one", "--out", tmp / "x.gif"), 2, "x.gif: must end in .png")
-    check_error(run_script(script, tmp / "one", "--out", tmp / "file" / "x.png"), 4, "cannot be written")
-    write_comparison(tmp / "one", "lammps")
-    check_error(run_script(script, tmp / "one", "--out", tmp / "x.png"), 2, "openmm and lammps", "--with")
+    check_error(plot(tmp / "one", "compare-lammps"), 2, "no picture 'compare-lammps'", "compare-openmm")
+    check_error(plot(tmp / "one", "--out", tmp / "file" / "x.png"), 4, "cannot be written")
     write_comparison(tmp / "point", parts=())
-    check_error(run_script(script, tmp / "point"), 2, "compare-openmm.json: neither", "nothing to draw")
+    check_error(plot(tmp / "point"), 2, "compare-openmm.json: neither", "nothing to draw")
+
+
+def test_few_bodies_against_the_adaptive_solution(tmp: Path) -> None:
+    time = np.linspace(0.0, 10.0, 50)
+    columns = {"step": np.arange(50), "time": time, "position_error": 1e-4 * time, "velocity_error": 2e-4 * time,
+               "energy_error": -1e-6 * time, "angular_momentum_error": 0.0 * time, "reference_error": 1e-12 * time}
+    fixtures.write_csv(tmp / "compare-gsl.csv", columns)
+    (tmp / "compare-gsl.json").write_text(json.dumps({"deck": "inputs/comet.toml"}))
+    result = plot(tmp)
+    assert result.returncode == 0 and result.stdout.splitlines() == [str(tmp / "compare-gsl.png")], result
+    axes = comparison_pictures.draw_gsl(tmp).axes[0]
+    lines = {line.get_label(): line.get_xydata() for line in axes.get_lines()}
+    assert list(lines) == ["position", "velocity", "energy", "between two\nreferences"], lines  # none of zeros
+    assert np.allclose(lines["energy"][:, 1], 1e-6 * time[1:])
 
 
 def test_damaged_files(tmp: Path) -> None:
     def load() -> None:
-        plot_comparison.load(tmp, "openmm")
+        comparison_pictures.load(tmp, "openmm")
 
     for name in ("compare-openmm-trajectory.csv", "compare-openmm-rdf.csv"):
         (write_comparison(tmp) / name).unlink()

@@ -1,36 +1,29 @@
-#!/usr/bin/env python3
-"""The picture of a comparison of ljmd with OpenMM or LAMMPS.
+"""The picture of a comparison of ljmd with OpenMM, LAMMPS or, for few bodies, an adaptive solution of high order (GSL).
 
-    plot_comparison.py DIR [--with openmm|lammps] [--out FILE]
-
-DIR is where `ljmd compare DECK --with openmm --out DIR` wrote. Draws each comparison that lies there, as
-DIR/compare-openmm.png and DIR/compare-lammps.png, or one of them as FILE (.png, .pdf or .svg), and prints the path of
-each picture, one a line. What was not compared is left out. Of the trajectories: the distance of the atom that is
-furthest off, with the fitted growth exp(lambda t) and what the checks allow. Of long runs: g(r) of both programs with
-its difference, and the averages by their difference over its standard error.
-Exit codes: 0 ok, 2 usage, or nothing to draw, 3 a file is missing or damaged, 4 a picture cannot be written.
+What was not compared is left out. Of the trajectories: the distance of the atom that is furthest off, with the fitted
+growth exp(lambda t) and what the checks allow. Of long runs: g(r) of both programs with its difference, and the averages
+by their difference over its standard error. Of few bodies: errors against time.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 import re
-import sys
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Any, Optional, Sequence
+from typing import Any, Callable, Optional
 
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-import style  # noqa: E402
-from checked_files import RunDirectoryError, Table, damaged, field, read_json, read_table, reports_errors  # noqa: E402
-from style import plt  # noqa: E402
+import style
+from checked_files import RunDirectoryError, Table, damaged, field, read_json, read_table
+from style import plt
 
 PROGRAMS = {"openmm": "OpenMM", "lammps": "LAMMPS"}
 RDF_COLUMNS = ("r", "g_ljmd", "g_ljmd_standard_error", "g_peer", "g_peer_standard_error")
 BESIDE_PAIRINGS = ("step", "time", "potential_energy_difference", "kinetic_energy_difference")
+GSL_ERRORS = {"position_error": "position", "velocity_error": "velocity", "energy_error": "energy",
+              "angular_momentum_error": "angular momentum"}
 FITTED = (1e-12, 1e-2)  # distances that ljmd fits the growth to [sigma]
 
 
@@ -100,19 +93,6 @@ class Growth:
 
 def wrong(message: str) -> RunDirectoryError:
     return RunDirectoryError(message, exit_code=2)
-
-
-def find(directory: Path, program: Optional[str]) -> list[str]:
-    """The programs whose comparison with ljmd lies in the directory: that one, or all."""
-    if not directory.is_dir():
-        raise wrong(f"{directory}: {'not a directory' if directory.exists() else 'no such directory'}")
-    wanted = [program] if program else list(PROGRAMS)
-    found = [name for name in wanted if (directory / f"compare-{name}.json").exists()]
-    if not found:
-        names = " or ".join(f"compare-{name}.json" for name in wanted)
-        command = f"ljmd compare DECK --with {wanted[0]} --out {directory}"
-        raise RunDirectoryError(f"{directory}: no {names}; `{command}` writes it", exit_code=3)
-    return found
 
 
 def load(directory: Path, program: str) -> Comparison:
@@ -289,12 +269,12 @@ def plot(comparison: Comparison) -> plt.Figure:
             draw_rdf(axes["g"], axes["difference"], comparison)
     if comparison.averages:
         draw_averages(parts.pop(0).subplots(), comparison)
-    figure.suptitle(style.plain(caption(comparison)), fontsize=11)
+    style.head(figure, *caption(comparison))
     return figure
 
 
-def caption(comparison: Comparison) -> str:
-    """Deck, program, its version where the long runs are another's, and whether all is well."""
+def caption(comparison: Comparison) -> tuple[str, str]:
+    """Deck, program, its version where the long runs are another's; and whether all is well."""
     peers = dict.fromkeys([
         *([comparison.peer] if comparison.trajectory is not None else []),
         *([comparison.peer_of_long_runs] if comparison.averages else []),
@@ -302,25 +282,44 @@ def caption(comparison: Comparison) -> str:
     failed = sum(not check.passed for check in comparison.checks)
     total = len(comparison.checks)
     verdict = f"{failed} of {total} checks FAILED" if failed else f"all {total} checks passed"
-    return f"{Path(comparison.deck).name} against {', long runs '.join(peers)}\n{verdict}"
+    return f"{Path(comparison.deck).name} against {', long runs '.join(peers)}", verdict
 
 
-@reports_errors
-def main(arguments: Optional[Sequence[str]] = None) -> int:
-    parser = argparse.ArgumentParser(description="Make the picture of a comparison with another program.")
-    parser.add_argument("directory", metavar="DIR", type=Path, help="directory that `ljmd compare --out` wrote")
-    parser.add_argument("--with", dest="program", choices=tuple(PROGRAMS), help="draw this one alone (all)")
-    parser.add_argument("--out", type=Path, metavar="FILE", help="the picture (DIR/compare-PROGRAM.png)")
-    options = parser.parse_args(arguments)
-    style.check_format(options.out)
-    programs = find(options.directory, options.program)
-    if options.out and len(programs) > 1:
-        raise wrong(f"{options.directory}: has comparisons with {' and '.join(programs)}; choose one with --with")
-    style.use()
-    for comparison in [load(options.directory, program) for program in programs]:
-        style.save(plot(comparison), options.out or options.directory / f"compare-{comparison.program}.png")
-    return 0
+def plot_errors(deck: str, table: Table) -> plt.Figure:
+    """Errors of a few-body run against the adaptive solution, and how far two such solutions are apart."""
+    figure, axes = plt.subplots(figsize=(7.0, 4.8), constrained_layout=True)
+    time = table["time"]
+    for k, (name, label) in enumerate(GSL_ERRORS.items()):
+        error = np.abs(table[name]) if name in table else np.zeros(time.size)
+        seen = error > 0.0  # a logarithm has no place for the start, where there is none
+        if seen.any():
+            axes.plot(time[seen], error[seen], color=style.colour(k), linewidth=1.0, label=label)
+    reference = table["reference_error"]
+    if (reference > 0.0).any():
+        axes.plot(time[reference > 0.0], reference[reference > 0.0], color=style.GREY, linewidth=1.0, linestyle="--",
+                  label="between two\nreferences")
+    axes.set_yscale("log")
+    axes.set_xlabel("$t$")
+    axes.set_ylabel("error, in the units of the deck")
+    style.legend_beside(axes)
+    style.head(figure, f"{Path(deck).name} against an adaptive Runge-Kutta method of order 8 (GSL)")
+    return figure
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+def draw_gsl(directory: Path) -> plt.Figure:
+    path = directory / "compare-gsl.json"
+    deck = field(path, read_json(path), "deck", str)
+    columns = ("time", *GSL_ERRORS, "reference_error")
+    table = read_table(directory / "compare-gsl.csv", columns, increasing=("time",))
+    return plot_errors(deck, table)
+
+
+def pictures(directory: Path) -> dict[str, Callable[[], plt.Figure]]:
+    """What draws each comparison in a directory, by its name."""
+    figures: dict[str, Callable[[], plt.Figure]] = {}
+    for name in PROGRAMS:
+        if (directory / f"compare-{name}.json").exists():
+            figures[f"compare-{name}"] = partial(lambda name: plot(load(directory, name)), name)
+    if (directory / "compare-gsl.json").exists():
+        figures["compare-gsl"] = partial(draw_gsl, directory)
+    return figures

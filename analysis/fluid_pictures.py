@@ -1,36 +1,26 @@
-#!/usr/bin/env python3
-"""Pictures of one run of ljmd, also of one that was stopped, or of the tables of `ljmd analyze`.
+"""The pictures of a run of a fluid, also of one that was stopped, fails or goes on, and of the tables of `ljmd analyze`.
 
-    plot_run.py RUNDIR [--out DIR] [--format png|pdf|svg] [--relative-to K]
-
-Writes pictures into DIR (RUNDIR itself by default) and prints the path of each, one a line. Of a fluid: thermo
-(thermodynamics against time) and, where the run has these tables, rdf (the radial distribution function), sk (the
-structure factor), msd (displacements), vacf and vibrational_spectrum (velocities), stress_autocorrelation (viscosity).
-Of a few-body system, what suits it: energy (error and parts), orbit (x-y plane), phase (velocity against coordinate of each body),
-momentum (errors of momentum and angular momentum), relative (paths as seen from body K, 1 by default).
-Exit codes: 0 ok, 2 usage, 3 a file of the run is missing or damaged, 4 a picture cannot be written.
+thermo (thermodynamics against time), atoms (the last configuration) and, where there are these tables, rdf (the radial
+distribution function), sk (the structure factor), msd (displacements), vacf and vibrational_spectrum (velocities),
+stress_autocorrelation (viscosity).
 """
 
 from __future__ import annotations
 
-import argparse
-import sys
+from functools import partial
 from pathlib import Path
-from typing import Optional, Sequence
+from typing import Callable, Optional
 
+import atoms_picture
+import checked_files
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-import few_body_pictures  # noqa: E402
-import few_body_run  # noqa: E402
-import checked_files  # noqa: E402
-import run_directory  # noqa: E402
-import structure_pictures  # noqa: E402
-import style  # noqa: E402
-from checked_files import Table, reports_errors  # noqa: E402
-from run_directory import RunDirectory  # noqa: E402
-from stage import Stage  # noqa: E402
-from style import plt  # noqa: E402
+import run_directory
+import structure_pictures
+import style
+from checked_files import Table
+from run_directory import RunDirectory
+from stage import Stage
+from style import plt
 
 BLOCKS = 20
 PANELS = {
@@ -184,13 +174,14 @@ def plot_thermo(run: RunDirectory) -> plt.Figure:
     )
     for axes, name in zip(grid[:, 0], names):
         values = run.thermo[name]
-        axes.plot(time, values, color=PANELS[name], linewidth=0.6, alpha=0.55, marker="." if time.size < 3 else "")
+        axes.plot(time, values, color=PANELS[name], linewidth=0.6, alpha=0.7, marker="." if time.size < 3 else "")
         axes.set_ylim(value_range(values, sampled))
         for stage in sampled_stages:
             draw_stage(axes, run, stage, name, PANELS[name])
         axes.set_ylabel(style.LABELS[name])
         axes.text(
-            0.99, 0.95, panel_caption(run, name), transform=axes.transAxes, ha="right", va="top", fontsize=9, zorder=5
+            0.99, 0.95, panel_caption(run, name), transform=axes.transAxes, ha="right", va="top", fontsize=9, zorder=5,
+            bbox={"facecolor": "white", "alpha": 0.75, "edgecolor": "none", "pad": 1.5},
         )
         add_si_axis(axes, run.thermo, name, vertical=True)
     if time[-1] > time[0]:
@@ -203,7 +194,7 @@ def plot_thermo(run: RunDirectory) -> plt.Figure:
             legend.values(), legend.keys(), loc="upper center", bbox_to_anchor=(0.5, -0.32), ncol=len(legend)
         )
     figure.align_ylabels(grid[:, 0])
-    figure.suptitle(style.plain(run.title), fontsize=11)
+    style.head(figure, run.title, run.status)
     return figure
 
 
@@ -227,56 +218,21 @@ def plot_rdf(run: RunDirectory, table: Table) -> plt.Figure:
     axes.set_ylabel(style.LABELS["g"])
     axes.legend(loc="upper right")
     add_si_axis(axes, table, "r", vertical=False)
-    axes.set_title(style.plain(run.title))
+    style.head(figure, run.title)
     return figure
 
 
-def draw_fluid(path: Path) -> dict[str, plt.Figure]:
-    """The pictures of a run of a fluid, by name."""
+def pictures(path: Path) -> dict[str, Callable[[], plt.Figure]]:
+    """What draws the pictures of a run, by name."""
     run = run_directory.load(path)
-    figures = {"thermo": plot_thermo(run)}
-    if not run_directory.has_ended(path):
-        print(f"{path}: the run has not come to its end, there are no means and no tables yet", file=sys.stderr)
-    elif not (path / "rdf.csv").exists():
-        print(f"{run.path / 'rdf.csv'}: not there, no picture of g(r)", file=sys.stderr)
-    return figures | draw_tables(run)
+    figures: dict[str, Callable[[], plt.Figure]] = {"thermo": partial(plot_thermo, run)}
+    configuration = atoms_picture.last_configuration(path)
+    if configuration is not None:
+        figures["atoms"] = partial(atoms_picture.plot_atoms, path, configuration)
+    return figures | pictures_of_tables(run)
 
 
-def draw_tables(run: RunDirectory) -> dict[str, plt.Figure]:
-    """The pictures of the tables of a fluid's run, or of `ljmd analyze`, by name."""
-    figures = {} if run.rdf is None else {"rdf": plot_rdf(run, run.rdf)}
+def pictures_of_tables(run: RunDirectory) -> dict[str, Callable[[], plt.Figure]]:
+    """What draws the tables of a run, or of `ljmd analyze`, by name."""
+    figures = {} if run.rdf is None else {"rdf": partial(plot_rdf, run, run.rdf)}
     return figures | structure_pictures.pictures(run)
-
-
-def draw_few_bodies(path: Path, relative_to: int) -> dict[str, plt.Figure]:
-    """The pictures of a run of a few-body system, by name."""
-    run = few_body_run.load(path)
-    if run.trajectory is None:
-        print(f"{run.path / 'trajectory.csv'}: not there, no pictures of orbits", file=sys.stderr)
-    return few_body_pictures.pictures(run, few_body_run.body_index(run, relative_to))
-
-
-@reports_errors
-def main(arguments: Optional[Sequence[str]] = None) -> int:
-    parser = argparse.ArgumentParser(description="Make the pictures of one run of ljmd.")
-    parser.add_argument("rundir", type=Path, help="directory that `ljmd run` or `ljmd analyze` wrote")
-    parser.add_argument("--out", type=Path, help="directory for the pictures (default: the run directory)")
-    parser.add_argument("--format", choices=("png", "pdf", "svg"), default="png")
-    parser.add_argument("--relative-to", type=int, metavar="K", default=1,
-                        help="few-body runs: the body, counted from 1, that the others are seen from")
-    options = parser.parse_args(arguments)
-    out = options.out or options.rundir
-    style.use()
-    if structure_pictures.only_tables(options.rundir):
-        figures = draw_tables(run_directory.tables_of_analysis(options.rundir))
-    elif run_directory.kind_of(options.rundir) == "few-body":
-        figures = draw_few_bodies(options.rundir, options.relative_to)
-    else:
-        figures = draw_fluid(options.rundir)
-    for name, figure in figures.items():
-        style.save(figure, out / f"{name}.{options.format}")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

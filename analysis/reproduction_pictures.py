@@ -1,31 +1,23 @@
-#!/usr/bin/env python3
 """The picture of a reproduced table: compressibility factor against density.
 
-    plot_reproduction.py DIR [--out FILE]
-
-DIR is where `ljmd reproduce verlet1967` wrote. Above, Z along isotherms by two equations of state (Thol 2016, Kolafa and Nezbeda
-1994), with the rows of the table as this program and as Verlet found them; colour is temperature. Below, what program, paper and
-second equation of state differ by from Thol's at each row. Draws FILE (.png, .pdf or .svg), DIR/isotherms.png by default, and prints
-its path.
-Exit codes: 0 ok, 2 usage, 3 a file is missing or damaged, 4 the picture cannot be written.
+Above, Z along isotherms by two equations of state (Thol 2016, Kolafa and Nezbeda 1994), with the rows of the table as
+this program and as Verlet found them; colour is temperature. Below, what program, paper and second equation of state
+differ by from Thol's at each row.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
-import sys
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Any, Optional, Sequence
+from typing import Any, Callable
 
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-import style  # noqa: E402
-from matplotlib.colors import LogNorm  # noqa: E402
-from checked_files import Table, damaged, field, read_json, read_table, reports_errors  # noqa: E402
-from style import plt  # noqa: E402
+import style
+from checked_files import Table, damaged, field, read_json, read_table
+from matplotlib.colors import LogNorm
+from style import plt
 
 ISOTHERM_COLUMNS = ("T", "rho", "Z_thol2016", "Z_kolafa_nezbeda1994")
 COLOURS = "viridis_r"
@@ -100,7 +92,7 @@ def plot(rows: list[Row], isotherms: Table) -> plt.Figure:
                             ticks=temperatures, format="%g")
     scale.ax.minorticks_off()
     draw_differences(below, rows, rho)
-    figure.suptitle("Verlet, Phys. Rev. 159, 98 (1967), computed anew", fontsize=11)
+    style.head(figure, "Verlet, Phys. Rev. 159, 98 (1967), computed anew")
     return figure
 
 
@@ -125,18 +117,8 @@ def draw_differences(axes: plt.Axes, rows: list[Row], rho: np.ndarray) -> None:
     axes.legend(ncol=2, fontsize=8)
 
 
-@reports_errors
-def main(arguments: Optional[Sequence[str]] = None) -> int:
-    parser = argparse.ArgumentParser(description="Make the picture of a reproduced table.")
-    parser.add_argument("directory", metavar="DIR", type=Path, help="directory that `ljmd reproduce verlet1967` wrote")
-    parser.add_argument("--out", type=Path, metavar="FILE", help="the picture (DIR/isotherms.png)")
-    options = parser.parse_args(arguments)
-    style.check_format(options.out)
-    rows, isotherms = load(options.directory)
-    style.use()
-    style.save(plot(rows, isotherms), options.out or options.directory / "isotherms.png")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+def pictures(directory: Path) -> dict[str, Callable[[], plt.Figure]]:
+    """What draws the picture, by its name."""
+    if not (directory / "results.json").exists():
+        raise damaged(directory, "the table has not come to its end: `ljmd reproduce` resumes it")
+    return {"isotherms": partial(plot, *load(directory))}
