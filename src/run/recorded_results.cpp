@@ -54,11 +54,21 @@ std::vector<RecordedStage> stages_of(const Data& results) {
     return stages;
 }
 
+std::vector<std::string> doubts_of(const Data& results) {
+    std::vector<std::string> doubts;
+    if (const Data* found = results.find("doubts")) {  // only a fluid has some
+        for (const Data& doubt : found->items()) {
+            doubts.push_back(doubt.text());
+        }
+    }
+    return doubts;
+}
+
 }  // namespace
 
 RecordedResults read_results(const std::filesystem::path& path) {
     return read_json(path, "the result of a run", [](const Data& results) -> RecordedResults {
-        return {means_of(results), stages_of(results)};
+        return {means_of(results), stages_of(results), doubts_of(results)};
     });
 }
 
