@@ -3,14 +3,37 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/diagnostics.hpp"
+#include "ljmd/core/text.hpp"
 
 namespace ljmd {
 
 namespace {
 
 constexpr int usage_error = 2;
+
+/// Breaks descriptions, which CLI11 leaves as long as they are.
+class ScreenFormatter : public CLI::Formatter {
+  public:
+    std::string make_option_desc(const CLI::Option* option) const override {
+        return in_column(option->get_description());
+    }
+
+    std::string make_subcommand(const CLI::App* command) const override {
+        std::ostringstream text;
+        CLI::detail::format_help(text, command->get_name(), in_column(command->get_description()), get_column_width());
+        return text.str();
+    }
+
+  private:
+    [[nodiscard]] std::string in_column(const std::string& text) const {
+        return wrapped(text, screen_columns - get_column_width(), 0);
+    }
+};
 
 /// The word for the values of an option, without what CLI11 adds about their range.
 std::string value_word(const CLI::Option& option) {
@@ -45,6 +68,10 @@ Command described(const CLI::App& app) {
 }
 
 }  // namespace
+
+std::shared_ptr<CLI::Formatter> screen_formatter() {
+    return std::make_shared<ScreenFormatter>();
+}
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App*) { return true; });

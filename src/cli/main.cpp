@@ -155,6 +155,7 @@ int main(int argc, char** argv) {
     ljmd::forget_inherited_signals();
     ljmd::prepare_standard_streams();
     CLI::App app("Lennard-Jones molecular dynamics: Verlet's 1967 experiment and beyond", "ljmd");
+    app.formatter(ljmd::screen_formatter());
     app.require_subcommand(1);
     app.set_version_flag("--version", "ljmd " + ljmd::build_info().version);
 

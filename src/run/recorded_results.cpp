@@ -12,6 +12,8 @@ namespace ljmd {
 
 namespace {
 
+constexpr std::size_t most_doubts = 1000;
+
 /// The members of an object; a list is refused.
 const Data::Object& members_of(const Data& value, std::string_view name) {
     if (!value.is_object()) {
@@ -55,13 +57,8 @@ std::vector<RecordedStage> stages_of(const Data& results) {
 }
 
 std::vector<std::string> doubts_of(const Data& results) {
-    std::vector<std::string> doubts;
-    if (const Data* found = results.find("doubts")) {  // only a fluid has some
-        for (const Data& doubt : found->items()) {
-            doubts.push_back(doubt.text());
-        }
-    }
-    return doubts;
+    const Data* found = results.find("doubts");  // only a fluid has them
+    return found == nullptr ? std::vector<std::string>{} : texts_of(*found, "doubts", most_doubts);
 }
 
 }  // namespace

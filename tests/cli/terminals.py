@@ -2,6 +2,7 @@
 of it left over. Both kinds of terminals see the same bytes: one that wraps its lines anew when it is made narrower, and
 one that cuts them off."""
 
+import codecs
 import fcntl
 import os
 import pty
@@ -27,6 +28,7 @@ class Program:
     def __init__(self, t, columns, *arguments):
         self.ours, self.theirs = pty.openpty()
         self.terminals = [Terminal(columns, reflows=reflows) for reflows in (False, True)]
+        self.decoder = codecs.getincrementaldecoder("utf-8")()
         self.seen = ""
         self.set_size(columns)
         self.program = subprocess.Popen([t.ljmd, *arguments], cwd=t.dir, stdin=subprocess.DEVNULL, stdout=self.theirs,
@@ -50,7 +52,7 @@ class Program:
             data = os.read(self.ours, 512)
         except OSError:  # Linux: the other end is closed
             data = b""
-        text = data.decode(errors="surrogateescape")
+        text = self.decoder.decode(data)
         self.seen += text
         for terminal in self.terminals:
             terminal.feed(text)

@@ -1,12 +1,18 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "ljmd/cli/pages/command_tree.hpp"
 
 namespace ljmd {
 
 // What the program needs of its parser; the library does not know CLI11.
+
+/// Help in lines that fit the screen.
+[[nodiscard]] std::shared_ptr<CLI::Formatter> screen_formatter();
 
 [[nodiscard]] std::vector<const CLI::App*> commands_of(const CLI::App& app);
 
