@@ -45,11 +45,8 @@ std::string value_word(const CLI::Option& option) {
 }
 
 CommandOption described(const CLI::Option& option) {
-    CommandOption found{{},
-                        value_word(option),
-                        option.get_description(),
-                        option.get_required(),
-                        option.get_items_expected_max() > 1};
+    CommandOption found{
+        {}, value_word(option), option.get_description(), option.get_required(), option.get_items_expected_max() > 1};
     for (const std::string& name : option.get_lnames()) {
         found.names.push_back("--" + name);
     }

@@ -47,9 +47,9 @@ void init_command(const InitOptions& options) {
     const fs::path file = options.file.empty() ? fs::path(fmt::format("{}.toml", deck.name)) : fs::path(options.file);
     check_place(file, options.force);
     write_file_atomically(file, deck.text);
-    print_result(fmt::format(
-        "{0}\nto see what it costs: ljmd check {0}\nto run it: ljmd run {0}\nall keys: ljmd info --keys\n",
-        file.string()));
+    print_result(
+        fmt::format("{0}\nto see what it costs: ljmd check {0}\nto run it: ljmd run {0}\nall keys: ljmd info --keys\n",
+                    file.string()));
 }
 
 }  // namespace ljmd

@@ -29,8 +29,7 @@ OwnCommands::OwnCommands(CLI::App& app)
       completion_(*app.add_subcommand("completion", "script with which a shell completes commands, options and keys")) {
     CLI::App& init = *app.get_subcommand("init");
     init.add_option("file", begun_.file, "deck to write, EXAMPLE.toml by default")->type_name("FILE");
-    init.add_option("--example", begun_.example, "the deck of that name; first by default")
-        ->type_name("EXAMPLE");
+    init.add_option("--example", begun_.example, "the deck of that name; first by default")->type_name("EXAMPLE");
     init.add_flag("--force", begun_.force, "replace the file if it exists");
     init.add_flag("--list", begun_.list, "print names and titles of the examples; nothing is written");
     CLI::App& help = *app.get_subcommand("help");
@@ -72,7 +71,8 @@ int OwnCommands::help() const {
         return 0;
     }
     const std::vector<const CLI::App*> commands = commands_of(app_);
-    const auto found = std::ranges::find(commands, command_, [](const CLI::App* command) { return command->get_name(); });
+    const auto found =
+        std::ranges::find(commands, command_, [](const CLI::App* command) { return command->get_name(); });
     if (found == commands.end()) {
         throw InputError(unknown_command(app_, command_));
     }

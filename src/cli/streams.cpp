@@ -110,8 +110,8 @@ std::optional<std::size_t> message_columns() {
 }
 
 void talk_over_line(const std::string& text) {
-    // Written at once, because stderr has no buffer, and erased last: so the line does not flicker. What is erased is all
-    // to the end of the screen: the rest of a longer line that a narrower terminal has wrapped. While the line is
+    // Written at once, because stderr has no buffer, and erased last: so the line does not flicker. What is erased is
+    // all to the end of the screen: the rest of a longer line that a narrower terminal has wrapped. While the line is
     // written the terminal does not wrap: it may have become narrower since it was asked for its width.
     std::string line = "\r\033[?7l";
     for (const std::string& character : printable_characters(text)) {

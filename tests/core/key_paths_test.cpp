@@ -29,10 +29,10 @@ std::vector<std::string> paths(const std::vector<KeyPlace>& places) {
 
 TEST_CASE("every key has the path that --set takes, keys of choices included") {
     CHECK(paths(key_places(deck())) ==
-          std::vector<std::string>{"title", "system", "system.density", "system.temperature", "stage", "stage.NAME.name",
-                                   "stage.NAME.temperature", "stage.NAME.thermostat", "stage.NAME.thermostat.type",
-                                   "stage.NAME.thermostat.time", "stage.NAME.thermostat.every", "body",
-                                   "body.NUMBER.mass"});
+          std::vector<std::string>{"title", "system", "system.density", "system.temperature", "stage",
+                                   "stage.NAME.name", "stage.NAME.temperature", "stage.NAME.thermostat",
+                                   "stage.NAME.thermostat.type", "stage.NAME.thermostat.time",
+                                   "stage.NAME.thermostat.every", "body", "body.NUMBER.mass"});
     const KeyPlace density = key_places(deck())[2];
     CHECK(density.name == "density");
     CHECK(density.table == "[system]");

@@ -290,8 +290,9 @@ TEST_CASE("unknown and missing keys") {
 }
 
 TEST_CASE("a key that belongs to an inner table is told where it belongs: as a path where it was set, else by table") {
-    const Schema schema("the deck", {Key::table("system", Schema("[system]", {density()})).optional(),
-                                     Key::tables("stage", Schema("[[stage]]", {Key::text("name"), steps()})).optional()});
+    const Schema schema("the deck",
+                        {Key::table("system", Schema("[system]", {density()})).optional(),
+                         Key::tables("stage", Schema("[[stage]]", {Key::text("name"), steps()})).optional()});
     Diagnostics diagnostics;
     static_cast<void>(validate({entry("density", 0.8, 0), entry("steps", 1.0, 0), entry("densty", 0.8, 0),
                                 entry("density", 0.8, 4), entry("steps", 1.0, 5)},

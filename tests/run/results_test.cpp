@@ -199,10 +199,12 @@ TEST_CASE("a remark stands where its number stands, and is told once") {
 
 TEST_CASE("the table fits a screen of 80 columns, whatever the names and the remarks are") {
     RunResult result = some_result();
-    result.averages[3].remark = "a remark that is so long that it has to go on in the line below the one that it began in";
+    result.averages[3].remark =
+        "a remark that is so long that it has to go on in the line below the one that it began in";
     result.averages.push_back(average("viscosity", "epsilon tau/sigma^3", 3.25, 0.1));
     result.averages.push_back(average("diffusion_infinite_system", "sigma^2/tau", 0.0313, 0.0000004));
-    result.averages.push_back({std::string(60, 'n'), "X", "1", Estimate{1234567.0, 0.000012, 1e6, 1000000, false}, "", true});
+    result.averages.push_back(
+        {std::string(60, 'n'), "X", "1", Estimate{1234567.0, 0.000012, 1e6, 1000000, false}, "", true});
     result.doubts = {"sampling began with 61 % of the crystal left (translational order 0.600): equilibrate longer"};
     for (const std::string& extra : {std::string(), argon_table}) {
         const std::string text = results_report(deck_with(extra), result).text;

@@ -15,7 +15,8 @@ struct ExampleDeck {
     [[nodiscard]] std::string_view title() const;  ///< from its first line
 };
 
-/// The decks of inputs/ that run alone, sorted by folder and name. Left out is what starts from the run of another deck.
+/// The decks of inputs/ that run alone, sorted by folder and name. Left out is what starts from the run of another
+/// deck.
 [[nodiscard]] std::span<const ExampleDeck> example_decks();
 
 [[nodiscard]] std::vector<std::string> example_names();

@@ -37,8 +37,8 @@ void warn(const std::string& text) noexcept;
 /// move its cursor (TERM=dumb). A terminal that does not know its width has 80 columns.
 [[nodiscard]] std::optional<std::size_t> message_columns();
 
-/// Replace the terminal line at the cursor, and leave the cursor at its beginning: a terminal that is made narrower wraps
-/// the line or cuts it, and in both cases it begins at the cursor. An empty text clears the line.
+/// Replace the terminal line at the cursor, and leave the cursor at its beginning: a terminal that is made narrower
+/// wraps the line or cuts it, and in both cases it begins at the cursor. An empty text clears the line.
 /// @pre the text is shorter than the line
 void talk_over_line(const std::string& text);
 

@@ -29,8 +29,8 @@ class TextTable {
     /// Heading line, unless all headings are empty, and rows, without trailing spaces, each with a line end.
     [[nodiscard]] std::string text() const;
 
-    /// The same in lines of at most `columns` characters, as far as the first column can be made narrower: entries that are
-    /// then too long for it have lines of their own above their rows.
+    /// The same in lines of at most `columns` characters, as far as the first column can be made narrower: entries that
+    /// are then too long for it have lines of their own above their rows.
     [[nodiscard]] std::string text_within(std::size_t columns) const;
 
   private:

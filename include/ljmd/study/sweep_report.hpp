@@ -14,8 +14,8 @@ struct SweptPoint {
     std::string name;
     std::vector<std::string> values;  ///< of the varied keys
     std::filesystem::path directory;
-    std::vector<ObservedMean> found;  ///< empty if it failed
-    std::string failure;              ///< reason of the failure; empty if it succeeded
+    std::vector<ObservedMean> found;       ///< empty if it failed
+    std::string failure;                   ///< reason of the failure; empty if it succeeded
     std::vector<std::string> doubts = {};  ///< about the run, see RunResult::doubts
 };
 
@@ -26,8 +26,8 @@ struct SweptPoints {
 };
 
 /// The results of `ljmd sweep`. Text: a table with values of the keys, then T, U, p and Z, or the energies of few
-/// bodies, and the mark of what is doubtful about the run; below it the remarks. Data: keys; points with name, directory,
-/// values, failure or null, doubts, observables.
+/// bodies, and the mark of what is doubtful about the run; below it the remarks. Data: keys; points with name,
+/// directory, values, failure or null, doubts, observables.
 [[nodiscard]] Document sweep_report(const SweptPoints& swept);
 
 /// sweep.csv: the varied keys, then each observable and its `_standard_error`, empty if unknown. The last column is

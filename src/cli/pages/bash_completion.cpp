@@ -9,8 +9,8 @@ namespace ljmd {
 
 namespace {
 
-/// The part of the script that is the same for every program. `kind` says what the word can be: "words", "keys", "decks",
-/// "files", "directories" or "nothing".
+/// The part of the script that is the same for every program. `kind` says what the word can be: "words", "keys",
+/// "decks", "files", "directories" or "nothing".
 constexpr const char* frame = R"bash(
 # The word before the cursor, whole: readline splits it at '=' and ':'.
 _ljmd() {{
@@ -79,7 +79,8 @@ std::string arguments_of(const Command& command, const CommandTree& tree) {
     }
     std::string text = assignments(arguments.front(), tree);
     if (arguments.size() > 1) {
-        text = fmt::format("if [[ $COMP_CWORD -gt 2 ]]; then {}; else {}; fi", assignments(arguments.back(), tree), text);
+        text =
+            fmt::format("if [[ $COMP_CWORD -gt 2 ]]; then {}; else {}; fi", assignments(arguments.back(), tree), text);
     }
     return text;
 }
@@ -90,11 +91,13 @@ std::string bash_case(const Command& command, const CommandTree& tree) {
     for (const CommandOption& option : command.named_options()) {
         all.insert(all.end(), option.names.begin(), option.names.end());
         if (!option.value.empty()) {
-            text += fmt::format("                {}) {} ;;\n", fmt::join(option.names, " | "), assignments(option, tree));
+            text +=
+                fmt::format("                {}) {} ;;\n", fmt::join(option.names, " | "), assignments(option, tree));
         }
     }
     text += fmt::format(
-        "                *) if [[ $word == -* ]]; then words=\"{}\"; else {}; fi ;;\n            esac\n            ;;\n",
+        "                *) if [[ $word == -* ]]; then words=\"{}\"; else {}; fi ;;\n            esac\n            "
+        ";;\n",
         fmt::join(all, " "), arguments_of(command, tree));
     return text;
 }
@@ -108,8 +111,9 @@ std::string bash_completion(const CommandTree& tree) {
     }
     std::string text = "# Completion of ljmd for bash, printed by `ljmd completion bash`.\n";
     text += fmt::format("_ljmd_keys=\"{}\"\n\n", fmt::join(all_deck_keys(), " "));
-    text += "# Sets kind and words for the word that is completed, from the variables of _ljmd.\n_ljmd_of_command() {\n"
-            "    case $command in\n";
+    text +=
+        "# Sets kind and words for the word that is completed, from the variables of _ljmd.\n_ljmd_of_command() {\n"
+        "    case $command in\n";
     for (const Command& command : tree.commands) {
         text += bash_case(command, tree);
     }

@@ -59,13 +59,28 @@ PossibleValues possible_values(const std::string& value, const CommandTree& tree
         {"ANALYSIS", analysis_names},
         {"EQUATION", [] { return plugin_names(all_equations_of_state()); }},
         {"EXAMPLE", example_names},
-        {"HOW", [] { return std::vector<std::string>{"wrapped", "unwrapped"}; }},
+        {"HOW",
+         [] {
+             return std::vector<std::string>{"wrapped", "unwrapped"};
+         }},
         {"LEVEL", simd_names},
-        {"P", [] { return std::vector<std::string>{"double", "mixed"}; }},
+        {"P",
+         [] {
+             return std::vector<std::string>{"double", "mixed"};
+         }},
         {"PART,...", [] { return crosscheck_parts(); }},
-        {"PLATFORM", [] { return std::vector<std::string>{"Reference", "CPU", "OpenCL"}; }},
-        {"PROGRAM", [] { return std::vector<std::string>{"gsl", "lammps", "openmm"}; }},
-        {"SHELL", [] { return std::vector<std::string>{"bash", "fish", "zsh"}; }},
+        {"PLATFORM",
+         [] {
+             return std::vector<std::string>{"Reference", "CPU", "OpenCL"};
+         }},
+        {"PROGRAM",
+         [] {
+             return std::vector<std::string>{"gsl", "lammps", "openmm"};
+         }},
+        {"SHELL",
+         [] {
+             return std::vector<std::string>{"bash", "fish", "zsh"};
+         }},
         {"TABLE", [] { return std::vector<std::string>{"verlet1967"}; }},
         {"TARGET", [] { return export_targets(); }}};
     if (value == "COMMAND") {

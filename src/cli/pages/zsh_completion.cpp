@@ -52,9 +52,9 @@ std::string specifications(const CommandOption& option, const CommandTree& tree)
     std::string text;
     for (const std::string& name : option.names) {
         const std::string value = option.value.empty() ? "" : message_and_action(option.value, tree);
-        text += fmt::format(" \\\n                {}",
-                            zsh_quoted(fmt::format("{}{}[{}]{}", option.many ? "*" : "", name,
-                                               escaped(option.meaning, "\\[]:"), value)));
+        text +=
+            fmt::format(" \\\n                {}", zsh_quoted(fmt::format("{}{}[{}]{}", option.many ? "*" : "", name,
+                                                                          escaped(option.meaning, "\\[]:"), value)));
     }
     return text;
 }
@@ -82,8 +82,9 @@ std::string zsh_completion(const CommandTree& tree) {
     for (const CommandOption& option : tree.program.named_options()) {
         text += specifications(option, tree);
     }
-    text += " \\\n        ':command:_ljmd_commands' \\\n        '*:: :->rest'\n    [[ $state == rest ]] || return\n"
-            "    case $line[1] in\n";
+    text +=
+        " \\\n        ':command:_ljmd_commands' \\\n        '*:: :->rest'\n    [[ $state == rest ]] || return\n"
+        "    case $line[1] in\n";
     for (const Command& command : tree.commands) {
         text += zsh_case(command, tree);
     }

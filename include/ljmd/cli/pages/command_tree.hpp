@@ -44,8 +44,8 @@ struct PossibleValues {
     bool directories = false;  ///< directories alone
 };
 
-/// The possible values of an option, by the word that its help has for them ("DIR", "LEVEL"). All empty where nothing is
-/// known of them, as of numbers and times.
+/// The possible values of an option, by the word that its help has for them ("DIR", "LEVEL"). All empty where nothing
+/// is known of them, as of numbers and times.
 /// @param tree  names the commands, which are the values of "COMMAND"
 [[nodiscard]] PossibleValues possible_values(const std::string& value, const CommandTree& tree);
 

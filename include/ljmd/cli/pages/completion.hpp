@@ -14,7 +14,8 @@ namespace ljmd {
 [[nodiscard]] std::string fish_completion(const CommandTree& tree);
 [[nodiscard]] std::string zsh_completion(const CommandTree& tree);
 
-/// Dotted keys of all decks as --set takes them, sorted; "NAME" and "NUMBER" stand for an element of an array of tables.
+/// Dotted keys of all decks as --set takes them, sorted; "NAME" and "NUMBER" stand for an element of an array of
+/// tables.
 [[nodiscard]] std::vector<std::string> all_deck_keys();
 
 }  // namespace ljmd
