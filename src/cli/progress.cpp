@@ -172,11 +172,11 @@ std::string Progress::line_within(std::size_t columns, Index step, double steps_
     std::vector<Part> parts{{fmt::format("[{}]", stage_), 1},
                             {fmt::format("{:3.0f} %", 100.0 * done(step)), never},
                             {fmt::format("{}/{}", step, total_steps_), 7},
-                            {fmt::format("{} steps/s", short_rate(steps_per_second)), 4},
-                            {fmt::format("ETA {}", time_left(step, steps_per_second)), 2}};
+                            {fmt::format("{} steps/s", short_rate(steps_per_second)), 4}};
     if (atoms_) {
         parts.push_back({fmt::format("{:.3g} atom-steps/s", steps_per_second * static_cast<double>(*atoms_)), 8});
     }
+    parts.push_back({fmt::format("ETA {}", time_left(step, steps_per_second)), 2});
     int dispensable = 3;  // the first value stays longest; the rate is worth more than the others
     for (const std::string& value : values_) {
         parts.push_back({value, dispensable});

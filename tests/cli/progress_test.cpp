@@ -129,7 +129,7 @@ TEST_CASE("on a terminal the line has the present values, and parts are left out
     progress.sampled(ThermoRow{10500, 42.0, values, {}, {}});
     const auto line = [&](std::size_t columns) { return progress.line_within(columns, 10500, 4210.0); };
     CHECK(line(200) ==
-          "[production]   42 %  10500/25000  4210 steps/s  ETA 0:04  3.64e+06 atom-steps/s  T 0.7129  U/N -6.101  "
+          "[production]   42 %  10500/25000  4210 steps/s  3.64e+06 atom-steps/s  ETA 0:04  T 0.7129  U/N -6.101  "
           "p 0.0807");
     CHECK(line(79) == "[production]   42 %  4210 steps/s  ETA 0:04  T 0.7129  U/N -6.101  p 0.0807");
     CHECK(line(70) == "[production]   42 %  4210 steps/s  ETA 0:04  T 0.7129  U/N -6.101");
