@@ -141,6 +141,7 @@ std::optional<double> wall_time(const std::string& text) {
 void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
     Progress progress(std::nullopt, total_steps(deck.stages), options.quiet);
     const GslComparison comparison = compare_with_gsl(deck, progress);
+    progress.clear_line();
     if (!out.empty()) {
         write_comparison(comparison, deck, out);
     }
@@ -155,12 +156,14 @@ void compare_fluid(const Deck& deck, CheckedRun fluid, const DeckOptions& option
     Progress progress(fluid.atoms(), steps_before_crosscheck(deck), options.quiet);
     const auto say = [&](const std::string& text) {
         if (!options.quiet) {
+            progress.clear_line();
             print_message(text + "\n");
         }
     };
     FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start.value())), fluid.execution,
                                         [&](const std::string& text) { progress.warning(text); });
     const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
+    progress.clear_line();
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
     }
@@ -220,7 +223,9 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
     AnySystem system = make_system(deck, std::move(run.start), run.execution,
                                    [&](const std::string& text) { progress.warning(text); });
     install_stop_handlers();  // before this, nothing would be lost
-    print_document(run_in_locked_directory(deck, system, options.force, progress, control), options.json);
+    const Document results = run_in_locked_directory(deck, system, options.force, progress, control);
+    progress.clear_line();
+    print_document(results, options.json);
     write_asked_report(deck);
 }
 
@@ -245,7 +250,9 @@ void resume_command(const ResumeOptions& options) {
                 : fmt::format("resuming after step {} of {}\n", from.step, steps));
     }
     control.continuation = run.take();
-    print_document(run_deck(run.deck(), system, progress, control), options.json);
+    const Document results = run_deck(run.deck(), system, progress, control);
+    progress.clear_line();
+    print_document(results, options.json);
     write_asked_report(run.deck());
     run.warn_if_moved();
 }

@@ -12,6 +12,7 @@
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_file.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 #include "ljmd/run/given/given_record.hpp"
@@ -32,6 +33,16 @@ std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& sys
     const auto frames = kept(continuation, &CommittedOutputs::trajectory);
     return TrajectoryCsv(deck.outputs() / "trajectory.csv", trajectory_columns(deck, system),
                          frames ? std::optional(frames->bytes) : std::nullopt);
+}
+
+/// Whether the record of a run says that it has come to its end. True where it cannot be read: nothing is known then.
+bool has_finished(const fs::path& directory) {
+    try {
+        return read_json(directory / "run.json", "the record of a run",
+                         [](const Data& record) { return record.at("finished").flag(); });
+    } catch (const Error&) {
+        return true;
+    }
 }
 
 }  // namespace
@@ -65,9 +76,17 @@ void check_directory(const Deck& deck, bool force) {
         const bool can_resume = std::any_of(old.begin(), old.end(), [&](const fs::path& file) {
             return std::find(checkpoints.begin(), checkpoints.end(), file.filename()) != checkpoints.end();
         });
+        const std::string resume = fmt::format(": ljmd resume {}", directory.string());
+        if (can_resume && !has_finished(directory)) {
+            throw OutputRefused(
+                fmt::format("{} holds a run that has not come to its end. Nothing was run.", directory.string()),
+                {{"resume it", resume},
+                 {"or choose another directory", " with --out"},
+                 {"or replace it", " with --force"}});
+        }
         OutputRefused::Choices choices{another_directory, {"or replace it", " with --force"}};
         if (can_resume) {
-            choices.emplace_back("or resume it", fmt::format(": ljmd resume {}", directory.string()));
+            choices.emplace_back("or resume it", resume);
         }
         throw OutputRefused(fmt::format("{} already holds a run ({}). Nothing was run.", directory.string(),
                                         old.front().filename().string()),

@@ -159,4 +159,15 @@ struct ReportOptions {
 /// ljmd report RUN...: one page about a run, a study or a comparison, or about several.
 void report_command(const ReportOptions& options);
 
+/// Options of `ljmd init`.
+struct InitOptions {
+    std::string file{};             ///< empty: <example>.toml in the working directory
+    std::string example = "first";  ///< one of example_names()
+    bool force = false;
+    bool list = false;  ///< print the examples instead
+};
+
+/// ljmd init [FILE]: write a commented deck to begin with. @throws OutputRefused if the file exists, without `force`
+void init_command(const InitOptions& options);
+
 }  // namespace ljmd

@@ -63,6 +63,8 @@ struct RunResult {
     Thermodynamics first;  ///< of the start
     Thermodynamics last;   ///< of the last sample
 
+    std::vector<std::string> doubts = {};  ///< those of the warnings that no remark on an observable repeats
+
     /// The observable of this name. @throws InputError naming all, if there is none
     [[nodiscard]] const ObservableAverage& observable(const std::string& name) const;
 
