@@ -5,22 +5,23 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Optional
 
+import atoms_picture
+import checked_files
 import few_body_run
 import matplotlib.colors
 import numpy as np
-import checked_files
 import style
 import trajectory
-from few_body_run import FewBodyRun
-from matplotlib.collections import EllipseCollection, LineCollection
+from atoms_picture import Atoms, AtomsView
 from checked_files import RunDirectoryError, damaged
+from few_body_run import FewBodyRun
+from matplotlib.collections import LineCollection
 from style import plt
-from trajectory import Trajectory
 
 INCHES = 6.0
+PIXELS = 480  # across the atoms of a fluid
 TRAIL = 0.125  # length of a trail, as a part of all frames
 TRAIL_POINTS = 200
-ANGSTROM = 10.0  # in a nanometre
 
 
 class PathScene:
@@ -54,7 +55,7 @@ class PathScene:
             self.dots += self.axes.plot([], [], "o", color=style.colour(body), markersize=6, label=run.name(body))
         if 1 < run.bodies <= 12:
             self.axes.legend(loc="upper right")
-        self.title = style.plain(run.title)
+        self.title = run.title
 
     def draw(self, frame: int) -> None:
         """Show the bodies at one of the frames 0 ... len(rows) - 1."""
@@ -70,62 +71,28 @@ class PathScene:
             dot.set_data([self.points[row, body, 0]], [self.points[row, body, 1]])
         for rod, (x, y) in zip(self.rods, self.points[row]):
             rod.set_data([0.0, x], [0.0, y])
-        self.axes.set_title(f"{self.title}\n$t$ = {self.time[row]:.6g}", fontsize=10)
+        style.head(self.figure, self.title, f"t = {self.time[row]:.6g}")
 
 
 class BoxScene:
-    """Atoms of a fluid in their box, seen along z: the nearer, the darker."""
+    """Atoms of a fluid in their box as shaded spheres, coloured by speed where the trajectory has velocities."""
 
     def __init__(self, directory: Path, most: int):
         frames = trajectory.read(directory, most)
         if frames is None:
             raise damaged(directory, "no trajectory: ask the deck for one with [output] trajectory")
-        self.frames, self.positions = frames, wrapped(frames)
-        self.rows = np.arange(len(self.positions))
-        self.figure, self.axes = plt.subplots(figsize=(INCHES, INCHES), constrained_layout=True)
         record = checked_files.read_json(directory / "run.json")
-        diameter = atom_diameter(directory / "run.json", record, frames.length_unit)
-        size = np.full(self.positions.shape[1], diameter)
-        self.atoms = self.axes.add_collection(
-            EllipseCollection(
-                size, size, np.zeros_like(size), units="xy", offsets=self.positions[0, :, :2],
-                transOffset=self.axes.transData, cmap=plt.get_cmap("Blues"), edgecolors="white", linewidths=0.3,
-            )
-        )
-        depth = self.positions[:, :, 2]
-        low, high = np.nanmin(depth), np.nanmax(depth)
-        self.atoms.set_clim(low - 0.3 * (high - low), high)  # the farthest not quite white
-        unit = {"": "", "sigma": r" / $\sigma$", "nm": " / nm", "angstrom": r" / $\mathrm{\AA}$"}[frames.length_unit]
-        if frames.edges is None:
-            set_limits(self.axes, self.positions[:, :, :2], equal=True)
-        else:
-            self.axes.set(xlim=(0.0, frames.edges[:, 0].max()), ylim=(0.0, frames.edges[:, 1].max()), aspect="equal")
-        self.axes.set_xlabel(f"$x${unit}")
-        self.axes.set_ylabel(f"$y${unit}")
-        self.axes.grid(False)
-        self.title = style.plain(checked_files.field(directory / "run.json", record, "title", str, default=""))
+        diameter = atoms_picture.atom_diameter(directory / "run.json", record, frames.length_unit)
+        self.frames = frames
+        self.view = AtomsView(Atoms.of(frames, diameter), PIXELS)
+        self.figure, self.axes = self.view.figure, self.view.axes
+        self.rows = np.arange(len(frames.positions))
+        self.title = checked_files.field(directory / "run.json", record, "title", str, default="")
 
     def draw(self, frame: int) -> None:
-        """Show the atoms of one of the frames, the nearest on top."""
-        order = np.argsort(self.positions[frame, :, 2])
-        self.atoms.set_offsets(self.positions[frame, order, :2])
-        self.atoms.set_array(self.positions[frame, order, 2])
-        self.axes.set_title(f"{self.title}\n$t$ = {self.frames.time[frame]:.6g}", fontsize=10)
-
-
-def wrapped(frames: Trajectory) -> np.ndarray:
-    """Positions brought back into the box, where there is one."""
-    if frames.edges is None:
-        return frames.positions
-    return np.mod(frames.positions, frames.edges[:, np.newaxis, :])
-
-
-def atom_diameter(path: Path, record: dict, unit: str) -> float:
-    """One sigma in the unit of length of the trajectory."""
-    if unit not in ("nm", "angstrom"):
-        return 1.0
-    sigma = checked_files.field(path, checked_files.field(path, record, "argon", dict), "sigma_nm", float)
-    return sigma * (ANGSTROM if unit == "angstrom" else 1.0)
+        """Show the atoms of one of the frames."""
+        self.view.show(frame)
+        style.head(self.figure, self.title, f"t = {self.frames.time[frame]:.6g}")
 
 
 def set_limits(axes: plt.Axes, points: np.ndarray, equal: bool) -> None:

@@ -30,6 +30,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import deck  # noqa: E402
 import fitting  # noqa: E402
+import program  # noqa: E402
 import style  # noqa: E402
 from fitting import PowerLaw  # noqa: E402
 from checked_files import RunDirectoryError, reports_errors  # noqa: E402
@@ -40,7 +41,6 @@ LARGE = 0.1  # of the size of the orbit
 FACTORS = (8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125)  # of the deck's time step
 BLOWN_UP = 5  # exit code of ljmd
 ERRORS = {"position_error": "largest distance from the reference", "energy_error": "largest $|E - E(0)|$"}
-RELEASE = Path(__file__).resolve().parents[1] / "build" / "release" / "ljmd"
 MARKERS = "os^vD<>Phd*"
 
 
@@ -160,7 +160,7 @@ def plot(study: Study, series: Sequence[Series]) -> plt.Figure:
         axes.set_ylabel(label)
         axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), title="slope")
     panels[-1].set_xlabel("time step")
-    figure.suptitle(style.plain(study.title), fontsize=11)
+    style.head(figure, study.title)
     return figure
 
 
@@ -208,7 +208,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--output", type=Path, metavar="DIR", help="where to write (runs/NAME-convergence)")
     parser.add_argument("--ljmd", type=Path, metavar="PATH", help="the program (build/release/ljmd, else on PATH)")
     options = parser.parse_args(arguments)
-    ljmd = options.ljmd or (RELEASE if RELEASE.exists() else Path("ljmd"))
+    ljmd = options.ljmd or Path(program.path())
     output = options.output or Path("runs") / f"{options.deck.stem}-convergence"
     style.use()
     changes = [text for setting in options.settings for text in ("--set", setting)]

@@ -1,19 +1,28 @@
-"""Decks of ljmd as tables, with every `--set` applied. Needs Python 3.11, for TOML."""
+"""Decks of ljmd as tables, with every `--set` applied. Needs Python 3.11, or the package tomli, for TOML."""
 
 from __future__ import annotations
 
 import re
-import tomllib
 from pathlib import Path
 from typing import Any, Sequence
 
 from checked_files import RunDirectoryError, damaged, field, read_json, read_text
+
+try:
+    import tomllib
+except ModuleNotFoundError:
+    try:
+        import tomli as tomllib
+    except ModuleNotFoundError:
+        tomllib = None
 
 KEY_PART = re.compile(r'"([^"]*)"|([^."]+)')
 
 
 def parse(where: Path, text: str, settings: Sequence[str] = ()) -> dict[str, Any]:
     """The tables of a deck; `settings` are applied in their order. Errors name `where`, with exit code 3."""
+    if tomllib is None:
+        raise damaged(where, "its deck cannot be read without Python 3.11 or the package tomli")
     try:
         deck = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:

@@ -107,7 +107,7 @@ def plot(run: FewBodyRun, steps: np.ndarray, found: dict[str, tuple[np.ndarray, 
     axes.set_xlabel("$h$")
     axes.set_ylabel("root mean square error")
     axes.legend(loc="upper left")
-    axes.set_title(style.plain(run.title))
+    style.head(figure, run.title)
     return figure
 
 

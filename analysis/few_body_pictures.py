@@ -3,48 +3,91 @@
 from __future__ import annotations
 
 import math
+import sys
+from functools import partial
+from pathlib import Path
+from typing import Callable
 
 import few_body_run
 import numpy as np
 import style
+import trajectory
 from few_body_run import FewBodyRun
 from style import plt
 
 MOST_PANELS = 16
+MOST_COMPARED = 12  # bodies whose tracks are compared
 CONSERVED = {"momentum": "$P$", "angular_momentum": "$L$"}  # prefix of the columns, symbol
 
 
-def pictures(run: FewBodyRun, relative_to: int) -> dict[str, plt.Figure]:
-    """All pictures that suit the run, by name; `relative_to` is a body, counted from 0."""
-    made = {"energy": plot_energy(run)}
+def pictures(path: Path, relative_to: int = 1) -> dict[str, Callable[[], plt.Figure]]:
+    """What draws the pictures that suit a run, by name; `relative_to` is a body, counted from 1."""
+    run = few_body_run.load(path)
+    if run.trajectory is None:
+        print(f"{run.path / 'trajectory.csv'}: not there, no pictures of orbits", file=sys.stderr)
+    return pictures_of(run, few_body_run.body_index(run, relative_to))
+
+
+def pictures_of(run: FewBodyRun, relative_to: int) -> dict[str, Callable[[], plt.Figure]]:
+    """As pictures(); the body is counted from 0."""
+    made: dict[str, Callable[[], plt.Figure]] = {"energy": partial(plot_energy, run)}
     points = few_body_run.plane_points(run)
     if points is not None and run.force != "pendulum":  # which only ever draws its circle
-        made["orbit"] = plot_orbit(run, points)
+        made["orbit"] = partial(plot_orbit, run, points)
     if few_body_run.phase_points(run) is not None:
-        made["phase"] = plot_phase(run)
+        made["phase"] = partial(plot_phase, run)
     if momentum_columns(run):
-        made["momentum"] = plot_momentum(run)
+        made["momentum"] = partial(plot_momentum, run)
     if run.trajectory is not None and run.bodies > 1:
-        made["relative"] = plot_relative(run, relative_to)
+        made["relative"] = partial(plot_relative, run, relative_to)
     return made
+
+
+def coincide(one: np.ndarray, other: np.ndarray) -> bool:
+    """Whether nearly all points of a path (F, 2) lie on another path, within 0.3 % of its size."""
+    size = float(np.ptp(other, axis=0).max())
+    if size == 0.0:
+        return False
+    some, other = one[trajectory.spread(len(one), 100)], other[trajectory.spread(len(other), 4000)]
+    start, step = other[:-1], np.diff(other, axis=0)
+    length = np.maximum((step**2).sum(axis=1), 1e-300)
+    along = np.clip(((some[:, np.newaxis] - start) * step).sum(axis=2) / length, 0.0, 1.0)
+    nearest = np.linalg.norm(start + along[..., np.newaxis] * step - some[:, np.newaxis], axis=2).min(axis=1)
+    return bool(np.mean(nearest < 0.003 * size) > 0.9)
+
+
+def widths(points: np.ndarray) -> list[float]:
+    """Widths of the paths (F, N, 2): those on the same track are each thinner than the one below, so that all are seen."""
+    bodies = points.shape[1]
+    below = [0] * bodies  # how many of the later ones lie on the track of a body
+    if len(points) > 2 and bodies <= MOST_COMPARED:
+        for body in range(bodies):
+            below[body] = sum(coincide(points[:, later], points[:, body]) for later in range(body + 1, bodies))
+    return [0.9 + 2.4 * count for count in below]
 
 
 def draw_paths(axes: plt.Axes, run: FewBodyRun, points: np.ndarray) -> None:
     """The path of every body in a plane with equal scales: open circle at its start, full one at its end."""
-    for body in range(run.bodies):
+    for body, width in enumerate(widths(points)):
         x, y = points[:, body].T
-        colour = style.colour(body)
-        axes.plot(x, y, color=colour, linewidth=0.9)
-        axes.plot(x[0], y[0], "o", color=colour, markerfacecolor="white", markersize=5, zorder=3)
-        axes.plot(x[-1], y[-1], "o", color=colour, markersize=5, zorder=4, label=run.name(body))
+        axes.plot(x, y, color=style.colour(body), linewidth=width, label=run.name(body), zorder=2)
+        draw_ends(axes, x, y, style.colour(body))
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
 
 
-def place_legend(axes: plt.Axes, entries: int) -> None:
-    """A legend beside the panel, where it hides nothing."""
-    if entries > 1:
-        axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), ncol=math.ceil(entries / 20))
+def draw_ends(axes: plt.Axes, x: np.ndarray, y: np.ndarray, colour: str) -> None:
+    """An open circle where a path starts, a smaller full one where it ends: both are seen where it is closed."""
+    axes.plot(x[0], y[0], "o", color=colour, markerfacecolor="white", markersize=9.0, markeredgewidth=1.3, zorder=3)
+    axes.plot(x[-1], y[-1], "o", color=colour, markeredgecolor="white", markeredgewidth=0.7, markersize=6.0, zorder=4)
+
+
+def legend_of_paths(axes: plt.Axes, bodies: int) -> None:
+    """The bodies, where there are several, and what the circles mean, beside the panel."""
+    handles = axes.get_legend_handles_labels()[0] if bodies > 1 else []
+    ends = [plt.Line2D([], [], marker="o", linestyle="", color=style.GREY, markerfacecolor=face, markersize=6, label=label)
+            for face, label in (("white", "start"), (style.GREY, "end"))]
+    style.legend_beside(axes, handles=[*handles, *ends], ncol=math.ceil(bodies / 20))
 
 
 def plane_panel(points: np.ndarray) -> tuple[plt.Figure, plt.Axes]:
@@ -63,8 +106,8 @@ def plot_orbit(run: FewBodyRun, points: np.ndarray) -> plt.Figure:
     seen_along_z = run.trajectory.positions.shape[2] == 3
     axes.set_xlabel("$x$")
     axes.set_ylabel("$y$   (seen along $z$)" if seen_along_z else "$y$")
-    place_legend(axes, run.bodies)
-    axes.set_title(style.plain(run.title))
+    legend_of_paths(axes, run.bodies)
+    style.head(figure, run.title, run.status)
     return figure
 
 
@@ -78,13 +121,14 @@ def plot_relative(run: FewBodyRun, reference: int) -> plt.Figure:
             axes.plot(run.trajectory.time, points[:, body, 0], color=style.colour(body), label=run.name(body))
         axes.set_xlabel("$t$")
         axes.set_ylabel(f"{run.coordinate[0]} {seen_from}")
+        style.legend_beside(axes, ncol=math.ceil(run.bodies / 20))
     else:
         figure, axes = plane_panel(points[:, :, :2])
         draw_paths(axes, run, points[:, :, :2])
         axes.set_xlabel(f"$x$ {seen_from}")
         axes.set_ylabel(f"$y$ {seen_from}")
-    place_legend(axes, run.bodies)
-    axes.set_title(style.plain(run.title))
+        legend_of_paths(axes, run.bodies)
+    style.head(figure, run.title, run.status)
     return figure
 
 
@@ -103,15 +147,16 @@ def plot_phase(run: FewBodyRun) -> plt.Figure:
         position, velocity = points[:, body].T
         colour = style.colour(body)
         axes.plot(position, velocity, color=colour, linewidth=0.9)
-        axes.plot(position[0], velocity[0], "o", color=colour, markerfacecolor="white", markersize=5)
-        axes.plot(position[-1], velocity[-1], "o", color=colour, markersize=5)
+        draw_ends(axes, position, velocity, colour)
         axes.set_xlabel(run.coordinate[0])
         axes.set_ylabel(run.coordinate[1])
         axes.margins(0.08)
         if run.bodies > 1:
             axes.set_title(style.plain(run.name(body)), fontsize=10)
-    shown = f" (bodies 1 to {panels} of {run.bodies})" if panels < run.bodies else ""
-    figure.suptitle(style.plain(run.title) + shown, fontsize=11)
+    legend_of_paths(grid[0, -1], 1)
+    style.head(figure, run.title, run.status if run.bodies == 1 else "")
+    if panels < run.bodies:
+        grid[-1, 0].set_xlabel(f"{run.coordinate[0]}\nbodies 1 to {panels} of {run.bodies}")
     return figure
 
 
@@ -129,7 +174,6 @@ def plot_energy(run: FewBodyRun) -> plt.Figure:
     upper.plot(time, error, color=style.BLACK, linewidth=0.9, marker=marker)
     upper.set_ylabel("$E - E(0)$")
     relative = f" = {worst(error) / abs(energy[0]):.2g} $|E(0)|$" if energy[0] != 0.0 else ""
-    upper.set_title(f"largest $|E - E(0)|$ = {worst(error):.2g}{relative}", fontsize=10)
     for name, colour, label in (
         ("kinetic_energy", style.PURPLE, "kinetic"),
         ("potential_energy", style.BLUE, "potential"),
@@ -138,8 +182,9 @@ def plot_energy(run: FewBodyRun) -> plt.Figure:
         lower.plot(time, run.thermo[name], color=colour, linewidth=0.9, marker=marker, label=label)
     lower.set_xlabel("$t$")
     lower.set_ylabel("energy")
-    lower.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    figure.suptitle(style.plain(run.title), fontsize=11)
+    style.legend_beside(lower)
+    largest = f"largest $|E - E(0)|$ = {worst(error):.2g}{relative}"
+    style.head(figure, run.title, "; ".join(filter(None, [largest, run.status])))
     return figure
 
 
@@ -167,8 +212,8 @@ def plot_momentum(run: FewBodyRun) -> plt.Figure:
             label = f"${symbol}_{column[-1]}$ from {run.thermo[column][0]:.6g}"
             axes.plot(time, error, color=style.colour(k), linewidth=0.9, marker=marker, label=label)
         axes.set_ylabel(f"${symbol} - {symbol}(0)$")
-        axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        style.legend_beside(axes)
     grid[-1, 0].set_xlabel("$t$")
     figure.align_ylabels(grid[:, 0])
-    figure.suptitle(style.plain(run.title), fontsize=11)
+    style.head(figure, run.title, run.status)
     return figure

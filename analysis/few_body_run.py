@@ -10,7 +10,7 @@ import numpy as np
 import trajectory
 import unfinished_run
 from checked_files import RunDirectoryError, Table, damaged, field, read_json, read_table
-from run_directory import has_ended, kind_of
+from run_directory import has_ended, kind_of, status_of
 from trajectory import Trajectory
 from unfinished_run import System
 
@@ -28,6 +28,7 @@ class FewBodyRun:
     dimensions: int
     thermo: Table  # energies, momenta and angular momenta of the whole system
     trajectory: Optional[Trajectory]  # None when the run wrote none
+    status: str = ""  # how far a run has come that has not ended
 
     def name(self, body: int) -> str:
         """How a body, counted from 0, is called: decks count from 1."""
@@ -50,14 +51,16 @@ def load(path: Path) -> FewBodyRun:
     record = read_json(path / "run.json")
     ended = has_ended(path)
     system = system_in_results(path / "results.json") if ended else unfinished_run.system(path)
+    thermo = read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step",), growing=not ended)
     run = FewBodyRun(
         path=path,
         title=field(path / "run.json", record, "title", str, default=""),
         force=system.force,
         bodies=system.bodies,
         dimensions=system.dimensions,
-        thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step",), growing=not ended),
+        thermo=thermo,
         trajectory=trajectory.read(path, growing=not ended),
+        status="" if ended else status_of(path, thermo["step"][-1], unfinished_run.stages(path)),
     )
     return run if run.trajectory is None else replace(run, trajectory=fitted(run, run.trajectory))
 

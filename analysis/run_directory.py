@@ -48,6 +48,7 @@ class RunDirectory:
     rdf: Optional[Table]  # None when the run has no rdf.csv, or no g(r) in it
     observables: dict[str, Observable]
     stages: list[Stage]
+    status: str = ""  # how far a run has come that has not ended
 
     def rows_of(self, stage: Stage) -> np.ndarray:
         """Mask of the rows of thermo that belong to a stage."""
@@ -74,6 +75,13 @@ def has_ended(path: Path) -> bool:
     return field(path / "run.json", read_json(path / "run.json"), "finished", bool, default=True)
 
 
+def status_of(path: Path, last_step: float, stages: list[Stage]) -> str:
+    """How far a run in `path` has come that has not ended: it was stopped, has failed or goes on."""
+    what = "blew up" if (path / "failed.xyz").exists() else "has not come to its end"
+    steps = f" of {stages[-1].last_step}" if stages else ""
+    return f"the run {what}: drawn up to step {last_step:.0f}{steps}"
+
+
 def load(path: Path) -> RunDirectory:
     """Read and check the directory of a run of a fluid. A run that has not ended has no observables, and its stages are
     those of its deck.
@@ -88,23 +96,25 @@ def load(path: Path) -> RunDirectory:
         observables, stages = read_results(path / "results.json")
     else:
         observables, stages = {}, unfinished_run.stages(path)
+    thermo = read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step", "time"), growing=not ended)
     return RunDirectory(
         path=path,
         title=field(path / "run.json", record, "title", str, default=""),
-        thermo=read_table(path / "thermo.csv", THERMO_COLUMNS, increasing=("step", "time"), growing=not ended),
+        thermo=thermo,
         rdf=read_rdf(path / "rdf.csv"),
         observables=observables,
         stages=stages,
+        status="" if ended else status_of(path, thermo["step"][-1], stages),
     )
 
 
-def tables_of_analysis(path: Path) -> RunDirectory:
+def tables_of_analysis(path: Path, title: str = "") -> RunDirectory:
     """The tables that `ljmd analyze` wrote, as a run without observables and stages.
 
-    The title is the name of the run that the directory lies in, or else of the directory itself.
+    Without a title it is the name of the run that the directory lies in, or else of the directory itself.
     """
     inside = path.resolve()
-    title = inside.parent.name if (inside.parent / "run.json").exists() else inside.name
+    title = title or (inside.parent.name if (inside.parent / "run.json").exists() else inside.name)
     return RunDirectory(path=path, title=title, thermo={}, rdf=read_rdf(path / "rdf.csv"), observables={}, stages=[])
 
 

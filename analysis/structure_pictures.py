@@ -5,8 +5,9 @@ Each function draws one table of a run of a fluid; `pictures` draws those that t
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import Optional
+from typing import Callable, Optional, Sequence
 
 import numpy as np
 import checked_files
@@ -34,7 +35,7 @@ def caption(run: RunDirectory, name: str, symbol: str, unit: str) -> str:
 
 
 def finish(figure: plt.Figure, run: RunDirectory) -> plt.Figure:
-    figure.suptitle(style.plain(run.title), fontsize=11)
+    style.head(figure, run.title)
     return figure
 
 
@@ -144,18 +145,21 @@ def read(path: Path, first: str, others: tuple[str, ...]) -> Optional[Table]:
     return table if checked_files.has_values(path, table, drawn) else None
 
 
-def only_tables(path: Path) -> bool:
-    """Whether a directory has tables, but no run: `ljmd analyze` wrote it."""
-    of_run = any((path / name).exists() for name in ("run.json", "thermo.csv"))
-    return not of_run and any((path / f"{name}.csv").exists() for name in ("rdf", *PICTURES))
+def of_table(run: RunDirectory, path: Path, header: Sequence[str]) -> Optional[Callable[[], plt.Figure]]:
+    """What draws a table that has the columns of one of PICTURES, whatever its name is; None for another table."""
+    for first, others, draw in PICTURES.values():
+        if {first, *others} <= set(header):
+            table = read(path, first, others)
+            return None if table is None else partial(draw, run, table)
+    return None
 
 
-def pictures(run: RunDirectory) -> dict[str, plt.Figure]:
-    """The pictures of the tables that a run has, by their names."""
-    figures = {}
+def pictures(run: RunDirectory) -> dict[str, Callable[[], plt.Figure]]:
+    """What draws the tables that a run has, by their names."""
+    figures: dict[str, Callable[[], plt.Figure]] = {}
     for name, (first, others, draw) in PICTURES.items():
         path = run.path / f"{name}.csv"
         table = read(path, first, others) if path.exists() else None
         if table is not None:
-            figures[name] = draw(run, table)
+            figures[name] = partial(draw, run, table)
     return figures

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
+import warnings
 from pathlib import Path
-from typing import Optional
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 from checked_files import RunDirectoryError  # noqa: E402
+from plain_text import lines, plain  # noqa: E402
 
 FORMATS = (".png", ".pdf", ".svg")
 
@@ -21,12 +22,18 @@ BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK = CYCLE
 GREY = "#999999"
 
 LABELS = {
+    "step": "step",
     "time": r"$t$ / $\tau$",
     "temperature": r"$T$ / ($\epsilon/k_\mathrm{B}$)",
     "potential_energy": r"$U/N$ / $\epsilon$",
     "kinetic_energy": r"$K/N$ / $\epsilon$",
     "total_energy": r"$E/N$ / $\epsilon$",
     "pressure": r"$p$ / ($\epsilon/\sigma^3$)",
+    "heat_capacity_cv": r"$c_V$ / $k_\mathrm{B}$",
+    "coordination_number": r"$n_\mathrm{c}$",
+    "diffusion": r"$D$ / ($\sigma^2/\tau$)",
+    "diffusion_green_kubo": r"$D$ / ($\sigma^2/\tau$)",
+    "viscosity": r"$\eta$ / ($\epsilon \tau/\sigma^3$)",
     "density": r"$\rho$ / $\sigma^{-3}$",
     "compressibility_factor": r"$Z = p / \rho k_\mathrm{B} T$",
     "r": r"$r$ / $\sigma$",
@@ -48,26 +55,37 @@ def colour(k: int) -> str:
     return CYCLE[k % len(CYCLE)]
 
 
-def check_format(path: Optional[Path]) -> None:
-    """Refuse the name of a picture in a format that is not drawn."""
-    if path is not None and path.suffix not in FORMATS:
-        raise RunDirectoryError(f"{path}: must end in {', '.join(FORMATS)}", exit_code=2)
+def head(figure: plt.Figure, title: str, note: str = "") -> None:
+    """The title of a picture, which is a text of others, and below it, smaller, a note of ours."""
+    width = int(11.5 * figure.get_figwidth())  # characters of this size in a line
+    figure.suptitle(lines(title, width), fontsize=12)
+    if note:
+        figure.axes[0].set_title(note, fontsize=9.5, color="#444444", loc="center")
+
+
+def legend_beside(axes: plt.Axes, **more: object) -> None:
+    """A legend beside the panel, where it hides nothing."""
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **more)
 
 
 def save(figure: plt.Figure, path: Path) -> None:
-    """Write a picture and say where it is."""
+    """Write a picture, by the ending of its name, and say where it is. It has its name only when it is complete."""
+    half = path.with_name(f".half-{path.name}")
+    dates = {".svg": "Date", ".pdf": "CreationDate"}  # left out: the same picture is the same file
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(path)
+        try:
+            with warnings.catch_warnings():
+                warnings.filterwarnings("ignore", message="Glyph")  # a box stands for a letter that the font lacks
+                figure.savefig(half, format=path.suffix[1:],
+                               metadata={dates[path.suffix]: None} if path.suffix in dates else None)
+            half.replace(path)
+        finally:
+            half.unlink(missing_ok=True)
     except OSError as error:
         raise RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
     plt.close(figure)
-    print(path)
-
-
-def plain(text: str) -> str:
-    """Text that matplotlib shows as it is: without this, a pair of dollar signs starts a formula."""
-    return text.replace("$", r"\$")
+    print(path, flush=True)
 
 
 def with_uncertainty(mean: float, standard_error: float) -> str:

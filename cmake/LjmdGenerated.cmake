@@ -11,18 +11,29 @@ set(ljmd_flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${ljmd_build_type}} ${ljmd_
 string(REGEX REPLACE " +" " " ljmd_flags "${ljmd_flags}")
 string(STRIP "${ljmd_flags}" ljmd_flags)
 
-# ljmd/cli/bench_deck.hpp: the deck that `ljmd bench` runs when it is given none.
-set(ljmd_melt ${PROJECT_SOURCE_DIR}/inputs/examples/melt-32k.toml)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ljmd_melt})
-file(READ ${ljmd_melt} ljmd_melt_text)
-file(CONFIGURE OUTPUT ${ljmd_version_include}/ljmd/cli/bench_deck.hpp CONTENT
+# ljmd/cli/example_deck_texts.hpp: the decks that `ljmd init` writes, and that `ljmd bench` runs when it is given none.
+# continue.toml starts from the run of another deck.
+file(GLOB ljmd_decks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/inputs/*/*.toml)
+list(FILTER ljmd_decks EXCLUDE REGEX "/continue\\.toml$")
+list(LENGTH ljmd_decks ljmd_deck_count)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ljmd_decks})
+set(ljmd_deck_texts "")
+foreach(path IN LISTS ljmd_decks)
+    get_filename_component(name ${path} NAME_WE)
+    file(READ ${path} text)
+    string(APPEND ljmd_deck_texts "    {\"${name}\", R\"deck(${text})deck\"},\n")
+endforeach()
+file(CONFIGURE OUTPUT ${ljmd_version_include}/ljmd/cli/example_deck_texts.hpp CONTENT
 "#pragma once
-// Written by cmake/LjmdGenerated.cmake from inputs/examples/melt-32k.toml.
-#include <string_view>
+// Written by cmake/LjmdGenerated.cmake from the decks in inputs/.
+#include <array>
+
+#include \"ljmd/cli/example_decks.hpp\"
 
 namespace ljmd {
 
-inline constexpr std::string_view melt_deck_text = R\"deck(@ljmd_melt_text@)deck\";
+inline constexpr std::array<ExampleDeck, @ljmd_deck_count@> example_deck_texts{{
+@ljmd_deck_texts@}};
 
 }  // namespace ljmd
 " @ONLY)

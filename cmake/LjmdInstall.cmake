@@ -1,5 +1,6 @@
 # What 'cmake --install' puts where: program, library, headers, the packages by which CMake and pkg-config find the
-# library, decks and analysis scripts. The Python package: cmake/LjmdPython.cmake.
+# library, decks, analysis scripts, documentation. The Python package: cmake/LjmdPython.cmake; the manual page and
+# completion: cmake/LjmdPages.cmake.
 include(CMakePackageConfigHelpers)
 set(ljmd_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ljmd)
 
@@ -27,6 +28,7 @@ while(found)
 endwhile()
 install(DIRECTORY inputs analysis DESTINATION ${CMAKE_INSTALL_DATADIR}/ljmd PATTERN "__pycache__" EXCLUDE)
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(LJMD_USES_OPENMM OFF)
 if(OpenMM_FOUND)

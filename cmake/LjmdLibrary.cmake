@@ -1,6 +1,9 @@
 # The library ljmd::ljmd and the program ljmd.
 file(GLOB_RECURSE ljmd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
-list(REMOVE_ITEM ljmd_sources ${PROJECT_SOURCE_DIR}/src/cli/main.cpp ${ljmd_simd_sources})
+# The command line is read by the program alone.
+set(ljmd_program_sources main.cpp described_commands.cpp own_commands.cpp)
+list(TRANSFORM ljmd_program_sources PREPEND ${PROJECT_SOURCE_DIR}/src/cli/)
+list(REMOVE_ITEM ljmd_sources ${ljmd_program_sources} ${ljmd_simd_sources})
 list(FILTER ljmd_sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/python/")
 
 # What needs a library that may be absent has a stand-in that says so.
@@ -17,6 +20,12 @@ ljmd_for_extension(ljmd_library)
 target_precompile_headers(ljmd_library PRIVATE ${ljmd_precompiled_headers})
 ljmd_compile_together(ljmd_library ${ljmd_sources})
 add_dependencies(ljmd_library ljmd_version_header)
+# The page of `ljmd report`, which the assembler includes.
+set(ljmd_bundle ${PROJECT_SOURCE_DIR}/src/report/web/dist)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/report/page_bundle.cpp PROPERTIES
+    COMPILE_DEFINITIONS LJMD_REPORT_BUNDLE="${ljmd_bundle}"
+    OBJECT_DEPENDS "${ljmd_bundle}/index.html;${ljmd_bundle}/report.css;${ljmd_bundle}/report.js"
+    SKIP_UNITY_BUILD_INCLUSION ON)
 set_target_properties(ljmd_library PROPERTIES OUTPUT_NAME ljmd EXPORT_NAME ljmd)
 target_compile_features(ljmd_library PUBLIC cxx_std_20)
 target_include_directories(ljmd_library
@@ -39,7 +48,13 @@ if(OpenMM_FOUND)
     ljmd_includes_openmm(${openmm_sources})
 endif()
 
-add_executable(ljmd ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
+# `ljmd plot` finds its scripts by the place of the program: after installation below this folder, before it by a link.
+file(RELATIVE_PATH ljmd_data_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/ljmd)
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/cli/plot_scripts.cpp
+             APPEND PROPERTY COMPILE_DEFINITIONS LJMD_DATA_FROM_PROGRAM="${ljmd_data_from_program}")
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/analysis ${PROJECT_BINARY_DIR}/analysis SYMBOLIC)
+
+add_executable(ljmd ${ljmd_program_sources})
 target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)
-# It reads the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.
-set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/cli/main.cpp APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)
+# They read the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.
+set_property(SOURCE ${ljmd_program_sources} APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)

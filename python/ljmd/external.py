@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from .errors import InputError
+from ._decorated import Decorated
 
 
-class external_force:
+class external_force(Decorated):
     """A force of your own on each atom, in addition to the pair forces: a trap, a field, a wall, a drive.
 
     A function of the positions that returns an array of forces of shape (N, 3), in the order of the atoms' ids
@@ -32,22 +32,11 @@ class external_force:
     what the function raises ends the run.
     """
 
-    def __init__(self, function=None, *, energy: bool = False, virial: bool = False, name: str = ""):
-        self.energy, self.virial, self.name = bool(energy), bool(virial), name
-        self.function = None
-        if function is not None:
-            self(function)
+    _kind, _argument, _usual_name = "an external force", "the positions", "external force"
 
-    def __call__(self, argument):
-        """Decorate a function; afterwards, call it."""
-        if self.function is not None:
-            return self.function(argument)
-        if not callable(argument):
-            raise InputError(f"an external force is a function of the positions, found {argument!r}")
-        self.function = argument
-        self.name = self.name or getattr(argument, "__name__", "").replace("<lambda>", "") or "external force"
-        self.__doc__ = argument.__doc__
-        return self
+    def __init__(self, function=None, *, energy: bool = False, virial: bool = False, name: str = ""):
+        self.energy, self.virial = bool(energy), bool(virial)
+        super().__init__(function, name)
 
     def __repr__(self) -> str:
         parts = [part for part, there in (("energy", self.energy), ("virial", self.virial)) if there]
@@ -58,7 +47,5 @@ def described_force(force):
     """For the engine: (name, function, energy, virial), or None. A plain function gets the defaults."""
     if force is None:
         return None
-    force = force if isinstance(force, external_force) else external_force(force)
-    if force.function is None:
-        raise InputError("an external force without a function: write @ljmd.external_force(...) above one")
+    force = external_force.of(force)
     return force.name, force.function, force.energy, force.virial

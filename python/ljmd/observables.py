@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from ._check import whole
+from ._decorated import Decorated
 from .errors import InputError
 
 
-class observable:
+class observable(Decorated):
     """A measurement of your own: a function of a snapshot that returns one number.
 
     It is called in the sampled stages, at steps that `every` divides, and its mean gets an error by blocking, as the
@@ -25,23 +26,12 @@ class observable:
     Raises InputError when the function returns anything but a finite number; what the function raises ends the run.
     """
 
+    _kind, _argument, _usual_name = "an observable", "a snapshot", "observable"
+
     def __init__(self, function=None, *, every: int = 10, unit: str = "", energy: bool = False, name: str = ""):
         self.every = whole(every, "every", 1)
-        self.unit, self.energy, self.name = unit, bool(energy), name
-        self.function = None
-        if function is not None:
-            self(function)
-
-    def __call__(self, argument):
-        """Decorate a function; afterwards, call it."""
-        if self.function is not None:
-            return self.function(argument)
-        if not callable(argument):
-            raise InputError(f"an observable is a function of a snapshot, found {argument!r}")
-        self.function = argument
-        self.name = self.name or getattr(argument, "__name__", "observable")
-        self.__doc__ = argument.__doc__
-        return self
+        self.unit, self.energy = unit, bool(energy)
+        super().__init__(function, name)
 
     def __repr__(self) -> str:
         return f"<ljmd.observable {self.name!r}: every {self.every} steps{', ' + self.unit if self.unit else ''}>"
@@ -51,11 +41,9 @@ def described(observables) -> list:
     """For the engine: (name, unit, function, every, energy) of each. Plain functions get the defaults."""
     if callable(observables):
         observables = [observables]
-    all_of = [each if isinstance(each, observable) else observable(each) for each in observables]
+    all_of = [observable.of(each) for each in observables]
     names = [each.name for each in all_of]
     for each in all_of:
-        if each.function is None:
-            raise InputError("an observable without a function: write @ljmd.observable(...) above one")
         if names.count(each.name) > 1:
             raise InputError(f"two observables have the name {each.name!r}: give one of them another, name=...")
         if each.name in BUILT_IN:

@@ -89,7 +89,10 @@ Document analyze(const fs::path& path, const Deck* deck, bool is_run, const Want
     std::vector<std::string> names = wanted.analyses;
     if (!trajectory.thermo && names.empty()) {
         names = default_analyses(trajectory.summary, trajectory.selection);
-        if (!trajectory.summary.positions.positions) {
+        const FrameSelection& selection = trajectory.selection;
+        if (!selection.spacing && selection.used > 1 && !trajectory.summary.box_changes) {
+            warn(fmt::format("msd is left out: {}", selection.uneven));
+        } else if (!trajectory.summary.positions.positions) {
             warn(fmt::format("msd is left out: {}", trajectory.summary.positions.reason));
         }
     }

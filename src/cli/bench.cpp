@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "ljmd/cli/bench_deck.hpp"
+#include "ljmd/cli/example_decks.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 
@@ -50,7 +50,7 @@ std::string list_policy(const NeighborSpec& neighbors) {
 }  // namespace
 
 std::string_view melt_deck() {
-    return melt_deck_text;
+    return example_deck("melt-32k").text;
 }
 
 BenchResult bench(Deck deck, Start start, const Execution& execution) {

@@ -22,6 +22,8 @@
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/report/page.hpp"
+#include "ljmd/report/report.hpp"
 #include "ljmd/run/held_run.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
@@ -139,6 +141,7 @@ std::optional<double> wall_time(const std::string& text) {
 void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
     Progress progress(std::nullopt, total_steps(deck.stages), options.quiet);
     const GslComparison comparison = compare_with_gsl(deck, progress);
+    progress.clear_line();
     if (!out.empty()) {
         write_comparison(comparison, deck, out);
     }
@@ -153,17 +156,18 @@ void compare_fluid(const Deck& deck, CheckedRun fluid, const DeckOptions& option
     Progress progress(fluid.atoms(), steps_before_crosscheck(deck), options.quiet);
     const auto say = [&](const std::string& text) {
         if (!options.quiet) {
+            progress.clear_line();
             print_message(text + "\n");
         }
     };
     FluidSystem simulation = make_fluid(fluid_spec(deck, std::move(fluid.start.value())), fluid.execution,
                                         [&](const std::string& text) { progress.warning(text); });
     const Crosscheck found = crosscheck(deck, simulation, compared, progress, say);
+    progress.clear_line();
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
     }
-    const std::string files =
-        out.empty() ? "" : fmt::format("\nfiles: {0}\nto draw them: analysis/plot_comparison.py {0}\n", out);
+    const std::string files = out.empty() ? "" : fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", out);
     print_result(options.json ? crosscheck_json(found, deck, compared) + "\n"
                               : crosscheck_table(found, deck, compared) + files);
     if (!found.passed()) {
@@ -188,6 +192,21 @@ void check_compare_options(const CrosscheckOptions& compared) {
     }
 }
 
+/// Write the page about a finished run, if its deck asks for one. The run is done: a page that cannot be made is no
+/// reason to fail.
+void write_asked_report(const Deck& deck) {
+    if (!deck.report) {
+        return;
+    }
+    try {
+        const std::filesystem::path page = deck.directory / report_name;
+        write_file_atomically(page, page_html(report_on(deck.directory)));
+        print_message(fmt::format("report: {}\n", page.string()));
+    } catch (const Error& error) {
+        warn(fmt::format("there is no report: {}", error.what()));
+    }
+}
+
 }  // namespace
 
 void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
@@ -204,7 +223,10 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
     AnySystem system = make_system(deck, std::move(run.start), run.execution,
                                    [&](const std::string& text) { progress.warning(text); });
     install_stop_handlers();  // before this, nothing would be lost
-    print_document(run_in_locked_directory(deck, system, options.force, progress, control), options.json);
+    const Document results = run_in_locked_directory(deck, system, options.force, progress, control);
+    progress.clear_line();
+    print_document(results, options.json);
+    write_asked_report(deck);
 }
 
 void resume_command(const ResumeOptions& options) {
@@ -228,7 +250,10 @@ void resume_command(const ResumeOptions& options) {
                 : fmt::format("resuming after step {} of {}\n", from.step, steps));
     }
     control.continuation = run.take();
-    print_document(run_deck(run.deck(), system, progress, control), options.json);
+    const Document results = run_deck(run.deck(), system, progress, control);
+    progress.clear_line();
+    print_document(results, options.json);
+    write_asked_report(run.deck());
     run.warn_if_moved();
 }
 

@@ -5,12 +5,13 @@
 #include <sstream>
 
 #include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/described_commands.hpp"
 #include "ljmd/cli/exit_code.hpp"
+#include "ljmd/cli/own_commands.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/build_info.hpp"
-#include "ljmd/core/diagnostics.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/input/reduced_number.hpp"
@@ -52,7 +53,7 @@ void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
         ->required()
         ->type_name("PROGRAM");
     command.add_option("--platform", compared.platform, "of OpenMM: Reference, CPU, OpenCL; Reference by default")
-        ->type_name("NAME");
+        ->type_name("PLATFORM");
     command.add_option("--steps", compared.steps, "length of the trajectories, 1000 by default")
         ->type_name("N")
         ->check(CLI::Range(0, max_steps_compared));
@@ -99,7 +100,7 @@ void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
         .add_option("analysis", options.names,
                     fmt::format("{}, thermo; by default thermo of a run, rdf, structure_factor and msd of a trajectory",
                                 fmt::join(ljmd::plugin_names(ljmd::all_analyses()), ", ")))
-        ->type_name("NAME");
+        ->type_name("ANALYSIS");
     command
         .add_option("--deck", options.deck,
                     "of a trajectory: interaction, [analysis], and [argon] for files in SI units")
@@ -136,36 +137,33 @@ void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
     command.add_flag("--json", options.json, "print the result as JSON");
 }
 
+void add_plot_options(CLI::App& command, ljmd::PlotOptions& options) {
+    command
+        .add_option(
+            "path", options.path,
+            "directory of a run, an analysis, a sweep, a reproduced table or a comparison; or one of their tables")
+        ->required()
+        ->type_name("DIR|FILE");
+    command
+        .add_option(
+            "names", options.names,
+            "pictures to draw, e.g. thermo rdf; of a sweep its columns, e.g. pressure; all that suit by default")
+        ->type_name("NAME");
+    command
+        .add_option(
+            "--out", options.out,
+            "file that ends in .png, .svg or .pdf (several pictures add their names), or a directory; DIR by default")
+        ->type_name("FILE");
+    command.add_option("--against", options.against, "of a sweep: the varied key on the axis, the last by default")
+        ->type_name("KEY");
+    command
+        .add_option("--relative-to", options.relative_to,
+                    "of few bodies: the body from which the others are seen, counted from 1")
+        ->type_name("K")
+        ->check(CLI::PositiveNumber);
+}
+
 constexpr int usage_error = 2;
-
-/// Message for an unknown command, with the nearest known one.
-std::string unknown_command(const CLI::App& app, const std::string& word) {
-    std::vector<std::string> commands;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-        commands.push_back(command->get_name());
-    }
-    const std::string nearest = ljmd::nearest_name(word, commands);
-    return fmt::format("unknown command '{}'\n  {}", word,
-                       nearest.empty() ? fmt::format("commands: {}", fmt::join(commands, ", "))
-                                       : fmt::format("did you mean '{}'?", nearest));
-}
-
-/// Report a wrong command line. For an unknown command, CLI11's message says that a command is missing.
-int report_usage(const CLI::App& app, const CLI::ParseError& error) {
-    const std::vector<std::string> rest = app.remaining(true);
-    const std::vector<CLI::App*> used = app.get_subcommands();
-    std::string message = error.what();
-    if (used.empty() && !rest.empty() && !rest.front().starts_with('-')) {
-        message = unknown_command(app, rest.front());
-    } else {
-        if (!rest.empty()) {
-            message = fmt::format("not expected: {}", fmt::join(rest, " "));
-        }
-        message += fmt::format("\n  all options: ljmd {}--help", used.empty() ? "" : used.front()->get_name() + " ");
-    }
-    ljmd::print_message(fmt::format("error: {}\n", message));
-    return usage_error;
-}
 
 /// Print the text for --help or --version.
 int print_help(const CLI::App& app, const CLI::Success& asked) try {
@@ -183,6 +181,7 @@ int main(int argc, char** argv) {
     ljmd::forget_inherited_signals();
     ljmd::prepare_standard_streams();
     CLI::App app("Lennard-Jones molecular dynamics: Verlet's 1967 experiment and beyond", "ljmd");
+    app.formatter(ljmd::screen_formatter());
     app.require_subcommand(1);
     app.set_version_flag("--version", "ljmd " + ljmd::build_info().version);
 
@@ -239,7 +238,7 @@ int main(int argc, char** argv) {
     eos.add_option("--density", state.density, "atoms per sigma^3")
         ->type_name("RHO")
         ->check(reduced("atoms per sigma^3", ljmd::Dimension::density));
-    eos.add_option("--model", state.model, "one that `ljmd eos` lists, thol2016 by default")->type_name("NAME");
+    eos.add_option("--model", state.model, "one that `ljmd eos` lists, thol2016 by default")->type_name("EQUATION");
     eos.add_flag("--json", state.json, "print it as JSON");
     ljmd::ReproduceOptions table{.what = "", .out = "runs/verlet1967"};
     CLI::App& reproduce = *app.add_subcommand(
@@ -264,6 +263,22 @@ int main(int argc, char** argv) {
     CLI::App& analyze = *app.add_subcommand(
         "analyze", "where a run has come to equilibrium; structure and transport from the frames of a trajectory");
     add_analyze_options(analyze, analyzed);
+    ljmd::ReportOptions reported;
+    CLI::App& report = *app.add_subcommand(
+        "report", "write one HTML page about a run, a sweep, a reproduced table or a comparison, or about several");
+    report
+        .add_option("directory", reported.directories, "directory of a run, a sweep, a reproduced table, a comparison")
+        ->required()
+        ->type_name("RUN");
+    report
+        .add_option("--out", reported.out,
+                    "file to write, RUN/report.html by default; for several report.html in the working directory")
+        ->type_name("FILE");
+    CLI::Option* opened = report.add_flag("--open", reported.open, "open the page in a browser");
+    report.add_flag("--json", reported.json, "print the data of the page as JSON, and write no page")->excludes(opened);
+    ljmd::PlotOptions drawn;
+    CLI::App& plot = *app.add_subcommand("plot", "draw the pictures of a run, a sweep, a comparison or a table");
+    add_plot_options(plot, drawn);
     CLI::App& info =
         *app.add_subcommand("info", "version, build and what decks can select; of a run or sweep, how far it got");
     CLI::Option* of_run =
@@ -276,6 +291,8 @@ int main(int argc, char** argv) {
     schema->excludes(of_run)->excludes(page);
     info.add_flag("--json", told.json, "print it as JSON")->excludes(page)->excludes(schema);
 
+    ljmd::OwnCommands own(app);
+
     if (argc < 2) {
         ljmd::print_message(app.help());
         return usage_error;
@@ -285,7 +302,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return print_help(app, help);
     } catch (const CLI::ParseError& error) {
-        return report_usage(app, error);
+        return ljmd::report_usage(app, error);
     }
     try {
         if (run.parsed()) {
@@ -306,8 +323,14 @@ int main(int argc, char** argv) {
             ljmd::sweep_command(swept);
         } else if (analyze.parsed()) {
             ljmd::analyze_command(analyzed);
+        } else if (report.parsed()) {
+            ljmd::report_command(reported);
         } else if (bench.parsed()) {
             ljmd::bench_command(options);
+        } else if (plot.parsed()) {
+            ljmd::plot_command(drawn);
+        } else if (own.parsed()) {
+            return own.run();
         } else {
             ljmd::info_command(told);
         }

@@ -180,7 +180,7 @@ void reproduce_command(const ReproduceOptions& options) {
     write_file_atomically(directory / "rows.md", reproduction_markdown(rows));
     Document report = reproduction_report(rows);
     write_file_atomically(directory / "results.json", to_json(report.data) + "\n");
-    report.text += fmt::format("\nfiles: {0}\nto draw them: analysis/plot_reproduction.py {0}\n", out.string());
+    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", out.string());
     print_document(report, options.json);
     if (rows.size() < runs.size()) {
         throw PhysicsError(fmt::format("{} of {} rows failed; the same command tries them again",

@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 #include <system_error>
 
@@ -32,6 +34,8 @@ void prepare_standard_streams() {
 }
 
 namespace {
+
+constexpr std::size_t usual_columns = 80;
 
 /// Number of bytes at the beginning of a text that may be written to a terminal unchanged.
 std::size_t harmless_beginning(std::string_view text) {
@@ -95,10 +99,26 @@ void warn(const std::string& text) noexcept {
     print_message("warning: " + text + "\n");
 }
 
-void talk_over_line(const std::string& text) noexcept {
-    static_cast<void>(std::fputs("\r", stderr));
-    static_cast<void>(write_harmless(text, stderr));
-    static_cast<void>(std::fputs("\033[K", stderr));
+std::optional<std::size_t> message_columns() {
+    const char* kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nobody writes the environment
+    if (::isatty(STDERR_FILENO) != 1 || (kind != nullptr && std::string_view(kind) == "dumb")) {
+        return std::nullopt;
+    }
+    winsize size{};
+    const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? size.ws_col : usual_columns;
+}
+
+void talk_over_line(const std::string& text) {
+    // Written at once, because stderr has no buffer, and erased last: so the line does not flicker. What is erased is
+    // all to the end of the screen: the rest of a longer line that a narrower terminal has wrapped. While the line is
+    // written the terminal does not wrap: it may have become narrower since it was asked for its width.
+    std::string line = "\r\033[?7l";
+    for (const std::string& character : printable_characters(text)) {
+        line += character;
+    }
+    line += "\033[J\033[?7h\r";
+    static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
     static_cast<void>(std::fflush(stderr));
 }
 

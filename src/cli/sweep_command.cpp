@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 class PointRun {
   public:
     PointRun(ChildRun run, std::vector<std::string> values)
-        : run_(std::move(run)), point_{run_.name, std::move(values), run_.directory, {}, ""} {}
+        : run_(std::move(run)), point_{run_.name, std::move(values), run_.directory, {}, "", {}} {}
 
     [[nodiscard]] const SweptPoint& point() const { return point_; }
 
@@ -52,7 +52,9 @@ class PointRun {
   private:
     void take_results() {
         try {
-            point_.found = read_results(run_.directory / "results.json").means;
+            RecordedResults results = read_results(run_.directory / "results.json");
+            point_.found = std::move(results.means);
+            point_.doubts = std::move(results.doubts);
         } catch (const DataError& error) {
             point_.failure = fmt::format("{}: {}", run_.name, error.what());
         }
@@ -141,7 +143,7 @@ void sweep_command(const SweepOptions& options) {
     lock.directory().require_at_its_path();
     write_file_atomically(lock.directory() / "sweep.csv", sweep_csv(swept));
     Document report = sweep_report(swept);
-    report.text += fmt::format("\nfiles: {0}\nto draw them: analysis/plot_sweep.py {0}\n", directory.string());
+    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", directory.string());
     print_document(report, options.json);
     tell_of_failures(swept);
 }

@@ -8,6 +8,7 @@
 
 #include "ljmd/core/checked_value.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/key_paths.hpp"
 #include "ljmd/core/text.hpp"
 
 namespace ljmd {
@@ -83,6 +84,31 @@ bool makes_choice(const Table& table, const Key& selector) {
                  : selector.default_value.has_value();
 }
 
+/// The places of a key that was looked for in the wrong table: as a path for `--set`, which has no line; else by table.
+std::string places_in_words(const std::vector<KeyPlace>& places, const Location& where) {
+    std::vector<std::string> words;
+    for (const KeyPlace& place : places) {
+        words.push_back(where.line == 0 ? fmt::format("'{}'", place.path)
+                                        : fmt::format("'{}' in {}", place.name, place.table));
+    }
+    return fmt::format("did you mean {}?", fmt::join(words, " or "));
+}
+
+/// What an unknown key was probably meant to be. @param nearest  the known key of the table that is most like it
+std::string hint_for(const Entry& entry, const Schema& schema, const std::vector<std::string>& known,
+                     const std::string& nearest) {
+    if (const auto places = inner_places(schema, entry.key); !places.empty()) {
+        return places_in_words(places, entry.key_location);
+    }
+    if (!nearest.empty()) {
+        return fmt::format("did you mean '{}'?", nearest);
+    }
+    if (const auto places = inner_places(schema, nearest_inner_name(schema, entry.key)); !places.empty()) {
+        return places_in_words(places, entry.key_location);
+    }
+    return known.empty() ? "no keys are known here" : fmt::format("known keys: {}", fmt::join(known, ", "));
+}
+
 /// @return known keys that unknown ones were probably meant to be
 std::set<std::string> report_unknown(const Table& table, const Schema& schema, Diagnostics& diagnostics) {
     std::set<std::string> meant;
@@ -96,14 +122,11 @@ std::set<std::string> report_unknown(const Table& table, const Schema& schema, D
             continue;
         }
         const std::string nearest = nearest_name(entry.key, known);
-        std::string hint = "no keys are known here";
-        if (!known.empty()) hint = fmt::format("known keys: {}", fmt::join(known, ", "));
-        if (!nearest.empty()) hint = "did you mean '" + nearest + "'?";
         meant.insert(nearest);
         diagnostics.error(entry.key_location,
                           fmt::format("unknown {} {} in {}", is_table(entry.value) ? "table" : "key",
                                       in_quotes(entry.key), schema.title()),
-                          hint);
+                          hint_for(entry, schema, known, nearest));
     }
     for (const auto& [entry, owner] : misplaced) {
         if (meant.contains(owner.selector) || !makes_choice(table, *schema.find(owner.selector))) continue;

@@ -61,6 +61,29 @@ std::string printable(std::string_view text, std::size_t limit) {
     return characters.size() > limit ? shown + "..." : shown;
 }
 
+std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent) {
+    std::string lines;
+    std::size_t length = 0;  // of the last line
+    bool begun = false;      // the last line has a word
+    while (!text.empty()) {
+        // Spaces before a word belong to it where the line begins with them.
+        const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
+        const std::size_t end = std::min(text.find(' ', blanks), text.size());
+        const std::size_t word = printable_characters(text.substr(0, end)).size();
+        if (begun && length + word > columns) {
+            lines += '\n' + std::string(indent, ' ');
+            lines += text.substr(blanks, end - blanks);
+            length = indent + word - blanks;
+        } else {
+            lines += text.substr(0, end);
+            length += word;
+        }
+        begun = true;
+        text.remove_prefix(end);
+    }
+    return lines;
+}
+
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t max_characters = 60;
     return "'" + printable(text, max_characters) + "'";

@@ -11,7 +11,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr std::size_t gap = 2;  // spaces between columns
+constexpr std::size_t narrowest = 4;  // that the first column is made
 
 }  // namespace
 
@@ -19,6 +19,7 @@ TextTable::TextTable(std::vector<Column> columns, std::size_t indent) : indent_(
     std::vector<std::string> headings;
     for (Column& column : columns) {
         aligned_.push_back(column.align);
+        gaps_.push_back(column.gap);
         widths_.push_back(column.width);
         headings.push_back(std::move(column.heading));
     }
@@ -47,20 +48,46 @@ void TextTable::add(const std::vector<std::string>& entries) {
 }
 
 std::string TextTable::text() const {
+    return text_of(widths_);
+}
+
+std::string TextTable::text_within(std::size_t columns) const {
+    std::size_t all = indent_;
+    for (std::size_t k = 0; k < widths_.size(); ++k) {
+        all += widths_[k] > 0 ? widths_[k] + (all > indent_ ? gaps_[k] : 0) : 0;
+    }
+    std::vector<std::size_t> widths = widths_;
+    if (all > columns) {
+        const std::size_t excess = all - columns;
+        widths.front() = std::max(narrowest, widths.front() - std::min(excess, widths.front()));
+    }
+    return text_of(widths);
+}
+
+std::string TextTable::text_of(const std::vector<std::size_t>& widths) const {
     const bool headed = std::ranges::any_of(rows_.front(), [](const Entry& entry) { return !entry.shown.empty(); });
+    const auto end_line = [](std::string line) {
+        line.resize(line.find_last_not_of(' ') + 1);
+        return line + '\n';
+    };
     std::string text;
     for (std::size_t row = headed ? 0 : 1; row < rows_.size(); ++row) {
         std::string line(indent_, ' ');
         for (std::size_t k = 0; k < rows_[row].size(); ++k) {
-            if (widths_[k] > 0) {
-                const Entry& entry = rows_[row][k];
-                const std::string blanks(widths_[k] - entry.characters, ' ');
-                line +=
-                    (aligned_[k] == Align::right ? blanks + entry.shown : entry.shown + blanks) + std::string(gap, ' ');
+            if (widths[k] == 0) {
+                continue;
             }
+            const Entry& entry = rows_[row][k];
+            line += std::string(line.size() > indent_ ? gaps_[k] : 0, ' ');
+            if (entry.characters > widths[k]) {  // of the first column
+                text += end_line(line + entry.shown);
+                line += std::string(widths[k], ' ');
+                continue;
+            }
+            const std::string blanks(widths[k] - entry.characters, ' ');
+            line += aligned_[k] == Align::right ? blanks + entry.shown : entry.shown + blanks;
         }
-        line.resize(line.find_last_not_of(' ') + 1);
-        text += line + '\n';
+        text += end_line(line);
     }
     return text;
 }

@@ -87,6 +87,7 @@ Deck to_deck(const std::filesystem::path& path, const DeckFile& file, const std:
             .thermo_every = output.thermo.every,
             .trajectory = output.trajectory ? std::optional<TrajectoryOutput>(*output.trajectory) : std::nullopt,
             .checkpoint = output.checkpoint,
+            .report = output.report,
             .given = std::move(given)};
 }
 

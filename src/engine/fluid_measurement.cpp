@@ -288,12 +288,14 @@ PhaseSeconds FluidMeasurement::phases(const LoopSeconds& loop) const {
 
 RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
     const State& state = fluid_.state;
+    const auto equation = equation_of_fluid(spec_);
     RunResult result{state.count(),
                      density(),
                      state.box().edges(),
                      averages_.averages(),
                      requested_temperature(spec_),
                      {},
+                     equation ? std::optional(equation->name) : std::nullopt,
                      order_at_sampling_,
                      stages_,
                      {},

@@ -40,7 +40,7 @@ void judge_stages(RunResult& result) {
     }
 }
 
-/// Warnings about the results as a whole.
+/// Doubts about the results as a whole, and about stages.
 std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
     std::vector<std::string> doubts;
     if (steps == 0) {
@@ -71,9 +71,6 @@ std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
             doubts.push_back(
                 fmt::format("the time step of stage '{}' is too long: {}", stage.name, stage.time_step_remark));
         }
-    }
-    if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
-        doubts.push_back(fmt::format("the run is too short for the error bars of {}: they are guesses", unsure));
     }
     return doubts;
 }
@@ -111,7 +108,12 @@ void add_remarks(RunResult& result, const FluidSpec& spec) {
             average.remark = temperature_remark(spec, average.estimate);
         }
     }
-    result.warnings = doubts_about(result, total_steps(spec.stages));
+    result.doubts = doubts_about(result, total_steps(spec.stages));
+    result.warnings = result.doubts;
+    if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
+        result.warnings.push_back(
+            fmt::format("the run is too short for the error bars of {}: they are guesses", unsure));
+    }
 }
 
 }  // namespace ljmd

@@ -5,43 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "during_call.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd::python {
 
 namespace {
 
-/// The positions at one evaluation as Python sees them: during one call of a function.
-class SeenPositions {
-  public:
-    explicit SeenPositions(const AtomPositions& atoms) : atoms_(&atoms) {}
-
-    void end() { atoms_ = nullptr; }
-
-    [[nodiscard]] const AtomPositions& now() const {
-        if (atoms_ == nullptr) {
-            throw InputError("these positions have passed: keep copies of their arrays and numbers");
-        }
-        return *atoms_;
-    }
-
-  private:
-    const AtomPositions* atoms_;
-};
-
-/// Ends the sight of positions however their function returns.
-class Sight {
-  public:
-    explicit Sight(const AtomPositions& atoms) : seen_(std::make_shared<SeenPositions>(atoms)) {}
-    ~Sight() { seen_->end(); }
-    Sight(const Sight&) = delete;
-    Sight& operator=(const Sight&) = delete;
-
-    [[nodiscard]] const std::shared_ptr<SeenPositions>& seen() const { return seen_; }
-
-  private:
-    std::shared_ptr<SeenPositions> seen_;
-};
+using SeenPositions = Passing<AtomPositions>;
 
 std::string type_of(const py::handle& value) {
     return py::str(py::type::of(value).attr("__name__"));
@@ -83,8 +54,8 @@ PythonExternalForce::~PythonExternalForce() {
 }
 
 ExternalEnergy PythonExternalForce::call(const AtomPositions& atoms, bool energy, Eigen::Matrix3Xd& forces) const {
-    const Sight sight(atoms);
-    const py::object value = function_(sight.seen());
+    const DuringCall call(atoms);
+    const py::object value = function_(call.seen());
     const std::string what = fmt::format("external force '{}'", name_);
     const std::size_t parts = 1 + (energy_ ? 1U : 0U) + (virial_ ? 1U : 0U);
     const bool several = py::isinstance<py::tuple>(value);

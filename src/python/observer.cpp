@@ -5,53 +5,23 @@
 #include <cmath>
 #include <utility>
 
+#include "during_call.hpp"
 #include "ljmd/core/errors.hpp"
 
 namespace ljmd::python {
 
 namespace {
 
-/// A snapshot as Python sees it: during one call of a function.
-class SeenSnapshot {
-  public:
-    explicit SeenSnapshot(const Snapshot& snapshot) : snapshot_(&snapshot) {}
+using SeenSnapshot = Passing<Snapshot>;
 
-    void end() { snapshot_ = nullptr; }
-
-    [[nodiscard]] const Snapshot& now() const {
-        if (snapshot_ == nullptr) {
-            throw InputError("this snapshot has passed: keep copies of its arrays and numbers, not the snapshot");
-        }
-        return *snapshot_;
+const Thermodynamics& energies(const SeenSnapshot& seen) {
+    const Snapshot& snapshot = seen.now();
+    try {
+        return snapshot.thermodynamics();
+    } catch (const InputError&) {
+        throw InputError("this snapshot has no energy and pressure: ask for them with @ljmd.observable(energy=True)");
     }
-
-    [[nodiscard]] const Thermodynamics& energies() const {
-        const Snapshot& snapshot = now();
-        try {
-            return snapshot.thermodynamics();
-        } catch (const InputError&) {
-            throw InputError(
-                "this snapshot has no energy and pressure: ask for them with @ljmd.observable(energy=True)");
-        }
-    }
-
-  private:
-    const Snapshot* snapshot_;
-};
-
-/// Ends a snapshot however its function returns.
-class Moment {
-  public:
-    explicit Moment(const Snapshot& snapshot) : seen_(std::make_shared<SeenSnapshot>(snapshot)) {}
-    ~Moment() { seen_->end(); }
-    Moment(const Moment&) = delete;
-    Moment& operator=(const Moment&) = delete;
-
-    [[nodiscard]] const std::shared_ptr<SeenSnapshot>& seen() const { return seen_; }
-
-  private:
-    std::shared_ptr<SeenSnapshot> seen_;
-};
+}
 
 /// A number of Python or NumPy; nothing for anything else, also for text with a number.
 std::optional<double> as_number(const py::object& value) {
@@ -72,8 +42,8 @@ PythonObserver::PythonObserver(std::string name, std::string unit, py::object fu
     : name_(std::move(name)), unit_(std::move(unit)), function_(std::move(function)), every_(every), energy_(energy) {}
 
 double PythonObserver::call(const Snapshot& snapshot) const {
-    const Moment moment(snapshot);
-    const py::object value = function_(moment.seen());
+    const DuringCall call(snapshot);
+    const py::object value = function_(call.seen());
     const std::optional<double> number = as_number(value);
     if (!number) {
         throw InputError(fmt::format("observable '{}' returned {} at step {}: it returns one number", name_,
@@ -148,21 +118,21 @@ void bind_snapshot(py::module_& module) {
             "forces", [](Seen s) { return to_python(s.now().forces()); },
             "by id: shape (N, 3) [epsilon/sigma]. A copy.")
         .def_property_readonly(
-            "temperature", [](Seen s) { return s.energies().temperature; },
+            "temperature", [](Seen s) { return energies(s).temperature; },
             "of the motion about the centre of mass [epsilon/k_B]; takes energy=True")
         .def_property_readonly(
-            "potential_energy", [](Seen s) { return s.energies().potential_energy; },
+            "potential_energy", [](Seen s) { return energies(s).potential_energy; },
             "per atom [epsilon]; takes energy=True")
         .def_property_readonly(
-            "kinetic_energy", [](Seen s) { return s.energies().kinetic_energy; },
+            "kinetic_energy", [](Seen s) { return energies(s).kinetic_energy; },
             "per atom [epsilon]; takes energy=True")
         .def_property_readonly(
-            "total_energy", [](Seen s) { return s.energies().total_energy; }, "per atom [epsilon]; takes energy=True")
+            "total_energy", [](Seen s) { return energies(s).total_energy; }, "per atom [epsilon]; takes energy=True")
         .def_property_readonly(
-            "external_energy", [](Seen s) { return s.energies().external_energy; },
+            "external_energy", [](Seen s) { return energies(s).external_energy; },
             "of an external force with an energy, else None: per atom [epsilon]; takes energy=True")
         .def_property_readonly(
-            "pressure", [](Seen s) { return s.energies().pressure; }, "[epsilon/sigma^3]; takes energy=True");
+            "pressure", [](Seen s) { return energies(s).pressure; }, "[epsilon/sigma^3]; takes energy=True");
 }
 
 }  // namespace ljmd::python

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/run/footnotes.hpp"
 #include "ljmd/run/results.hpp"
@@ -38,22 +39,18 @@ Document results_report(const Deck& deck, const FewBodyResult& result) {
                                    result.bodies == 1 ? "body" : "bodies", result.dimensions,
                                    result.dimensions == 1 ? "" : "s", result.force);
     Data observables = Data::object();
-    TextTable totals({{"total", Align::left, 20},
-                      {"at the start", Align::right, 22},
-                      {"at the end", Align::right, 22},
-                      {"largest deviation", Align::right, 20}},
-                     2);
+    TextTable totals({{"total", Align::left}, {"at the start"}, {"at the end"}, {"largest deviation"}}, 2);
     for (const FewBodyHistory& history : result.histories) {
         observables[history.name] = history_data(history);
         totals.add({history.name, fmt::format("{:.15g}", history.at_start), fmt::format("{:.15g}", history.at_end),
                     fmt::format("{:.6g}", history.largest_deviation)});
     }
-    text += totals.text();
+    text += totals.text_within(screen_columns);
     Data all_findings = Data::object();
     for (const auto& [analysis, found] : result.findings) {
         Data& of_analysis = all_findings[analysis] = Data::object();
         Footnotes footnotes;
-        TextTable findings({{"", Align::left, 30}, {"", Align::right, 22}, {"", Align::left}, {"", Align::left}}, 4);
+        TextTable findings({{"", Align::left, 30}, {""}, {"", Align::left}, {"", Align::left}}, 4);
         for (const Finding& finding : found) {
             of_analysis[finding.name] = finding_data(finding);
             const double deviation = finding.standard_error.value_or(std::nan(""));  // NaN for a single interval too
@@ -61,7 +58,7 @@ Document results_report(const Deck& deck, const FewBodyResult& result) {
                 {finding.name, std::isfinite(finding.value) ? fmt::format("{:.13g}", finding.value) : "no value",
                  std::isfinite(deviation) ? fmt::format("+- {:.2g}", deviation) : "", footnotes.mark(finding.remark)});
         }
-        text += fmt::format("\n  {}\n{}{}", analysis, findings.text(), footnotes.text());
+        text += fmt::format("\n  {}\n{}{}", analysis, findings.text_within(screen_columns), footnotes.text());
     }
     text += '\n' + stage_lines(result.stages, "per unit of time");
     text += fmt::format("\nfiles: {}\n", deck.directory.string());

@@ -4,7 +4,15 @@
 
 #include <algorithm>
 
+#include "ljmd/core/text.hpp"
+
 namespace ljmd {
+
+namespace {
+
+constexpr std::size_t hanging = 6;  // indentation of the lines after the first
+
+}  // namespace
 
 std::string Footnotes::mark(const std::string& remark) {
     if (remark.empty()) {
@@ -21,7 +29,7 @@ std::string Footnotes::mark(const std::string& remark) {
 std::string Footnotes::text() const {
     std::string text;
     for (std::size_t k = 0; k < remarks_.size(); ++k) {
-        text += fmt::format("  [{}] {}\n", k + 1, remarks_[k]);
+        text += wrapped(fmt::format("  [{}] {}", k + 1, remarks_[k]), screen_columns, hanging) + '\n';
     }
     return text;
 }

@@ -12,6 +12,8 @@ namespace ljmd {
 
 namespace {
 
+constexpr std::size_t most_doubts = 1000;
+
 /// The members of an object; a list is refused.
 const Data::Object& members_of(const Data& value, std::string_view name) {
     if (!value.is_object()) {
@@ -54,11 +56,16 @@ std::vector<RecordedStage> stages_of(const Data& results) {
     return stages;
 }
 
+std::vector<std::string> doubts_of(const Data& results) {
+    const Data* found = results.find("doubts");  // only a fluid has them
+    return found == nullptr ? std::vector<std::string>{} : texts_of(*found, "doubts", most_doubts);
+}
+
 }  // namespace
 
 RecordedResults read_results(const std::filesystem::path& path) {
     return read_json(path, "the result of a run", [](const Data& results) -> RecordedResults {
-        return {means_of(results), stages_of(results)};
+        return {means_of(results), stages_of(results), doubts_of(results)};
     });
 }
 

@@ -73,27 +73,57 @@ Data observable_data(const ObservableAverage& average, const std::optional<Subst
     return json;
 }
 
-/// One line of the table: name, symbol, value, mark, unit, samples, value and unit in SI.
-std::vector<std::string> table_line(const ObservableAverage& average, const std::optional<SubstanceUnits>& units,
-                                    Footnotes& footnotes) {
+bool has_value(const ObservableAverage& average) {
+    return average.estimate && std::isfinite(average.estimate->mean);
+}
+
+std::string shown_symbol(const ObservableAverage& average) {
+    return average.own ? "own" : average.symbol;
+}
+
+/// One line of the table: name, symbol, value, mark, unit, samples.
+std::vector<std::string> table_line(const ObservableAverage& average, Footnotes& footnotes) {
     const std::string mark = footnotes.mark(remark_of(average));
-    const std::string symbol = average.own ? "own" : average.symbol;
-    if (!average.estimate || !std::isfinite(average.estimate->mean)) {
-        return {average.name, symbol, "no value", mark};
+    if (!has_value(average)) {
+        return {average.name, shown_symbol(average), "no value", mark};
     }
     const Estimate& e = *average.estimate;
-    std::vector<std::string> line{
-        average.name,
-        symbol,
-        with_error(e.mean, e.standard_error),
-        mark,
-        average.unit,
-        std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-"};
-    if (const auto si = si_unit(average.unit, units)) {
-        line.push_back(with_error(e.mean * si->factor, e.standard_error * si->factor));
-        line.push_back(si->name);
+    return {average.name,
+            shown_symbol(average),
+            with_error(e.mean, e.standard_error),
+            mark,
+            average.unit,
+            std::isfinite(e.independent_samples) ? fmt::format("{:.0f}", e.independent_samples) : "-"};
+}
+
+TextTable empty_table(const std::string& heading, const std::string& samples) {
+    using Align = TextTable::Align;
+    // The widths are usual ones, so that the columns of tables below each other stand below each other, too.
+    return TextTable({{heading, Align::left, 22},
+                      {"", Align::left, 3},
+                      {"mean +- error", Align::right, 21},
+                      {"", Align::left, 0, 1},
+                      {"unit", Align::left},
+                      {samples}},
+                     2);
+}
+
+/// The observables that have a unit of the substance; empty if there is none.
+std::string si_table(const std::vector<ObservableAverage>& averages, const std::optional<SubstanceUnits>& units,
+                     Footnotes& footnotes) {
+    TextTable table = empty_table("in SI units", "");
+    bool any = false;
+    for (const ObservableAverage& average : averages) {
+        const auto si = si_unit(average.unit, units);
+        if (is_in_table(average) && has_value(average) && si) {
+            const Estimate& e = *average.estimate;
+            table.add({average.name, shown_symbol(average),
+                       with_error(e.mean * si->factor, e.standard_error * si->factor),
+                       footnotes.mark(remark_of(average)), si->name});
+            any = true;
+        }
     }
-    return line;
+    return any ? table.text_within(screen_columns) : "";
 }
 
 Data at_requested_data(const std::optional<AtRequestedTemperature>& there, const std::optional<SubstanceUnits>& units) {
@@ -128,47 +158,44 @@ Data observables_data(const std::vector<ObservableAverage>& averages, const std:
 
 std::string observables_table(const std::vector<ObservableAverage>& averages,
                               const std::optional<SubstanceUnits>& units) {
-    using Align = TextTable::Align;
     Footnotes footnotes;
-    TextTable table({{"observable", Align::left},
-                     {"", Align::left},
-                     {"mean +- standard error"},
-                     {"", Align::left},
-                     {"unit", Align::left},
-                     {"samples*"},
-                     {units ? "SI" : ""},
-                     {"", Align::left}},
-                    2);
+    TextTable table = empty_table("observable", "n*");
     for (const ObservableAverage& average : averages) {
         if (is_in_table(average)) {
-            table.add(table_line(average, units, footnotes));
+            table.add(table_line(average, footnotes));
         }
     }
     const bool own = std::ranges::any_of(averages, &ObservableAverage::own);
-    return table.text() + footnotes.text() + (own ? "  own: measured by the program that made the run\n" : "");
+    const std::string si = si_table(averages, units, footnotes);
+    return table.text_within(screen_columns) + (si.empty() ? "" : "\n" + si) + footnotes.text() +
+           (own ? "  own: measured by the program that made the run\n" : "");
 }
 
 std::string samples_footnote() {
-    return "  * independent samples: variance of the series over the squared standard error\n";
+    return "  * independent samples: variance of the series over the squared error\n";
 }
 
 Document results_report(const Deck& deck, const RunResult& result) {
     Data system = {{"atoms", result.atoms},
                    {"density", result.density},
                    {"box_edges", Data::list({result.edges[0], result.edges[1], result.edges[2]})}};
-    std::string text =
-        fmt::format("{}\n{} atoms, density {:.6g} sigma^-3", title_line(deck), result.atoms, result.density);
+    std::string line = fmt::format("{} atoms, density {:.6g} sigma^-3", result.atoms, result.density);
     if (deck.units) {
         const double density = result.density * deck.units->gram_per_cm3();
         system["density_g_per_cm3"] = density;
-        text += fmt::format(" ({:.4f} g/cm3)", density);
+        line += fmt::format(" ({:.4f} g/cm3)", density);
     }
-    text +=
-        fmt::format(", box {:.6g} x {:.6g} x {:.6g} sigma^3\n\n", result.edges[0], result.edges[1], result.edges[2]);
+    const std::string box =
+        fmt::format("box {:.6g} x {:.6g} x {:.6g} sigma^3", result.edges[0], result.edges[1], result.edges[2]);
+    const bool fits = line.size() + box.size() + 2 <= screen_columns;
+    std::string text = fmt::format("{}\n{},{}{}\n\n", title_line(deck), line, fits ? ' ' : '\n', box);
     text += observables_table(result.averages, deck.units);
     text += at_requested_lines(result.at_requested, deck.units);
     text += stage_lines(result.stages, "epsilon per atom and tau");
     text += samples_footnote();
+    for (const std::string& doubt : result.doubts) {
+        text += wrapped("  warning: " + doubt, screen_columns, 4) + '\n';
+    }
     text += fmt::format("\nfiles: {}\n", deck.directory.string());
     Data stages = Data::list();
     for (const StageResult& stage : result.stages) {
@@ -179,10 +206,12 @@ Document results_report(const Deck& deck, const RunResult& result) {
              {"observables", observables_data(result.averages, deck.units)},
              {"asked_temperature", result.requested_temperature},
              {"at_asked_temperature", at_requested_data(result.at_requested, deck.units)},
+             {"equation_of_state", result.equation_of_state},
              {"translational_order_at_sampling", result.order_at_sampling},
              {"stages", stages},
              {"neighbor_list_rebuilds", result.search.rebuilds},
              {"neighbor_list_late_rebuilds", result.search.late_rebuilds},
+             {"doubts", result.doubts},
              {"warnings", result.warnings}},
             text};
 }

@@ -12,6 +12,7 @@
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_file.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 #include "ljmd/run/given/given_record.hpp"
@@ -34,6 +35,16 @@ std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& sys
                          frames ? std::optional(frames->bytes) : std::nullopt);
 }
 
+/// Whether the record of a run says that it has come to its end. True where it cannot be read: nothing is known then.
+bool has_finished(const fs::path& directory) {
+    try {
+        return read_json(directory / "run.json", "the record of a run",
+                         [](const Data& record) { return record.at("finished").flag(); });
+    } catch (const Error&) {
+        return true;
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> run_output_names() {
@@ -41,7 +52,8 @@ std::vector<std::string> run_output_names() {
     for (const auto& format : all_trajectory_formats()) {
         names.push_back("trajectory." + format.name);
     }
-    names.insert(names.end(), {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name, pair_table_name});
+    names.insert(names.end(),
+                 {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name, pair_table_name, report_name});
     for (const std::string& name : checkpoint_names()) {
         names.push_back(name);
     }
@@ -64,9 +76,17 @@ void check_directory(const Deck& deck, bool force) {
         const bool can_resume = std::any_of(old.begin(), old.end(), [&](const fs::path& file) {
             return std::find(checkpoints.begin(), checkpoints.end(), file.filename()) != checkpoints.end();
         });
+        const std::string resume = fmt::format(": ljmd resume {}", directory.string());
+        if (can_resume && !has_finished(directory)) {
+            throw OutputRefused(
+                fmt::format("{} holds a run that has not come to its end. Nothing was run.", directory.string()),
+                {{"resume it", resume},
+                 {"or choose another directory", " with --out"},
+                 {"or replace it", " with --force"}});
+        }
         OutputRefused::Choices choices{another_directory, {"or replace it", " with --force"}};
         if (can_resume) {
-            choices.emplace_back("or resume it", fmt::format(": ljmd resume {}", directory.string()));
+            choices.emplace_back("or resume it", resume);
         }
         throw OutputRefused(fmt::format("{} already holds a run ({}). Nothing was run.", directory.string(),
                                         old.front().filename().string()),

@@ -43,12 +43,9 @@ std::string stage_lines(const std::vector<StageResult>& stages, const std::strin
     std::string text;
     for (const StageResult& stage : stages) {
         if (stage.energy_drift) {
-            text += fmt::format("  energy drift in stage {}: {:.2g} {}{}\n", in_quotes(stage.name), *stage.energy_drift,
-                                drift_unit, stage.drift_remark.empty() ? "" : ",\n    " + stage.drift_remark);
-        }
-        if (!stage.time_step_remark.empty()) {
-            text +=
-                fmt::format("  the time step of stage '{}' is too long:\n    {}\n", stage.name, stage.time_step_remark);
+            const std::string line = fmt::format("  energy drift in stage {}: {:.2g} {}", in_quotes(stage.name),
+                                                 *stage.energy_drift, drift_unit);
+            text += wrapped(line, screen_columns, 4) + '\n';
         }
     }
     const auto reversed = std::find_if(stages.begin(), stages.end(), [](const auto& stage) { return stage.reversed; });
@@ -63,7 +60,7 @@ std::string stage_lines(const std::vector<StageResult>& stages, const std::strin
 }
 
 std::string title_line(const Deck& deck) {
-    return printable(deck.title.empty() ? deck.path : deck.title, longest_title);
+    return wrapped(printable(deck.title.empty() ? deck.path : deck.title, longest_title), screen_columns, 0);
 }
 
 }  // namespace ljmd

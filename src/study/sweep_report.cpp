@@ -58,6 +58,9 @@ std::string remarks_of(const SweptPoint& point) {
             text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", one.name, one.remark);
         }
     }
+    for (const std::string& doubt : point.doubts) {
+        text += fmt::format("{}{}", text.empty() ? "" : "; ", doubt);
+    }
     return text;
 }
 
@@ -96,6 +99,7 @@ std::string text_of(const SweptPoints& swept) {
     for (const auto& [observable, heading] : columns_for(fluid)) {
         columns.push_back({heading, TextTable::Align::right, 21});
     }
+    columns.push_back({"", TextTable::Align::left});
     Footnotes footnotes;
     TextTable table(std::move(columns), 2);
     for (const SweptPoint& point : swept.points) {
@@ -104,6 +108,11 @@ std::string text_of(const SweptPoints& swept) {
             entries.push_back(point.failure.empty() ? in_marked_words(find_mean(point, observable), footnotes)
                                                     : "failed");
         }
+        std::string marks;
+        for (const std::string& doubt : point.doubts) {
+            marks += footnotes.mark(doubt);
+        }
+        entries.push_back(marks);
         table.add(entries);
     }
     return table.text() + footnotes.text();
@@ -127,6 +136,7 @@ Data data_of(const SweptPoints& swept) {
                           {"directory", point.directory.string()},
                           {"values", values},
                           {"failure", point.failure.empty() ? Data(nullptr) : Data(point.failure)},
+                          {"doubts", point.doubts},
                           {"observables", observables}});
     }
     return {{"keys", swept.keys}, {"points", points}};

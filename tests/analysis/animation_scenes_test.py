@@ -10,6 +10,7 @@ from pathlib import Path
 import fixtures  # noqa: I001  (it says where the modules of analysis/ are)
 import few_body_run
 import numpy as np
+import spheres
 from animation_scenes import BoxScene, PathScene
 from fixtures import EIGHT, edit, refused, write_few_body, write_fluid, write_gravity
 
@@ -76,13 +77,14 @@ def test_atoms_in_their_box(tmp: Path) -> None:
     scene = BoxScene(write_fluid(tmp / "run", positions, edge=4.0), 2)
     assert len(scene.rows) == 2
     scene.draw(1)
-    assert np.array_equal(scene.atoms.get_offsets(), [[1.0, 3.0], [1.0, 1.0], [0.5, 1.0]]), scene.atoms.get_offsets()
-    assert np.array_equal(scene.atoms.get_array(), [1.0, 2.0, 3.0])  # far ones first, so that near ones hide them
-    assert scene.axes.get_xlim() == scene.axes.get_ylim() == (0.0, 4.0)
-    assert scene.atoms._widths[0] == 0.5  # matplotlib keeps half of a diameter of 1 sigma
+    inside = scene.view.atoms.seen @ spheres.view()  # the rotation undone
+    assert np.allclose(inside[1], [[0.5, 1.0, 3.0], [1.0, 3.0, 1.0], [1.0, 1.0, 2.0]]), inside[1]
+    assert np.allclose(scene.view.atoms.speeds[0], 2.0 * np.linalg.norm(positions[0], axis=1))  # v = 2 r there
+    assert "t = 1" in scene.axes.get_title("center"), scene.axes.get_title("center")
+    assert scene.view.atoms.diameter == 1.0
     directory = write_fluid(tmp / "si", 0.34 * positions, edge=1.36, unit="nm")
     edit(directory / "run.json", "null", json.dumps({"sigma_nm": 0.34}))
-    assert BoxScene(directory, 2).atoms._widths[0] == 0.17
+    assert BoxScene(directory, 2).view.atoms.diameter == 0.34
     (directory / "trajectory.h5md").unlink()
     refused(lambda: BoxScene(directory, 2), "no trajectory")
 

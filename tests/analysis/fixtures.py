@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import os
 import struct
@@ -11,6 +13,7 @@ import tempfile
 import traceback
 from pathlib import Path
 from typing import Any, Callable, Optional
+from unittest import mock
 
 ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
 sys.path.insert(0, str(ANALYSIS))
@@ -33,6 +36,20 @@ def run_script(script: str, *arguments: Any, path: Optional[Path] = None) -> sub
     environment = os.environ if path is None else {**os.environ, "PATH": str(path)}
     command = [sys.executable, str(ANALYSIS / script), *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+
+
+def plot(*arguments: Any) -> subprocess.CompletedProcess[str]:
+    """plot.py in this process, with coarse pictures (50 dots an inch): a process of its own takes a second, and so do fine ones."""
+    import plot as script
+
+    out, err = io.StringIO(), io.StringIO()
+    coarse = mock.patch.object(script.style, "use", lambda: script.style.plt.style.use([script.style.STYLE, {"savefig.dpi": 50}]))
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), coarse:
+        try:
+            code = script.main([str(argument) for argument in arguments])
+        except SystemExit as end:  # of argparse
+            code = end.code
+    return subprocess.CompletedProcess(list(arguments), code, out.getvalue(), err.getvalue())
 
 
 def check_error(result: subprocess.CompletedProcess[str], exit_code: int, *words: str) -> None:

@@ -9,8 +9,8 @@ from pathlib import Path
 import fixtures
 import numpy as np
 import structure_pictures
-from fixtures import edit, png_size
-from plot_run_test import run_script, write_run
+from fixtures import edit, plot, png_size
+from fluid_pictures_test import write_run
 
 TIME = np.linspace(0.0, 4.0, 41)
 K = np.linspace(0.6, 15.0, 60)
@@ -38,20 +38,20 @@ def write_tables(run: Path) -> Path:
 
 def test_every_table_has_its_picture(tmp: Path) -> None:
     run = write_tables(write_run(tmp / "run"))
-    result = run_script(run)
+    result = plot(run)
     assert result.returncode == 0, result.stderr
     names = ["thermo", "rdf", *structure_pictures.PICTURES]
     assert result.stdout.splitlines() == [str(run / f"{name}.png") for name in names], result.stdout
     for name in structure_pictures.PICTURES:
         width, height = png_size(run / f"{name}.png")
-        assert width == 1400 and height >= 900, (name, width, height)
+        assert width == 350 and height >= 225, (name, width, height)
 
 
 def test_tables_that_are_not_there_have_none(tmp: Path) -> None:
     run = write_tables(write_run(tmp / "run"))
     for name in ("msd", "sk_from_rdf", "stress_autocorrelation"):
         (run / f"{name}.csv").unlink()
-    result = run_script(run)
+    result = plot(run)
     assert result.returncode == 0, result.stderr
     made = [Path(line).stem for line in result.stdout.splitlines()]
     assert made == ["thermo", "rdf", "sk", "vacf", "vibrational_spectrum"], made
@@ -60,7 +60,7 @@ def test_tables_that_are_not_there_have_none(tmp: Path) -> None:
 def test_errors_that_are_not_known_are_no_obstacle(tmp: Path) -> None:
     run = write_tables(write_run(tmp / "run"))
     fixtures.write_csv(run / "msd.csv", {"time": TIME, "msd": TIME, "msd_standard_error": np.full(TIME.size, np.nan)})
-    assert run_script(run).returncode == 0
+    assert plot(run).returncode == 0
 
 
 def test_what_has_no_value_has_no_picture(tmp: Path) -> None:
@@ -75,7 +75,7 @@ def test_what_has_no_value_has_no_picture(tmp: Path) -> None:
     fixtures.write_csv(run / "stress_autocorrelation.csv",
                        {"time": TIME, "stress_autocorrelation": 0.0 * TIME, "stress_autocorrelation_standard_error": none,
                         "viscosity": none, "viscosity_standard_error": none})
-    result = run_script(run)
+    result = plot(run)
     assert result.returncode == 0, result.stderr
     assert [Path(line).stem for line in result.stdout.splitlines()] == ["thermo", "sk", "msd"], result.stdout
     said = [line.partition(": ")[2] for line in result.stderr.splitlines()]
@@ -91,13 +91,13 @@ def test_damaged_tables(tmp: Path) -> None:
     ):
         run = write_tables(write_run(tmp / name))
         edit(run / f"{name}.csv", old, new)
-        fixtures.check_error(run_script(run), 3, f"{name}.csv", words)
+        fixtures.check_error(plot(run), 3, f"{name}.csv", words)
     run = write_tables(write_run(tmp / "gap"))
     lines = (run / "sk.csv").read_text().splitlines()
     fields = lines[5].split(",")
     lines[5] = ",".join([fields[0], "", *fields[2:]])
     (run / "sk.csv").write_text("\n".join(lines) + "\n")
-    fixtures.check_error(run_script(run), 3, "sk.csv", "line 6", "'S' has no number")
+    fixtures.check_error(plot(run), 3, "sk.csv", "line 6", "'S' has no number")
 
 
 if __name__ == "__main__":

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""What Python costs beside the engine: control after each step, views, copies by id, observables, external
-forces.
+"""What Python costs beside the engine: control after each step, views, copies by id, observables,
+external forces, two simulations at once.
 
     tools/python tests/benchmarks/python_overhead.py
 
 Prints medians of several rounds. Nothing is asserted.
 """
 
+import multiprocessing
+import queue
 import statistics
 import sys
 import threading
@@ -120,21 +122,39 @@ def pairs():
     print(f"pair potential as a table: {found['own'] / found['built_in']:.1f} times the built-in one's time")
 
 
+def run_when_all_are_ready(gate, times) -> None:
+    """One of two runs that begin together; when it began and ended goes to `times`."""
+    deck = liquid(2048, 1000)
+    gate.wait()
+    began = time.monotonic()
+    deck.run(progress=False)
+    times.put((began, time.monotonic()))
+
+
+def two_at_once(workers, times) -> float:
+    """Seconds from the first beginning to the last end."""
+    for worker in workers:
+        worker.start()
+    found = [times.get() for _ in workers]
+    for worker in workers:
+        worker.join()
+    return max(end for _, end in found) - min(began for began, _ in found)
+
+
 def two_threads():
-    deck = liquid(2048, 300)
+    def in_threads():
+        gate, times = threading.Barrier(2), queue.Queue()
+        return two_at_once([threading.Thread(target=run_when_all_are_ready, args=(gate, times)) for _ in range(2)], times)
 
-    def run():
-        deck.run(progress=False)
+    def in_processes():
+        new = multiprocessing.get_context("spawn")
+        gate, times = new.Barrier(2), new.Queue()
+        return two_at_once([new.Process(target=run_when_all_are_ready, args=(gate, times)) for _ in range(2)], times)
 
-    def both():
-        threads = [threading.Thread(target=run) for _ in range(2)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-
-    found = medians(5, time.perf_counter, one=run, two=both)
-    print(f"two simulations in two threads of Python: {found['two'] / found['one']:.2f} times the time of one")
+    pairs = [(in_threads(), in_processes()) for _ in range(15)]
+    ratios = sorted(a / b for a, b in pairs)
+    print(f"two simulations in two threads of Python: {statistics.median(ratios):.3f} times the time of two processes at once "
+          f"(quartiles {ratios[3]:.3f} and {ratios[11]:.3f} of {len(ratios)} pairs)")
 
 
 if __name__ == "__main__":

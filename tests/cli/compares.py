@@ -41,7 +41,7 @@ def everything(t):
                  "mean temperature", "g(r)", "million atom-steps/s", "checks passed"):
         t.contains(result.out, word)
     t.contains(result.err, "averaging over 400 steps")
-    t.contains(result.out, "files: some/where\nto draw them: analysis/plot_comparison.py some/where\n")
+    t.contains(result.out, "files: some/where\nto draw them: ljmd plot some/where\n")
     t.equal(t.files("some/where"), ["compare-openmm-rdf.csv", "compare-openmm-trajectory.csv", "compare-openmm.json"],
             "files")
     found = t.json("some/where/compare-openmm.json")

@@ -79,7 +79,9 @@ STRUCTURE = [
     ("unknown key", ("density = 0.8442", "densty = 0.8442")),
     ("unknown key without a likeness", ("density = 0.8442", "density = 0.8442\ngamma = 1.0")),
     ("unknown table", ("[neighbors]", "[neighbours]")),
-    ("unknown table without a likeness", ("[neighbors]", "[barostat]\npressure = 1.0\n\n[neighbors]")),
+    ("unknown table without a likeness", ("[neighbors]", "[gravity]\npressure = 1.0\n\n[neighbors]")),
+    ("a table of stages at the top", ("[neighbors]", "[barostat]\npressure = 1.0\n\n[neighbors]")),
+    ("a key of a table at the top", ('title = "small"', 'title = "small"\ncutoff = 2.5')),
     ("unknown key at the top", ('title = "small"', 'titel = "small"')),
     ("unknown key in an inner table", ("cells = 3", "cell = 3")),
     ("unknown key in a stage", ("steps = 40", "step = 40")),
@@ -175,6 +177,7 @@ SUBSTANCE = [
 SETTINGS = [
     ("--set of an unknown key", ["system.densty=0.8"]),
     ("--set of an unknown table", ["sistem.density=0.8"]),
+    ("--set without the table", ["density=0.8", "temperature=1", "steps=5", "densty=0.7"]),
     ("--set without a value", ["system.density"]),
     ("--set with an empty value", ["system.density="]),
     ("--set without a key", ["=0.8"]),

@@ -118,6 +118,46 @@ TEST_CASE("a time that cannot be told is a question mark") {
                EndsWith("ETA ?"));  // more seconds than 64 bits count
 }
 
+TEST_CASE("on a terminal the line has the present values, and parts are left out until it fits") {
+    const Captured silenced(stderr);
+    Progress progress(864, 25000, false);
+    progress.stage_begins(production);
+    Thermodynamics values{};
+    values.temperature = 0.71291;
+    values.potential_energy = -6.10148;
+    values.pressure = 0.0807;
+    progress.sampled(ThermoRow{10500, 42.0, values, {}, {}});
+    const auto line = [&](std::size_t columns) { return progress.line_within(columns, 10500, 4210.0); };
+    CHECK(line(200) ==
+          "[production]   42 %  10500/25000  4210 steps/s  3.64e+06 atom-steps/s  ETA 0:04  T 0.7129  U/N -6.101  "
+          "p 0.0807");
+    CHECK(line(79) == "[production]   42 %  4210 steps/s  ETA 0:04  T 0.7129  U/N -6.101  p 0.0807");
+    CHECK(line(70) == "[production]   42 %  4210 steps/s  ETA 0:04  T 0.7129  U/N -6.101");
+    CHECK(line(39) == "[production]   42 %  ETA 0:04  T 0.7129");
+    CHECK(line(20) == "[production]   42 %");
+    CHECK(line(10) == " 42 %");
+    CHECK(line(3) == " 42");
+    CHECK(line(0).empty());
+}
+
+TEST_CASE("before values are left out, a long name of a stage is shortened, and wide characters count twice") {
+    const Captured silenced(stderr);
+    Progress progress(std::nullopt, 100, false);
+    Stage stage = production;
+    stage.name = "a stage with a very long name";
+    progress.stage_begins(stage);
+    progress.sampled(FewBodyRow{50, 0.2, {-0.25, -0.125, -0.375, Vec3::Zero(), Vec3::Zero()}});
+    CHECK(progress.line_within(79, 50, 12.5) ==
+          "[a stage with a very long name]   50 %  50/100  12 steps/s  ETA 0:04  E -0.375");
+    CHECK(progress.line_within(70, 50, 12.5) ==
+          "[a stage with a very long name]   50 %  12 steps/s  ETA 0:04  E -0.375");
+    CHECK(progress.line_within(60, 50, 12.5) == "[a stage with]   50 %  12 steps/s  ETA 0:04  E -0.375");
+    stage.name = "\xE7\x86\x94\xE7\x86\x94\xE7\x86\x94";  // three characters of two columns each
+    progress.stage_begins(stage);
+    CHECK(progress.line_within(16, 50, 12.5) == "[" + stage.name + "]   50 %");
+    CHECK(progress.line_within(15, 50, 12.5) == " 50 %");
+}
+
 TEST_CASE("off a terminal there are plain lines, one for each tenth at most") {
     const std::string text = said(false);
     CHECK_THAT(text, StartsWith("stage 'production': 100 steps of 0.004 tau\n[production]  55 % step 55/100  "));
@@ -143,6 +183,6 @@ TEST_CASE("on a terminal one line renews itself and makes room for what is said"
         progress.warning("a doubt");
     }
     const std::string text = terminal.text_up_to("doubt\r\n");
-    CHECK_THAT(text, Contains("\r[production]   3 % step 3/100"));
-    CHECK_THAT(text, EndsWith("\033[K\r\033[Kwarning: a doubt\r\n"));
+    CHECK_THAT(text, Contains("\r\033[?7l[production]    3 %  3/100"));
+    CHECK_THAT(text, EndsWith("\033[J\033[?7h\r\r\033[?7l\033[J\033[?7h\rwarning: a doubt\r\n"));
 }

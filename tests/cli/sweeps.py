@@ -46,7 +46,7 @@ def a_grid_is_its_runs(t):
     t.equal(result.err.count("\n"), 4, "lines of progress")
     t.contains(result.err, "[4/4] temperature=")
     t.equal(result.out.splitlines()[0].split(), ["temperature", "density", "T", "U/N", "p", "Z"], "head of the table")
-    t.contains(result.out, "\nfiles: out\nto draw them: analysis/plot_sweep.py out\n")
+    t.contains(result.out, "\nfiles: out\nto draw them: ljmd plot out\n")
     found = rows(t)
     t.equal([(row["system.temperature"], row["system.density"]) for row in found], POINTS, "points")
     for row, point in zip(found, POINTS):

@@ -289,6 +289,21 @@ TEST_CASE("unknown and missing keys") {
     CHECK(texts(none) == Mistakes{"unknown key 'a' in [t] | no keys are known here"});
 }
 
+TEST_CASE("a key that belongs to an inner table is told where it belongs: as a path where it was set, else by table") {
+    const Schema schema("the deck",
+                        {Key::table("system", Schema("[system]", {density()})).optional(),
+                         Key::tables("stage", Schema("[[stage]]", {Key::text("name"), steps()})).optional()});
+    Diagnostics diagnostics;
+    static_cast<void>(validate({entry("density", 0.8, 0), entry("steps", 1.0, 0), entry("densty", 0.8, 0),
+                                entry("density", 0.8, 4), entry("steps", 1.0, 5)},
+                               {deck}, schema, std::nullopt, diagnostics));
+    CHECK(texts(diagnostics) == Mistakes{"unknown key 'density' in the deck | did you mean 'system.density'?",
+                                         "unknown key 'steps' in the deck | did you mean 'stage.NAME.steps'?",
+                                         "unknown key 'densty' in the deck | did you mean 'system.density'?",
+                                         "unknown key 'density' in the deck | did you mean 'density' in [system]?",
+                                         "unknown key 'steps' in the deck | did you mean 'steps' in [[stage]]?"});
+}
+
 TEST_CASE("a key of another choice is told where it belongs") {
     Schema schema("[t]", {Key::choice("type", {"lj", "mie", "morse"})});
     schema.select("type", {{"mie", {Key::number("n"), Key::number("m")}}, {"morse", {Key::number("m")}}});

@@ -52,6 +52,26 @@ TEST_CASE("widths count characters, and what a terminal would obey is a question
           "a?[1m  |\n");
 }
 
+TEST_CASE("a table that is too wide narrows its first column, whose long entries then stand above their rows") {
+    TextTable table({{"observable", Align::left}, {"mean"}, {"", Align::left, 0, 1}, {"unit", Align::left}}, 2);
+    table.add({"pressure", "1.5", "[1]", "bar"});
+    table.add({"compressibility_factor", "0.25", "", "1"});
+    CHECK(table.text_within(80) == table.text());
+    CHECK(table.text_within(39) == table.text());
+    CHECK(table.text_within(38) ==
+          "  observable             mean      unit\n"
+          "  pressure                1.5 [1]  bar\n"
+          "  compressibility_factor\n"
+          "                         0.25      1\n");
+    CHECK(table.text_within(5) ==  // no narrower than it can be
+          "  observable\n"
+          "        mean      unit\n"
+          "  pressure\n"
+          "         1.5 [1]  bar\n"
+          "  compressibility_factor\n"
+          "        0.25      1\n");
+}
+
 TEST_CASE("a row has no more entries than there are columns") {
     TextTable table({{"one"}});
     CHECK_THROWS_AS(table.add({"1", "2"}), ContractViolation);

@@ -72,3 +72,13 @@ TEST_CASE("line_of finds a line without its end") {
     CHECK(line_of(text, 4) == "last");
     CHECK(line_of(text, 5).empty());
 }
+
+TEST_CASE("a paragraph is broken at spaces, and long words stand alone") {
+    CHECK(wrapped("one two three", 80, 4) == "one two three");
+    CHECK(wrapped("one two three", 8, 0) == "one two\nthree");
+    CHECK(wrapped("one two three", 7, 2) == "one two\n  three");
+    CHECK(wrapped("  [1] one two", 9, 6) == "  [1] one\n      two");
+    CHECK(wrapped("a-word-that-is-too-long for it", 8, 2) == "a-word-that-is-too-long\n  for it");
+    CHECK(wrapped("\xC3\xA9\xC3\xA9 \xC3\xA9\xC3\xA9", 5, 0) == "\xC3\xA9\xC3\xA9 \xC3\xA9\xC3\xA9");
+    CHECK(wrapped("", 8, 2).empty());
+}

@@ -88,6 +88,16 @@ def check_named_files(path: pathlib.Path, root: pathlib.Path) -> None:
         check(f"{path.name}: {name}", any(root.glob(name.rstrip("/"))), "is not there")
 
 
+def check_pictures(root: pathlib.Path) -> None:
+    """Every picture has a recipe, by which it is drawn anew, and is shown on a page."""
+    listed = subprocess.run([root / "tools/docs-figures", "--list"], capture_output=True, text=True, check=True).stdout.split()
+    stored = sorted(path.name for path in (root / "docs/images").iterdir())
+    check("docs/images are the pictures of tools/docs-figures", stored == sorted(listed), f"{set(stored) ^ set(listed)} are only in one")
+    text = "".join(path.read_text(encoding="utf-8") for path in [root / "README.md", *(root / "docs").rglob("*.md")])
+    for name in stored:
+        check(f"docs/images/{name} is shown on a page", f"images/{name})" in text)
+
+
 SHORT_RUN = """\
 [system]
 lattice = { type = "fcc", cells = 3 }
@@ -157,6 +167,7 @@ def main() -> int:
         check_named_files(path, root)
         if path == readme or not (arguments.quick or root / "docs/class" in path.parents):
             check_commands(path, ljmd, root, arguments.python_path)
+    check_pictures(root)
     keys = subprocess.run([ljmd, "info", "--keys"], capture_output=True, text=True, check=True).stdout
     page = root / "docs/deck-reference.md"
     check("docs/deck-reference.md is what `ljmd info --keys` prints",

@@ -70,6 +70,7 @@ def frames_on_disk(directory: Path) -> int:
 class Runner:
     def __init__(self, program: Path, library: Path, random_source: random.Random, every: int) -> None:
         self.program = program
+        self.interpreter = [sys.executable] if program.suffix == ".py" else []
         self.library = library
         self.random = random_source
         self.every = every  # of the calls that can be disturbed this many-th is
@@ -88,7 +89,7 @@ class Runner:
         return environment
 
     def start(self, arguments: list[str], fault: Optional[str] = None, folder: Optional[Path] = None) -> subprocess.Popen:
-        return subprocess.Popen([str(self.program), *arguments, "--quiet"], env=self.environment(fault, folder),
+        return subprocess.Popen([*self.interpreter, str(self.program), *arguments, "--quiet"], env=self.environment(fault, folder),
                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
     def finish(self, process: subprocess.Popen, allowed: tuple[int, ...]) -> int:

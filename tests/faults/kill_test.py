@@ -29,6 +29,16 @@ def kill_at_call(runner: Runner, command: Command, folder: Path, mode: str, call
     check_same_run(directory, command.case.whole)
 
 
+def kill_at_each_call(runner: Runner, command: Command, folder: Path, tally: Tally, form: str) -> None:
+    calls = command.count_calls(runner, folder)
+    for mode in ("kill", "tear"):
+        before = tally.failed
+        for call in range(1, calls + 1, runner.every):
+            tally.attempt(f"{form}, {mode} at call {call} of {command.name}",
+                          lambda: kill_at_call(runner, command, folder, mode, call))
+        print(f"{form}: {mode} at each of {calls} calls of {command.name}: {tally.failed - before} failed", flush=True)
+
+
 def kill_at_random(runner: Runner, case: Case, folder: Path, seconds: float) -> None:
     arguments, directory = Command("run", case).prepare(folder)
     process = runner.start(arguments)
@@ -43,14 +53,7 @@ def tests(runner: Runner, folder: Path, tally: Tally, all_kills: int) -> None:
     for form in FORMATS:
         short = make_case(runner, folder / f"short-{form}", form, 6, 12, 5)
         for command in commands(runner, short, folder / "calls"):
-            calls = command.count_calls(runner, folder / "calls")
-            for mode in ("kill", "tear"):
-                before = tally.failed
-                for call in range(1, calls + 1, runner.every):
-                    tally.attempt(f"{form}, {mode} at call {call} of {command.name}",
-                                  lambda: kill_at_call(runner, command, folder, mode, call))
-                print(f"{form}: {mode} at each of {calls} calls of {command.name}: {tally.failed - before} failed",
-                      flush=True)
+            kill_at_each_call(runner, command, folder / "calls", tally, form)
         long = make_case(runner, folder / f"long-{form}", form, 200, 400, 50)
         seconds = measure(runner, long, folder / "time")
         before = tally.failed

@@ -1,8 +1,6 @@
 """Ctrl-C and other signals: a run stops after a step, with a checkpoint where it has a directory."""
 
-import os
 import signal
-import threading
 import time
 import unittest
 import warnings
@@ -10,34 +8,8 @@ import warnings
 import numpy as np
 
 import ljmd
+from alarm import PATIENCE, Alarm
 from cases import Case, comet, long_deck
-
-PATIENCE = 5.0  # [s] a test hangs; on an idle machine the exception comes in 0.1 s
-
-
-class Alarm:
-    """Sends SIGINT to this process, from another thread, when the run first tells its progress."""
-
-    def __enter__(self):
-        self.begun = threading.Event()
-        self.thread = threading.Thread(target=self.send)
-        self.thread.start()
-        return self
-
-    def send(self):
-        self.begun.wait(60)
-        time.sleep(0.01)  # until the engine computes again
-        self.sent = time.monotonic()
-        os.kill(os.getpid(), signal.SIGINT)
-
-    def tell(self, _=None):
-        self.begun.set()
-
-    def __exit__(self, kind, error, trace):
-        self.late = time.monotonic() - self.sent
-        self.thread.join()
-        self.note = "".join(getattr(error, "__notes__", []))
-        return kind is KeyboardInterrupt
 
 
 class Interrupts(Case):
@@ -106,15 +78,7 @@ class Interrupts(Case):
     def test_an_observable_that_never_returns_is_interrupted(self):
         for directory in (None, self.folder / "endless"):
             with Alarm() as alarm:
-                def endless(s):
-                    time.sleep(0.2)  # in its first moments a function would be called again
-                    alarm.tell()
-                    end = time.monotonic() + 4 * PATIENCE
-                    while time.monotonic() < end:
-                        pass
-                    raise TimeoutError("nobody has interrupted this")
-
-                long_deck().run(directory, observables=[endless], progress=False)
+                long_deck().run(directory, observables=[alarm.never_returns], progress=False)
             self.assertLess(alarm.late, PATIENCE)
 
     def test_what_a_signal_handler_raises_is_raised(self):

@@ -152,7 +152,7 @@ class Observables(Case):
             np.testing.assert_array_equal(seen[name], getattr(again, name), name)
         self.assertEqual((seen["energy"], seen["pressure"]), (again.total_energy, again.pressure))
         self.assertEqual(run["look"].mean, again.temperature)
-        self.assertRaisesText(ljmd.InputError, "has passed", of=lambda: seen["snapshot"].positions)
+        self.assertRaisesText(ljmd.InputError, "has ended", of=lambda: seen["snapshot"].positions)
 
     def test_what_is_wrong_with_one_is_said(self):
         @ljmd.observable(every=7)

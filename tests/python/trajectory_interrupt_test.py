@@ -8,9 +8,8 @@ import unittest
 import warnings
 
 import ljmd
+from alarm import PATIENCE
 from cases import Case, long_deck
-
-PATIENCE = 5.0  # [s] a test hangs; on an idle machine the exception comes in 0.1 s
 
 
 class Analyses(Case):

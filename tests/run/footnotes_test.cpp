@@ -13,3 +13,9 @@ TEST_CASE("a remark is numbered when it comes first, and told once") {
     CHECK(footnotes.mark("too short") == "[1]");
     CHECK(footnotes.text() == "  [1] too short\n  [2] too hot\n");
 }
+
+TEST_CASE("a long remark goes on in the next line, below its beginning") {
+    Footnotes footnotes;
+    static_cast<void>(footnotes.mark(std::string(70, 'a') + " it ends here"));
+    CHECK(footnotes.text() == "  [1] " + std::string(70, 'a') + " it\n      ends here\n");
+}

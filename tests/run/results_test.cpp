@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "deck/deck_fixtures.hpp"
 
@@ -29,6 +30,7 @@ RunResult some_result() {
                          average("compressibility_factor", "1", 0.9, unknown, unknown)},
             .requested_temperature = 0.722,
             .at_requested = std::nullopt,
+            .equation_of_state = std::nullopt,
             .order_at_sampling = 0.0125,
             .stages = {{"equilibrate", "velocity-verlet", 0, 5000, 0.004, false, true, false, std::nullopt, "a", "b"},
                        {"production", "velocity-verlet", 5000, 25000, 0.004, true, false, false, -1.5e-7, "b", "c"}},
@@ -106,6 +108,9 @@ TEST_CASE("what a run has at the temperature that was asked stands in results.js
     const std::size_t line = table.find("  brought to T = 0.73, which was asked, by the equation of state thol2016:\n");
     REQUIRE(line != std::string::npos);
     CHECK_THAT(table.substr(line), Contains("pressure") && Contains("0.520 +- 0.011"));
+    CHECK(found.at("equation_of_state").is_null());
+    result.equation_of_state = "thol2016";
+    CHECK(results_report(deck_with(""), result).data.at("equation_of_state") == "thol2016");
     result.requested_temperature.reset();
     CHECK(results_report(deck_with(""), result).data.at("asked_temperature").is_null());
 }
@@ -168,8 +173,11 @@ TEST_CASE("the table of a run shows what people look for, in SI too for a substa
     CHECK_THAT(line_of_table(reduced, "energy drift"), Contains("'production': -1.5e-07 epsilon per atom and tau"));
     CHECK_THAT(reduced, !Contains("pressure_xy") && !Contains("equilibrate"));
     const std::string argon = results_report(deck_with(argon_table), result).text;
-    CHECK_THAT(line_of_table(argon, "temperature"), Catch::EndsWith(" 86.50 +- 0.25  K"));
-    CHECK_THAT(line_of_table(argon, "potential_energy"), Catch::EndsWith(" -6.0632 +- 0.0012  kJ/mol"));
+    const std::string si = argon.substr(argon.find("\n  in SI units "));
+    CHECK_THAT(line_of_table(si, "temperature"), Catch::EndsWith(" 86.50 +- 0.25  K"));
+    CHECK_THAT(line_of_table(si, "potential_energy"), Catch::EndsWith(" -6.0632 +- 0.0012  kJ/mol"));
+    CHECK_THAT(si, !Contains("compressibility_factor") && !Contains("kinetic_energy"));
+    CHECK_THAT(reduced, !Contains("in SI units"));
     CHECK_THAT(argon, Contains("density 0.8442 sigma^-3 (1.4185 g/cm3)"));
 }
 
@@ -180,10 +188,10 @@ TEST_CASE("a remark stands where its number stands, and is told once") {
     result.averages[2].remark = "few samples";
     result.averages.push_back({"viscosity", "eta", "epsilon tau/sigma^3", std::nullopt, "frames too far apart"});
     const std::string table = results_report(deck_with(""), result).text;
-    CHECK_THAT(line_of_table(table, "temperature"), Contains("0.7220 +- 0.0021  [1]  epsilon/k_B"));
-    CHECK_THAT(line_of_table(table, "potential_energy"), Contains("-6.0871 +- 0.0012  [2]  epsilon"));
-    CHECK_THAT(line_of_table(table, "pressure"), Contains("0.50 +- 0.25  [2]  epsilon/sigma^3"));
-    CHECK_THAT(line_of_table(table, "viscosity"), Catch::EndsWith("no value  [3]"));
+    CHECK_THAT(line_of_table(table, "temperature"), Contains("0.7220 +- 0.0021 [1]  epsilon/k_B"));
+    CHECK_THAT(line_of_table(table, "potential_energy"), Contains("-6.0871 +- 0.0012 [2]  epsilon"));
+    CHECK_THAT(line_of_table(table, "pressure"), Contains("0.50 +- 0.25 [2]  epsilon/sigma^3"));
+    CHECK_THAT(line_of_table(table, "viscosity"), Catch::EndsWith("no value [3]"));
     CHECK_THAT(line_of_table(table, "compressibility_factor"), !Contains("["));
     CHECK_THAT(table, Contains("\n  [1] asked for 1.0\n  [2] few samples\n  [3] frames too far apart\n"));
     const Data observables = results_report(deck_with(""), result).data.at("observables");
@@ -191,6 +199,29 @@ TEST_CASE("a remark stands where its number stands, and is told once") {
     CHECK(observables.at("viscosity").at("remark") == "frames too far apart");
     CHECK(observables.at("viscosity").at("mean").is_null());
     CHECK_FALSE(observables.at("compressibility_factor").contains("remark"));
+}
+
+TEST_CASE("the table fits a screen of 80 columns, whatever the names and the remarks are") {
+    RunResult result = some_result();
+    result.averages[3].remark =
+        "a remark that is so long that it has to go on in the line below the one that it began in";
+    result.averages.push_back(average("viscosity", "epsilon tau/sigma^3", 3.25, 0.1));
+    result.averages.push_back(average("diffusion_infinite_system", "sigma^2/tau", 0.0313, 0.0000004));
+    result.averages.push_back(
+        {std::string(60, 'n'), "X", "1", Estimate{1234567.0, 0.000012, 1e6, 1000000, false}, "", true});
+    result.doubts = {"sampling began with 61 % of the crystal left (translational order 0.600): equilibrate longer"};
+    for (const std::string& extra : {std::string(), argon_table}) {
+        const std::string text = results_report(deck_with(extra), result).text;
+        std::istringstream lines(text.substr(0, text.find("files: ")));
+        for (std::string line; std::getline(lines, line);) {
+            INFO(line);
+            CHECK(line.size() <= 80);
+        }
+        CHECK_THAT(text, Contains("\n  " + std::string(60, 'n') + "\n"));
+        CHECK_THAT(text, Contains("\n  warning: sampling began with 61 % of the crystal left (translational order\n    "
+                                  "0.600): equilibrate longer\n"));
+    }
+    CHECK(results_report(deck_with(""), result).data.at("doubts").size() == 1);
 }
 
 TEST_CASE("an error bar that is a guess is marked where it stands") {

@@ -47,12 +47,10 @@ TEST_CASE("a stage in results.json has everything that is known of it") {
     CHECK(json.at("energy_drift").is_null());
 }
 
-TEST_CASE("a time step that is too long stands in the table and in results.json") {
+TEST_CASE("a time step that is too long stands in results.json") {
     StageResult stage = there;
     stage.time_step_error = 0.016;
     stage.time_step_remark = "too long";
-    CHECK_THAT(stage_lines({stage}, "per hour"),
-               Contains("  the time step of stage 'there' is too long:\n    too long"));
     CHECK(stage_data(stage).at("time_step_error") == 0.016);
     CHECK(stage_data(stage).at("time_step_remark") == "too long");
 }
@@ -61,7 +59,6 @@ TEST_CASE("the table tells of drifts, and of checksums when the motion was turne
     CHECK(stage_lines({there}, "per hour") == "  energy drift in stage 'there': -1.5e-07 per hour\n");
     StageResult hot = there;
     hot.drift_remark = "too much";
-    CHECK(stage_lines({hot}, "per hour") == "  energy drift in stage 'there': -1.5e-07 per hour,\n    too much\n");
     CHECK(stage_data(hot).at("energy_drift_remark") == "too much");
     StageResult forth = back;
     forth.reversed = false;

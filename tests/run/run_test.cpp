@@ -130,7 +130,8 @@ TEST_CASE("a time step that makes pressures wrong is told of, though the energy 
     const Finished coarse = run("0.016");
     CHECK(coarse.result.stages[1].time_step_error.value() == Approx(0.016).epsilon(0.4));
     CHECK(coarse.result.stages[1].drift_remark.empty());
-    CHECK_THAT(coarse.file("results.txt"), Contains("the time step of stage 'production' is too long:\n"));
+    CHECK_THAT(coarse.file("results.txt"),
+               Contains("  warning: the time step of stage 'production' is too long: it sets"));
     CHECK(std::ranges::any_of(coarse.result.warnings, [](const std::string& warning) {
         return warning.starts_with("the time step of stage 'production' is too long: it sets the temperatures");
     }));

@@ -126,6 +126,18 @@ void sweep_command(const SweepOptions& options);
 /// trajectory; thermo of a trajectory: energies and pressures of its frames. Writes the same tables as a run.
 void analyze_command(const AnalyzeOptions& options);
 
+/// Options of `ljmd plot`.
+struct PlotOptions {
+    std::string path;                  ///< a directory, or a table, of ljmd
+    std::vector<std::string> names{};  ///< of pictures; empty: all that suit it
+    std::string out{};                 ///< file or directory; empty: beside what is drawn
+    std::string against{};             ///< key of a sweep on the axis; empty: the last
+    int relative_to = 0;               ///< body from which few bodies are seen, counted from 1; 0: the first
+};
+
+/// ljmd plot DIR|FILE [NAME ...]: draw pictures, by the scripts in analysis/. On success Python takes over the process.
+void plot_command(const PlotOptions& options);
+
 /// The subject of `ljmd info`, at most one of these; by default the program.
 struct InfoOptions {
     std::string directory = {};  ///< of a run or a study
@@ -135,5 +147,27 @@ struct InfoOptions {
 };
 
 void info_command(const InfoOptions& options);
+
+/// Options of `ljmd report`.
+struct ReportOptions {
+    std::vector<std::string> directories = {};
+    std::string out = {};  ///< file; empty: report.html in the directory, or in the working directory for several
+    bool open = false;     ///< open the page in a browser
+    bool json = false;     ///< print the page's data instead of writing a page
+};
+
+/// ljmd report RUN...: one page about a run, a study or a comparison, or about several.
+void report_command(const ReportOptions& options);
+
+/// Options of `ljmd init`.
+struct InitOptions {
+    std::string file{};             ///< empty: <example>.toml in the working directory
+    std::string example = "first";  ///< one of example_names()
+    bool force = false;
+    bool list = false;  ///< print the examples instead
+};
+
+/// ljmd init [FILE]: write a commented deck to begin with. @throws OutputRefused if the file exists, without `force`
+void init_command(const InitOptions& options);
 
 }  // namespace ljmd

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "ljmd/core/diagnostics.hpp"
@@ -31,8 +33,14 @@ void print_message(const std::string& text) noexcept;
 /// Print a warning of one line to stderr.
 void warn(const std::string& text) noexcept;
 
-/// Replace the terminal line at the cursor. An empty text clears it.
-void talk_over_line(const std::string& text) noexcept;
+/// Width of the terminal that messages go to, as it is now; nothing if they go to no terminal, or to one that cannot
+/// move its cursor (TERM=dumb). A terminal that does not know its width has 80 columns.
+[[nodiscard]] std::optional<std::size_t> message_columns();
+
+/// Replace the terminal line at the cursor, and leave the cursor at its beginning: a terminal that is made narrower
+/// wraps the line or cuts it, and in both cases it begins at the cursor. An empty text clears the line.
+/// @pre the text is shorter than the line
+void talk_over_line(const std::string& text);
 
 /// Print the warnings among the diagnostics.
 void print_warnings(const Diagnostics& diagnostics);

@@ -22,6 +22,13 @@ namespace ljmd {
 /// The same as one string; cut after `limit` characters, with "..." at the end.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t limit);
 
+/// Width of a screen that texts and tables for people fit on; results.txt has the same text.
+inline constexpr std::size_t screen_columns = 80;
+
+/// A paragraph in lines of at most `columns` characters, broken at single spaces. Lines after the first begin with
+/// `indent` spaces. A longer word has a line of its own. Ends without a line end.
+[[nodiscard]] std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent);
+
 /// A name or value for messages: printable, in single quotes, at most 60 characters.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

@@ -6,8 +6,8 @@
 
 namespace ljmd {
 
-/// A table for people. Each column is as wide as its longest entry and at least as wide as requested; two spaces
-/// separate columns. Empty columns take no room. Entries are shown as by printable().
+/// A table for people. Each column is as wide as its longest entry and at least as wide as requested; spaces separate
+/// columns. Empty columns take no room. Entries are shown as by printable().
 class TextTable {
   public:
     enum class Align { left, right };
@@ -16,6 +16,7 @@ class TextTable {
         std::string heading;
         Align align = Align::right;
         std::size_t width = 0;  ///< smallest width in characters
+        std::size_t gap = 2;    ///< spaces before it
     };
 
     /// @param indent  number of spaces before each line
@@ -28,6 +29,10 @@ class TextTable {
     /// Heading line, unless all headings are empty, and rows, without trailing spaces, each with a line end.
     [[nodiscard]] std::string text() const;
 
+    /// The same in lines of at most `columns` characters, as far as the first column can be made narrower: entries that
+    /// are then too long for it have lines of their own above their rows.
+    [[nodiscard]] std::string text_within(std::size_t columns) const;
+
   private:
     struct Entry {
         std::string shown;
@@ -35,8 +40,10 @@ class TextTable {
     };
 
     [[nodiscard]] static Entry entry_of(const std::string& text);
+    [[nodiscard]] std::string text_of(const std::vector<std::size_t>& widths) const;
 
     std::vector<Align> aligned_;
+    std::vector<std::size_t> gaps_;
     std::vector<std::size_t> widths_;
     std::vector<std::vector<Entry>> rows_;  ///< the first row holds the headings
     std::size_t indent_;

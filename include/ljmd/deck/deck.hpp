@@ -31,6 +31,7 @@ struct Deck {
     Index thermo_every;
     std::optional<TrajectoryOutput> trajectory;
     CheckpointOutput checkpoint;
+    bool report = false;         ///< whether `ljmd run` ends with a page about the run
     bool start_at_hand = false;  ///< nothing is read: the run writes the configuration that it starts from
     GivenParts given = {};       ///< what a program gives to the run beside this
 

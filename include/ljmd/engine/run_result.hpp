@@ -53,6 +53,7 @@ struct RunResult {
     std::vector<ObservableAverage> averages;
     std::optional<double> requested_temperature;         ///< see requested_temperature()
     std::optional<AtRequestedTemperature> at_requested;  ///< converted, if the run missed that temperature
+    std::optional<std::string> equation_of_state;        ///< name of that of this fluid, see equation_of_fluid()
     std::optional<double> order_at_sampling;             ///< translational order when sampling began
     std::vector<StageResult> stages;
     std::vector<DataTable> tables;      ///< of the analyses
@@ -61,6 +62,8 @@ struct RunResult {
     PhaseSeconds seconds;  ///< wall time of the time loop
     Thermodynamics first;  ///< of the start
     Thermodynamics last;   ///< of the last sample
+
+    std::vector<std::string> doubts = {};  ///< those of the warnings that no remark on an observable repeats
 
     /// The observable of this name. @throws InputError naming all, if there is none
     [[nodiscard]] const ObservableAverage& observable(const std::string& name) const;

@@ -29,8 +29,14 @@ class DirectoryOutputs : public RunOutputs {
     [[nodiscard]] RunDirectory& files() { return *files_; }
 
     void stage_begins(const Stage& stage) override { listener_.stage_begins(stage); }
-    void row(const ThermoRow& row) override { files_->write(row); }
-    void row(const FewBodyRow& row) override { files_->write(row); }
+    void row(const ThermoRow& row) override {
+        files_->write(row);
+        listener_.sampled(row);
+    }
+    void row(const FewBodyRow& row) override {
+        files_->write(row);
+        listener_.sampled(row);
+    }
     [[nodiscard]] bool frame_is_due(const State& state) const override { return files_->frame_is_due(state); }
     void frame(const State& state, const std::optional<double>& angle) override { files_->write_frame(state, angle); }
     void step_done(Index step) override { listener_.step_done(step); }

@@ -11,7 +11,7 @@ class Footnotes {
     /// The mark beside the number that a remark is about, such as "[1]"; empty for an empty remark.
     [[nodiscard]] std::string mark(const std::string& remark);
 
-    /// One line "  [1] ..." per remark.
+    /// A paragraph "  [1] ..." for each remark, in lines that fit the screen.
     [[nodiscard]] std::string text() const;
 
   private:

@@ -27,6 +27,7 @@ struct RecordedStage {
 struct RecordedResults {
     std::vector<ObservedMean> means;  ///< in file order; for few bodies also the results of analyses, "orbit_period"
     std::vector<RecordedStage> stages;
+    std::vector<std::string> doubts = {};  ///< see RunResult::doubts
 };
 
 /// Read a run's results.json.

@@ -23,6 +23,9 @@ namespace ljmd {
 /// The configuration that a run was given to start from, if it did not read one.
 inline constexpr const char* given_start_name = "given-start.xyz";
 
+/// The page about a run in its directory, which `ljmd report` writes.
+inline constexpr const char* report_name = "report.html";
+
 /// All names that a run may write into its directory. `--force` replaces only these.
 [[nodiscard]] std::vector<std::string> run_output_names();
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ljmd/core/types.hpp"
+#include "ljmd/engine/run_outputs.hpp"
 #include "ljmd/engine/stage.hpp"
 
 namespace ljmd {
@@ -13,6 +14,10 @@ class RunListener {
     virtual ~RunListener() = default;
     virtual void stage_begins(const Stage&) {}
     virtual void step_done(Index /*step*/) {}
+
+    /// A sample was taken, of a fluid or of few bodies; step_done() for its step comes later.
+    virtual void sampled(const ThermoRow& /*row*/) {}
+    virtual void sampled(const FewBodyRow& /*row*/) {}
     virtual void warning(const std::string& /*text*/) {}
 
   protected:

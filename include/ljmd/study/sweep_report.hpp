@@ -14,8 +14,9 @@ struct SweptPoint {
     std::string name;
     std::vector<std::string> values;  ///< of the varied keys
     std::filesystem::path directory;
-    std::vector<ObservedMean> found;  ///< empty if it failed
-    std::string failure;              ///< reason of the failure; empty if it succeeded
+    std::vector<ObservedMean> found;       ///< empty if it failed
+    std::string failure;                   ///< reason of the failure; empty if it succeeded
+    std::vector<std::string> doubts = {};  ///< about the run, see RunResult::doubts
 };
 
 /// Results of a sweep.
@@ -25,11 +26,12 @@ struct SweptPoints {
 };
 
 /// The results of `ljmd sweep`. Text: a table with values of the keys, then T, U, p and Z, or the energies of few
-/// bodies; below it the remarks. Data: keys; points with name, directory, values, failure or null, observables.
+/// bodies, and the mark of what is doubtful about the run; below it the remarks. Data: keys; points with name,
+/// directory, values, failure or null, doubts, observables.
 [[nodiscard]] Document sweep_report(const SweptPoints& swept);
 
 /// sweep.csv: the varied keys, then each observable and its `_standard_error`, empty if unknown. The last column is
-/// `remarks`: "NAME: remark", separated by "; ".
+/// `remarks`: "NAME: remark", then the doubts about the run, separated by "; ".
 [[nodiscard]] std::string sweep_csv(const SweptPoints& swept);
 
 /// The table's observables of one point as a line: "T 1.2034 +- 0.0012, U/N ...".

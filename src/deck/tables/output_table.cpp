@@ -85,6 +85,8 @@ void OutputTable<Thermo, Trajectory>::describe(TableDescription& description) {
         .meaning(
             "what `ljmd resume` continues from; also written at the start, at the ends of stages, and when the run is "
             "stopped");
+    description.flag("report", report)
+        .meaning("write report.html at the end, as `ljmd report` does; done by `ljmd run` and `ljmd resume`");
 }
 
 template struct OutputTable<FluidThermo, FluidTrajectory>;

@@ -50,15 +50,18 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
     return result;
 }
 
-std::vector<std::string> environment_of(const Process& process) {
+using Variables = std::vector<std::pair<std::string, std::string>>;
+
+/// The environment of this process with variables added or replaced.
+std::vector<std::string> environment_with(const Variables& added) {
     std::vector<std::string> result;
-    for (const auto& [name, value] : process.environment) {
+    for (const auto& [name, value] : added) {
         result.push_back(fmt::format("{}={}", name, value));
     }
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view text(*entry);
         bool replaced = false;
-        for (const auto& [name, value] : process.environment) {
+        for (const auto& [name, value] : added) {
             replaced = replaced || text.substr(0, text.find('=')) == name;
         }
         if (!replaced) {
@@ -115,6 +118,12 @@ void become(const Process& process, char* const* arguments, char* const* environ
     ::execve(process.program.c_str(), arguments, environment);
 }
 
+std::vector<std::string> command_line(const std::string& program, const std::vector<std::string>& arguments) {
+    std::vector<std::string> result{program};
+    result.insert(result.end(), arguments.begin(), arguments.end());
+    return result;
+}
+
 /// The result of fork() and become().
 struct Launched {
     pid_t id;
@@ -166,9 +175,8 @@ std::optional<fs::path> find_program(const std::string& name) {
 }
 
 ChildProcess::ChildProcess(const Process& process) : name_(process.program.string()) {
-    std::vector<std::string> arguments{name_};
-    arguments.insert(arguments.end(), process.arguments.begin(), process.arguments.end());
-    std::vector<std::string> environment = environment_of(process);
+    std::vector<std::string> arguments = command_line(name_, process.arguments);
+    std::vector<std::string> environment = environment_with(process.environment);
     const Launched launched = launch(process, pointers(arguments), pointers(environment));
     id_ = launched.id;
     if (launched.error != 0) {
@@ -203,6 +211,14 @@ void ChildProcess::signal(int number) const {
 
 int run_process(const Process& process) {
     return ChildProcess(process).wait();
+}
+
+void become_program(const fs::path& program, const std::vector<std::string>& arguments, const Variables& environment) {
+    std::vector<std::string> words = command_line(program.string(), arguments);
+    std::vector<std::string> variables = environment_with(environment);
+    default_signals();
+    ::execve(program.c_str(), pointers(words).data(), pointers(variables).data());
+    throw file_error("start", program, errno);
 }
 
 }  // namespace ljmd

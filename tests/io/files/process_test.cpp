@@ -187,3 +187,16 @@ TEST_CASE("a program with a group of its own is in another one than this") {
         CHECK((std::stol(content_of(folder / "said")) == getpgrp()) != own_group);
     }
 }
+
+TEST_CASE("a program takes over the process: its exit status, and what is added to the environment") {
+    const TemporaryFolder folder;
+    const fs::path program = script(folder / "program", R"(test "$1|$LJMD_TOLD" = "a b|yes" && exit 23)");
+    const pid_t child = fork();
+    if (child == 0) {
+        become_program(program, {"a b"}, {{"LJMD_TOLD", "yes"}});
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(WEXITSTATUS(status) == 23);
+    CHECK_THROWS_AS(become_program(folder / "absent", {}, {}), FileError);
+}

@@ -37,6 +37,7 @@ struct OutputTable {
     Placed<Thermo> thermo;
     std::optional<Placed<Trajectory>> trajectory;
     Placed<CheckpointOutput> checkpoint;
+    bool report = false;  ///< whether the command ends with a page about the run
 
     void describe(TableDescription& description);
 };

@@ -66,4 +66,12 @@ class ChildProcess {
 /// @throws FileError, ProcessesError  as ChildProcess
 [[nodiscard]] int run_process(const Process& process);
 
+/// Become another program: it takes over the process with its standard streams, so that signals reach it and its exit
+/// status is that of this process. It starts with the signal handlers of a ChildProcess.
+/// @param program      as returned by find_program
+/// @param environment  added to the environment of this process
+/// @throws FileError  it cannot be started
+[[noreturn]] void become_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                                 const std::vector<std::pair<std::string, std::string>>& environment);
+
 }  // namespace ljmd

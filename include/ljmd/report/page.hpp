@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ljmd/report/page_content.hpp"
+
+namespace ljmd {
+
+// The page: one HTML file with style, script and data in it, which asks for nothing from anywhere.
+
+/// The files of src/report/web/dist that are built into the program.
+struct PageBundle {
+    std::string_view frame;   ///< index.html, with places for the other parts
+    std::string_view style;   ///< report.css
+    std::string_view script;  ///< report.js
+};
+[[nodiscard]] PageBundle page_bundle();
+
+/// Data as JSON that can stand in a script element of HTML: ASCII, without "<".
+[[nodiscard]] std::string json_for_html(const Data& data);
+
+/// The whole page. @throws ContractViolation  the frame lacks a place for one of the parts
+[[nodiscard]] std::string page_html(const PageContent& content, const PageBundle& bundle = page_bundle());
+
+}  // namespace ljmd

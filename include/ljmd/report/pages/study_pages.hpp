@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+
+#include "ljmd/report/page_content.hpp"
+
+namespace ljmd {
+
+/// The page of a sweep: its observables against the varied keys, beside an equation of state where there is one of the
+/// fluid, from those points that are finished. @throws DataError  its sweep.json is damaged
+[[nodiscard]] PageContent sweep_page(const std::filesystem::path& directory);
+
+/// The page of a reproduced table: z-scores, isotherms, the rows, from those rows that are finished.
+[[nodiscard]] PageContent reproduction_page(const std::filesystem::path& directory);
+
+/// The page of a comparison that `ljmd compare --out` has written.
+/// @throws DataError  it has no compare-*.json, or that is damaged
+[[nodiscard]] PageContent comparison_page(const std::filesystem::path& directory);
+
+/// Whether a directory holds a comparison.
+[[nodiscard]] bool holds_comparison(const std::filesystem::path& directory);
+
+/// The member `points` of the page's data: the runs of a study, with links relative to its directory.
+/// @param runs  as study_report() gives them
+[[nodiscard]] Data study_points(const Data& runs, const std::filesystem::path& directory);
+
+/// State of a study and words about its runs, for the head of its page.
+void add_study_state(PageContent& page, const Data& study);
+
+}  // namespace ljmd

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ljmd/analyze/thermo_report.hpp"
+#include "ljmd/report/run_facts.hpp"
+
+namespace ljmd {
+
+/// The quantities of a fluid's results.json that tables show, beside an equation of state of the same fluid where there
+/// is one; those that were brought to the requested temperature come last.
+/// @param so_far  used while there are no results: means of all sampled rows of thermo.csv
+[[nodiscard]] std::vector<Quantity> run_quantities(const RunFacts& facts, const std::optional<ThermoReport>& so_far);
+
+/// Add the values of an equation of state at the measured temperature and density. Does nothing if there is no equation
+/// of this fluid, or if it is not reliable there.
+/// @param density  of a run at constant volume; with a barostat the measured one counts
+/// @return why there are none, or from where they are: "thol2016"
+std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, std::optional<double> density);
+
+}  // namespace ljmd

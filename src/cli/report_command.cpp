@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/process.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/report/page.hpp"
+#include "ljmd/report/report.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Open a page in the browser of the desktop, if there is one.
+void open_page(const fs::path& page) {
+    const auto opener = find_program("xdg-open");
+    const bool has_desktop = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+    const std::string by_hand = fmt::format("open {} in a browser", page.string());
+    if (!opener || !has_desktop) {
+        warn(fmt::format("{}: {}", opener ? "there is no desktop here" : "there is no xdg-open", by_hand));
+        return;
+    }
+    const Process process{.program = *opener,
+                          .arguments = {files::absolute(page).string()},
+                          .directory = fs::path("."),
+                          .output = "/dev/null"};
+    if (run_process(process) != 0) {
+        warn(fmt::format("xdg-open could not open it: {}", by_hand));
+    }
+}
+
+}  // namespace
+
+void report_command(const ReportOptions& options) {
+    const std::vector<fs::path> directories(options.directories.begin(), options.directories.end());
+    const PageContent content = report_on(directories);
+    if (options.json) {
+        print_result(to_json_line(page_data(content)) + "\n");
+        return;
+    }
+    const fs::path page = !options.out.empty()     ? fs::path(options.out)
+                          : directories.size() > 1 ? fs::path(report_name)
+                                                   : directories.front() / report_name;
+    write_file_atomically(page, page_html(content));
+    for (const std::string& warning : content.warnings) {
+        warn(warning);
+    }
+    print_result(fmt::format("{}\n", page.string()));
+    if (options.open) {
+        open_page(page);
+    }
+}
+
+}  // namespace ljmd

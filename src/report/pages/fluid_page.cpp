@@ -1,0 +1,119 @@
+#include "ljmd/report/pages/fluid_page.hpp"
+
+#include <fmt/format.h>
+
+#include "ljmd/analyze/thermo_report.hpp"
+#include "ljmd/deck/fluid.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/formats/configuration_reader.hpp"
+#include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/report/atom_frames.hpp"
+#include "ljmd/report/lenient_data.hpp"
+#include "ljmd/report/run_charts.hpp"
+#include "ljmd/report/run_quantities.hpp"
+#include "ljmd/report/run_verdicts.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The last step of the history; 0 if there is none.
+double last_step(const fs::path& directory) {
+    try {
+        const std::vector<double> steps = column(read_growing_csv(directory / "thermo.csv"), "step");
+        return steps.empty() ? 0.0 : steps.back();
+    } catch (const DataError&) {
+        return 0.0;  // add_history() warns
+    }
+}
+
+/// A single configuration, for a run without frames.
+Data configuration_atoms(const fs::path& path, const std::string& words) {
+    AtomFrames frames(1);
+    frames.add({.configuration = read_configuration(path, std::nullopt)});
+    return frames.data(words);
+}
+
+void add_atoms(PageContent& page, const RunFacts& facts) {
+    const Deck* deck = facts.deck();
+    if (deck != nullptr && deck->trajectory) {
+        const fs::path path = facts.directory / fmt::format("trajectory.{}", deck->trajectory->format);
+        const double expected = last_step(facts.directory) / static_cast<double>(deck->trajectory->every) + 1.0;
+        page.atoms = trajectory_atoms(path, deck->units, static_cast<Index>(expected), page.warnings);
+    }
+    for (const auto& [name, words] :
+         {std::pair{"final.xyz", "It is the last configuration; the run has no trajectory."},
+          {"failed.xyz", "It is the configuration at which the run stopped."}}) {
+        if (page.atoms.is_null() && input_is_there(facts.directory / name)) {
+            add_if_readable(page.warnings, [&] { page.atoms = configuration_atoms(facts.directory / name, words); });
+        }
+    }
+}
+
+void add_correlation_times(PageContent& page, const ThermoReport& report) {
+    PageTable table{.name = "equilibration", .title = "Equilibration and correlation times"};
+    std::vector<std::string> names;
+    std::vector<double> times;
+    std::vector<double> independent;
+    std::vector<double> starts;
+    for (const ThermoReport::Column& column : report.columns) {
+        names.push_back(column.name);
+        times.push_back(0.5 * (column.found.inefficiency - 1.0) * report.interval);
+        independent.push_back(column.found.independent_samples);
+        starts.push_back(static_cast<double>(report.first_step) +
+                         static_cast<double>(column.found.start) *
+                             static_cast<double>(report.last_step - report.first_step) /
+                             static_cast<double>(std::max(report.rows - 1, Index{1})));
+    }
+    table.add({"observable"}, names);
+    table.add({"equilibrated_at_step", "in equilibrium from step"}, starts);
+    table.add({"correlation_time", "correlation time", "tau"}, times);
+    table.add({"independent_samples", "independent samples"}, independent);
+    page.tables.push_back(std::move(table));
+}
+
+}  // namespace
+
+PageContent fluid_page(const RunFacts& facts) {
+    PageContent page = page_of(facts);
+    std::optional<ThermoReport> thermo;
+    if (facts.run && input_is_there(facts.directory / "thermo.csv")) {
+        try {
+            thermo = thermo_report(*facts.run);
+            page.verdicts.push_back(equilibrium_verdict(*thermo));
+        } catch (const Error& error) {
+            page.verdicts.push_back(
+                {"equilibrium", "unknown", fmt::format("Equilibrium cannot be judged: {}.", error.what())});
+        }
+    }
+    if (!facts.results.is_null()) {
+        for (Verdict& verdict : result_verdicts(facts)) {
+            page.verdicts.push_back(std::move(verdict));
+        }
+    }
+    page.quantities = run_quantities(facts, thermo);
+    if (facts.run) {
+        add_if_readable(page.warnings, [&] {
+            const std::string equation =
+                add_references(page.quantities, facts.run->deck, number_in(facts.results, {"system", "density"}));
+            page.verdicts.push_back(reference_verdict(page.quantities, equation));
+        });
+    }
+    if (input_is_there(facts.directory / "thermo.csv")) {
+        add_if_readable(page.warnings, [&] { add_history(page, facts); });
+    }
+    add_analyses(page, facts);
+    if (input_is_there(facts.directory / "thermo.csv")) {
+        add_if_readable(page.warnings, [&] { add_blocking_curves(page, facts); });
+    }
+    if (thermo) {
+        add_correlation_times(page, *thermo);
+    }
+    add_phases(page, facts);
+    add_atoms(page, facts);
+    return page;
+}
+
+}  // namespace ljmd

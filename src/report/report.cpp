@@ -1,0 +1,46 @@
+#include "ljmd/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/report/pages/few_body_page.hpp"
+#include "ljmd/report/pages/fluid_page.hpp"
+#include "ljmd/report/pages/set_page.hpp"
+#include "ljmd/report/pages/study_pages.hpp"
+#include "ljmd/study/study_report.hpp"
+
+namespace ljmd {
+
+PageContent report_on(const std::filesystem::path& directory) {
+    if (!input_is_directory(directory)) {
+        throw DataError(
+            fmt::format("{} is no directory; a report is about that of a run, a sweep, a reproduced table or "
+                        "a comparison",
+                        directory.string()));
+    }
+    if (holds_study(directory)) {
+        return input_is_there(directory / "sweep.json") ? sweep_page(directory) : reproduction_page(directory);
+    }
+    if (!input_is_there(directory / "run.json") && holds_comparison(directory)) {
+        return comparison_page(directory);
+    }
+    const RunFacts facts = run_facts(directory);
+    return facts.is_few_body() ? few_body_page(facts) : fluid_page(facts);
+}
+
+PageContent report_on(const std::vector<std::filesystem::path>& directories) {
+    if (directories.empty()) {
+        throw InputError("a report is about one directory or several");
+    }
+    if (directories.size() == 1) {
+        return report_on(directories.front());
+    }
+    std::vector<PageContent> members;
+    for (const std::filesystem::path& directory : directories) {
+        members.push_back(report_on(directory));
+    }
+    return set_page(std::move(members));
+}
+
+}  // namespace ljmd

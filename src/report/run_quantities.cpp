@@ -1,0 +1,122 @@
+#include "ljmd/report/run_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ljmd/deck/fluid.hpp"
+#include "ljmd/engine/requested_temperature.hpp"
+#include "ljmd/observables/statistics/observable_average.hpp"
+#include "ljmd/reference/equation_doubts.hpp"
+#include "ljmd/report/lenient_data.hpp"
+#include "ljmd/report/quantity_names.hpp"
+
+namespace ljmd {
+
+namespace {
+
+Quantity quantity_of(const std::string& name, const Data& entry) {
+    Quantity quantity{.name = name,
+                      .symbol = symbol_of(name),
+                      .value = number_in(entry, {"mean"}).value_or(std::nan("")),
+                      .error = number_in(entry, {"standard_error"}),
+                      .unit = text_in(entry, {"unit"}),
+                      .samples = number_in(entry, {"independent_samples"}),
+                      .remark = text_in(entry, {"remark"}),
+                      .value_in_si = number_in(entry, {"si", "mean"}),
+                      .error_in_si = number_in(entry, {"si", "standard_error"}),
+                      .si_unit = text_in(entry, {"si", "unit"})};
+    if (quantity.unit == "1") {
+        quantity.unit.clear();
+    }
+    return quantity;
+}
+
+void add_observables(std::vector<Quantity>& quantities, const Data* observables, const std::string& suffix) {
+    if (observables == nullptr || !observables->is_object()) {
+        return;
+    }
+    for (const auto& [name, entry] : observables->members()) {
+        const ObservableAverage average{name, "", "", std::nullopt, "", flag_in(entry, {"own"}).value_or(false)};
+        if (is_in_table(average)) {
+            quantities.push_back(quantity_of(name, entry));
+            quantities.back().name += suffix;
+        }
+    }
+}
+
+Quantity* quantity_named(std::vector<Quantity>& quantities, const std::string& name) {
+    const auto found = std::ranges::find(quantities, name, &Quantity::name);
+    return found == quantities.end() ? nullptr : &*found;
+}
+
+/// The property that an equation of state has for an observable.
+struct Comparable {
+    const char* name;
+    double FluidProperties::*property;
+};
+constexpr std::array<Comparable, 5> comparables{
+    {{"potential_energy", &FluidProperties::potential_energy},
+     {"pressure", &FluidProperties::pressure},
+     {"compressibility_factor", &FluidProperties::compressibility_factor},
+     {"heat_capacity_cv", &FluidProperties::heat_capacity_cv},
+     {"excess_chemical_potential", &FluidProperties::excess_chemical_potential}}};
+
+}  // namespace
+
+std::vector<Quantity> run_quantities(const RunFacts& facts, const std::optional<ThermoReport>& so_far) {
+    std::vector<Quantity> quantities;
+    if (!facts.results.is_null()) {
+        add_observables(quantities, value_in(facts.results, {"observables"}), "");
+        if (const auto at = number_in(facts.results, {"at_asked_temperature", "temperature"})) {
+            add_observables(quantities, value_in(facts.results, {"at_asked_temperature", "observables"}),
+                            fmt::format(" at T = {:.6g}", *at));
+        }
+    } else if (so_far) {
+        for (const ThermoReport::Column& column : so_far->columns) {
+            const PageColumn name = described(column.name);
+            quantities.push_back({.name = column.name,
+                                  .symbol = name.label,
+                                  .value = column.by_blocking.mean,
+                                  .error = column.by_blocking.standard_error,
+                                  .unit = name.unit,
+                                  .samples = column.by_blocking.independent_samples,
+                                  .remark = column.by_blocking.converged ? "" : std::string(guessed_error)});
+        }
+    }
+    return quantities;
+}
+
+std::string add_references(std::vector<Quantity>& quantities, const Deck& deck, std::optional<double> density) {
+    const auto equation = equation_of_fluid(fluid_spec(deck));
+    if (!equation) {
+        return "there is no equation of state of exactly this fluid";
+    }
+    const Quantity* temperature = quantity_named(quantities, "temperature");
+    if (const Quantity* measured = quantity_named(quantities, "density")) {
+        density = measured->value;
+    }
+    if (temperature == nullptr || !std::isfinite(temperature->value) || temperature->value <= 0.0 || !density) {
+        return "there is no state to compare with an equation of state";
+    }
+    const double t = temperature->value;
+    const double error = temperature->error.value_or(0.0);
+    const std::vector<std::string> reasons = doubts(*equation, t, *density);
+    if (!reasons.empty()) {
+        return fmt::format("the equation of state {} is not reliable here: {}", equation->name, reasons.front());
+    }
+    const FluidProperties there = properties(*equation, t, *density);
+    const FluidProperties warmer = properties(*equation, t + error, *density);
+    for (const auto& [name, property] : comparables) {
+        if (Quantity* found = quantity_named(quantities, name)) {
+            found->reference = there.*property;
+            found->reference_error = std::abs(warmer.*property - there.*property);
+            found->reference_label = equation->name;
+        }
+    }
+    return equation->name;
+}
+
+}  // namespace ljmd

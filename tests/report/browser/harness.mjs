@@ -1,0 +1,98 @@
+// What the tests of the page share: counting checks, opening pages, looking at pictures.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { pathToFileURL } from "node:url";
+
+export const plan = JSON.parse(readFileSync(process.argv[2], "utf8"));
+const require = createRequire(`${plan.packages}/`);
+const { chromium } = require("playwright-core");
+export const AXE = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+
+const ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+let passed = 0;
+let failed = 0;
+
+export function check(what, holds, detail = "") {
+    if (holds) ++passed;
+    else {
+        ++failed;
+        console.log(`FAIL ${what}${detail === "" ? "" : `: ${typeof detail === "string" ? detail : JSON.stringify(detail)}`}`);
+    }
+}
+
+export function verdict() {
+    console.log(`${passed} passed, ${failed} failed`);
+    return failed === 0 && passed > 0 ? 0 : 1;
+}
+
+export const launch = () => chromium.launch({ executablePath: plan.browser, args: ARGUMENTS });
+
+/** Waits until something holds on a page. (Playwright's own way needs `eval`, which the page forbids.) */
+export async function until(page, holds) {
+    for (let tries = 0; tries < 300; ++tries) {
+        if (await page.evaluate(holds)) return;
+        await new Promise((resolve) => setTimeout(resolve, 100));
+    }
+    throw new Error(`waited in vain for ${holds}`);
+}
+
+/**
+ * Opens a page and notes what must not happen on it: messages on the console, requests, errors.
+ * @returns {Promise<{page: object, complaints: string[]}>}
+ */
+export async function open(browser, file, { width = 1280, height = 900, dark = false, before } = {}) {
+    const page = await browser.newPage({ viewport: { width, height }, colorScheme: dark ? "dark" : "light", acceptDownloads: true });
+    const complaints = [];
+    page.on("console", (message) => {
+        if (["error", "warning"].includes(message.type()) && !/GPU stall|Automatic fallback to software/.test(message.text())) {
+            complaints.push(`console: ${message.text()}`);
+        }
+    });
+    page.on("pageerror", (error) => complaints.push(`error: ${error.message}`));
+    page.on("request", (request) => {
+        if (request.url() !== pathToFileURL(file).href && !/^(blob|data):/.test(request.url())) complaints.push(`request: ${request.url().slice(0, 100)}`);
+    });
+    if (before) await page.addInitScript(before);
+    await page.goto(pathToFileURL(file).href);
+    await page.waitForSelector("html[data-ready]", { timeout: 60000 });
+    await until(page, () => [...document.querySelectorAll("main > section .drawing")].every((place) => place.offsetWidth === 0 || place.querySelector("svg")));
+    return { page, complaints };
+}
+
+/** How many colours a picture has, in steps of 16. A blank one has one. */
+export function coloursOf(page, picture) {
+    return page.evaluate(async (address) => {
+        const image = new Image();
+        image.src = address;
+        await image.decode();
+        const canvas = document.createElement("canvas");
+        canvas.width = image.width;
+        canvas.height = image.height;
+        const pen = canvas.getContext("2d");
+        pen.drawImage(image, 0, 0);
+        const { data } = pen.getImageData(0, 0, canvas.width, canvas.height);
+        const seen = new Set();
+        for (let place = 0; place < data.length; place += 4) seen.add((data[place] >> 4) * 256 + (data[place + 1] >> 4) * 16 + (data[place + 2] >> 4));
+        return seen.size;
+    }, `data:image/png;base64,${picture.toString("base64")}`);
+}
+
+/** A picture of an element, once two in a row are the same: nothing is being drawn any more. */
+export async function settled(locator) {
+    let before = await locator.screenshot();
+    for (let tries = 0; tries < 40; ++tries) {
+        await new Promise((resolve) => setTimeout(resolve, 150));
+        const now = await locator.screenshot();
+        if (now.equals(before)) return now;
+        before = now;
+    }
+    return before;
+}
+
+/** Serious and critical findings of axe-core. */
+export async function accessibility(page) {
+    await page.evaluate(AXE);
+    const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
+    return violations.filter((entry) => ["serious", "critical"].includes(entry.impact))
+        .map((entry) => `${entry.id}: ${entry.nodes.slice(0, 3).map((node) => `${node.target} (${node.failureSummary?.split("\n")[1]?.trim()})`).join("; ")}`);
+}

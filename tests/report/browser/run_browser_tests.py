@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""Tests of the page that `ljmd report` writes, in a real browser.
+
+    run_browser_tests.py --ljmd PROGRAM --work FOLDER           the page in Chromium
+    run_browser_tests.py --bundle --work FOLDER                 the committed bundle is what its sources give
+
+Runs are made by the program, and their pages by `ljmd report`; kinds that take long to compute (sweeps, reproductions,
+comparisons) are shown from made payloads. The checks are in page_test.mjs.
+
+Needs chromium, nodejs and npm, and at the first call in a build folder the network, for `npm ci` from the lock file in
+src/report/web. Exit codes: 0 all is well, 1 it is not, 77 something is missing here (1 with LJMD_REQUIRE_PEERS=1 in the
+environment).
+"""
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+WEB = HERE.parents[2] / "src/report/web"
+SKIPPED = 77
+
+HOSTILE = """<img src=x onerror="window.broken=1"></script><script>window.broken=1</script> "quotes' & \u202egnp.exe"""
+
+FLUID = """
+title = {title}
+units = "reduced"
+[argon]
+sigma = "3.405 angstrom"
+epsilon = "119.8 K"
+mass = "39.948 u"
+[system]
+lattice = {{ type = "fcc", cells = 4 }}
+density = 0.8
+temperature = 1.0
+seed = {seed}
+[potential]
+type = "lennard-jones"
+cutoff = 2.5
+truncation = "cut"
+tail = true
+[neighbors]
+method = "verlet-list"
+skin = 0.3
+[[stage]]
+name = "melt"
+time_step = 0.004
+steps = 500
+temperature = 1.0
+thermostat = {{ type = "rescale", every = 20 }}
+[[stage]]
+name = "production"
+time_step = 0.004
+steps = 2000
+sample = true
+[output]
+directory = "unused"
+thermo = {{ every = 10 }}
+trajectory = {{ format = "h5md", every = 100, velocities = true }}
+[analysis]
+rdf = {{ bins = 100, every = 50 }}
+"""
+
+
+class Missing(Exception):
+    """Something that the tests need and this computer lacks."""
+
+
+def tool(*names: str) -> str:
+    for name in names:
+        found = shutil.which(name)
+        if found:
+            return found
+    raise Missing(f"no {names[0]} (tools/setup --tests installs it)")
+
+
+def install(work: Path) -> Path:
+    """The packages of the lock file, installed once in a build folder; the folder with a copy of the page's sources."""
+    node, npm = tool("node", "nodejs"), tool("npm")
+    home = work / "web"
+    lock = (WEB / "package-lock.json").read_bytes()
+    stamp = home / "installed.json"
+    if not stamp.exists() or stamp.read_bytes() != lock:
+        shutil.rmtree(home, ignore_errors=True)
+        home.mkdir(parents=True)
+        for name in ("package.json", "package-lock.json"):
+            shutil.copy(WEB / name, home)
+        done = subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=home, capture_output=True,
+                              text=True, timeout=600)
+        if done.returncode != 0:
+            raise Missing(f"npm ci failed, so there are no packages to test with (is there a network?):\n{done.stderr[-1500:]}")
+        stamp.write_bytes(lock)
+    version = subprocess.run([node, "--version"], capture_output=True, text=True, check=True).stdout.strip()
+    if int(version.lstrip("v").split(".")[0]) < 18:
+        raise Missing(f"node {version}; 18 or newer is needed")
+    return home
+
+
+def check_bundle(work: Path) -> int:
+    """Builds the bundle again and compares it, byte by byte, with what is committed."""
+    home = install(work)
+    for name in ("source", "style"):
+        shutil.rmtree(home / name, ignore_errors=True)
+        shutil.copytree(WEB / name, home / name)
+    for name in ("build.mjs", "index.html"):
+        shutil.copy(WEB / name, home)
+    built = home / "built"
+    shutil.rmtree(built, ignore_errors=True)
+    subprocess.run([tool("node", "nodejs"), "build.mjs", str(built)], cwd=home, check=True, timeout=300)
+    committed = WEB / "dist"
+    names = sorted({path.name for folder in (built, committed) for path in folder.iterdir()})
+    other = [name for name in names if not (built / name).exists() or not (committed / name).exists()
+             or (built / name).read_bytes() != (committed / name).read_bytes()]
+    for name in other:
+        print(f"FAIL {name}: dist/ is not what the sources give; run `npm ci && node build.mjs` in src/report/web")
+    print(f"{len(names) - len(other)} passed, {len(other)} failed")
+    return 1 if other else 0
+
+
+def run(program: str, *arguments: str) -> str:
+    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=600, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"{' '.join([program, *arguments])}: exit code {done.returncode}\n{done.stderr[-1500:]}")
+    return done.stdout
+
+
+def make_pages(program: str, folder: Path) -> list[dict]:
+    """Runs, and the pages about them: [{name, page, payload, results}]."""
+    for name, seed in (("fluid", 1), ("other", 2)):
+        deck = folder / f"{name}.toml"
+        deck.write_text(FLUID.format(title=json.dumps(HOSTILE + name), seed=seed), encoding="utf-8")
+        run(program, "run", str(deck), "--out", str(folder / name))
+    figure_eight = HERE.parents[2] / "inputs/fewbody/figure-eight.toml"
+    run(program, "run", str(figure_eight), "--out", str(folder / "bodies"))
+    pages = []
+    for name, directories in (("fluid", ["fluid"]), ("bodies", ["bodies"]), ("both", ["fluid", "other"])):
+        paths = [str(folder / directory) for directory in directories]
+        page, payload = folder / f"{name}.html", folder / f"{name}.json"
+        run(program, "report", *paths, "--out", str(page))
+        payload.write_text(run(program, "report", *paths, "--json"), encoding="utf-8")
+        results = folder / name / "results.json"
+        pages.append({"name": name, "page": str(page), "payload": str(payload),
+                      "results": str(results) if results.exists() else None})
+    return pages
+
+
+def check_pages(program: str, work: Path) -> int:
+    browser = os.environ.get("LJMD_CHROMIUM") or tool("chromium", "chromium-browser", "google-chrome")
+    home = install(work)
+    folder = work / "pages"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    plan = {"browser": browser, "packages": str(home / "node_modules"), "folder": str(folder), "hostile": HOSTILE,
+            "pages": make_pages(program, folder)}
+    (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
+    return subprocess.run([tool("node", "nodejs"), str(HERE / "page_test.mjs"), str(folder / "plan.json")], check=False,
+                          timeout=1500).returncode
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--ljmd")
+    parser.add_argument("--work", required=True, type=Path)
+    parser.add_argument("--bundle", action="store_true")
+    arguments = parser.parse_args()
+    work = arguments.work.resolve()
+    try:
+        return check_bundle(work) if arguments.bundle else check_pages(str(Path(arguments.ljmd).resolve()), work)
+    except Missing as missing:
+        required = os.environ.get("LJMD_REQUIRE_PEERS") == "1"
+        print(f"{'FAIL, as LJMD_REQUIRE_PEERS=1' if required else 'skipped'}: {missing}")
+        return 1 if required else SKIPPED
+
+
+if __name__ == "__main__":
+    sys.exit(main())
