@@ -31,7 +31,9 @@ def reports_errors(main: Callable[[Optional[Sequence[str]]], int]) -> Callable[.
         try:
             return main(arguments)
         except RunDirectoryError as error:
-            print(f"error: {error}", file=sys.stderr)
+            # Names of files reach a terminal without what commands it.
+            text = "".join(one if one.isprintable() or "\udc80" <= one <= "\udcff" else "?" for one in str(error))
+            print(f"error: {text}", file=sys.stderr)
             return error.exit_code
 
     return guarded

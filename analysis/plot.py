@@ -79,4 +79,5 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 if __name__ == "__main__":
+    sys.stdout.reconfigure(errors="surrogateescape")  # names of files are bytes, which need not be UTF-8
     sys.exit(main())

@@ -136,6 +136,18 @@ def test_hostile_titles_are_shown_as_text(tmp: Path) -> None:
         assert result.returncode == 0 and result.stderr == "", result
 
 
+def test_names_of_files_are_bytes(tmp: Path) -> None:
+    """A name that is not UTF-8 is printed as it is; what commands a terminal never reaches one."""
+    run = os.fsencode(tmp) + b"/run \xff\x1b[31m"
+    write_run(tmp / "run").rename(os.fsdecode(run))
+    command = [sys.executable, ANALYSIS / "plot.py", run]
+    environment = {**os.environ, "LC_ALL": "C.UTF-8"}
+    result = subprocess.run([*command, "rdf"], capture_output=True, check=False, env=environment)
+    assert result.stdout == run + b"/rdf.png\n" and result.stderr == b"", result
+    result = subprocess.run([*command, "nothing"], capture_output=True, check=False, env=environment)
+    assert result.returncode == 2 and b"\x1b" not in result.stderr and b"?[31m" in result.stderr, result
+
+
 def test_any_table(tmp: Path) -> None:
     """Columns against the one that the table goes along, with bands, a line for each text, steep ones on a log scale."""
     path = tmp / "convergence.csv"
