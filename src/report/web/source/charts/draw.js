@@ -1,7 +1,7 @@
 // A chart as SVG, by Observable Plot.
 import * as Plot from "@observablehq/plot";
 import { number, pretty, subscriptParts, withError } from "../format.js";
-import { plotMarks } from "./marks.js";
+import { groupsOf, plotMarks } from "./marks.js";
 import { categories } from "./rows.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -79,15 +79,17 @@ const longest = (values, most) => Math.max(0, ...values.map((value) => Math.min(
  * @returns {{svg: SVGSVGElement, key: object[], fills: number[]|null, xScale: object}}
  */
 export function drawChart(chart, tables, width) {
+    const groups = groupsOf(chart, tables);
     const uprights = (chart.marks ?? []).filter((mark) => mark.type === "rule-x");
-    const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables, uprights.indexOf(mark)) }));
+    const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables, groups, uprights.indexOf(mark)) }));
     const rows = parts.flatMap((part) => part.rows);
     const types = new Set(parts.map((part) => part.mark.type));
     const isMap = types.has("cells");
     const isScores = types.has("diverging-dots");
     const xIsCategory = isMap || types.has("bars") || chart.x?.scale === "category";
     const yIsCategory = isMap || isScores || chart.y?.scale === "category";
-    const y = axis(chart.y, rows.map((row) => row.y), yIsCategory);
+    const ruled = (type) => (chart.marks ?? []).filter((mark) => mark.type === type).map((mark) => mark.value);
+    const y = axis(chart.y, [...rows.map((row) => row.y), ...(yIsCategory ? [] : ruled("rule-y"))], yIsCategory);
     if (isMap) y.reverse = true;
     const x = axis(chart.x, rows.map((row) => row.x), xIsCategory);
     const most = width < 500 ? 16 : 44;
@@ -102,6 +104,8 @@ export function drawChart(chart, tables, width) {
     if (turned) x.tickRotate = -40;
     const pointed = rows.filter((row) => [row.x, row.y].every((value) => typeof value === "string" || Number.isFinite(value)));
     const find = isMap || isScores || types.has("dots") ? Plot.pointer : Plot.pointerX;
+    // A path in space keeps its shape.
+    const isPath = chart.equal ?? (/^x( |$)/.test(chart.x?.label ?? "") && /^y( |$)/.test(chart.y?.label ?? ""));
     const svg = Plot.plot({
         width,
         height: heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width),
@@ -110,7 +114,7 @@ export function drawChart(chart, tables, width) {
         marginTop: 26, marginRight: 18, inset: isMap || xIsCategory ? 0 : isScores || types.has("dots") ? 6 : 0,
         style: { fontSize: "12px", fontFamily: "inherit", overflow: "visible", background: "transparent", color: "inherit" },
         ariaLabel: chart.title,
-        x, y,
+        x, y, ...(isPath ? { aspectRatio: 1, height: undefined } : {}),
         marks: [
             ...parts.flatMap((part) => part.marks).filter(Boolean),
             pointed.length > 0 ? Plot.tip(pointed, find({ x: "x", y: "y", title: (row) => hint(row, chart), fill: "var(--card)", stroke: "var(--line)", ariaHidden: "true" })) : null,
