@@ -65,6 +65,20 @@ function nameParts(svg) {
     }
 }
 
+/** Gives both axes the same length for one unit, around the middle of what is drawn. */
+function equalScales(x, y, rows, width, height) {
+    const ends = (values) => {
+        const finite = values.filter(Number.isFinite);
+        return [Math.min(...finite), Math.max(...finite)];
+    };
+    const [left, right] = ends(rows.map((row) => row.x));
+    const [low, high] = ends(rows.map((row) => row.y));
+    const unit = (1.04 * Math.max((right - left) / width, (high - low) / height)) / 2;
+    if (!(unit > 0)) return;
+    x.domain = [(left + right) / 2 - unit * width, (left + right) / 2 + unit * width];
+    y.domain = [(low + high) / 2 - unit * height, (low + high) / 2 + unit * height];
+}
+
 function heightOf(isScores, yIsCategory, rows, width) {
     if (yIsCategory) return 80 + Math.max((isScores ? 20 : 34) * rows, 120);
     return Math.round(Math.min(300, 170 + width / 6));
@@ -106,15 +120,17 @@ export function drawChart(chart, tables, width) {
     const find = isMap || isScores || types.has("dots") ? Plot.pointer : Plot.pointerX;
     // A path in space keeps its shape.
     const isPath = chart.equal ?? (/^x( |$)/.test(chart.x?.label ?? "") && /^y( |$)/.test(chart.y?.label ?? ""));
+    const height = isPath ? Math.min(width - 12, 480) : heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width);
+    if (isPath) equalScales(x, y, rows, width - 80, height - 68);
     const svg = Plot.plot({
         width,
-        height: heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width),
+        height,
         marginLeft: yIsCategory ? 24 + 6.6 * longest(y.domain.map(short), most) : 62,
         marginBottom: turned ? 34 + 4.2 * longest(x.domain, most) : 42,
         marginTop: 26, marginRight: 18, inset: isMap || xIsCategory ? 0 : isScores || types.has("dots") ? 6 : 0,
         style: { fontSize: "12px", fontFamily: "inherit", overflow: "visible", background: "transparent", color: "inherit" },
         ariaLabel: chart.title,
-        x, y, ...(isPath ? { aspectRatio: 1, height: undefined } : {}),
+        x, y,
         marks: [
             ...parts.flatMap((part) => part.marks).filter(Boolean),
             pointed.length > 0 ? Plot.tip(pointed, find({ x: "x", y: "y", title: (row) => hint(row, chart), fill: "var(--card)", stroke: "var(--line)", ariaHidden: "true" })) : null,
