@@ -59,22 +59,32 @@ export async function open(browser, file, { width = 1280, height = 900, dark = f
     return { page, complaints };
 }
 
-/** How many colours a picture has, in steps of 16. A blank one has one. */
-export function coloursOf(page, picture) {
-    return page.evaluate(async (address) => {
-        const image = new Image();
-        image.src = address;
-        await image.decode();
-        const canvas = document.createElement("canvas");
-        canvas.width = image.width;
-        canvas.height = image.height;
-        const pen = canvas.getContext("2d");
-        pen.drawImage(image, 0, 0);
-        const { data } = pen.getImageData(0, 0, canvas.width, canvas.height);
-        const seen = new Set();
-        for (let place = 0; place < data.length; place += 4) seen.add((data[place] >> 4) * 256 + (data[place + 1] >> 4) * 16 + (data[place + 2] >> 4));
-        return seen.size;
-    }, `data:image/png;base64,${picture.toString("base64")}`);
+/** Reads pictures in the page, which has what is needed to decode them. */
+function pixels(page, pictures, look) {
+    return page.evaluate(async ([addresses, source]) => {
+        const data = [];
+        for (const address of addresses) {
+            const image = new Image();
+            image.src = address;
+            await image.decode();
+            const canvas = document.createElement("canvas");
+            canvas.width = image.width;
+            canvas.height = image.height;
+            const pen = canvas.getContext("2d");
+            pen.drawImage(image, 0, 0);
+            data.push(pen.getImageData(0, 0, canvas.width, canvas.height).data);
+        }
+        return source === "colours" ? new Set(data[0].filter((_, place) => place % 4 === 0).map((red) => red >> 3)).size
+            : data[0].reduce((count, value, place) => count + (Math.abs(value - data[1][place]) > 40), 0) / data[0].length;
+    }, [pictures.map((picture) => `data:image/png;base64,${picture.toString("base64")}`), look]);
+}
+
+/** How many shades of red a picture has, of 32. A blank one has one. */
+export const coloursOf = (page, picture) => pixels(page, [picture], "colours");
+
+/** Whether two pictures differ by more than the smoothing of edges. */
+export async function differ(page, one, other) {
+    return (await pixels(page, [one, other], "difference")) > 2e-4;
 }
 
 /** A picture of an element, once two in a row are the same: nothing is being drawn any more. */

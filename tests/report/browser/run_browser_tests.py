@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests of the page that `ljmd report` writes, in a real browser.
 
-    run_browser_tests.py --ljmd PROGRAM --work FOLDER           the page in Chromium
+    run_browser_tests.py --ljmd PROGRAM --work FOLDER [--short] the page in Chromium; --short: of one run, on a screen
     run_browser_tests.py --bundle --work FOLDER                 the committed bundle is what its sources give
 
 Runs are made by the program, and their pages by `ljmd report`; kinds that take long to compute (sweeps, reproductions,
@@ -128,16 +128,19 @@ def run(program: str, *arguments: str) -> str:
     return done.stdout
 
 
-def make_pages(program: str, folder: Path) -> list[dict]:
+def make_pages(program: str, folder: Path, short: bool) -> list[dict]:
     """Runs, and the pages about them: [{name, page, payload, results}]."""
-    for name, seed in (("fluid", 1), ("other", 2)):
+    seeds = {"fluid": 1} if short else {"fluid": 1, "other": 2}
+    for name, seed in seeds.items():
         deck = folder / f"{name}.toml"
         deck.write_text(FLUID.format(title=json.dumps(HOSTILE + name), seed=seed), encoding="utf-8")
         run(program, "run", str(deck), "--out", str(folder / name))
+    wanted = {"fluid": ["fluid"]} if short else {"fluid": ["fluid"], "bodies": ["bodies"], "both": ["fluid", "other"]}
     figure_eight = HERE.parents[2] / "inputs/fewbody/figure-eight.toml"
-    run(program, "run", str(figure_eight), "--out", str(folder / "bodies"))
+    if not short:
+        run(program, "run", str(figure_eight), "--out", str(folder / "bodies"))
     pages = []
-    for name, directories in (("fluid", ["fluid"]), ("bodies", ["bodies"]), ("both", ["fluid", "other"])):
+    for name, directories in wanted.items():
         paths = [str(folder / directory) for directory in directories]
         page, payload = folder / f"{name}.html", folder / f"{name}.json"
         run(program, "report", *paths, "--out", str(page))
@@ -148,14 +151,14 @@ def make_pages(program: str, folder: Path) -> list[dict]:
     return pages
 
 
-def check_pages(program: str, work: Path) -> int:
+def check_pages(program: str, work: Path, short: bool) -> int:
     browser = os.environ.get("LJMD_CHROMIUM") or tool("chromium", "chromium-browser", "google-chrome")
     home = install(work)
-    folder = work / "pages"
+    folder = work / ("short" if short else "pages")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     plan = {"browser": browser, "packages": str(home / "node_modules"), "folder": str(folder), "hostile": HOSTILE,
-            "pages": make_pages(program, folder)}
+            "short": short, "pages": make_pages(program, folder, short)}
     (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
     return subprocess.run([tool("node", "nodejs"), str(HERE / "page_test.mjs"), str(folder / "plan.json")], check=False,
                           timeout=1500).returncode
@@ -166,10 +169,12 @@ def main() -> int:
     parser.add_argument("--ljmd")
     parser.add_argument("--work", required=True, type=Path)
     parser.add_argument("--bundle", action="store_true")
+    parser.add_argument("--short", action="store_true")
     arguments = parser.parse_args()
     work = arguments.work.resolve()
     try:
-        return check_bundle(work) if arguments.bundle else check_pages(str(Path(arguments.ljmd).resolve()), work)
+        return check_bundle(work) if arguments.bundle else check_pages(
+            str(Path(arguments.ljmd).resolve()), work, arguments.short)
     except Missing as missing:
         required = os.environ.get("LJMD_REQUIRE_PEERS") == "1"
         print(f"{'FAIL, as LJMD_REQUIRE_PEERS=1' if required else 'skipped'}: {missing}")

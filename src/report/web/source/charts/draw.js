@@ -1,7 +1,7 @@
 // A chart as SVG, by Observable Plot.
 import * as Plot from "@observablehq/plot";
 import { number, pretty, subscriptParts, withError } from "../format.js";
-import { plotMarks } from "./marks.js";
+import { groupsOf, plotMarks } from "./marks.js";
 import { categories } from "./rows.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -65,6 +65,20 @@ function nameParts(svg) {
     }
 }
 
+/** Gives both axes the same length for one unit, around the middle of what is drawn. */
+function equalScales(x, y, rows, width, height) {
+    const ends = (values) => {
+        const finite = values.filter(Number.isFinite);
+        return [Math.min(...finite), Math.max(...finite)];
+    };
+    const [left, right] = ends(rows.map((row) => row.x));
+    const [low, high] = ends(rows.map((row) => row.y));
+    const unit = (1.04 * Math.max((right - left) / width, (high - low) / height)) / 2;
+    if (!(unit > 0)) return;
+    x.domain = [(left + right) / 2 - unit * width, (left + right) / 2 + unit * width];
+    y.domain = [(low + high) / 2 - unit * height, (low + high) / 2 + unit * height];
+}
+
 function heightOf(isScores, yIsCategory, rows, width) {
     if (yIsCategory) return 80 + Math.max((isScores ? 20 : 34) * rows, 120);
     return Math.round(Math.min(300, 170 + width / 6));
@@ -79,15 +93,17 @@ const longest = (values, most) => Math.max(0, ...values.map((value) => Math.min(
  * @returns {{svg: SVGSVGElement, key: object[], fills: number[]|null, xScale: object}}
  */
 export function drawChart(chart, tables, width) {
+    const groups = groupsOf(chart, tables);
     const uprights = (chart.marks ?? []).filter((mark) => mark.type === "rule-x");
-    const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables, uprights.indexOf(mark)) }));
+    const parts = (chart.marks ?? []).map((mark) => ({ mark, ...plotMarks(mark, chart, tables, groups, uprights.indexOf(mark)) }));
     const rows = parts.flatMap((part) => part.rows);
     const types = new Set(parts.map((part) => part.mark.type));
     const isMap = types.has("cells");
     const isScores = types.has("diverging-dots");
     const xIsCategory = isMap || types.has("bars") || chart.x?.scale === "category";
     const yIsCategory = isMap || isScores || chart.y?.scale === "category";
-    const y = axis(chart.y, rows.map((row) => row.y), yIsCategory);
+    const ruled = (type) => (chart.marks ?? []).filter((mark) => mark.type === type).map((mark) => mark.value);
+    const y = axis(chart.y, [...rows.map((row) => row.y), ...(yIsCategory ? [] : ruled("rule-y"))], yIsCategory);
     if (isMap) y.reverse = true;
     const x = axis(chart.x, rows.map((row) => row.x), xIsCategory);
     const most = width < 500 ? 16 : 44;
@@ -102,9 +118,13 @@ export function drawChart(chart, tables, width) {
     if (turned) x.tickRotate = -40;
     const pointed = rows.filter((row) => [row.x, row.y].every((value) => typeof value === "string" || Number.isFinite(value)));
     const find = isMap || isScores || types.has("dots") ? Plot.pointer : Plot.pointerX;
+    // A path in space keeps its shape.
+    const isPath = chart.equal ?? (/^x( |$)/.test(chart.x?.label ?? "") && /^y( |$)/.test(chart.y?.label ?? ""));
+    const height = isPath ? Math.min(width - 12, 480) : heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width);
+    if (isPath) equalScales(x, y, rows, width - 80, height - 68);
     const svg = Plot.plot({
         width,
-        height: heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width),
+        height,
         marginLeft: yIsCategory ? 24 + 6.6 * longest(y.domain.map(short), most) : 62,
         marginBottom: turned ? 34 + 4.2 * longest(x.domain, most) : 42,
         marginTop: 26, marginRight: 18, inset: isMap || xIsCategory ? 0 : isScores || types.has("dots") ? 6 : 0,

@@ -6,12 +6,16 @@ import { categories, rowsOf } from "./rows.js";
 
 const finite = (rows, ...names) => rows.filter((row) => names.every((name) => typeof row[name] === "string" || Number.isFinite(row[name])));
 
-/** Splits rows into series: one colour each, beginning with that of the mark. */
-function series(mark, rows) {
+/** Splits rows into series. A group has the same colour in all marks of a chart. */
+function series(mark, rows, groups) {
     if (!mark.group) return [{ rows, colour: role(mark.colour ?? 0), label: mark.label }];
-    return categories(rows.map((row) => row.group)).map((name, place) => ({
-        rows: rows.filter((row) => row.group === name), colour: role((mark.colour ?? 0) + place), label: name,
-    }));
+    return groups.map((name, place) => ({ rows: rows.filter((row) => row.group === name), colour: role(place), label: name }))
+        .filter((entry) => entry.rows.length > 0);
+}
+
+/** The groups of all marks of a chart, in their order. */
+export function groupsOf(chart, tables) {
+    return categories((chart.marks ?? []).filter((mark) => mark.group).flatMap((mark) => rowsOf(mark, chart, tables).map((row) => row.group)));
 }
 
 function line({ rows, colour, label }, mark) {
@@ -107,11 +111,12 @@ function shapeOf(mark) {
 }
 
 /**
+ * @param {string[]} groups of the chart, see {@link groupsOf}
  * @param {number} place among the upright rules of the chart
  * @returns {{marks: object[], rows: object[], key: {label: string, colour: string, shape: string}[]}} Plot's marks, the
  *     rows that the pointer can find, and entries for the legend
  */
-export function plotMarks(mark, chart, tables, place) {
+export function plotMarks(mark, chart, tables, groups, place) {
     if (mark.type === "rule-x" || mark.type === "rule-y") {
         return { marks: Number.isFinite(mark.value) ? rule(mark, place) : [], rows: [], key: [] };
     }
@@ -123,7 +128,7 @@ export function plotMarks(mark, chart, tables, place) {
     }
     const draw = SERIES[mark.type];
     if (!draw) return { marks: [], rows: [], key: [] };
-    const all = series(mark, rows);
+    const all = series(mark, rows, groups);
     const shape = shapeOf(mark);
     const key = all.filter((entry) => entry.label).map((entry) => ({ label: entry.label, colour: entry.colour, shape }));
     if (rows.some((row) => row.flag)) key.push({ label: "suspect", colour: "var(--bad)", shape: "triangle" });

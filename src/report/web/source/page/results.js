@@ -70,7 +70,7 @@ export function resultsSection(payload, level) {
         samples: quantities.some((entry) => entry.samples !== undefined && entry.samples !== null),
         reference: quantities.some((entry) => entry.reference),
     };
-    const head = ["Quantity", "Reduced units", has.si && "SI", has.samples && "Independent samples", has.reference && "Reference"];
+    const head = ["Quantity", payload.kind === "few-body" ? "Value, in the deck's units" : "Reduced units", has.si && "SI", has.samples && "Independent samples", has.reference && "Reference"];
     const table = element("table", { class: "results" },
         element("thead", {}, element("tr", {}, head.filter(Boolean).map((text) => element("th", { scope: "col" }, text)))),
         element("tbody", {}, quantities.map((entry) => row(entry, has))));

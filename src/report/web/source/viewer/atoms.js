@@ -13,7 +13,8 @@ import { AtomScene } from "./scene.js";
 import { steer } from "./steer.js";
 import { drawStill } from "./still.js";
 
-const RADIUS = 0.5;
+const RADIUS = 0.5;     // of sigma
+const SMALL = 0.16;
 const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 
 function pageColours() {
@@ -53,14 +54,14 @@ export class AtomViewer {
         this.boxSwitch.addEventListener("change", () => this.redraw());
         this.traceSwitch = element("input", { type: "checkbox" });
         this.traceSwitch.addEventListener("change", () => this.select(this.picked < 0 ? 0 : this.picked));
-        this.atomField = element("input", { type: "number", min: 0, step: 1, placeholder: "click one" });
+        this.atomField = element("input", { id: uniqueId("atom"), type: "number", min: 0, step: 1, placeholder: "click one" });
         this.atomField.addEventListener("change", () => this.select(this.atomField.value === "" ? -1 : this.placeOf(Number(this.atomField.value))));
         const stillOf = element("canvas", { class: "print-only", width: 1200, height: 900, role: "img", "aria-label": `Atoms of ${this.title}` });
         window.addEventListener("beforeprint", () => this.drawStillOn(stillOf, { ground: "#ffffff", edge: "#9aa3ad" }));
         this.controls = element("div", { class: "controls" },
-            element("label", {}, "Colour ", this.choice),
+            element("span", {}, element("label", { for: this.choice.id }, "Colour "), this.choice),
             element("label", { class: "live" }, this.boxSwitch, " Box"),
-            element("label", { class: "live" }, "Atom ", this.atomField),
+            element("span", { class: "live" }, element("label", { for: this.atomField.id }, "Atom "), this.atomField),
             element("label", { class: "live" }, this.traceSwitch, " Trace"),
             element("button", { type: "button", class: "small live", onclick: () => { this.camera.reset(); this.moved(); } }, "Reset view"),
             element("button", { type: "button", class: "small", onclick: () => this.savePicture() }, "PNG"));
@@ -89,7 +90,6 @@ export class AtomViewer {
         const gl = this.scene.renderer.getContext();
         const names = gl.getExtension("WEBGL_debug_renderer_info");
         this.software = SOFTWARE.test(names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "");
-        this.scene.uniforms.radius.value = RADIUS;
         this.pace = new Pace(gl, this.atoms.count, (drawn) => this.draw(drawn));
         this.playback.ready = () => !this.pace.busy;
         steer(this.stage, this.camera, { changed: () => this.moved(), click: (x, y) => this.pickAt(x, y) });
@@ -172,6 +172,8 @@ export class AtomViewer {
         if (!this.scene) return;
         this.scene.edges.visible = this.boxSwitch.checked;
         this.scene.trace.visible = this.traceSwitch.checked && this.picked >= 0;
+        // Among full spheres a way would be hidden.
+        this.scene.uniforms.radius.value = this.scene.trace.visible ? SMALL : RADIUS;
         this.scene.draw(this.camera, drawn);
         this.canvas.dataset.drawn = drawn;
         this.thin.textContent = drawn < this.atoms.count ? `while moving: ${number(drawn)} of ${number(this.atoms.count)} atoms are drawn` : "";

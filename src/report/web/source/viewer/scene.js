@@ -54,7 +54,8 @@ export class AtomScene {
         this.points.frustumCulled = false;
         this.edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
         this.edges.geometry.setIndex(EDGES);
-        this.trace = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+        this.trace = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
+        this.trace.renderOrder = 1;
         this.group = new Group();
         this.group.add(this.points, this.edges, this.trace);
         this.scene.add(this.group);

@@ -7,7 +7,7 @@ in vec3 position;      // 0..1 of the box
 in float shade;        // 0..1 along the palette
 uniform mat4 modelViewMatrix, projectionMatrix;
 uniform vec3 box;
-uniform float radius, pixels;   // of an atom; height of the canvas / (2 tan(field of view / 2))
+uniform float radius, pixels;   // of atoms that are not picked; height of the canvas / (2 tan(field of view / 2))
 uniform vec2 fog;               // depths between which atoms fade
 uniform int picked;
 uniform sampler2D palette;
@@ -17,7 +17,7 @@ void main() {
     vec4 eye = modelViewMatrix * vec4((position - 0.5) * box, 1.0);
     gl_Position = projectionMatrix * eye;
     ring = gl_VertexID == picked ? 1.0 : 0.0;
-    gl_PointSize = 2.0 * radius * pixels / -eye.z * (1.0 + 0.25 * ring);
+    gl_PointSize = 2.0 * mix(radius, 0.62, ring) * pixels / -eye.z;
     colour = texture(palette, vec2(shade * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
     faint = 0.62 * smoothstep(fog.x, fog.y, -eye.z);
 }`;
