@@ -75,7 +75,7 @@ Data chart_data(const Chart& chart) {
         data["cursor"] = true;
     }
     if (chart.equal_axes) {
-        data["equal_axes"] = true;
+        data["equal"] = true;
     }
     return data;
 }
