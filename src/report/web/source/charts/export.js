@@ -24,7 +24,7 @@ function lightColours() {
 function label(text, x, y, weight) {
     const made = document.createElementNS(SVG, "text");
     made.textContent = text;
-    for (const [name, value] of Object.entries({ x, y, "font-size": 12, "font-weight": weight, fill: "#1a1d21" })) made.setAttribute(name, value);
+    for (const [name, value] of Object.entries({ x, y, "font-size": 12, "font-weight": weight, "text-anchor": "start", fill: "#1a1d21" })) made.setAttribute(name, value);
     return made;
 }
 

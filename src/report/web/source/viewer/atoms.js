@@ -220,7 +220,7 @@ export class AtomViewer {
         const { frame } = this.playback;
         const values = this.atoms.colours.filter((colour) => !colour.still).map((colour) => {
             const value = coloursAt(colour, frame, this.atoms.count)[this.picked] / 255;
-            return `${pretty(colour.label || colour.name)} ${number(colour.low + value * (colour.high - colour.low), 3)}`;
+            return `${pretty(colour.label || colour.name)}: ${number(colour.low + value * (colour.high - colour.low), 3)}`;
         });
         this.info.textContent = [`Atom ${this.idOf(this.picked)}`, ...values].join("  ·  ");
     }
