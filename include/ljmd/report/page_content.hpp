@@ -12,7 +12,8 @@
 
 namespace ljmd {
 
-// The content of a report's page, made in C++ and drawn by the page (src/report/web). src/report/web/README.md describes it.
+// The content of a report's page, made in C++ and drawn by the page (src/report/web). src/report/web/README.md
+// describes it.
 
 /// One statement about a run.
 struct Verdict {
