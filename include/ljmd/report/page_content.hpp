@@ -45,7 +45,7 @@ struct PageTable {
     void add(PageColumn column, const std::vector<std::string>& texts);
     void add(PageColumn column, Data::List items);
 
-    [[nodiscard]] bool has_column(const std::string& name) const;
+    [[nodiscard]] bool has_column(const std::string& column) const;
 };
 
 /// What a chart draws: columns of a table, or a line at a fixed value.
