@@ -12,9 +12,6 @@ namespace ljmd {
 
 namespace {
 
-/// With more than this of the crystal left, sampling measures neither crystal nor liquid.
-constexpr double crystal_left = 0.1;
-
 /// Fraction of the kinetic energy. A plain cut with 256 atoms, whose energy performs a random walk, reaches 0.1 % in
 /// 200 tau with the usual time step. With a time step of 0.019 tau, where velocity Verlet begins to be unstable, it
 /// reaches 0.6 % after 60 tau.

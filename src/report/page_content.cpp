@@ -75,7 +75,7 @@ Data chart_data(const Chart& chart) {
         data["cursor"] = true;
     }
     if (chart.equal_axes) {
-        data["equal_axes"] = true;
+        data["equal"] = true;
     }
     return data;
 }
@@ -146,8 +146,8 @@ void PageTable::add(PageColumn column, Data::List items) {
     values.push_back(std::move(items));
 }
 
-bool PageTable::has_column(const std::string& name) const {
-    return std::ranges::find(columns, name, &PageColumn::name) != columns.end();
+bool PageTable::has_column(const std::string& column) const {
+    return std::ranges::find(columns, column, &PageColumn::name) != columns.end();
 }
 
 Data page_data(const PageContent& content) {

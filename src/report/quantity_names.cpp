@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string_view>
 
 namespace ljmd {
@@ -94,6 +95,14 @@ std::string axis_label(const std::string& column) {
 std::string in_plain_words(std::string name) {
     std::ranges::replace(name, '_', ' ');
     return name;
+}
+
+std::string as_title(const std::string& name) {
+    std::string words = in_plain_words(name);
+    if (!words.empty()) {
+        words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    }
+    return words;
 }
 
 }  // namespace ljmd

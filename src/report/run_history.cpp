@@ -83,12 +83,6 @@ std::vector<Mark> stage_rules(const RunFacts& facts) {
     return marks;
 }
 
-std::string titled(const std::string& name) {
-    std::string words = in_plain_words(name);
-    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-    return words;
-}
-
 }  // namespace
 
 bool has_column(const DataTable& table, const std::string& name) {
@@ -140,7 +134,7 @@ void add_history(PageContent& page, const RunFacts& facts) {
             continue;
         }
         Chart chart{.id = name,
-                    .title = titled(name),
+                    .title = as_title(name),
                     .caption = "",
                     .lead = std::ranges::find(judged, std::string(name)) != judged.end(),
                     .x = {axis_label("time")},

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ljmd/core/text.hpp"
+#include "ljmd/engine/result_doubts.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
 #include "ljmd/report/lenient_data.hpp"
 #include "ljmd/report/quantity_names.hpp"
@@ -127,7 +128,12 @@ void add_temperature_verdict(std::vector<Verdict>& verdicts, const Data& results
 
 }  // namespace
 
-Verdict equilibrium_verdict(const ThermoReport& report) {
+Verdict equilibrium_verdict(const ThermoReport& report, const std::optional<double>& order) {
+    if (order && *order > crystal_left) {
+        return {
+            "equilibrium", "bad",
+            fmt::format("Not in equilibrium: {:.0f} % of the crystal was left when sampling began.", 100.0 * *order)};
+    }
     std::vector<std::string> moved;
     Index latest = 0;
     double fewest = std::numeric_limits<double>::infinity();

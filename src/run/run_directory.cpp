@@ -52,8 +52,7 @@ std::vector<std::string> run_output_names() {
     for (const auto& format : all_trajectory_formats()) {
         names.push_back("trajectory." + format.name);
     }
-    names.insert(names.end(),
-                 {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name, pair_table_name, report_name});
+    names.insert(names.end(), {"trajectory.csv", "final.xyz", "failed.xyz", given_start_name, pair_table_name});
     for (const std::string& name : checkpoint_names()) {
         names.push_back(name);
     }
@@ -65,6 +64,7 @@ std::vector<std::string> run_output_names() {
     for (const auto& method : all_few_body_analyses()) {
         names.push_back(method.name + ".csv");
     }
+    names.emplace_back(report_name);
     return names;
 }
 

@@ -21,8 +21,10 @@ Frame frame_of(Index atoms, Index step, bool velocities = true) {
 
 Data atoms_after(Index atoms, Index frames, Index expected) {
     AtomFrames collected(expected);
+    Frame frame = frame_of(atoms, 0);
     for (Index k = 0; k < frames; ++k) {
-        collected.add(frame_of(atoms, 10 * k));
+        frame.configuration.step = 10 * k;
+        collected.add(frame);
     }
     return collected.data("");
 }

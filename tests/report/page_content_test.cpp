@@ -10,7 +10,8 @@ TEST_CASE("numbers of tables have nine digits, what is not finite is null") {
     table.add({"x"}, std::vector<double>{1.0 / 3.0, std::nan("")});
     table.add({"x_standard_error"}, std::vector<double>{0.1, 0.2});
     table.add({"name"}, std::vector<std::string>{"a", "b"});
-    const Data data = page_data({.kind = "run", .title = "", .source = "", .tables = {table}})["tables"][0];
+    const Data data =
+        page_data({.kind = "run", .title = "", .source = "", .tables = {table}}).at("tables").at(std::size_t{0});
     CHECK(data["values"][0][0] == 0.333333333);
     CHECK(data["values"][0][1].is_null());
     CHECK(data["rows"] == 10);
@@ -56,5 +57,5 @@ TEST_CASE("parts that a page lacks are not in its data, members are whole pages"
     }
     PageContent set{.kind = "set", .title = "", .source = ""};
     set.members.emplace_back("A", PageContent{.kind = "run", .title = "t", .source = "s"});
-    CHECK(page_data(set)["members"][0]["payload"] == plain);
+    CHECK(page_data(set).at("members").at(std::size_t{0}).at("payload") == plain);
 }

@@ -12,6 +12,7 @@ TEST_CASE("columns have symbols and units, errors those of their quantity") {
     CHECK(described("of_my_own").label == "of my own");
     CHECK(symbol_of("temperature") == "T");
     CHECK(symbol_of("of_my_own").empty());
+    CHECK(as_title("potential_energy") == "Potential energy");
 }
 
 TEST_CASE("the label of an axis has the unit, in brackets where it has several parts") {

@@ -35,6 +35,9 @@ TEST_CASE("a run is in equilibrium if it does not matter where sampling begins")
     CHECK_THAT(equilibrium_verdict(report_of(300, 100.0, 1.0, 1.025)).words,
                Contains("first 30 %") && Contains("mean of temperature"));
     CHECK(equilibrium_verdict(report_of(0, 12.0, 1.0, 1.0)).level == "doubt");
+    CHECK(equilibrium_verdict(report_of(0, 100.0, 1.0, 1.0), 0.05).level == "good");
+    CHECK(equilibrium_verdict(report_of(0, 100.0, 1.0, 1.0), 0.3).level == "bad");
+    CHECK_THAT(equilibrium_verdict(report_of(0, 100.0, 1.0, 1.0), 0.3).words, Contains("30 % of the crystal"));
     CHECK(equilibrium_verdict({1000, 0, 9990, 0.01, 10, {}}).level == "unknown");
 }
 

@@ -6,6 +6,10 @@
 
 namespace ljmd {
 
+/// With a translational order above this when sampling begins, the crystal of the start is not gone, and samples are
+/// neither those of a crystal nor those of a liquid.
+inline constexpr double crystal_left = 0.1;
+
 /// The remark on a large energy drift in a stage of a fluid; empty if the drift is small, or undefined. It is large if
 /// it adds up to more than 0.3 % of the kinetic energy (2 % in less than 5 tau): the samples then belong to no single
 /// energy, and a time step that heats the fluid so much also falsifies temperature and pressure.

@@ -30,7 +30,7 @@ class AtomFrames {
 
     [[nodiscard]] Index frames() const { return seen_; }
 
-    /// The member `atoms` of the page's data; null without frames. docs/report.md has its members.
+    /// The member `atoms` of the page's data; null without frames. src/report/web/README.md has its members.
     /// @param words  beside what was left out
     [[nodiscard]] Data data(const std::string& words) const;
 

@@ -12,7 +12,8 @@
 
 namespace ljmd {
 
-// The content of a report's page, made in C++ and drawn by the page (src/report/web). docs/report.md describes it.
+// The content of a report's page, made in C++ and drawn by the page (src/report/web). src/report/web/README.md
+// describes it.
 
 /// One statement about a run.
 struct Verdict {
@@ -44,7 +45,7 @@ struct PageTable {
     void add(PageColumn column, const std::vector<std::string>& texts);
     void add(PageColumn column, Data::List items);
 
-    [[nodiscard]] bool has_column(const std::string& name) const;
+    [[nodiscard]] bool has_column(const std::string& column) const;
 };
 
 /// What a chart draws: columns of a table, or a line at a fixed value.

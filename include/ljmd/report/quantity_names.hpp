@@ -18,4 +18,7 @@ namespace ljmd {
 /// "potential energy" for "potential_energy".
 [[nodiscard]] std::string in_plain_words(std::string name);
 
+/// "Potential energy" for "potential_energy".
+[[nodiscard]] std::string as_title(const std::string& name);
+
 }  // namespace ljmd

@@ -82,7 +82,8 @@ PageContent fluid_page(const RunFacts& facts) {
     if (facts.run && input_is_there(facts.directory / "thermo.csv")) {
         try {
             thermo = thermo_report(*facts.run);
-            page.verdicts.push_back(equilibrium_verdict(*thermo));
+            page.verdicts.push_back(
+                equilibrium_verdict(*thermo, number_in(facts.results, {"translational_order_at_sampling"})));
         } catch (const Error& error) {
             page.verdicts.push_back(
                 {"equilibrium", "unknown", fmt::format("Equilibrium cannot be judged: {}.", error.what())});

@@ -171,7 +171,7 @@ Chart line_chart(const PageTable& table, const std::string& name, const std::str
                  const std::string& equation) {
     const std::string group = table.has_column("series") ? "series" : "";
     Chart chart{.id = name,
-                .title = in_plain_words(name),
+                .title = as_title(name),
                 .caption = x == "temperature" ? "Against the temperature that was measured." : "",
                 .x = axis,
                 .y = {axis_label(name)}};
@@ -196,7 +196,7 @@ Chart line_chart(const PageTable& table, const std::string& name, const std::str
 
 Chart map_chart(const std::string& name, const VariedKey& key, const VariedKey& other) {
     return {.id = name + "-map",
-            .title = in_plain_words(name) + ", as a map",
+            .title = as_title(name) + ", as a map",
             .caption = "",
             .x = {key.heading, "category"},
             .y = {other.heading, "category"},
