@@ -58,6 +58,16 @@ class Program:
             terminal.feed(text)
         return bool(data)
 
+    def wait_for(self, size):
+        """Until so many bytes can be read; they are not."""
+        end = time.monotonic() + TIME_LIMIT
+        waiting = 0
+        while waiting < size:
+            if time.monotonic() > end:
+                raise Failure(f"only {waiting} bytes in {TIME_LIMIT} s")
+            time.sleep(0.02)
+            waiting, = struct.unpack("i", fcntl.ioctl(self.ours, termios.FIONREAD, bytes(4)))
+
     def progress(self):
         return LINE.findall(self.seen)
 
@@ -127,12 +137,13 @@ def the_width_is_asked_each_time(t):
     while len(program.progress()) < 3:
         t.check(program.read(), "the run has ended")
     t.check(width_of(program.progress()[-1]) > 80, f"a long line is expected: {program.progress()[-1]!r}")
+    program.wait_for(400)  # lines of the old width are on their way
     program.resize(40)
     before = len(program.progress())
-    while len(program.progress()) < before + 5:
+    while width_of(program.progress()[-1]) >= 40:
         t.check(program.read(), "the run has ended")
-    last = program.progress()[-1]
-    t.check(width_of(last) < 40, f"{width_of(last)} of 40 columns: {last!r}")
+        t.check(len(program.progress()) < before + 60, f"the width is not asked for: {program.progress()[-1]!r}")
+    t.check(len(program.progress()) > before + 1, "no line of the old width has come")
     for terminal in program.terminals:
         t.equal([row for row in terminal.rows_shown() if "ETA" in row], [row for row in terminal.rows_shown() if "%" in row],
                 "rows with progress")
