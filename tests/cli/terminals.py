@@ -39,6 +39,9 @@ class Program:
         fcntl.ioctl(self.ours, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
 
     def resize(self, columns):
+        """Between two lines: a terminal does not do it in the midst of what it reads."""
+        while not self.seen.endswith(("\r", "\n")):
+            self.read()
         self.set_size(columns)
         for terminal in self.terminals:
             terminal.resize(columns)
@@ -127,8 +130,9 @@ def resized(t):
     t.equal(wrapped.text(), expected, "what is left on a terminal that wraps")
     found, wanted = cut.text().splitlines(), expected.splitlines()
     t.equal(len(found), len(wanted), f"lines on a terminal that cuts:\n{cut.text()}")
-    for one, other in zip(found, wanted):
-        t.check(other.startswith(one.rstrip()), f"{one!r} is no beginning of {other!r}")
+    for one, other in zip(found, wanted):  # of a line in two rows both may have been cut
+        rest = iter(other)
+        t.check(all(character in rest for character in one), f"{one!r} is no part of {other!r}")
 
 
 def the_width_is_asked_each_time(t):

@@ -9,8 +9,8 @@ namespace ljmd {
 
 /// A key below a schema.
 struct KeyPlace {
-    std::string path;  ///< as `--set` takes it: "system.density"; in an array of tables "stage.NAME.steps" if the
-                       ///< tables have names, otherwise "body.NUMBER.mass"
+    std::string path;   ///< as `--set` takes it: "system.density"; in an array of tables "stage.NAME.steps" if the
+                        ///< tables have names, otherwise "body.NUMBER.mass"
     std::string name;   ///< the last part
     std::string table;  ///< title of the table that holds it, "[system]"
     bool is_table;
