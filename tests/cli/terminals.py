@@ -38,10 +38,13 @@ class Program:
     def set_size(self, columns):
         fcntl.ioctl(self.ours, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
 
-    def resize(self, columns):
-        """Between two lines: a terminal does not do it in the midst of what it reads."""
+    def read_to_line_end(self):
         while not self.seen.endswith(("\r", "\n")):
             self.read()
+
+    def resize(self, columns):
+        """Between two lines: a terminal does not do it in the midst of what it reads."""
+        self.read_to_line_end()
         self.set_size(columns)
         for terminal in self.terminals:
             terminal.resize(columns)
@@ -141,6 +144,7 @@ def the_width_is_asked_each_time(t):
     while len(program.progress()) < 3:
         t.check(program.read(), "the run has ended")
     t.check(width_of(program.progress()[-1]) > 80, f"a long line is expected: {program.progress()[-1]!r}")
+    program.read_to_line_end()
     program.wait_for(400)  # lines of the old width are on their way
     program.resize(40)
     before = len(program.progress())
