@@ -105,9 +105,10 @@ void add_remarks(RunResult& result, const FluidSpec& spec) {
             average.remark = temperature_remark(spec, average.estimate);
         }
     }
-    result.doubts = doubts_about(result, total_steps(spec.stages));
+    const Index steps = total_steps(spec.stages);
+    result.doubts = doubts_about(result, steps);
     result.warnings = result.doubts;
-    if (const std::string unsure = unsure_of(result.averages); !unsure.empty()) {
+    if (const std::string unsure = unsure_of(result.averages); steps > 0 && !unsure.empty()) {
         result.warnings.push_back(
             fmt::format("the run is too short for the error bars of {}: they are guesses", unsure));
     }

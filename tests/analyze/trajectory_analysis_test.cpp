@@ -114,7 +114,7 @@ TEST_CASE("a trajectory is reported to people and to programs") {
     const TrajectoryResult result = analyze(file.path(), {"msd"}, &trajectory);
     const std::string table = trajectory_document(trajectory, result).text;
     CHECK_THAT(table, Contains("30 frames of 2 atoms, box 4 x 4 x 4 sigma^3\n30 measured, 0.5 tau apart\n"));
-    CHECK_THAT(table, Contains("  diffusion   D  "));
+    CHECK_THAT(table, Contains("  diffusion               D  "));
     const auto json = trajectory_document(trajectory, result).data;
     CHECK(json.at("frames") == 30);
     CHECK(json.at("frames_used") == 30);

@@ -262,6 +262,15 @@ def json_on_stdout(t):
     t.equal(result.out, t.read("out/results.json"), "bytes of stdout with --json")
 
 
+def a_stopped_run_is_to_be_resumed(t):
+    """A run that has not come to its end is there: what is suggested first is to resume it."""
+    t.deck()
+    t.expect(75, t.run("run", "deck.toml", "--out", "out", "--walltime", "1e-6 s"))
+    result = t.expect(2, t.run("run", "deck.toml", "--out", "out"))
+    t.golden(result.err)
+    t.run_well("resume", "out")
+
+
 def table_on_stdout(t):
     """The table holds nothing but results; numbers are left out of the golden file."""
     result = run_all(t, "--quiet", text=SUBSTANCE)
@@ -326,7 +335,7 @@ def cases():
     return [Case(test.__name__.replace("_", " "), test)
             for test in (files_written, h5md_is_the_default, default_directory, directory_of_the_deck, thermo_csv, si_columns,
                          rdf_csv, results_json, run_json, hash_tells_decks_apart, final_xyz, trajectory_xyz,
-                         existing_run_is_refused, force_replaces_its_own_files_only, a_refused_deck_costs_nothing,
+                         existing_run_is_refused, a_stopped_run_is_to_be_resumed, force_replaces_its_own_files_only, a_refused_deck_costs_nothing,
                          the_start_is_not_replaced, the_deck_is_not_replaced,
                          a_run_that_ends_meanwhile_is_not_replaced, output_is_a_file, json_on_stdout, table_on_stdout,
                          a_title_cannot_play_tricks, same_deck_same_bytes, output_does_not_disturb,

@@ -119,5 +119,5 @@ TEST_CASE("control characters of what others have written reach neither stream")
         talk_over_line("50 % \x1B[31m\n");
     }
     CHECK(results.read() == "a\tb?]0;title??\n??\xC3\x85?");
-    CHECK(said.read() == "error: ?[2J\n\r50 % ?[31m\n\033[K");
+    CHECK(said.read() == "error: ?[2J\n\r\033[?7l50 % ?[31m?\033[J\033[?7h\r");
 }

@@ -342,7 +342,8 @@ def a_box_that_changes(t):
 def without_times(t):
     """Frames that tell neither step nor time: the time between them comes from the command line."""
     (t.dir / "a.xyz").write_text("".join(frame() for _ in range(20)))
-    t.run_well("analyze", "a.xyz", "--out", "structure")
+    told = t.run_well("analyze", "a.xyz", "--out", "structure").err
+    t.contains(told, "warning: msd is left out: the frames have no times: --time-step gives the time between steps")
     t.check("msd.csv" not in t.files("structure"), "msd without times")
     t.run_well("analyze", "a.xyz", "msd", "--time-step", "0.5")
     t.equal(t.columns("a-analysis/msd.csv")["time"][:2], [0.0, 0.5], "times")

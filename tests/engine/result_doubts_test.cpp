@@ -70,6 +70,7 @@ TEST_CASE("what makes results doubtful is said once, for the run as a whole") {
     result.averages[0].estimate->mean = 1.2;
     add_remarks(result, small_spec());
     REQUIRE(result.warnings.size() == 4);
+    CHECK(result.doubts == std::vector<std::string>(result.warnings.begin(), result.warnings.begin() + 3));
     CHECK_THAT(result.warnings[0], Contains("50 % of the crystal left"));
     CHECK_THAT(result.warnings[1], Contains("3 of 10 neighbor lists were kept too long"));
     CHECK_THAT(result.warnings[2], Contains("the energy drifts in stage 'there'"));

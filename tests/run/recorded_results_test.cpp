@@ -18,8 +18,9 @@ TEST_CASE("means are read from the results of a run, in their order") {
     std::ofstream(path) << R"({"observables": {"temperature": {"mean": 1.5, "standard_error": 0.1, "unit": ""},
                                                "pressure": {"mean": null, "standard_error": null, "remark": "one atom"}},
                                "analysis": {"orbit": {"period": {"value": 3, "standard_error": null}}},
-                               "stages": []})";
+                               "stages": [], "doubts": ["a crystal"]})";
     const std::vector<ObservedMean> found = read_results(path).means;
+    CHECK(read_results(path).doubts == std::vector<std::string>{"a crystal"});
     REQUIRE(found.size() == 3);
     CHECK(found[0].name == "temperature");
     CHECK(found[0].mean == 1.5);

@@ -46,6 +46,19 @@ TEST_CASE("the table has keys and main observables in columns, and says what has
     CHECK(point_line(fluids().points[0]) == "T 1.250 +- 0.012, U/N -6, p 0.100 +- 0.020, Z -");
 }
 
+TEST_CASE("doubts about a run are marked behind its row, and stand in the CSV and the data") {
+    SweptPoints swept = fluids();
+    swept.points[2].doubts = {"the crystal has not melted", "the energy drifts"};
+    const Document report = sweep_report(swept);
+    CHECK_THAT(report.text,
+               Catch::EndsWith("-  [3][4]\n  [1] a guess\n  [2] one atom\n  [3] the crystal has not melted\n"
+                               "  [4] the energy drifts\n"));
+    CHECK_THAT(sweep_csv(swept),
+               Catch::EndsWith("pressure: one atom; the crystal has not melted; the energy drifts\n"));
+    CHECK(report.data.at("points")[2].at("doubts").size() == 2);
+    CHECK(report.data.at("points")[0].at("doubts").size() == 0);
+}
+
 TEST_CASE("numbers that are long do not run together") {
     SweptPoints swept = fluids();
     swept.points[0].found = {{"temperature", -6.626360956, 1.23e-7, "a guess"}, {"potential_energy", 1.0, 0.1}};
