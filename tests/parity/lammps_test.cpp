@@ -135,7 +135,7 @@ TEST_CASE("LAMMPS finds our energy, pressure and forces, for every potential tha
     }
 }
 
-TEST_CASE("LAMMPS takes the atoms where we take them in a hundred steps, for every potential that it has") {
+TEST_CASE("LAMMPS takes the atoms where we take them in a hundred steps, for every potential that it has", "[long]") {
     if (!lammps_is_here()) {
         return;
     }

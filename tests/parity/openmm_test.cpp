@@ -136,7 +136,7 @@ TEST_CASE("a liquid of 864 atoms goes OpenMM's way, leapfrog and velocity Verlet
     require_all(trajectory_checks(fluid, *peer, doubles(fluid), by(cut()), every_step_judged));
 }
 
-TEST_CASE("a crystal of 864 atoms stays as close to OpenMM's as crystals do") {
+TEST_CASE("a crystal of 864 atoms stays as close to OpenMM's as crystals do", "[long]") {
     check_crystal(6);
 }
 
