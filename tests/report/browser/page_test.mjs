@@ -78,6 +78,9 @@ async function seenInLong() {
     await visit("both", both.page, {}, async (page) => {
         await checkTexts("both", page, both.payload);
         check("both: a column for each run", (await page.locator("table.results thead th").count()) >= 3);
+        const names = both.payload.members.map((member) => member.label);
+        const keys = await page.locator("main > section > .charts > .chart .key").evaluateAll((nodes) => nodes.map((node) => [...node.children].map((entry) => entry.textContent.trim())));
+        check("both: temperatures of both in one chart", keys.some((key) => JSON.stringify(key) === JSON.stringify(names)), [names, keys]);
         await page.locator("details", { has: page.locator(".member") }).first().locator("summary").first().click();
         await page.waitForSelector(".member .chart svg");
         check("both: a run unfolds", (await page.locator(".member .chart").count()) > 2);

@@ -106,7 +106,12 @@ export function drawChart(chart, tables, width) {
     const y = axis(chart.y, [...rows.map((row) => row.y), ...(yIsCategory ? [] : ruled("rule-y"))], yIsCategory);
     if (isMap) y.reverse = true;
     const x = axis(chart.x, rows.map((row) => row.x), xIsCategory);
-    const most = width < 500 ? 16 : 44;
+    // Dots at the ends of an axis are seen whole.
+    const hasDots = isScores || types.has("dots");
+    if (hasDots && !xIsCategory) x.inset = 6;
+    if (hasDots && !yIsCategory) y.inset = 6;
+    if (!xIsCategory) x.tickSpacing = 56;
+    const most = width < 500 ? 22 : 44;
     const short = (value) => {
         const text = typeof value === "number" ? number(value) : pretty(value);
         return text.length > most ? `${text.slice(0, most - 1)}…` : text;
@@ -127,7 +132,7 @@ export function drawChart(chart, tables, width) {
         height,
         marginLeft: yIsCategory ? 24 + 6.6 * longest(y.domain.map(short), most) : 62,
         marginBottom: turned ? 34 + 4.2 * longest(x.domain, most) : 42,
-        marginTop: 26, marginRight: 18, inset: isMap || xIsCategory ? 0 : isScores || types.has("dots") ? 6 : 0,
+        marginTop: 26, marginRight: 18,
         style: { fontSize: "12px", fontFamily: "inherit", overflow: "visible", background: "transparent", color: "inherit" },
         ariaLabel: chart.title,
         x, y,

@@ -41,27 +41,31 @@ export function comparedSection(members, level) {
         scroller("Results side by side", table));
 }
 
-/** Charts that two members or more have, each member in a colour of its own. */
-export function overlaidCharts(members) {
-    const ids = new Map();
-    for (const { payload } of members) {
-        for (const chart of payload.charts ?? []) ids.set(chart.id, [...(ids.get(chart.id) ?? []), chart]);
-    }
-    const charts = [...ids.values()].filter((found) => found.length > 1).map(([first]) => ({ ...first, id: `compared-${first.id}`, marks: [] }));
+/** What a chart is about: its axes. Charts of two kinds of runs may have the same name. */
+const axes = (chart) => `${chart.x?.label}|${chart.y?.label}`;
+
+/**
+ * Charts that two members or more have, each member in a colour of its own.
+ * @param {object[]} members
+ * @param {object[]} there charts of the set itself: what they show is not shown again
+ */
+export function overlaidCharts(members, there) {
+    const kinds = new Map();
     const tables = [];
+    const words = members.length > MOST_OVERLAID ? `The first ${MOST_OVERLAID} of ${members.length} runs.` : "";
     members.slice(0, MOST_OVERLAID).forEach((member, place) => {
-        for (const chart of charts) {
-            const own = (member.payload.charts ?? []).find((entry) => `compared-${entry.id}` === chart.id);
-            const mark = own?.marks?.find((entry) => ["line", "dots", "steps"].includes(entry.type));
+        for (const own of member.payload.charts ?? []) {
+            const mark = own.marks?.find((entry) => ["line", "dots", "steps"].includes(entry.type) && !entry.group);
             const table = mark && (member.payload.tables ?? []).find((entry) => entry.name === mark.table);
-            if (!table) continue;
+            if (!table || there.some((chart) => axes(chart) === axes(own))) continue;
             const name = `${place}/${table.name}`;
             if (!tables.some((entry) => entry.name === name)) tables.push({ ...table, name });
-            chart.marks.push({ ...mark, table: name, colour: place, label: member.label, group: undefined });
+            const kind = `${own.id}|${axes(own)}`;
+            if (!kinds.has(kind)) kinds.set(kind, { ...own, id: `compared-${own.id}`, caption: words, note: "", marks: [] });
+            kinds.get(kind).marks.push({ ...mark, table: name, colour: place, label: member.label });
         }
     });
-    const words = members.length > MOST_OVERLAID ? `The first ${MOST_OVERLAID} of ${members.length} runs.` : "";
-    return { charts: charts.filter((chart) => chart.marks.length > 1).map((chart) => ({ ...chart, caption: words, note: "" })), tables };
+    return { charts: [...kinds.values()].filter((chart) => chart.marks.length > 1), tables };
 }
 
 /** Each run as a part that is drawn when it is opened. */

@@ -50,7 +50,7 @@ function chartGrid(figures) {
  */
 export function reportSections(payload, level = 2) {
     const members = payload.members ?? [];
-    const overlaid = overlaidCharts(members);
+    const overlaid = overlaidCharts(members, payload.charts ?? []);
     const charts = [...(payload.charts ?? []), ...overlaid.charts];
     const tables = [...(payload.tables ?? [])];
     const { tracks, atoms, playback } = viewers(payload, charts, tables);
