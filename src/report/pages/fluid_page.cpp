@@ -43,13 +43,13 @@ void add_atoms(PageContent& page, const RunFacts& facts) {
         const double expected = last_step(facts.directory) / static_cast<double>(deck->trajectory->every) + 1.0;
         page.atoms = trajectory_atoms(path, deck->units, static_cast<Index>(expected), page.warnings);
     }
-    for (const auto& [name, words] :
-         {std::pair{"final.xyz", "It is the last configuration; the run has no trajectory."},
-          {"failed.xyz", "It is the configuration at which the run stopped."}}) {
+    const auto show_if_nothing_else = [&](const char* name, const char* words) {
         if (page.atoms.is_null() && input_is_there(facts.directory / name)) {
             add_if_readable(page.warnings, [&] { page.atoms = configuration_atoms(facts.directory / name, words); });
         }
-    }
+    };
+    show_if_nothing_else("final.xyz", "It is the last configuration; the run has no trajectory.");
+    show_if_nothing_else("failed.xyz", "It is the configuration at which the run stopped.");
 }
 
 void add_correlation_times(PageContent& page, const ThermoReport& report) {
