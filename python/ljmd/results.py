@@ -248,6 +248,20 @@ class Run(Results):
         """An MDAnalysis Universe of its frames, see `Frames.universe`. Raises DataError as `frames`."""
         return self.frames().universe()
 
+    def report(self, page=None) -> pathlib.Path:
+        """Write one HTML page about the run, finished or not, and return its path: verdicts, charts, the atoms in motion.
+
+        page: file to write; report.html in the directory of the run by default
+
+        It needs no network. Raises DataError for a run in memory, FileError.
+        """
+        if self.directory is None:
+            raise DataError("a page is made from the files of a run: give it a directory")
+        page = self.directory / "report.html" if page is None else pathlib.Path(page)
+        for text in _core.write_report([self.directory], page):
+            _check.warn(text)
+        return page
+
     def _heading(self) -> str:
         system = self.data.get("system", {})
         what = [self.data.get("title"), f"{system['atoms']} atoms, density {system['density']:.6g}" if "atoms" in system else

@@ -22,8 +22,7 @@
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/tables/json_text.hpp"
-#include "ljmd/report/page.hpp"
-#include "ljmd/report/report.hpp"
+#include "ljmd/report/written_report.hpp"
 #include "ljmd/run/held_run.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
@@ -192,18 +191,10 @@ void check_compare_options(const CrosscheckOptions& compared) {
     }
 }
 
-/// Write the page about a finished run, if its deck asks for one. The run is done: a page that cannot be made is no
-/// reason to fail.
-void write_asked_report(const Deck& deck) {
-    if (!deck.report) {
-        return;
-    }
-    try {
-        const std::filesystem::path page = deck.directory / report_name;
-        write_file_atomically(page, page_html(report_on(deck.directory)));
-        print_message(fmt::format("report: {}\n", page.string()));
-    } catch (const Error& error) {
-        warn(fmt::format("there is no report: {}", error.what()));
+/// Write the page about a finished run, if its deck asks for one, and tell where it is.
+void show_asked_report(const Deck& deck) {
+    if (const auto page = write_asked_report(deck, warn)) {
+        print_message(fmt::format("report: {}\n", page->string()));
     }
 }
 
@@ -226,7 +217,7 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
     const Document results = run_in_locked_directory(deck, system, options.force, progress, control);
     progress.clear_line();
     print_document(results, options.json);
-    write_asked_report(deck);
+    show_asked_report(deck);
 }
 
 void resume_command(const ResumeOptions& options) {
@@ -253,7 +244,7 @@ void resume_command(const ResumeOptions& options) {
     const Document results = run_deck(run.deck(), system, progress, control);
     progress.clear_line();
     print_document(results, options.json);
-    write_asked_report(run.deck());
+    show_asked_report(run.deck());
     run.warn_if_moved();
 }
 

@@ -7,10 +7,10 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/process.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/report/page.hpp"
 #include "ljmd/report/report.hpp"
+#include "ljmd/report/written_report.hpp"
 #include "ljmd/run/run_directory.hpp"
 
 namespace ljmd {
@@ -41,16 +41,14 @@ void open_page(const fs::path& page) {
 
 void report_command(const ReportOptions& options) {
     const std::vector<fs::path> directories(options.directories.begin(), options.directories.end());
-    const PageContent content = report_on(directories);
     if (options.json) {
-        print_result(to_json_line(page_data(content)) + "\n");
+        print_result(to_json_line(page_data(report_on(directories))) + "\n");
         return;
     }
     const fs::path page = !options.out.empty()     ? fs::path(options.out)
                           : directories.size() > 1 ? fs::path(report_name)
                                                    : directories.front() / report_name;
-    write_file_atomically(page, page_html(content));
-    for (const std::string& warning : content.warnings) {
+    for (const std::string& warning : write_report(directories, page)) {
         warn(warning);
     }
     print_result(fmt::format("{}\n", page.string()));

@@ -12,6 +12,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/checked_run.hpp"
 #include "ljmd/deck/deck_system.hpp"
+#include "ljmd/report/written_report.hpp"
 #include "ljmd/run/directory_report.hpp"
 #include "ljmd/run/given/given_record.hpp"
 #include "ljmd/run/held_run.hpp"
@@ -75,6 +76,7 @@ void run(const LoadedDeck& loaded, const std::filesystem::path& directory, int t
             [&](const std::string& text) { attention.warning(text); }, external);
         run_in_locked_directory(deck, system, replace, attention,
                                 {.interruption = attention.interruption(walltime), .observers = observers.all()});
+        write_asked_report(deck, [&](const std::string& text) { attention.warning(text); });
     });
 }
 
@@ -100,6 +102,7 @@ void resume(const std::filesystem::path& directory, Index steps, int threads, st
                  {.interruption = attention.interruption(walltime),
                   .continuation = held.take(),
                   .observers = observers.all()});
+        write_asked_report(held.deck(), [&](const std::string& text) { attention.warning(text); });
         held.warn_if_moved();
     });
 }
@@ -141,6 +144,8 @@ void bind_directory_runs(py::module_& module) {
                py::arg("observables"), py::arg("external"), py::arg("progress"), py::arg("warn"));
     module.def("last_configuration", &last, py::arg("directory"));
     module.def("seconds_of", &seconds_of, py::arg("walltime"));
+    module.def("write_report", &write_report, py::arg("directories"), py::arg("page"),
+               py::call_guard<py::gil_scoped_release>());
     module.def(
         "describe", [](const std::filesystem::path& directory) { return to_python(directory_report(directory)); },
         py::arg("directory"));

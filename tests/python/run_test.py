@@ -71,6 +71,22 @@ class Runs(Case):
         self.assertRaises(ljmd.InputError, small_deck().run, replace=True)
         self.assertRaises(ljmd.InputError, small_deck().run, walltime=3)
 
+    def test_a_page_is_written_when_it_is_asked_for(self):
+        run = self.run_of()
+        self.assertFalse((self.folder / "run/report.html").exists())
+        self.assertEqual(run.report(), self.folder / "run/report.html")
+        page = run.report(self.folder / "page.html").read_text()
+        self.assertEqual(page, (self.folder / "run/report.html").read_text())
+        self.assertIn('"kind":"run"', page)
+        self.assertRaisesText(ljmd.DataError, "give it a directory", of=small_deck().run(progress=False).report)
+        self.assertRaises(ljmd.FileError, run.report, self.folder / "nowhere/page.html")
+        deck = small_deck()
+        deck.output.report = True
+        self.assertTrue((self.run_of("asked", deck).directory / "report.html").exists())
+        (self.folder / "asked/report.html").unlink()
+        ljmd.resume(self.folder / "asked", steps=20, progress=False)
+        self.assertTrue((self.folder / "asked/report.html").exists())
+
     def test_a_finished_run_is_made_longer_as_one_long_run(self):
         self.run_of()
         longer = ljmd.resume(self.folder / "run", steps=20, progress=False)

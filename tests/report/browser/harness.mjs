@@ -99,6 +99,19 @@ export async function settled(locator) {
     return before;
 }
 
+/** A settled picture of an element that differs from an earlier one: what an action does is drawn some time later. */
+export const changed = (page, locator, earlier) => settledWhen(locator, (picture) => differ(page, picture, earlier));
+
+/** A settled picture of an element that is as an earlier one again. */
+export const restored = (page, locator, earlier) => settledWhen(locator, async (picture) => !(await differ(page, picture, earlier)));
+
+/** The last picture is returned if what is waited for does not come. */
+async function settledWhen(locator, holds) {
+    let picture = await settled(locator);
+    for (let tries = 0; tries < 20 && !(await holds(picture)); ++tries) picture = await settled(locator);
+    return picture;
+}
+
 /** Serious and critical findings of axe-core. */
 export async function accessibility(page) {
     await page.evaluate(AXE);

@@ -1,5 +1,5 @@
 // The viewers: something is drawn, it plays, it turns, an atom can be picked; by mouse and by keyboard.
-import { check, coloursOf, differ, settled, until } from "./harness.mjs";
+import { changed, check, coloursOf, differ, restored, settled, until } from "./harness.mjs";
 
 const frameOf = (page) => page.locator(".stage canvas").first().evaluate((canvas) => Number(canvas.dataset.frame));
 
@@ -12,7 +12,7 @@ export async function checkViewer(name, page) {
     await page.locator("button.play").first().click();
     await until(page, () => Number(document.querySelector(".stage canvas").dataset.frame) > 0);
     await page.locator("button.play").first().click();
-    const played = await settled(stage);
+    const played = await changed(page, stage, first);
     const frame = await frameOf(page);
     check(`${name}: playing goes on`, frame > 0, frame);
     check(`${name}: playing moves what is drawn`, await differ(page, played, first));
@@ -21,27 +21,28 @@ export async function checkViewer(name, page) {
     const slider = page.locator('.playback input[type="range"]').first();
     await slider.focus();
     await page.keyboard.press("Home");
+    const back = await restored(page, stage, first);
     check(`${name}: the slider goes back by key`, (await frameOf(page)) === 0);
-    check(`${name}: the first frame looks as before`, !(await differ(page, await settled(stage), first)));
+    check(`${name}: the first frame looks as before`, !(await differ(page, back, first)));
     await page.keyboard.press("ArrowRight");
     check(`${name}: the slider says where it is`, /frame 2 of \d+, t = /.test(await slider.getAttribute("aria-valuetext")), await slider.getAttribute("aria-valuetext"));
     await page.keyboard.press("Home");
 
     await stage.focus();
     await page.keyboard.press("ArrowRight");
-    const turned = await settled(stage);
+    const turned = await changed(page, stage, first);
     check(`${name}: arrow keys turn`, await differ(page, turned, first));
     await page.keyboard.press("+");
-    check(`${name}: plus zooms`, await differ(page, await settled(stage), turned));
+    check(`${name}: plus zooms`, await differ(page, await changed(page, stage, turned), turned));
     await page.keyboard.press("0");
     await stage.evaluate((node) => node.blur());
-    check(`${name}: 0 resets`, !(await differ(page, await settled(stage), first)));
+    check(`${name}: 0 resets`, !(await differ(page, await restored(page, stage, first), first)));
     const { x, y, width, height } = await stage.boundingBox();
     await page.mouse.move(x + width / 2, y + height / 2);
     await page.mouse.down();
     await page.mouse.move(x + width / 2 + 80, y + height / 2 + 20, { steps: 4 });
     await page.mouse.up();
-    check(`${name}: the mouse turns`, await differ(page, await settled(stage), first));
+    check(`${name}: the mouse turns`, await differ(page, await changed(page, stage, first), first));
     await page.locator(".viewer button", { hasText: "Reset view" }).first().click();
     return first;
 }
@@ -54,7 +55,7 @@ export async function checkAtoms(name, page, atoms) {
     await page.mouse.click(x + width / 2, y + height / 2);
     const said = await page.locator(".picked").textContent();
     check(`${name}: a click picks an atom`, /^Atom \d+ {2}· {2}/.test(said), said);
-    check(`${name}: the picked atom is marked`, await differ(page, await settled(stage), first));
+    check(`${name}: the picked atom is marked`, await differ(page, await changed(page, stage, first), first));
     await page.locator(".controls input[type=number]").fill("7");
     await page.keyboard.press("Enter");
     const words = await page.locator(".picked").textContent();
@@ -63,15 +64,15 @@ export async function checkAtoms(name, page, atoms) {
     check(`${name}: an atom by its number, with its speed`, words.startsWith("Atom 7") && Math.abs(Number(words.split("  ·  ")[1].split(" ").at(-1)) - value) <= 0.006 * value, [words, value]);
     const marked = await settled(stage);
     await page.getByLabel("Trace").check();
-    check(`${name}: its way is drawn`, await differ(page, await settled(stage), marked));
+    check(`${name}: its way is drawn`, await differ(page, await changed(page, stage, marked), marked));
     await page.getByLabel("Trace").uncheck();
     await page.getByLabel("Box").uncheck();
-    check(`${name}: the box can be left out`, await differ(page, await settled(stage), marked));
+    check(`${name}: the box can be left out`, await differ(page, await changed(page, stage, marked), marked));
     const choice = page.getByLabel("Colour", { exact: true });
     check(`${name}: colours`, JSON.stringify(await choice.locator("option").evaluateAll((options) => options.map((option) => option.value))) === JSON.stringify([...atoms.colours.map((colour) => colour.name), "id"]));
     const uncoloured = await settled(stage);
     await choice.selectOption("id");
-    check(`${name}: another colour`, await differ(page, await settled(stage), uncoloured));
+    check(`${name}: another colour`, await differ(page, await changed(page, stage, uncoloured), uncoloured));
     check(`${name}: says how many frames there are`, (await page.locator(".viewer .caption").textContent()).includes(`${atoms.shown_frames} frames`));
 }
 

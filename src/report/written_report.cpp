@@ -1,0 +1,35 @@
+#include "ljmd/report/written_report.hpp"
+
+#include <fmt/format.h>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/report/page.hpp"
+#include "ljmd/report/report.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> write_report(const std::vector<fs::path>& directories, const fs::path& page) {
+    const PageContent content = report_on(directories);
+    write_file_atomically(page, page_html(content));
+    return content.warnings;
+}
+
+std::optional<fs::path> write_asked_report(const Deck& deck, const std::function<void(const std::string&)>& warn) {
+    if (!deck.report) {
+        return std::nullopt;
+    }
+    const fs::path page = deck.directory / report_name;
+    try {
+        write_report({deck.directory}, page);
+    } catch (const Error& error) {
+        warn(fmt::format("there is no report: {}", error.what()));
+        return std::nullopt;
+    }
+    return page;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,29 @@
+#include "ljmd/report/written_report.hpp"
+
+#include "ljmd/run/run_directory.hpp"
+#include "report/report_fixtures.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a page is written for a deck that asks for one, and for no other") {
+    const DeckFolder folder(stars_deck);
+    Deck deck = folder.load();
+    run_whole(deck);
+    const auto quiet = [](const std::string& text) { FAIL(text); };
+    CHECK_FALSE(write_asked_report(deck, quiet));
+    CHECK_FALSE(std::filesystem::exists(folder / "out" / report_name));
+    deck.report = true;
+    CHECK(write_asked_report(deck, quiet) == folder / "out" / report_name);
+    CHECK_THAT(content_of(folder / "out" / report_name), Contains("\"kind\":\"few-body\"") && Contains("</html>"));
+}
+
+TEST_CASE("a page that cannot be made is a warning, not an error") {
+    const DeckFolder folder;
+    Deck deck = folder.load();
+    deck.report = true;  // there has been no run
+    std::string told;
+    CHECK_FALSE(write_asked_report(deck, [&](const std::string& text) { told += text; }));
+    CHECK_THAT(told, Contains("there is no report: "));
+}
