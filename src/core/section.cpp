@@ -87,6 +87,7 @@ bool makes_choice(const Table& table, const Key& selector) {
 /// The places of a key that was looked for in the wrong table: as a path for `--set`, which has no line; else by table.
 std::string places_in_words(const std::vector<KeyPlace>& places, const Location& where) {
     std::vector<std::string> words;
+    words.reserve(places.size());
     for (const KeyPlace& place : places) {
         words.push_back(where.line == 0 ? fmt::format("'{}'", place.path)
                                         : fmt::format("'{}' in {}", place.name, place.table));

@@ -37,6 +37,7 @@ PageContent report_on(const std::vector<std::filesystem::path>& directories) {
         return report_on(directories.front());
     }
     std::vector<PageContent> members;
+    members.reserve(directories.size());
     for (const std::filesystem::path& directory : directories) {
         members.push_back(report_on(directory));
     }

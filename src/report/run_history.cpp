@@ -59,6 +59,7 @@ PageTable block_means(const DataTable& sampled) {
 PageTable energy_change(const DataTable& sampled, const std::string& conserved) {
     const std::vector<double> energies = column(sampled, conserved);
     std::vector<double> changes;
+    changes.reserve(energies.size());
     for (const double energy : energies) {
         changes.push_back(energy - energies.front());
     }

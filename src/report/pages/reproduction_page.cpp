@@ -32,6 +32,7 @@ std::string label_of(const ReproducedRow& row) {
 template <class Value>
 auto each(const std::vector<ReproducedRow>& rows, const Value& value) {
     std::vector<decltype(value(rows.front()))> values;
+    values.reserve(rows.size());
     for (const ReproducedRow& row : rows) {
         values.push_back(value(row));
     }
