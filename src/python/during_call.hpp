@@ -6,8 +6,8 @@
 
 namespace ljmd::python {
 
-/// A value of the engine's as a function of the user's sees it: during one call. What Python keeps afterwards refers to
-/// nothing.
+/// A reference to a value of the engine, valid during one call of a user's function. Python may keep it after the call;
+/// then every access raises an error.
 template <class Value>
 class Passing {
   public:
@@ -27,7 +27,7 @@ class Passing {
     const Value* value_;
 };
 
-/// The time of one call: ends what the function saw, however it returns.
+/// Guard for one call: ends the reference when the call returns or throws.
 template <class Value>
 class DuringCall {
   public:

@@ -114,7 +114,7 @@ def test_numbers_and_units(tmp: Path) -> None:
 
 
 def write_points(directory: Path, equation: str = "thol2016", ended: int = 3) -> Path:
-    """A sweep over density of which some points have come to their end; no table yet."""
+    """A sweep over density. Some points have ended; there is no table yet."""
     points = [{"name": f"density={rho}", "values": [str(rho)]} for rho in (0.1, 0.2, 0.3)]
     (directory / "points").mkdir(parents=True)
     (directory / "sweep.json").write_text(json.dumps({"keys": ["system.density"], "points": points}))

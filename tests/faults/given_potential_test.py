@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Kills runs whose pair potential came from Python, and looks whether they go on with the table in their directory.
+"""Kills runs that have a pair potential from Python. Checks that each can be resumed from the table in its directory.
 
 Usage: given_potential_test.py --ljmd PROGRAM --faults LIBRARY [--every N]
 

@@ -57,7 +57,7 @@ TEST_CASE("energy is judged where it is conserved, by what the results say of it
     CHECK(verdict_on(verdicts_of(results_of(kinetic, heated)), "energy").level == "unknown");
 }
 
-TEST_CASE("error bars are reliable, or guesses of which quantities") {
+TEST_CASE("the verdict on error bars names the quantities whose error bars are guesses") {
     const Data sure = {
         {"mean", 1.0}, {"standard_error", 0.1}, {"independent_samples", 42.0}, {"error_is_converged", true}};
     Data unsure = sure;

@@ -8,12 +8,12 @@
 
 namespace ljmd {
 
-/// What is said about a directory of ljmd, and drawn: a run of a fluid or of few bodies, finished or not, a sweep, a
-/// reproduced table, or a comparison. Of files that cannot be read its warnings tell.
-/// @throws DataError  it is none of these
+/// The content of the page about a directory: a run of a fluid or of few bodies (finished or not), a sweep, a
+/// reproduced table, or a comparison. Its warnings name the files that could not be read.
+/// @throws DataError  the directory holds none of these
 [[nodiscard]] PageContent report_on(const std::filesystem::path& directory);
 
-/// Several directories on one page; one alone as report_on().
+/// The content of one page about several directories. A single directory gives the page about that directory.
 /// @throws InputError without a directory  @throws DataError as report_on()
 [[nodiscard]] PageContent report_on(const std::vector<std::filesystem::path>& directories);
 

@@ -11,15 +11,15 @@
 namespace ljmd {
 
 /// Write the page about one or several directories, in place of the one that is there.
-/// @return what could not be read of them, a text each
+/// @return one warning for each file that could not be read
 /// @throws InputError, DataError as report_on(); OutputError
 std::vector<std::string> write_report(const std::vector<std::filesystem::path>& directories,
                                       const std::filesystem::path& page);
 
-/// Write the page about a run that has ended, if its deck asks for one (`[output] report = true`). The run is done: a
-/// page that cannot be made is no reason to fail.
-/// @param warn  told why there is no page
-/// @return the page, if there is one
+/// Write the page about a run that has ended, if its deck asks for one (`[output] report = true`). An error is only a
+/// warning, because the results of the run are complete.
+/// @param warn  called with the reason if there is no page
+/// @return the path of the page, if it was written
 std::optional<std::filesystem::path> write_asked_report(const Deck& deck,
                                                         const std::function<void(const std::string&)>& warn);
 

@@ -7,7 +7,7 @@ namespace ljmd {
 
 namespace {
 
-/// A text with a backslash before each of these characters.
+/// The text with a backslash before each special character.
 std::string escaped(const std::string& text, const std::string& special) {
     std::string out;
     for (const char c : text) {
