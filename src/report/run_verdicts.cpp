@@ -184,16 +184,21 @@ Verdict reference_verdict(const std::vector<Quantity>& quantities, const std::st
         }
         const double error = std::hypot(*each.error, each.reference_error.value_or(0.0));
         const double score = error > 0.0 ? (each.value - *each.reference) / error : std::nan("");
-        scores.push_back(fmt::format("{} is {:+.1f} errors", in_plain_words(each.name), score));
+        scores.push_back(fmt::format("{} by {:+.2g} ({:+.1f} errors)", in_plain_words(each.name),
+                                     each.value - *each.reference, score));
         farthest = std::isnan(score) ? farthest : std::max(farthest, std::abs(score));
     }
     if (scores.empty()) {
         return {"equation of state", "unknown", fmt::format("Not compared with an equation of state: {}.", equation)};
     }
     const bool agrees = farthest <= farthest_errors;
-    return {"equation of state", agrees ? "good" : "doubt",
-            fmt::format("{} the equation of state {}: {} away.", agrees ? "Agrees with" : "Differs from", equation,
-                        fmt::join(scores, ", "))};
+    return {
+        "equation of state", agrees ? "good" : "doubt",
+        fmt::format("{} the equation of state {}: differs in {}.{}",
+                    agrees ? "Agrees with" : "Not within three errors of", equation, fmt::join(scores, ", "),
+                    agrees ? ""
+                           : " These errors are statistical. The accuracies of the equation and of the correction for "
+                             "the cutoff come on top.")};
 }
 
 }  // namespace ljmd
