@@ -124,6 +124,7 @@ def pairs():
 
 def run_when_all_are_ready(gate, times) -> None:
     """One of two runs that begin together. Puts the times of its beginning and its end into `times`."""
+    warnings.simplefilter("ignore")  # a new process has the usual filter
     deck = liquid(2048, 1000)
     gate.wait()
     began = time.monotonic()
