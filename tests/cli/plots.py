@@ -4,8 +4,9 @@ import json
 import os
 import signal
 import subprocess
+import time
 
-from harness import DECK, STARS, Case, Skip, clean_environment
+from harness import DECK, STARS, Case, Failure, Skip, clean_environment
 
 
 ASKED = {}  # once: starting Python and its modules takes a second
@@ -110,6 +111,16 @@ def no_python(t):
     t.equal(result.out, "", "stdout")
 
 
+def opened_for(process, pipe):
+    """A pipe, open for writing once the process reads it. (An ordinary open would wait for ever if it never does.)"""
+    while process.poll() is None:
+        try:
+            return os.open(pipe, os.O_WRONLY | os.O_NONBLOCK)
+        except OSError:  # nobody reads it yet
+            time.sleep(0.01)
+    raise Failure(f"ended with {process.returncode} before it read {pipe.name}")
+
+
 def interrupted(t):
     """Ctrl-C reaches Python, which is the process then: nothing is left over, and nothing is said."""
     environment = python_environment(t)
@@ -118,7 +129,7 @@ def interrupted(t):
     os.mkfifo(t.dir / "pipe")
     (t.dir / "out/rdf.csv").symlink_to(t.dir / "pipe")  # reading it waits
     with subprocess.Popen([t.ljmd, "plot", "out"], cwd=t.dir, env=environment, stderr=subprocess.PIPE) as process:
-        with open(t.dir / "pipe", "wb"):
+        with os.fdopen(opened_for(process, t.dir / "pipe"), "wb"):
             process.send_signal(signal.SIGINT)
         t.equal(process.wait(60), -signal.SIGINT, "the end by SIGINT")
         t.equal(process.stderr.read(), b"", "stderr")
