@@ -37,6 +37,12 @@ if(ljmd_python_wanted)
     endif()
 endif()
 
+# Python with the address sanitizer's library preloaded starts the program, which must not bring a second one: clang links
+# it statically unless told otherwise. (tests/python preloads it.)
+if(ljmd_build_python AND CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
+    add_link_options(-shared-libasan)
+endif()
+
 # ljmd_for_extension(<target>...): their objects can be part of a shared library. They export nothing and nobody
 # replaces their functions, so that the compiler inlines and calls as it does for a program.
 function(ljmd_for_extension)
