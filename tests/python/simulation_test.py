@@ -214,7 +214,7 @@ class Several(Case):
             use()
         gc.collect()
         before = memory()
-        for _ in range(400):
+        for _ in range(900):
             use()
         gc.collect()
         self.assertLess(memory() - before, 2e6)  # one simulation holds about 1 MB
