@@ -171,9 +171,12 @@ class _Files(Mapping):
 
 
 def read_csv(path) -> tuple:
-    """(columns, array) of a table of ljmd; empty fields are NaN."""
+    """(columns, array) of a table of ljmd; empty fields are NaN. A last line without an end is still being written, and left out."""
     try:
         text = pathlib.Path(path).read_text(encoding="utf-8")
+        text = text[:text.rfind("\n") + 1]
+        if not text:
+            raise ValueError("it has no header row")
         header, _, body = text.partition("\n")
         columns = header.split(",")
         while ",," in body:

@@ -50,6 +50,20 @@ class Runs(Case):
         self.assertEqual(thermo.dtype["step"], np.int64)
         np.testing.assert_array_equal(thermo["pressure"], run.thermo["pressure"])
 
+    def test_a_line_that_is_being_written_is_left_out(self):
+        run = self.run_of()
+        thermo = self.folder / "run" / "thermo.csv"
+        whole = thermo.read_text()
+        header, last = whole.index("\n"), whole[:-1].rindex("\n") + 1
+        for cut in range(last, len(whole)):  # the last digits of a number may be missing, and it still reads as one
+            thermo.write_text(whole[:cut])
+            self.assertEqual(len(run.thermo), 6, whole[last:cut])
+        thermo.write_text(whole[:header + 1])
+        self.assertEqual(len(run.thermo), 0)
+        for text in ("", whole[:header]):
+            thermo.write_text(text)
+            self.assertRaisesText(ljmd.DataError, "no header row", of=lambda: run.thermo)
+
     def test_a_directory_is_opened_again(self):
         run = self.run_of()
         again = ljmd.open(self.folder / "run")
