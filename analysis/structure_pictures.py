@@ -125,6 +125,25 @@ def stress_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
                          caption(run, "viscosity", r"$\eta$", r"$\epsilon \tau/\sigma^3$"))
 
 
+def film(run: RunDirectory, table: Table) -> plt.Figure:
+    """The density and the two pressures across a film of liquid."""
+    figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(7.0, 6.0), constrained_layout=True)
+    z = table["z"]
+    draw_band(upper, z, table["density"], table["density_standard_error"], style.BLUE)
+    upper.set_ylim(bottom=0.0)
+    upper.set_ylabel(r"$\rho$ / $\sigma^{-3}$")
+    lower.axhline(0.0, color=style.GREY, linewidth=0.8, linestyle="--")
+    for name, colour, label in (("normal", style.GREEN, "normal"), ("tangential", style.ORANGE, "tangential")):
+        draw_band(lower, z, table[f"{name}_pressure"], table[f"{name}_pressure_standard_error"], colour, label)
+    title = caption(run, "surface_tension", r"$\gamma$", r"$\epsilon/\sigma^2$")
+    lower.legend(loc="lower right", title=title if "=" in title else None)
+    lower.set_xlim(z[0], z[-1])
+    lower.set_xlabel(r"$z$ / $\sigma$")
+    lower.set_ylabel(r"$p$ / ($\epsilon/\sigma^3$)")
+    figure.align_ylabels([upper, lower])
+    return finish(figure, run)
+
+
 # table -> its first column, the others that are drawn, how
 PICTURES = {
     "sk": ("k", ("S", "S_standard_error"), structure_factor),
@@ -134,6 +153,8 @@ PICTURES = {
     "vibrational_spectrum": ("angular_frequency", ("spectrum", "spectrum_standard_error"), vibrational_spectrum),
     "stress_autocorrelation": ("time", ("stress_autocorrelation", "stress_autocorrelation_standard_error", "viscosity",
                                         "viscosity_standard_error"), stress_autocorrelation),
+    "film": ("z", ("density", "density_standard_error", "normal_pressure", "normal_pressure_standard_error",
+                   "tangential_pressure", "tangential_pressure_standard_error"), film),
 }
 
 

@@ -156,7 +156,9 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
     const Deck deck = to_deck(path, file, settings, units, tables, std::move(given));
     if (tables.system.lattice) {  // a file is checked later, see check_start
         check_start_effects(tables, false, diagnostics);
-        check_phase(deck, *tables.system.density, diagnostics);
+        if (!tables.system.lattice->height) {
+            check_phase(deck, *tables.system.density, diagnostics);
+        }
     }
     return deck;
 }

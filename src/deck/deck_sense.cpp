@@ -39,7 +39,14 @@ void check_lattice(const Placed<FluidTables>& tables, Diagnostics& diagnostics) 
     }
     const bool no_cells = lattice.absent(&LatticeTable::cells);
     const bool no_atoms = lattice.absent(&LatticeTable::atoms);
-    if (lattice.is_random()) {
+    if (lattice.atoms && lattice.layers) {
+        diagnostics.error(lattice.location(&LatticeTable::layers), "'layers' in lattice goes with 'cells'",
+                          "give 'cells' instead of 'atoms'");
+    } else if (lattice.is_random()) {
+        if (lattice.height) {
+            diagnostics.error(lattice.location(&LatticeTable::height),
+                              "'height' in lattice has no meaning for a random start", "a film starts from a crystal");
+        }
         if (lattice.cells) {
             diagnostics.error(lattice.location(&LatticeTable::cells),
                               "'cells' in lattice has no meaning for a random start", "give 'atoms'");
@@ -61,7 +68,7 @@ void check_lattice(const Placed<FluidTables>& tables, Diagnostics& diagnostics) 
                                           lattice_atoms(lattice.crystal(), near.above)));
         }
     } else if (lattice.given(&LatticeTable::cells)) {
-        report(lattice_mistakes({lattice.crystal(), *lattice.cells}), tables, diagnostics);
+        report(lattice_mistakes(lattice.start()), tables, diagnostics);
     }
 }
 
@@ -164,22 +171,37 @@ void check_output(const Placed<FluidOutputTable>& output, bool has_units, Diagno
     }
 }
 
-/// Number of atoms of a lattice start; nothing if the deck has too many errors to determine it or the box.
-std::optional<Index> lattice_start(const Placed<SystemTable>& system) {
+struct LatticeAtoms {
+    Index atoms;
+    Box box;
+};
+
+/// Atoms and box of a lattice start; nothing if the deck has too many errors to determine them.
+std::optional<LatticeAtoms> lattice_start(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
+    const Placed<SystemTable>& system = tables.system;
     if (!system.given(&SystemTable::lattice) || !system.given(&SystemTable::density)) {
         return std::nullopt;
     }
     const Placed<LatticeTable>& lattice = *system.lattice;
     const bool by_cells = lattice.given(&LatticeTable::cells);
-    if (!lattice.given(&LatticeTable::type) || lattice.given(&LatticeTable::atoms) == by_cells) {
+    if (!lattice.given(&LatticeTable::type) || lattice.given(&LatticeTable::atoms) == by_cells ||
+        !lattice.sound(&LatticeTable::layers) || !lattice.sound(&LatticeTable::height) ||
+        (!by_cells && lattice.layers) || (lattice.is_random() && lattice.height)) {
         return std::nullopt;
     }
     if (lattice.is_random()) {
-        return by_cells ? std::nullopt : lattice.atoms;
+        return by_cells ? std::nullopt
+                        : std::optional(LatticeAtoms{*lattice.atoms, cubic_box(*lattice.atoms, *system.density)});
     }
-    const Lattice crystal = lattice.crystal();
-    const auto near = by_cells ? NearestCells{*lattice.cells, *lattice.cells} : nearest_cells(crystal, *lattice.atoms);
-    return near.below == near.above ? std::optional(lattice_atoms(crystal, near.below)) : std::nullopt;
+    const LatticeStart start = lattice.start();
+    const Index atoms = lattice_atoms(start.lattice, start.cells, start.layers_along_z());
+    if ((!by_cells && atoms != *lattice.atoms) || !lattice_mistakes(start).empty()) {
+        return std::nullopt;
+    }
+    const bool has_tail = tables.potential.given(&PotentialTable::tail) && tables.potential.has_tail();
+    const std::vector<Mistake> of_film = film_mistakes(start, *system.density, has_tail);
+    report(of_film, tables, diagnostics);
+    return of_film.empty() ? std::optional(LatticeAtoms{atoms, lattice_box(start, *system.density)}) : std::nullopt;
 }
 
 }  // namespace
@@ -200,10 +222,10 @@ void check_sense(const Placed<FluidTables>& tables, bool has_units, bool force, 
     }
     check_stages(tables, force, diagnostics);
     check_output(tables.output, has_units, diagnostics);
-    if (const auto atoms = has_system ? lattice_start(system) : std::nullopt) {
-        const Box box = cubic_box(*atoms, *system.density);
-        check_box(tables, *atoms,
-                  potential.given(&PotentialTable::radius) ? box_for_cutoff(box, potential.radius) : box, diagnostics);
+    if (const auto start = has_system ? lattice_start(tables, diagnostics) : std::nullopt) {
+        const Box box = potential.given(&PotentialTable::radius) ? box_for_cutoff(start->box, potential.radius)
+                                                                 : start->box;
+        check_box(tables, start->atoms, box, diagnostics);
     }
 }
 

@@ -23,8 +23,7 @@ std::variant<LatticeStart, RandomStart, Configuration> start_of(const SystemTabl
     if (table.is_random()) {
         return RandomStart{*table.atoms};
     }
-    const Lattice crystal = table.crystal();
-    return LatticeStart{crystal, table.cells ? *table.cells : nearest_cells(crystal, *table.atoms).below};
+    return table.start();
 }
 
 Start start_from_file(const SystemTable& system, const std::optional<SubstanceUnits>& units) {

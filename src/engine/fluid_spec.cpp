@@ -35,6 +35,16 @@ class Complaints {
     std::vector<std::string> found_;
 };
 
+Box exact_box_of(const FluidSpec& spec) {
+    if (const auto* configuration = std::get_if<Configuration>(&spec.start)) {
+        return Box(configuration->edges);
+    }
+    if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
+        return lattice_box(*crystal, spec.density);
+    }
+    return cubic_box(atoms_of(spec), spec.density);
+}
+
 bool all_finite(const std::vector<Vec3>& vectors) {
     return std::ranges::all_of(vectors, [](const Vec3& v) { return v.allFinite(); });
 }
@@ -68,6 +78,9 @@ void judge_start(const FluidSpec& spec, Complaints& complaints) {
     }
     if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
         complaints.add(lattice_mistakes(*crystal));
+        if (complaints.empty()) {
+            complaints.add(film_mistakes(*crystal, spec.density, spec.tail));
+        }
     } else {
         const Index atoms = atoms_of(spec);
         complaints.add(atoms < 1 || atoms > max_atoms, "start",
@@ -116,7 +129,7 @@ Interaction FluidSpec::interaction() const {
 
 Index atoms_of(const FluidSpec& spec) {
     if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
-        return lattice_atoms(crystal->lattice, crystal->cells);
+        return lattice_atoms(crystal->lattice, crystal->cells, crystal->layers_along_z());
     }
     if (const auto* random = std::get_if<RandomStart>(&spec.start)) {
         return random->atoms;
@@ -124,10 +137,14 @@ Index atoms_of(const FluidSpec& spec) {
     return static_cast<Index>(std::get<Configuration>(spec.start).positions.size());
 }
 
+Box lattice_box(const LatticeStart& start, double density) {
+    Vec3 edges = crystal_edges(start.lattice, start.cells, start.layers_along_z(), density);
+    edges.z() = start.height.value_or(edges.z());
+    return Box(edges);
+}
+
 Box box_of(const FluidSpec& spec) {
-    const auto* configuration = std::get_if<Configuration>(&spec.start);
-    const Box box = configuration != nullptr ? Box(configuration->edges) : cubic_box(atoms_of(spec), spec.density);
-    return box_for_cutoff(box, spec.potential.cutoff().radius);
+    return box_for_cutoff(exact_box_of(spec), spec.potential.cutoff().radius);
 }
 
 bool keeps_velocities(const FluidSpec& spec) {

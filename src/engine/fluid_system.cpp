@@ -60,8 +60,8 @@ FluidSystem empty_fluid(const FluidSpec& spec, Index atoms, const Box& box, cons
     FluidSystem fluid{
         State(atoms, box, execution), make_force_field(spec, execution), spec.interaction().tail, std::nullopt, {}};
     fluid.analyses = make_analyses(spec, fluid.state);
-    if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
-        fluid.order.emplace(crystal->lattice, crystal->cells);
+    if (const auto* crystal = std::get_if<LatticeStart>(&spec.start); crystal != nullptr && !crystal->height) {
+        fluid.order.emplace(crystal->lattice, crystal->cells, crystal->layers_along_z());
     }
     return fluid;
 }
@@ -99,7 +99,12 @@ FluidSystem make_fluid(const FluidSpec& spec, const Execution& execution,
     if (const auto* configuration = std::get_if<Configuration>(&spec.start)) {
         place_configuration(fluid.state, *configuration);
     } else if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
-        place(fluid.state, lattice_sites(crystal->lattice, crystal->cells, box));
+        const Index layers = crystal->layers_along_z();
+        Vec3 edges = box.edges();
+        if (crystal->height) {
+            edges.z() = crystal_edges(crystal->lattice, crystal->cells, layers, spec.density).z();
+        }
+        place(fluid.state, lattice_sites(crystal->lattice, crystal->cells, layers, edges, box));
     } else {
         place(fluid.state, random_positions(atoms, box, spec.seed));
         fluid.force_field.set_external(nullptr);  // overlaps are pushed apart, but atoms do not fall meanwhile

@@ -193,10 +193,34 @@ std::vector<Mistake> lattice_mistakes(const LatticeStart& lattice) {
     if (lattice.cells < 1 || lattice.cells > max_cells) {
         found.add({"lattice.cells"},
                   fmt::format("{} cells along an edge: allowed are 1 to {}", lattice.cells, max_cells));
-    } else if (const Index atoms = lattice_atoms(lattice.lattice, lattice.cells); atoms > max_atoms) {
+    } else if (lattice.layers && (*lattice.layers < 1 || *lattice.layers > max_cells)) {
+        found.add({"lattice.layers"}, fmt::format("{} layers: allowed are 1 to {}", *lattice.layers, max_cells));
+    } else if (const Index atoms = lattice_atoms(lattice.lattice, lattice.cells, lattice.layers_along_z());
+               atoms > max_atoms) {
         found.add_of_key({"lattice.cells"}, fmt::format("makes {} atoms, more than {}", atoms, max_atoms));
     }
     return found.take();
+}
+
+std::vector<Mistake> film_mistakes(const LatticeStart& lattice, double density, bool tail) {
+    Mistakes found("system");
+    if (!lattice.height) {
+        return {};
+    }
+    const double crystal = crystal_edges(lattice.lattice, lattice.cells, lattice.layers_along_z(), density).z();
+    if (!(*lattice.height >= crystal && std::isfinite(*lattice.height))) {
+        found.add_of_key({"lattice.height", "lattice.cells", "lattice.layers", "density"},
+                         fmt::format("is {}, but the crystal is {:.6g} sigma high", *lattice.height, crystal));
+    }
+    std::vector<Mistake> all = found.take();
+    if (tail) {
+        Mistakes of_potential("potential");
+        of_potential.add({"tail"},
+                         "a film is not homogeneous, as the tail correction takes for granted: use a shifted form, or "
+                         "tail = false");
+        of_potential.move_to(all);
+    }
+    return all;
 }
 
 std::vector<Mistake> potential_mistakes(const std::string& truncation, const Cutoff& cutoff, bool tail) {

@@ -185,7 +185,8 @@ class TimeLoop {
         }
         observer_.step_done(stage, evaluation);
         if (pressure_wanted) {
-            parts.barostat->apply(state_, virial_pressure(state_, evaluation, interaction_->tail));
+            parts.barostat->apply(state_, {virial_pressure(state_, evaluation, interaction_->tail),
+                                           virial_pressures(state_, evaluation, interaction_->tail)});
         }
     }
 

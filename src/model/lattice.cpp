@@ -45,12 +45,19 @@ Index sites_per_cell(Lattice lattice) {
     return static_cast<Index>(basis(lattice).size());
 }
 
-Index lattice_atoms(Lattice lattice, Index cells) {
+Index lattice_atoms(Lattice lattice, Index cells, Index layers) {
     constexpr Index max_cells = Index{1} << 20;  // 4 * 2^60 sites fit into an Index
-    if (cells < 0 || cells > max_cells) {
-        throw InputError(fmt::format("a crystal of {} cells along each edge: allowed are 0 to {}", cells, max_cells));
+    for (const Index along_edge : {cells, layers}) {
+        if (along_edge < 0 || along_edge > max_cells) {
+            throw InputError(
+                fmt::format("a crystal of {} cells along an edge: allowed are 0 to {}", along_edge, max_cells));
+        }
     }
-    return sites_per_cell(lattice) * cells * cells * cells;
+    return sites_per_cell(lattice) * cells * cells * layers;
+}
+
+Index lattice_atoms(Lattice lattice, Index cells) {
+    return lattice_atoms(lattice, cells, cells);
 }
 
 NearestCells nearest_cells(Lattice lattice, Index atoms) {
@@ -66,11 +73,17 @@ Box cubic_box(Index atoms, double density) {
     return Box(Vec3::Constant(std::cbrt(static_cast<double>(atoms) / density)));
 }
 
-std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box) {
-    const Vec3 cell = box.edges() / static_cast<double>(cells);
+Vec3 crystal_edges(Lattice lattice, Index cells, Index layers, double density) {
+    const double edge = cubic_box(lattice_atoms(lattice, cells), density).shortest_edge();
+    return {edge, edge, edge * (static_cast<double>(layers) / static_cast<double>(cells))};
+}
+
+std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, Index layers, const Vec3& edges, const Box& box) {
+    const Vec3 cell =
+        edges.cwiseQuotient(Eigen::Matrix<Index, 3, 1>(cells, cells, layers).cast<double>());
     std::vector<Vec3> sites;
-    sites.reserve(static_cast<std::size_t>(lattice_atoms(lattice, cells)));
-    for (Index z = 0; z < cells; ++z) {
+    sites.reserve(static_cast<std::size_t>(lattice_atoms(lattice, cells, layers)));
+    for (Index z = 0; z < layers; ++z) {
         for (Index y = 0; y < cells; ++y) {
             for (Index x = 0; x < cells; ++x) {
                 const Vec3 corner(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
@@ -81,6 +94,10 @@ std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box) {
         }
     }
     return sites;
+}
+
+std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box) {
+    return lattice_sites(lattice, cells, cells, box.edges(), box);
 }
 
 std::vector<Vec3> random_positions(Index atoms, const Box& box, std::uint64_t seed) {

@@ -62,6 +62,12 @@ double virial_pressure(const State& state, const Evaluation& evaluation, const T
     return evaluation.virial.trace() / (3.0 * volume) + tail.pressure(static_cast<double>(state.count()) / volume);
 }
 
+Vec3 virial_pressures(const State& state, const Evaluation& evaluation, const TailCorrection& tail) {
+    const double volume = state.box().volume();
+    return (evaluation.virial.diagonal() / volume).array() +
+           tail.pressure(static_cast<double>(state.count()) / volume);
+}
+
 Mat3 mechanical_stress(const State& state, const Evaluation& evaluation) {
     return (kinetic_sums(state).topLeftCorner<3, 3>() + evaluation.virial) / state.box().volume();
 }

@@ -97,8 +97,14 @@ std::string system_text(const FluidSpec& spec, const std::filesystem::path& star
     Settings settings;
     std::string text = "\n[system]\n";
     if (const auto* crystal = std::get_if<LatticeStart>(&spec.start)) {
-        text += fmt::format("lattice = {}\n", inline_table({{"type", lattice_name(crystal->lattice)},
-                                                            {"cells", std::int64_t{crystal->cells}}}));
+        Settings lattice{{"type", lattice_name(crystal->lattice)}, {"cells", std::int64_t{crystal->cells}}};
+        if (crystal->layers) {
+            lattice.emplace_back("layers", std::int64_t{*crystal->layers});
+        }
+        if (crystal->height) {
+            lattice.emplace_back("height", *crystal->height);
+        }
+        text += fmt::format("lattice = {}\n", inline_table(lattice));
     } else if (const auto* random = std::get_if<RandomStart>(&spec.start)) {
         text +=
             fmt::format("lattice = {}\n", inline_table({{"type", "random"}, {"atoms", std::int64_t{random->atoms}}}));

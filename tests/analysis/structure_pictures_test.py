@@ -33,6 +33,13 @@ def write_tables(run: Path) -> Path:
     fixtures.write_csv(run / "stress_autocorrelation.csv",
                        {"time": TIME, "stress_autocorrelation": decay, "stress_autocorrelation_standard_error": error,
                         "viscosity": 3.0 * (1.0 - decay), "viscosity_standard_error": error})
+    z = np.linspace(-19.75, 19.75, 80)
+    surfaces = np.exp(-((np.abs(z) - 6.0) ** 2))
+    error = np.full(z.size, 0.01)
+    fixtures.write_csv(run / "film.csv",
+                       {"z": z, "density": 0.8 / (1.0 + np.exp(np.abs(z) - 6.0)), "density_standard_error": error,
+                        "normal_pressure": 0.0 * z, "normal_pressure_standard_error": error,
+                        "tangential_pressure": -0.3 * surfaces, "tangential_pressure_standard_error": error})
     return run
 
 

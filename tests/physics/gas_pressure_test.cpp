@@ -147,13 +147,13 @@ TEST_CASE("a barostat makes the isothermal-isobaric ensemble of an ideal gas, wi
     // tests/physics/gases.py.
     constexpr double p = 0.5;
     constexpr double t = 1.3;
+    const std::string type = GENERATE("stochastic-cell-rescaling\"", "anisotropic-cell-rescaling\", edges = \"z\"");
     for (const std::string& name : canonical_thermostats()) {
-        CAPTURE(name);
+        CAPTURE(name, type);
         const Sampled gas(gas_deck(ideal_gas, p / t, t, 400000,
-                                   thermostat(name) +
-                                       fmt::format("barostat = {{ type = \"stochastic-cell-rescaling\", pressure = {}, "
-                                                   "time = 3.0, compressibility = {}, every = 1 }}",
-                                                   p, 1.0 / p)),
+                                   thermostat(name) + fmt::format("barostat = {{ type = \"{}, pressure = {}, time = 3.0, "
+                                                                  "compressibility = {}, every = 1 }}",
+                                                                  type, p, (type.find("edges") == std::string::npos ? 1.0 : 3.0) / p)),
                           1);
         const Estimate density = gas(Sampled::density);
         const Estimate volume = gas(Sampled::volume);

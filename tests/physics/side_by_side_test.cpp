@@ -35,7 +35,7 @@ End end_of_run(const ExecutionOptions& options) {
     const Evaluation last = force_field.evaluate(state, Request::forces_and_energy);
     return {
         test::unwrapped_by_id(state), test::by_id(state, state.velocities()),         last.potential_energy,
-        kinetic_energy(state),        TranslationalOrder(Lattice::fcc, cells)(state), pair_histogram(state, 2.5, 50)};
+        kinetic_energy(state),        TranslationalOrder(Lattice::fcc, cells, cells)(state), pair_histogram(state, 2.5, 50)};
 }
 
 void check_equal(const End& a, const End& b) {

@@ -37,7 +37,7 @@ Run run_with(int threads, Precision precision, const std::string& search, const 
             test::by_id(state, state.velocities()),
             last,
             thermodynamics(state, last, TailCorrection(potential)),
-            TranslationalOrder(Lattice::fcc, unit_cells)(state),
+            TranslationalOrder(Lattice::fcc, unit_cells, unit_cells)(state),
             rdf.tables().at(0)};
 }
 

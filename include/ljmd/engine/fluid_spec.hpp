@@ -22,10 +22,14 @@
 
 namespace ljmd {
 
-/// A cubic box filled with a crystal.
+/// A box filled with a crystal. With a height it is a film: the crystal fills the lower part of the box.
 struct LatticeStart {
     Lattice lattice = Lattice::fcc;
-    Index cells = 6;  ///< cubic cells along each edge; an fcc cell has 4 atoms
+    Index cells = 6;                      ///< cubic cells along x and y, and along z; an fcc cell has 4 atoms
+    std::optional<Index> layers = {};     ///< cubic cells along z instead
+    std::optional<double> height = {};    ///< edge of the box along z [sigma], at least that of the crystal
+
+    [[nodiscard]] Index layers_along_z() const { return layers.value_or(cells); }
 };
 
 /// A cubic box with atoms at random places, which are pushed apart before the first step.
@@ -56,7 +60,7 @@ struct NeighborSpec {
 struct FluidSpec {
     /// Where the atoms are at the start. A configuration brings its own box, and its velocities if it has any.
     std::variant<LatticeStart, RandomStart, Configuration> start = LatticeStart{};
-    double density = 0.8;                    ///< N/V of a lattice or random start [sigma^-3]
+    double density = 0.8;                    ///< N/V of a random start; of the crystal of a lattice start [sigma^-3]
     std::optional<double> temperature = {};  ///< from which velocities are drawn [epsilon/k_B]; stages have their own
     bool keep_velocities = true;             ///< those of a configuration that has any; else all are drawn
     std::uint64_t seed = 1;                  ///< of all random numbers, but for stages with a seed of their own
@@ -81,6 +85,9 @@ struct FluidSpec {
 
 /// Number of atoms at the start.
 [[nodiscard]] Index atoms_of(const FluidSpec& spec);
+
+/// Box of a lattice start, at the density of its crystal [sigma^-3].
+[[nodiscard]] Box lattice_box(const LatticeStart& start, double density);
 
 /// Box at the start. An edge that is twice the cutoff but for rounding is made twice the cutoff, see box_for_cutoff.
 [[nodiscard]] Box box_of(const FluidSpec& spec);

@@ -18,6 +18,12 @@ struct PressureBath {
     double shortest_edge;  ///< shortest edge allowed [sigma]
 };
 
+/// The pressure of the pairs, tail included: without the part of the motion [epsilon/sigma^3].
+struct VirialPressure {
+    double mean;  ///< W/(3 V) + p_tail
+    Vec3 along;   ///< W_aa/V + p_tail along each edge
+};
+
 /// Holds a pressure by changing the box and scaling the positions with it. It has no memory from one change to the
 /// next.
 class Barostat {
@@ -28,9 +34,9 @@ class Barostat {
     [[nodiscard]] virtual bool due(Index step_of_stage) const = 0;
 
     /// Act between two steps. If the box changes, forces become stale.
-    /// @param virial_pressure  W/(3 V) of the state, tail included [epsilon/sigma^3]
+    /// @param pressure  of the state
     /// @throws PhysicsError if the pressure is too far from its target, or if the box becomes too small
-    virtual void apply(State& state, double virial_pressure) const = 0;
+    virtual void apply(State& state, const VirialPressure& pressure) const = 0;
 
   protected:
     Barostat() = default;

@@ -9,7 +9,7 @@
 
 namespace ljmd {
 
-/// Crystal lattices that can fill a cubic box.
+/// Crystal lattices of cubic cells.
 enum class Lattice { fcc, simple_cubic };
 
 /// "fcc", "simple-cubic"
@@ -21,7 +21,11 @@ enum class Lattice { fcc, simple_cubic };
 /// Sites per cubic cell: 4 for fcc, 1 for simple cubic.
 [[nodiscard]] Index sites_per_cell(Lattice lattice);
 
-/// Number of atoms in cells^3 cubic cells. @throws InputError unless 0 <= cells <= 2^20 (2^62 atoms of fcc)
+/// Number of atoms in cells x cells x layers cubic cells.
+/// @throws InputError unless 0 <= cells, layers <= 2^20 (2^62 atoms of fcc)
+[[nodiscard]] Index lattice_atoms(Lattice lattice, Index cells, Index layers);
+
+/// Number of atoms in cells^3 cubic cells. @throws InputError as above
 [[nodiscard]] Index lattice_atoms(Lattice lattice, Index cells);
 
 /// Numbers of cells along an edge whose crystals are nearest to `atoms` from below and from above. They are equal if
@@ -38,9 +42,20 @@ struct NearestCells {
 /// @pre atoms > 0, density > 0
 [[nodiscard]] Box cubic_box(Index atoms, double density);
 
-/// Sites of cells^3 cubic cells that fill the box; the first one lies at the origin.
+/// Edges of a crystal of cells x cells x layers cubic cells at a number density [sigma].
+/// @param density  [sigma^-3]
+/// @pre cells, layers > 0, density > 0
+[[nodiscard]] Vec3 crystal_edges(Lattice lattice, Index cells, Index layers, double density);
+
+/// Sites of cells x cells x layers cubic cells; the first one lies at the origin.
+/// @param edges  of the crystal [sigma], at most those of the box
+/// @param box    on whose grid the sites lie
+/// @return positions [sigma] inside the box
+[[nodiscard]] std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, Index layers, const Vec3& edges,
+                                              const Box& box);
+
+/// Sites of cells^3 cubic cells that fill the box.
 /// @param cells  number of cells along each edge, at least 1
-/// @return positions [sigma] inside the box, on its grid
 [[nodiscard]] std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box);
 
 /// Positions drawn uniformly in the box; atoms may overlap. They depend on box, seed and atom id only.

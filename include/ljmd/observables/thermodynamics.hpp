@@ -52,6 +52,10 @@ inline constexpr const char* no_temperature =
 /// @pre as for thermodynamics()
 [[nodiscard]] double virial_pressure(const State& state, const Evaluation& evaluation, const TailCorrection& tail);
 
+/// W_aa/V + p_tail along each edge [epsilon/sigma^3].
+/// @pre as for thermodynamics()
+[[nodiscard]] Vec3 virial_pressures(const State& state, const Evaluation& evaluation, const TailCorrection& tail);
+
 /// (sum m v v + W_ab)/V [epsilon/sigma^3]: the momentum flux through a plane, whose fluctuations determine the
 /// viscosity. Unlike the pressure tensor it is not scaled: where momentum is conserved, it has 3 N - 3 degrees of
 /// freedom.

@@ -40,6 +40,17 @@ void LatticeTable::describe(Description& description) {
         .at_most(1e9)
         .optional("taken from `cells`")
         .meaning("number of atoms instead of `cells`; required for random");
+    description.integer("layers", layers)
+        .at_least(1)
+        .at_most(100000)
+        .optional("`cells`")
+        .meaning("cubic cells along z, for an elongated box: N = 4 cells^2 layers (fcc)");
+    description.number("height", height)
+        .dimension(Dimension::length)
+        .unit("sigma")
+        .above(0.0)
+        .optional("that of the crystal")
+        .meaning("edge of the box along z: a higher box holds a film, with empty space above and below");
 }
 
 bool LatticeTable::is_random() const {
@@ -48,6 +59,11 @@ bool LatticeTable::is_random() const {
 
 Lattice LatticeTable::crystal() const {
     return find_lattice(type);
+}
+
+LatticeStart LatticeTable::start() const {
+    const Index along_edge = cells ? *cells : nearest_cells(crystal(), *atoms).below;
+    return {crystal(), along_edge, layers, height};
 }
 
 void SystemTable::describe(TableDescription& description) {
@@ -65,7 +81,9 @@ void SystemTable::describe(TableDescription& description) {
         .unit("sigma^-3")
         .at_least(min_density)
         .optional("that of `file`")
-        .meaning("number density N/V; with `file`, box and positions are scaled to it");
+        .meaning(
+            "number density N/V; of the crystal, where `lattice` has a `height`; with `file`, box and positions are "
+            "scaled to it");
     description.number("temperature", temperature)
         .dimension(Dimension::temperature)
         .unit("epsilon/k_B")

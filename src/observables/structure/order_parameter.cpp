@@ -5,11 +5,12 @@
 
 namespace ljmd {
 
-TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells)
-    : planes_(static_cast<double>(cells) * (lattice == Lattice::fcc ? 2.0 : 1.0)) {}
+TranslationalOrder::TranslationalOrder(Lattice lattice, Index cells, Index layers)
+    : planes_(Eigen::Matrix<Index, 3, 1>(cells, cells, layers).cast<double>() * (lattice == Lattice::fcc ? 2.0 : 1.0)) {
+}
 
 double TranslationalOrder::operator()(const State& state) const {
-    const Vec3 planes_per_length = planes_ * state.box().edges().cwiseInverse();
+    const Vec3 planes_per_length = planes_.cwiseProduct(state.box().edges().cwiseInverse());
     const Eigen::Vector4d turns(planes_per_length[0], planes_per_length[1], planes_per_length[2], 0.0);
     const CosineKernel kernel = cosine_kernel(state.execution().simd());
     const double* r = state.positions().data();  // the three coordinates of an atom are followed by a zero

@@ -12,7 +12,7 @@ TEST_CASE("the order parameter is 1 on the lattice it is made for") {
     const Lattice lattice = GENERATE(Lattice::fcc, Lattice::simple_cubic);
     const Index cells = GENERATE(Index{1}, Index{3}, Index{6});
     const State state = test::crystal_state(lattice, cells, cubic_box(lattice_atoms(lattice, cells), 0.8442));
-    CHECK(TranslationalOrder(lattice, cells)(state) == Approx(1.0).epsilon(1e-12));
+    CHECK(TranslationalOrder(lattice, cells, cells)(state) == Approx(1.0).epsilon(1e-12));
 }
 
 TEST_CASE("a shift of the crystal along x by half the distance of its planes gives (-1 + 1 + 1) / 3") {
@@ -23,7 +23,7 @@ TEST_CASE("a shift of the crystal along x by half the distance of its planes giv
     for (Index i = 0; i < state.count(); ++i) {
         state.write_positions()(0, i) += half;
     }
-    CHECK(TranslationalOrder(lattice, 4)(state) == Approx(1.0 / 3.0).epsilon(1e-12));
+    CHECK(TranslationalOrder(lattice, 4, 4)(state) == Approx(1.0 / 3.0).epsilon(1e-12));
 }
 
 TEST_CASE("the order parameter is the mean of the cosines that define it") {
@@ -33,17 +33,17 @@ TEST_CASE("the order parameter is the mean of the cosines that define it") {
     for (Index i = 0; i < state.count(); ++i) {
         sum += (2.0 * std::numbers::pi * 6.0 * state.positions().col(i).cwiseQuotient(edges)).array().cos().sum();
     }
-    CHECK(TranslationalOrder(Lattice::fcc, 3)(state) == Approx(sum / 3000.0).epsilon(1e-12).margin(1e-13));
+    CHECK(TranslationalOrder(Lattice::fcc, 3, 3)(state) == Approx(sum / 3000.0).epsilon(1e-12).margin(1e-13));
     State one = test::random_state(1, Box(edges), 1);
     for (int k = -70; k <= 70; ++k) {
         one.write_positions().col(0) = 0.05 * k * edges / 6.0;
-        CHECK(TranslationalOrder(Lattice::fcc, 3)(one) == Approx(std::cos(0.1 * std::numbers::pi * k)).margin(2e-13));
+        CHECK(TranslationalOrder(Lattice::fcc, 3, 3)(one) == Approx(std::cos(0.1 * std::numbers::pi * k)).margin(2e-13));
     }
 }
 
 TEST_CASE("wrapping, and scaling of the box, do not change the order parameter") {
     State state = test::shaken_crystal(4, 0.8442, 0.1, 3);  // atoms stand out of the box
-    const TranslationalOrder order(Lattice::fcc, 4);
+    const TranslationalOrder order(Lattice::fcc, 4, 4);
     const double before = order(state);
     CHECK(before > 0.5);
     CHECK(before < 0.95);
@@ -57,12 +57,12 @@ TEST_CASE("wrapping, and scaling of the box, do not change the order parameter")
 
 TEST_CASE("in a box that is no cube each edge has its own planes") {
     const Box box(Vec3(4.0, 5.0, 7.0));
-    CHECK(TranslationalOrder(Lattice::fcc, 2)(test::crystal_state(Lattice::fcc, 2, box)) == Approx(1.0).epsilon(1e-12));
+    CHECK(TranslationalOrder(Lattice::fcc, 2, 2)(test::crystal_state(Lattice::fcc, 2, box)) == Approx(1.0).epsilon(1e-12));
 }
 
 TEST_CASE("the order parameter of random positions scatters about 0 by (6 N)^(-1/2)") {
     const Index atoms = 500;
-    const TranslationalOrder order(Lattice::fcc, 5);
+    const TranslationalOrder order(Lattice::fcc, 5, 5);
     double sum = 0.0;
     double squares = 0.0;
     const int samples = 400;

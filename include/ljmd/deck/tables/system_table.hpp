@@ -23,11 +23,14 @@ struct LatticeTable {
     std::string type;
     std::optional<Index> cells;  ///< along an edge
     std::optional<Index> atoms;
+    std::optional<Index> layers;    ///< cells along z
+    std::optional<double> height;  ///< of the box [sigma]
 
     void describe(Description& description);
 
     [[nodiscard]] bool is_random() const;
-    [[nodiscard]] Lattice crystal() const;  ///< @pre !is_random()
+    [[nodiscard]] Lattice crystal() const;     ///< @pre !is_random()
+    [[nodiscard]] LatticeStart start() const;  ///< @pre !is_random(), and cells or atoms are given
 };
 
 /// [system]: atoms and box at the start.

@@ -14,14 +14,15 @@ namespace ljmd {
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98
 class TranslationalOrder {
   public:
-    /// @param cells  number of cubic cells along each edge of the box
-    TranslationalOrder(Lattice lattice, Index cells);
+    /// @param cells   number of cubic cells along x and along y
+    /// @param layers  number of cubic cells along z
+    TranslationalOrder(Lattice lattice, Index cells, Index layers);
 
     /// @pre the state's box is the one that was filled with the lattice, possibly scaled
     [[nodiscard]] double operator()(const State& state) const;
 
   private:
-    double planes_;
+    Vec3 planes_;  ///< n_a
 };
 
 }  // namespace ljmd
