@@ -116,6 +116,29 @@ TEST_CASE("one cell makes a crystal, and a box of unequal edges is filled") {
     CHECK(lattice_sites(Lattice::fcc, 1, box) == expected);
 }
 
+TEST_CASE("a crystal may have another number of cells along z, and leave room above") {
+    const Vec3 edges = crystal_edges(Lattice::fcc, 3, 5, 0.8);
+    CHECK(edges[0] == cubic_box(108, 0.8).edges()[0]);
+    CHECK(edges[1] == edges[0]);
+    CHECK(edges[2] == Approx(edges[0] * 5.0 / 3.0).epsilon(1e-15));
+    CHECK(lattice_atoms(Lattice::fcc, 3, 5) == 180);
+    CHECK(180.0 / edges.prod() == Approx(0.8).epsilon(1e-14));
+    const Box box(Vec3(edges[0], edges[1], 30.0));
+    const auto sites = lattice_sites(Lattice::fcc, 3, 5, edges, box);
+    REQUIRE(sites.size() == 180);
+    const double plane = edges[2] / 10.0;
+    std::map<long, int> in_plane;
+    for (const Vec3& site : sites) {
+        REQUIRE(site == box.snap(site));
+        ++in_plane[std::lround(site[2] / plane * 1e6)];
+    }
+    CHECK(in_plane.size() == 10);
+    CHECK(in_plane.rbegin()->first == 9000000);
+    CHECK(in_plane.rbegin()->second == 18);
+    CHECK_THROWS_AS(lattice_atoms(Lattice::fcc, 3, -1), InputError);
+    CHECK_THROWS_AS(lattice_atoms(Lattice::fcc, 3, (Index{1} << 20) + 1), InputError);
+}
+
 TEST_CASE("random positions lie in the box, on its grid, and fill it evenly") {
     const Box box(Vec3(3.1, 47.0, 0.59));
     constexpr Index atoms = 64000;

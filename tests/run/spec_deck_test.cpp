@@ -64,6 +64,7 @@ void check_told(const FluidSpec& wanted) {
     CHECK(atoms_of(found) == (std::holds_alternative<Configuration>(wanted.start) ? 0 : atoms_of(wanted)));
     if (!std::holds_alternative<Configuration>(wanted.start)) {
         CHECK(found.density == wanted.density);
+        CHECK(box_of(found).edges() == box_of(wanted).edges());
     }
     CHECK(found.temperature == wanted.temperature);
     CHECK(found.seed == wanted.seed);
@@ -113,6 +114,9 @@ TEST_CASE("the deck of a specification says what the specification says, to the 
     odd.stages[1].reverse = true;
     odd.stages[1].time_step = 1e-5 / 3.0;
     odd.units = SubstanceUnits(3.405e-10, 119.8 * 1.380649e-23, 39.948 * 1.66053906660e-27);
+    check_told(odd);
+    odd.start = LatticeStart{.cells = 3, .layers = 4, .height = 9.0 + 1.0 / 3.0};
+    odd.tail = false;
     check_told(odd);
     FluidSpec random = small_spec();
     random.start = RandomStart{200};

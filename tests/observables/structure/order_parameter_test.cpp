@@ -57,6 +57,10 @@ TEST_CASE("wrapping, and scaling of the box, do not change the order parameter")
 
 TEST_CASE("in a box that is no cube each edge has its own planes") {
     const Box box(Vec3(4.0, 5.0, 7.0));
+    const Vec3 edges = crystal_edges(Lattice::fcc, 2, 5, 0.8);
+    CHECK(TranslationalOrder(Lattice::fcc, 2, 5)(
+              test::state_of(lattice_sites(Lattice::fcc, 2, 5, edges, Box(edges)), Box(edges))) ==
+          Approx(1.0).epsilon(1e-12));
     CHECK(TranslationalOrder(Lattice::fcc, 2, 2)(test::crystal_state(Lattice::fcc, 2, box)) == Approx(1.0).epsilon(1e-12));
 }
 
