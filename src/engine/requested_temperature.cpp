@@ -77,7 +77,9 @@ std::string temperature_remark(const FluidSpec& spec, const std::optional<Estima
 std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec) {
     const PairPotential& potential = spec.potential;
     const double radius = potential.cutoff().radius;
-    if (potential.formula() != "lennard-jones" || spec.external) {
+    const auto* crystal = std::get_if<LatticeStart>(&spec.start);
+    const bool is_film = crystal != nullptr && crystal->height;
+    if (potential.formula() != "lennard-jones" || spec.external || is_film) {
         return std::nullopt;
     }
     if (potential.truncation() == "cut" && spec.tail && radius >= min_full_cutoff) {

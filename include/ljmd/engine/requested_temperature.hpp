@@ -20,7 +20,7 @@ namespace ljmd {
 [[nodiscard]] std::string temperature_remark(const FluidSpec& spec, const std::optional<Estimate>& found);
 
 /// The equation of state of exactly the fluid that is simulated; nothing if there is none. Cut at 2.5 sigma or
-/// farther out and with tail corrections, a fluid counts as the full Lennard-Jones fluid.
+/// farther out and with tail corrections, a fluid counts as the full Lennard-Jones fluid. A film has none.
 [[nodiscard]] std::optional<EquationOfState> equation_of_fluid(const FluidSpec& spec);
 
 /// Results of a run at constant energy, converted to the requested temperature.
