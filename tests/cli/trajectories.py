@@ -23,13 +23,17 @@ structure_factor = { every = 20, k_max = 6.0 }
 msd = { every = 10, max_time = 0.2 }
 vacf = { every = 5, max_time = 0.1 }
 viscosity = { every = 5, max_time = 0.1 }
+bulk_viscosity = { every = 5, max_time = 0.1 }
+thermal_conductivity = { every = 5, max_time = 0.1 }
 chemical_potential = { every = 20, insertions = 200 }
 """
 TRAJECTORY = ("thermo = { every = 5 }",
               'thermo = { every = 5 }\ntrajectory = { format = "xyz", every = 5, velocities = true }')
 LONG = ("steps = 40", "steps = 400")
-ALL = ("rdf", "structure_factor", "msd", "vacf", "viscosity", "chemical_potential")
-TABLES = ("rdf", "sk_from_rdf", "sk", "msd", "vacf", "vibrational_spectrum", "stress_autocorrelation")
+ALL = ("rdf", "structure_factor", "msd", "vacf", "viscosity", "bulk_viscosity", "thermal_conductivity",
+       "chemical_potential")
+TABLES = ("rdf", "sk_from_rdf", "sk", "msd", "vacf", "vibrational_spectrum", "stress_autocorrelation",
+          "pressure_autocorrelation", "heat_flux_autocorrelation")
 OBSERVABLES = ("coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "excess_chemical_potential",
                "temperature", "diffusion_infinite_system")
 SAMPLED = ("--from", "0.081")  # the first stage lasts 0.08 tau
