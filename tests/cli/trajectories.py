@@ -23,17 +23,13 @@ structure_factor = { every = 20, k_max = 6.0 }
 msd = { every = 10, max_time = 0.2 }
 vacf = { every = 5, max_time = 0.1 }
 viscosity = { every = 5, max_time = 0.1 }
-bulk_viscosity = { every = 5, max_time = 0.1 }
-thermal_conductivity = { every = 5, max_time = 0.1 }
 chemical_potential = { every = 20, insertions = 200 }
 """
 TRAJECTORY = ("thermo = { every = 5 }",
               'thermo = { every = 5 }\ntrajectory = { format = "xyz", every = 5, velocities = true }')
 LONG = ("steps = 40", "steps = 400")
-ALL = ("rdf", "structure_factor", "msd", "vacf", "viscosity", "bulk_viscosity", "thermal_conductivity",
-       "chemical_potential")
-TABLES = ("rdf", "sk_from_rdf", "sk", "msd", "vacf", "vibrational_spectrum", "stress_autocorrelation",
-          "pressure_autocorrelation", "heat_flux_autocorrelation")
+ALL = ("rdf", "structure_factor", "msd", "vacf", "viscosity", "chemical_potential")
+TABLES = ("rdf", "sk_from_rdf", "sk", "msd", "vacf", "vibrational_spectrum", "stress_autocorrelation")
 OBSERVABLES = ("coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "excess_chemical_potential",
                "temperature", "diffusion_infinite_system")
 SAMPLED = ("--from", "0.081")  # the first stage lasts 0.08 tau
@@ -79,6 +75,23 @@ def frames_of_a_run(*settings):
         as_the_run(t, "out/analysis", t.run_well("analyze", "out", *ALL, "--json"))
         after = {path: path.read_bytes() for path in (t.dir / "out").iterdir() if path.is_file()}
         t.equal(after, before, "the run's own files")
+    return test
+
+
+def fluxes_of_a_run(*settings):
+    """Thermal conductivity and bulk viscosity, which need a continuous potential; with the run's own and another number of
+    threads."""
+    def test(t):
+        names = ("thermal_conductivity", "bulk_viscosity")
+        continuous = DECK.replace('"cut"', '"shifted"').replace("tail = true\n", "") + "".join(
+            ["\n[analysis]\n", *(f"{name} = {{ every = 5, max_time = 0.1 }}\n" for name in names)])
+        run(t, *settings, text=continuous)
+        tables = ("heat_flux_autocorrelation", "pressure_autocorrelation")
+        for threads in ("1", "3"):
+            result = t.run_well("analyze", "out", *names, "--json", "--force", env={"OMP_NUM_THREADS": threads})
+            as_the_run(t, "out/analysis", result, tables, (*names, "temperature"))
+        t.deck(text=DECK)
+        t.golden("".join(t.expect(2, t.run("analyze", "out/trajectory.xyz", name, "--deck", "deck.toml")).err for name in names))
     return test
 
 
@@ -487,6 +500,7 @@ def cases():
         Case("the frames of a run in XYZ", frames_of_a_run()),
         Case("the frames of a run in H5MD", frames_of_a_run("output.trajectory.format=h5md")),
         Case("the frames of two stages", frames_of_a_run("stage.melt.sample=true", "stage.melt.steps=100")),
+        Case("heat flux and pressure of the frames of a run", fluxes_of_a_run()),
         Case("an analysis that there is not", refused(2, timed(0, 1), "rdff")),
         Case("thermo without velocities", refused(2, timed(0, 1), "thermo")),
         Case("thermo without a deck", refused(2, timed(0, 1, **WITH_VELOCITIES), "thermo")),
