@@ -1,5 +1,8 @@
 #include "ljmd/observables/transport/heat_flux.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -7,6 +10,17 @@
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
+
+namespace {
+
+struct Neighbour {
+    Index i;            ///< the atom that it is a neighbour of
+    double dx, dy, dz;  ///< from the neighbour to the atom
+    double r2;
+};
+constexpr std::size_t neighbours_at_once = 256;
+
+}  // namespace
 
 Vec3 heat_flux(const State& state, const PairPotential& potential) {
     const double cutoff = potential.cutoff().radius;
@@ -29,14 +43,27 @@ Vec3 heat_flux(const State& state, const PairPotential& potential) {
                 flux += 0.5 * v.col(i).squaredNorm() * v.col(i);
             }
             // Each pair is visited from both sides, and each side takes the terms with the velocity of its atom.
+            const auto add = [&](const Neighbour& near) {
+                const Vec3 r(near.dx, near.dy, near.dz);
+                const PairTerm<double> term = pair_term(pair, near.r2);
+                flux += 0.5 * (term.u * v.col(near.i) + term.w * r.dot(v.col(near.i)) * r);
+            };
+            // One candidate in seven is a neighbour. They are gathered first, without a branch to mispredict.
+            std::array<Neighbour, neighbours_at_once> gathered;
+            std::size_t count = 0;
+            const auto add_gathered = [&] {
+                std::for_each_n(gathered.begin(), count, add);
+                count = 0;
+            };
             cells.for_each_candidate(atoms, part, [&](const PairVisit& visit) {
-                const Vec3 r(visit.dx, visit.dy, visit.dz);
-                const double r2 = r.squaredNorm();
-                if (r2 < cutoff * cutoff) {
-                    const PairTerm<double> term = pair_term(pair, r2);
-                    flux += 0.5 * (term.u * v.col(visit.i) + term.w * r.dot(v.col(visit.i)) * r);
+                const double r2 = visit.dx * visit.dx + visit.dy * visit.dy + visit.dz * visit.dz;
+                gathered[count] = {visit.i, visit.dx, visit.dy, visit.dz, r2};
+                count += r2 < cutoff * cutoff ? 1 : 0;
+                if (count == gathered.size()) {
+                    add_gathered();
                 }
             });
+            add_gathered();
             return flux;
         };
         return join_blocks(atoms.execution(), cells.part_count(atoms), 1, Vec3(Vec3::Zero()), sum_of_part,

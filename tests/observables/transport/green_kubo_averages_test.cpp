@@ -10,17 +10,17 @@ using namespace ljmd;
 
 namespace {
 
-constexpr LagTimes lags{.every = 1, .count = 40, .spacing = 0.05};  // up to 2
+constexpr LagTimes noisy_lags{.every = 1, .count = 40, .spacing = 0.05};  // up to 2
 
 /// Correlations exp(-rate t) plus `tail`, each with noise that its integral adds up.
 GreenKuboAverages averages_of(double rate, double tail, double noise) {
-    GreenKuboAverages averages(lags);
+    GreenKuboAverages averages(noisy_lags);
     std::mt19937_64 generator(3);
     std::normal_distribution<double> normal;
     for (int window = 0; window < 400; ++window) {
-        Eigen::VectorXd c(lags.count + 1);
-        for (Index k = 0; k <= lags.count; ++k) {
-            c[k] = std::exp(-rate * lags.time(k)) + tail + noise * normal(generator);
+        Eigen::VectorXd c(noisy_lags.count + 1);
+        for (Index k = 0; k <= noisy_lags.count; ++k) {
+            c[k] = std::exp(-rate * noisy_lags.time(k)) + tail + noise * normal(generator);
         }
         averages.add(c, window % 2 == 0 ? 1.0 : 2.0);
     }
@@ -47,7 +47,7 @@ TEST_CASE("averages are those of the correlations, their integrals and the tempe
 }
 
 TEST_CASE("without a temperature to divide by there is no coefficient, and it says why") {
-    const ObservableAverage none = averages_of(3.0, 0.0, 0.1).coefficient({"c", "c", ""}, std::nan(""));
+    const ObservableAverage none = averages_of(3.0, 0.0, 0.1).coefficient({"c", "c", "", std::nullopt}, std::nan(""));
     CHECK_FALSE(none.estimate.has_value());
     CHECK_THAT(none.remark, Catch::Contains("divided by the temperature"));
 }
@@ -59,8 +59,8 @@ TEST_CASE("an integral has levelled out if what is still to come is below its er
     CHECK_FALSE(averages_of(8.0, 0.05, 0.05).has_levelled_out());  // a tail that stays
     // The change of 0.02 is significant, but after it 0.001 is left at most: less than the error of 0.004.
     CHECK(averages_of(3.8, 0.0, 0.25).has_levelled_out());
-    GreenKuboAverages few(lags);
-    few.add(Eigen::VectorXd::Ones(lags.count + 1), 1.0);
+    GreenKuboAverages few(noisy_lags);
+    few.add(Eigen::VectorXd::Ones(noisy_lags.count + 1), 1.0);
     CHECK(few.has_levelled_out());  // no errors to judge by
 }
 

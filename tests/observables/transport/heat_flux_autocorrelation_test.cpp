@@ -12,7 +12,7 @@ using namespace ljmd;
 
 namespace {
 
-const LagTimes lags{.every = 5, .count = 4, .spacing = 0.1};
+const LagTimes flux_lags{.every = 5, .count = 4, .spacing = 0.1};
 
 }  // namespace
 
@@ -20,7 +20,7 @@ TEST_CASE("a heat flux that stays gives its square, V/T^2 of which flows up to e
     State state = test::shaken_crystal(3, 0.8, 0.2, 3);
     draw_velocities(state, 1.5, 5);
     const SampledRun run = test::run_of(state);
-    HeatFluxAutocorrelation analysis(run, lags, 9);
+    HeatFluxAutocorrelation analysis(run, flux_lags, 9);
     CHECK_FALSE(analysis.needs_energy());
     for (int t = 0; t < 9; ++t) {
         CHECK(analysis.tables().empty());
@@ -49,7 +49,7 @@ TEST_CASE("a heat flux that stays gives its square, V/T^2 of which flows up to e
 
 TEST_CASE("atoms at rest have no thermal conductivity, and it says why") {
     const State state = test::shaken_crystal(3, 0.8, 0.2, 3);
-    HeatFluxAutocorrelation analysis(test::run_of(state), lags, 9);
+    HeatFluxAutocorrelation analysis(test::run_of(state), flux_lags, 9);
     for (int t = 0; t < 9; ++t) {
         analysis.sample(state, {});
     }

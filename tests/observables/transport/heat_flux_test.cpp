@@ -12,7 +12,7 @@ using namespace ljmd;
 
 namespace {
 
-const PairPotential shifted = PairPotential::lennard_jones("shifted", {2.5, 0.0});
+const PairPotential shifted_pair = PairPotential::lennard_jones("shifted", {2.5, 0.0});
 
 /// The formula, pair by pair with the minimum image, times V.
 Vec3 directly(const State& state, const PairPotential& potential) {
@@ -37,7 +37,7 @@ Vec3 energy_moment(const Eigen::Matrix3Xd& r, const Eigen::Matrix3Xd& v) {
     for (Index i = 0; i < r.cols(); ++i) {
         double energy = 0.5 * v.col(i).squaredNorm();
         for (Index j = 0; j < r.cols(); ++j) {
-            energy += j == i ? 0.0 : 0.5 * shifted((r.col(i) - r.col(j)).norm()).u;
+            energy += j == i ? 0.0 : 0.5 * shifted_pair((r.col(i) - r.col(j)).norm()).u;
         }
         sum += energy * r.col(i);
     }
@@ -53,7 +53,7 @@ TEST_CASE("the heat flux of two atoms is what the formula gives by hand") {
     v.col(0) = Vec3(1.0, 2.0, 0.0);
     v.col(1) = Vec3(-1.0, -2.0, 0.0);
     // With opposite velocities all that flows out with one atom flows back with the other.
-    CHECK(heat_flux(state, shifted).norm() < 1e-15);
+    CHECK(heat_flux(state, shifted_pair).norm() < 1e-15);
     state = test::state_of({Vec3(7.5, 4.0, 5.0), Vec3(0.75, 4.0, 5.0), Vec3(4.0, 8.9, 5.0)}, box);
     v = state.write_velocities();
     v.col(0) = Vec3(1.0, 0.0, 0.0);
@@ -65,11 +65,11 @@ TEST_CASE("the heat flux of two atoms is what the formula gives by hand") {
     // Kinetic: 1/2 (1, 0) + 10/2 (1, 3) + 13/2 (-2, -3); u/2 times (2, 3); the work is done along x, by velocities 1
     // + 1.
     const Vec3 expected(0.5 + 5.0 - 13.0 + u + virial, 15.0 - 19.5 + 1.5 * u, 0.0);
-    CHECK((heat_flux(state, shifted) * box.volume() - expected).norm() < 1e-12);
+    CHECK((heat_flux(state, shifted_pair) * box.volume() - expected).norm() < 1e-12);
 }
 
 TEST_CASE("the heat flux is that of a direct sum over all pairs, with every continuous truncation") {
-    for (const char* truncation : {"shifted", "force-shifted", "switched"}) {
+    for (const char* truncation : {"shifted", "force-shifted_pair", "switched"}) {
         CAPTURE(truncation);
         const PairPotential potential = PairPotential::lennard_jones(truncation, {2.5, 2.0});
         State state = test::shaken_crystal(4, 0.8, 0.2, 3);
@@ -98,7 +98,7 @@ TEST_CASE("the heat flux is the rate at which energy moves in an isolated cluste
         for (Index j = 0; j < r.cols(); ++j) {
             if (j != i) {
                 const Vec3 d = r.col(i) - r.col(j);
-                a.col(i) += shifted(d.norm()).w * d;
+                a.col(i) += shifted_pair(d.norm()).w * d;
             }
         }
     }
@@ -108,7 +108,7 @@ TEST_CASE("the heat flux is the rate at which energy moves in an isolated cluste
     const Vec3 before = energy_moment(r - h * v + 0.5 * h * h * a, v - h * a);
     const Vec3 rate = (after - before) / (2.0 * h);
     CHECK(rate.norm() > 1.0);
-    CHECK((heat_flux(state, shifted) * box.volume() - rate).norm() < 1e-6 * rate.norm());
+    CHECK((heat_flux(state, shifted_pair) * box.volume() - rate).norm() < 1e-6 * rate.norm());
 }
 
 TEST_CASE("atoms without neighbours carry their kinetic energy") {
@@ -119,17 +119,17 @@ TEST_CASE("atoms without neighbours carry their kinetic energy") {
     for (Index i = 0; i < state.count(); ++i) {
         expected += 0.5 * state.velocities().col(i).squaredNorm() * state.velocities().col(i);
     }
-    CHECK((heat_flux(state, shifted) * box.volume() - expected).norm() < 1e-12);
+    CHECK((heat_flux(state, shifted_pair) * box.volume() - expected).norm() < 1e-12);
 }
 
 TEST_CASE("the motion of the fluid as a whole carries no heat") {
     State state = test::shaken_crystal(3, 0.8, 0.2, 3);
     draw_velocities(state, 1.0, 5);
-    const Vec3 at_rest = heat_flux(state, shifted);
+    const Vec3 at_rest = heat_flux(state, shifted_pair);
     shift_velocities(state, Vec3(0.5, -2.0, 3.0));
-    CHECK((heat_flux(state, shifted) - at_rest).norm() < 1e-12);
+    CHECK((heat_flux(state, shifted_pair) - at_rest).norm() < 1e-12);
 }
 
 TEST_CASE("the heat flux of a box that is too small for the cutoff is refused") {
-    CHECK_THROWS_AS(heat_flux(test::random_state(3, Box(Vec3(9.0, 4.9, 9.0)), 1), shifted), ContractViolation);
+    CHECK_THROWS_AS(heat_flux(test::random_state(3, Box(Vec3(9.0, 4.9, 9.0)), 1), shifted_pair), ContractViolation);
 }

@@ -11,11 +11,11 @@ using namespace ljmd;
 
 namespace {
 
-const Box box(Vec3(4.0, 5.0, 6.0));
+const Box pressure_box(Vec3(4.0, 5.0, 6.0));
 
 /// Two atoms with opposite velocities, of temperature 2/3.
-State two_atoms() {
-    State state = test::random_state(2, box, 1);
+State atoms_of_pressure() {
+    State state = test::random_state(2, pressure_box, 1);
     auto v = state.write_velocities();
     v.col(0) = Vec3(0.6, 0.0, 0.8);
     v.col(1) = -v.col(0);
@@ -25,7 +25,7 @@ State two_atoms() {
 /// The virial that makes tr mechanical_stress/3 this pressure: kinetic part 2, and shares of the diagonal that differ.
 Evaluation evaluation_of(double pressure) {
     Evaluation evaluation;
-    evaluation.virial.diagonal() = (3.0 * pressure * box.volume() - 2.0) * Vec3(0.5, 0.3, 0.2);
+    evaluation.virial.diagonal() = (3.0 * pressure * pressure_box.volume() - 2.0) * Vec3(0.5, 0.3, 0.2);
     evaluation.virial(0, 1) = 7.0;
     return evaluation;
 }
@@ -48,16 +48,16 @@ class Pressures {
     double last_;
 };
 
-constexpr double rate = 2.5;
-const LagTimes lags{.every = 1, .count = 20, .spacing = 0.1};
+constexpr double pressure_rate = 2.5;
+const LagTimes pressure_lags{.every = 1, .count = 20, .spacing = 0.1};
 
 /// Stages of different energy, whose mean pressures differ by far more than they fluctuate.
 PressureAutocorrelation analysis_of(int stages, int frames, std::uint64_t seed) {
-    PressureAutocorrelation analysis(box, lags, 2 * lags.count);
-    const State state = two_atoms();
+    PressureAutocorrelation analysis(pressure_box, pressure_lags, 2 * pressure_lags.count);
+    const State state = atoms_of_pressure();
     for (int stage = 0; stage < stages; ++stage) {
         analysis.interrupt();
-        Pressures pressures(rate, lags.spacing, seed + 1000003U * static_cast<std::uint64_t>(stage));
+        Pressures pressures(pressure_rate, pressure_lags.spacing, seed + 1000003U * static_cast<std::uint64_t>(stage));
         for (int t = 0; t < frames; ++t) {
             analysis.sample(state, evaluation_of(20.0 * stage - 5.0 + pressures.next()));
         }
@@ -71,10 +71,11 @@ TEST_CASE(
     "the bulk viscosity is right, and so is its error, in stages so short that their mean pressure is uncertain") {
     constexpr int trials = 1500;
     double expected = 0.0;  // by the trapezoidal rule, as the analysis has it
-    for (Index k = 0; k < lags.count; ++k) {
-        expected += 0.05 * (std::exp(-rate * lags.time(k)) + std::exp(-rate * lags.time(k + 1)));
+    for (Index k = 0; k < pressure_lags.count; ++k) {
+        expected += 0.05 * (std::exp(-pressure_rate * pressure_lags.time(k)) +
+                            std::exp(-pressure_rate * pressure_lags.time(k + 1)));
     }
-    expected *= box.volume() / (2.0 / 3.0);
+    expected *= pressure_box.volume() / (2.0 / 3.0);
     double sum = 0.0;
     double squares = 0.0;
     double stated = 0.0;
@@ -82,7 +83,9 @@ TEST_CASE(
     for (int trial = 0; trial < trials; ++trial) {
         // Two stages of 20 times the largest time: uncorrected, the integral would be a tenth too low.
         const ObservableAverage found =
-            analysis_of(2, 20 * static_cast<int>(lags.count), static_cast<std::uint64_t>(trial)).observables().at(0);
+            analysis_of(2, 20 * static_cast<int>(pressure_lags.count), static_cast<std::uint64_t>(trial))
+                .observables()
+                .at(0);
         CHECK(found.name == "bulk_viscosity");
         if (found.estimate) {
             ++values;
@@ -102,10 +105,10 @@ TEST_CASE(
 }
 
 TEST_CASE("a pressure that stays has no correlation, and stages that are too short do not count") {
-    PressureAutocorrelation analysis(box, lags, 2 * lags.count);
+    PressureAutocorrelation analysis(pressure_box, pressure_lags, 2 * pressure_lags.count);
     CHECK(analysis.needs_energy());
-    const State state = two_atoms();
-    for (int t = 0; t < 10 * lags.count - 1; ++t) {
+    const State state = atoms_of_pressure();
+    for (int t = 0; t < 10 * pressure_lags.count - 1; ++t) {
         analysis.sample(state, evaluation_of(3.0));
     }
     CHECK(analysis.tables().empty());
@@ -121,9 +124,9 @@ TEST_CASE("a pressure that stays has no correlation, and stages that are too sho
 }
 
 TEST_CASE("atoms at rest have no bulk viscosity, and it says why") {
-    PressureAutocorrelation analysis(box, lags, 2 * lags.count);
-    const State state = test::random_state(2, box, 1);
-    for (int t = 0; t < 10 * lags.count; ++t) {
+    PressureAutocorrelation analysis(pressure_box, pressure_lags, 2 * pressure_lags.count);
+    const State state = test::random_state(2, pressure_box, 1);
+    for (int t = 0; t < 10 * pressure_lags.count; ++t) {
         analysis.sample(state, evaluation_of(3.0 + 0.1 * (t % 3)));
     }
     CHECK_FALSE(analysis.observables().at(0).estimate.has_value());
@@ -132,9 +135,9 @@ TEST_CASE("atoms at rest have no bulk viscosity, and it says why") {
 
 TEST_CASE("a pressure autocorrelation goes on from an archive bit for bit") {
     PressureAutocorrelation whole = analysis_of(2, 400, 4);
-    PressureAutocorrelation restored(box, lags, 2 * lags.count);
+    PressureAutocorrelation restored(pressure_box, pressure_lags, 2 * pressure_lags.count);
     test::through_archive(whole, restored);
-    const State state = two_atoms();
+    const State state = atoms_of_pressure();
     for (int t = 0; t < 60; ++t) {
         whole.sample(state, evaluation_of(15.0 + 0.1 * (t % 7)));
         restored.sample(state, evaluation_of(15.0 + 0.1 * (t % 7)));
