@@ -144,6 +144,26 @@ def film(run: RunDirectory, table: Table) -> plt.Figure:
     return finish(figure, run)
 
 
+def pressure_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
+    """The autocorrelation of the pressure, and the bulk viscosity that it adds up to."""
+    name = "pressure_autocorrelation"
+    above = (table[name], table[f"{name}_standard_error"], r"$\langle \delta p(0) \delta p(t) \rangle$ / ($\epsilon^2/\sigma^6$)")
+    below = (table["bulk_viscosity"], table["bulk_viscosity_standard_error"], r"$\eta_v(t)$ / ($\epsilon \tau/\sigma^3$)")
+    return integral_pair(run, table["time"], above, below,
+                         caption(run, "bulk_viscosity", r"$\eta_v$", r"$\epsilon \tau/\sigma^3$"))
+
+
+def heat_flux_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
+    """The autocorrelation of the heat flux, and the thermal conductivity that it adds up to."""
+    name = "heat_flux_autocorrelation"
+    above = (table[name], table[f"{name}_standard_error"],
+             r"$\langle \mathbf{J}(0) \cdot \mathbf{J}(t) \rangle / 3$ / ($\epsilon^2/\sigma^4\tau^2$)")
+    below = (table["thermal_conductivity"], table["thermal_conductivity_standard_error"],
+             r"$\lambda(t)$ / ($k_\mathrm{B}/\sigma\tau$)")
+    return integral_pair(run, table["time"], above, below,
+                         caption(run, "thermal_conductivity", r"$\lambda$", r"$k_\mathrm{B}/\sigma\tau$"))
+
+
 # table -> its first column, the others that are drawn, how
 PICTURES = {
     "sk": ("k", ("S", "S_standard_error"), structure_factor),
@@ -155,6 +175,11 @@ PICTURES = {
                                         "viscosity_standard_error"), stress_autocorrelation),
     "film": ("z", ("density", "density_standard_error", "normal_pressure", "normal_pressure_standard_error",
                    "tangential_pressure", "tangential_pressure_standard_error"), film),
+    "pressure_autocorrelation": ("time", ("pressure_autocorrelation", "pressure_autocorrelation_standard_error",
+                                          "bulk_viscosity", "bulk_viscosity_standard_error"), pressure_autocorrelation),
+    "heat_flux_autocorrelation": ("time", ("heat_flux_autocorrelation", "heat_flux_autocorrelation_standard_error",
+                                           "thermal_conductivity", "thermal_conductivity_standard_error"),
+                                  heat_flux_autocorrelation),
 }
 
 

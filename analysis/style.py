@@ -34,6 +34,8 @@ LABELS = {
     "diffusion": r"$D$ / ($\sigma^2/\tau$)",
     "diffusion_green_kubo": r"$D$ / ($\sigma^2/\tau$)",
     "viscosity": r"$\eta$ / ($\epsilon \tau/\sigma^3$)",
+    "bulk_viscosity": r"$\eta_v$ / ($\epsilon \tau/\sigma^3$)",
+    "thermal_conductivity": r"$\lambda$ / ($k_\mathrm{B}/\sigma\tau$)",
     "density": r"$\rho$ / $\sigma^{-3}$",
     "compressibility_factor": r"$Z = p / \rho k_\mathrm{B} T$",
     "r": r"$r$ / $\sigma$",

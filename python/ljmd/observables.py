@@ -55,5 +55,6 @@ def described(observables) -> list:
 BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy", "external_energy", "pressure",
             "compressibility_factor",
             *(f"pressure_{k}" for k in ("xx", "yy", "zz", "xy", "xz", "yz")), "virial", "heat_capacity_cv", "density",
-            "coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "diffusion_infinite_system",
+            "coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "bulk_viscosity",
+            "thermal_conductivity", "diffusion_infinite_system",
             "excess_chemical_potential"}

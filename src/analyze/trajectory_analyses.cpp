@@ -10,6 +10,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/deck/tables/fluid_tables.hpp"
+#include "ljmd/engine/mistakes.hpp"
 #include "ljmd/input/deck_file.hpp"
 #include "ljmd/input/deck_setting.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
@@ -126,6 +127,12 @@ std::string obstacle(const AnalysisMethod& method, const Deck* deck, const Sampl
         needs.interaction && run.interaction->potential.cutoff().radius > largest) {
         return fmt::format("needs the interaction, but the cutoff of the deck, {}, is more than half the box, {:.6g}",
                            run.interaction->potential.cutoff().radius, largest);
+    }
+    if (needs.continuous_potential && has_step(run.interaction->potential.truncation())) {
+        return fmt::format("needs a continuous potential: {}", step_in_words(run.interaction->potential.truncation()));
+    }
+    if (needs.constant_energy && run.held_temperature) {
+        return "needs frames at constant energy, and the deck holds the temperature with a thermostat while it samples";
     }
     return "";
 }

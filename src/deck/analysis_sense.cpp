@@ -42,6 +42,7 @@ void check_analyses(const Placed<FluidTables>& tables, Index atoms, const Box& b
     const SampledRun run = sampled_run(stages, stages.front().seed, atoms, box);
     report(analysis_mistakes(analyses, run), tables, diagnostics);
     report(sampling_mistakes(analyses, stages), tables, diagnostics);
+    report(analysis_need_mistakes(analyses, tables.potential.truncation, stages), tables, diagnostics);
     if (std::ranges::any_of(analyses, [](const ChosenAnalysis& chosen) { return chosen.plugin.follows_time; })) {
         check_motion(tables.stages, stages, diagnostics);
     }

@@ -190,6 +190,7 @@ std::vector<std::string> mistakes(const FluidSpec& spec, Precision precision) {
     complaints.add(stage_mistakes(spec.stages));
     complaints.add(fluid_stage_mistakes(spec.stages));
     complaints.add(external_force_mistakes(spec));
+    complaints.add(analysis_need_mistakes(spec.analyses, spec.potential.truncation(), spec.stages));
     if (!spec.stages.empty()) {
         complaints.add(sampling_mistakes(spec.analyses, spec.stages));
     }

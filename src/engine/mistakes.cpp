@@ -303,6 +303,48 @@ std::vector<Mistake> sampling_mistakes(const std::vector<ChosenAnalysis>& analys
     });
 }
 
+bool has_step(const std::string& truncation) {
+    return truncation == "cut";
+}
+
+std::string step_in_words(const std::string& truncation) {
+    return fmt::format(
+        "truncation = \"{}\" has a step at the cutoff, whose impulses are missing in the forces; continuous are "
+        "shifted, "
+        "force-shifted and switched",
+        truncation);
+}
+
+std::vector<Mistake> analysis_need_mistakes(const std::vector<ChosenAnalysis>& analyses, const std::string& truncation,
+                                            const std::vector<Stage>& stages) {
+    std::vector<Mistake> all;
+    for (const ChosenAnalysis& analysis : analyses) {
+        const AnalysisNeeds& needs = analysis.plugin.needs;
+        if (needs.continuous_potential && has_step(truncation)) {
+            Mistakes found("potential");
+            found.add({"truncation"}, fmt::format("the analysis {} needs a continuous potential: {}",
+                                                  analysis.plugin.name, step_in_words(truncation)));
+            found.move_to(all);
+        }
+        if (needs.constant_energy) {
+            std::ranges::move(judged(stages,
+                                     [&](const Stage& stage, Mistakes& found) {
+                                         if (stage.sample && stage.thermostat) {
+                                             found.add({"thermostat.type"},
+                                                       fmt::format("the analysis {} needs sampled stages at constant "
+                                                                   "energy: with a thermostat the pressure follows the "
+                                                                   "energy that it gives and takes",
+                                                                   analysis.plugin.name),
+                                                       "let a stage with the thermostat come first, and sample one "
+                                                       "without");
+                                         }
+                                     }),
+                              std::back_inserter(all));
+        }
+    }
+    return all;
+}
+
 std::vector<Mistake> analysis_mistakes(const std::vector<ChosenAnalysis>& analyses, const SampledRun& run) {
     std::vector<Mistake> all;
     for (const ChosenAnalysis& analysis : analyses) {

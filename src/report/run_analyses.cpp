@@ -25,8 +25,8 @@ struct AnalysisChart {
     bool logarithmic = false;
 };
 
-const std::array<AnalysisChart, 8>& charts() {
-    static const std::array<AnalysisChart, 8> all{
+const std::array<AnalysisChart, 10>& charts() {
+    static const std::array<AnalysisChart, 10> all{
         {{"rdf", "r", "g", "Radial distribution function", true, 1.0, "no order"},
          {"sk", "k", "S", "Structure factor"},
          {"sk_from_rdf", "k", "S", "Structure factor from g(r)"},
@@ -34,7 +34,9 @@ const std::array<AnalysisChart, 8>& charts() {
          {"vacf", "time", "vacf", "Velocity autocorrelation", false, 0.0, "no correlation"},
          {"vacf", "time", "diffusion", "Diffusion up to this time"},
          {"vibrational_spectrum", "angular_frequency", "spectrum", "Vibrational spectrum"},
-         {"stress_autocorrelation", "time", "viscosity", "Viscosity up to this time"}}};
+         {"stress_autocorrelation", "time", "viscosity", "Viscosity up to this time"},
+         {"pressure_autocorrelation", "time", "bulk_viscosity", "Bulk viscosity up to this time"},
+         {"heat_flux_autocorrelation", "time", "thermal_conductivity", "Thermal conductivity up to this time"}}};
     return all;
 }
 

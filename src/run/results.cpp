@@ -43,6 +43,10 @@ std::optional<SiUnit> si_unit(const std::string& reduced, const std::optional<Su
     if (reduced == "epsilon tau/sigma^3") {
         return SiUnit{1e-4 * units->bar() * units->picosecond(), "mPa s"};
     }
+    if (reduced == "k_B/(sigma tau)") {
+        const double square = units->nanometre() * units->nanometre();
+        return SiUnit{1e2 * units->bar() * square / (units->kelvin() * units->picosecond()), "mW/(m K)"};
+    }
     return std::nullopt;
 }
 

@@ -40,6 +40,10 @@ def write_tables(run: Path) -> Path:
                        {"z": z, "density": 0.8 / (1.0 + np.exp(np.abs(z) - 6.0)), "density_standard_error": error,
                         "normal_pressure": 0.0 * z, "normal_pressure_standard_error": error,
                         "tangential_pressure": -0.3 * surfaces, "tangential_pressure_standard_error": error})
+    for flux, coefficient in (("pressure", "bulk_viscosity"), ("heat_flux", "thermal_conductivity")):
+        fixtures.write_csv(run / f"{flux}_autocorrelation.csv",
+                           {"time": TIME, f"{flux}_autocorrelation": decay, f"{flux}_autocorrelation_standard_error": error,
+                            coefficient: 2.0 * (1.0 - decay), f"{coefficient}_standard_error": error})
     return run
 
 
@@ -56,7 +60,7 @@ def test_every_table_has_its_picture(tmp: Path) -> None:
 
 def test_tables_that_are_not_there_have_none(tmp: Path) -> None:
     run = write_tables(write_run(tmp / "run"))
-    for name in ("msd", "sk_from_rdf", "stress_autocorrelation"):
+    for name in ("msd", "sk_from_rdf", "stress_autocorrelation", "pressure_autocorrelation", "heat_flux_autocorrelation"):
         (run / f"{name}.csv").unlink()
     result = plot(run)
     assert result.returncode == 0, result.stderr

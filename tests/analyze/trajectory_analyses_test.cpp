@@ -125,6 +125,21 @@ TEST_CASE("an analysis of what a trajectory lacks is refused") {
     CHECK(complaint({"rdf", "vacf", "structure_factor"}, summary) == "no InputError");
 }
 
+TEST_CASE("what deck and potential make impossible is refused for frames, too") {
+    const TrajectorySummary summary = fifty_frames();
+    const test::DeckFolder folder;
+    const Deck deck = folder.load({});
+    CHECK(complaint({"thermal_conductivity"}, summary, {}, &deck) == "no InputError");
+    CHECK(complaint({"bulk_viscosity"}, summary, {}, &deck) == "no InputError");
+    CHECK_THAT(complaint({"thermal_conductivity"}, summary), Contains("needs the interaction: give a deck"));
+    const Deck cut = folder.load({"potential.truncation=cut", "potential.tail=true"});
+    CHECK_THAT(complaint({"thermal_conductivity"}, summary, {}, &cut),
+               Contains("thermal_conductivity needs a continuous potential: truncation = \"cut\" has a step"));
+    const Deck held = folder.load({"stage.production.thermostat.type=stochastic-rescaling"});
+    CHECK(complaint({"thermal_conductivity"}, summary, {}, &held) == "no InputError");
+    CHECK_THAT(complaint({"bulk_viscosity"}, summary, {}, &held), Contains("needs frames at constant energy"));
+}
+
 TEST_CASE("settings are checked as those of a deck are") {
     const TrajectorySummary summary = fifty_frames();
     CHECK_THAT(complaint({"rdf"}, summary, {"analysis.rdf.radius=3"}), Contains("half the box is 2.56"));

@@ -78,6 +78,23 @@ def frames_of_a_run(*settings):
     return test
 
 
+def fluxes_of_a_run(*settings):
+    """Thermal conductivity and bulk viscosity, which need a continuous potential; with the run's own and another number of
+    threads."""
+    def test(t):
+        names = ("thermal_conductivity", "bulk_viscosity")
+        continuous = DECK.replace('"cut"', '"shifted"').replace("tail = true\n", "") + "".join(
+            ["\n[analysis]\n", *(f"{name} = {{ every = 5, max_time = 0.1 }}\n" for name in names)])
+        run(t, *settings, text=continuous)
+        tables = ("heat_flux_autocorrelation", "pressure_autocorrelation")
+        for threads in ("1", "3"):
+            result = t.run_well("analyze", "out", *names, "--json", "--force", env={"OMP_NUM_THREADS": threads})
+            as_the_run(t, "out/analysis", result, tables, (*names, "temperature"))
+        t.deck(text=DECK)
+        t.golden("".join(t.expect(2, t.run("analyze", "out/trajectory.xyz", name, "--deck", "deck.toml")).err for name in names))
+    return test
+
+
 def read_xyz(text):
     """Frames of (step, edges, atoms), an atom being id, position and velocity."""
     lines = text.splitlines()
@@ -483,6 +500,7 @@ def cases():
         Case("the frames of a run in XYZ", frames_of_a_run()),
         Case("the frames of a run in H5MD", frames_of_a_run("output.trajectory.format=h5md")),
         Case("the frames of two stages", frames_of_a_run("stage.melt.sample=true", "stage.melt.steps=100")),
+        Case("heat flux and pressure of the frames of a run", fluxes_of_a_run()),
         Case("an analysis that there is not", refused(2, timed(0, 1), "rdff")),
         Case("thermo without velocities", refused(2, timed(0, 1), "thermo")),
         Case("thermo without a deck", refused(2, timed(0, 1, **WITH_VELOCITIES), "thermo")),

@@ -95,6 +95,32 @@ TEST_CASE("analyses need a box that stays as it is from the first sampled stage 
     CHECK_THAT(line_shown(found[0]), Contains("barostat ="));
 }
 
+TEST_CASE("a potential with a step is refused where its impulses would count, and continuous ones are named") {
+    for (const std::string name : {"thermal_conductivity", "bulk_viscosity"}) {
+        CAPTURE(name);
+        const std::string text = small_deck + "[analysis]\n" + name + " = {}\n";
+        CHECK(complaints(text).empty());
+        const auto found = complaints(changed(text, {{"\"force-shifted\"", "\"cut\"\ntail = true"}}));
+        REQUIRE(found.size() == 1);
+        CHECK_THAT(found[0].message, Contains("the analysis " + name + " needs a continuous potential") &&
+                                         Contains("continuous are shifted, force-shifted and switched"));
+        CHECK_THAT(line_shown(found[0]), Contains("truncation = \"cut\""));
+    }
+    CHECK(complaints(
+              changed(small_deck + "[analysis]\nviscosity = {}\n", {{"\"force-shifted\"", "\"cut\"\ntail = true"}}))
+              .empty());
+}
+
+TEST_CASE("bulk viscosity is refused where sampled stages have a thermostat, thermal conductivity is not") {
+    const std::string text =
+        changed(small_deck, {{"sample = true\n", "sample = true\nthermostat = { type = \"stochastic-rescaling\" }\n"}});
+    CHECK(complaints(text + "[analysis]\nthermal_conductivity = {}\n").empty());
+    const auto found = complaints(text + "[analysis]\nbulk_viscosity = {}\n");
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0].message, Contains("bulk_viscosity needs sampled stages at constant energy"));
+    CHECK_THAT(line_shown(found[0]), Contains("stochastic-rescaling"));
+}
+
 TEST_CASE("a thermostat that changes how atoms move is warned of where motion is measured") {
     for (const std::string type : {"langevin", "andersen", "stochastic-rescaling", "nose-hoover-chain"}) {
         CAPTURE(type);

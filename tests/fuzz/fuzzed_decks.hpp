@@ -25,6 +25,8 @@ structure_factor = { k_max = 2.0, width = 1.0, every = 2 }
 msd = { every = 1, origins = 2 }
 vacf = { every = 1 }
 viscosity = { every = 1 }
+bulk_viscosity = { every = 1 }
+thermal_conductivity = { every = 1 }
 chemical_potential = { every = 2, insertions = 2 }
 film = { every = 2, layers = 4 }
 )",

@@ -1,5 +1,5 @@
 """What error bars are worth: 60 canonical runs of a liquid that differ in their seed, and every quantity that results.json gives with an error;
-the excess chemical potential at four densities.
+60 runs at constant energy from canonical starts, and their transport coefficients; the excess chemical potential at four densities.
 
 Usage: error_bars.py --ljmd PROGRAM
 
@@ -63,6 +63,9 @@ msd = { every = 25, max_time = 2.0 }
 vacf = { every = 5, max_time = 1.5 }
 viscosity = { every = 5, max_time = 1.5 }
 chemical_potential = { every = 25, insertions = 300 }"""
+FLUXES = """thermal_conductivity = { max_time = 2.0 }
+bulk_viscosity = { max_time = 2.0 }
+viscosity = { max_time = 2.0 }"""
 INSERTIONS = "chemical_potential = { every = 20, insertions = 500 }"
 STATES = ((0.3, 1.5), (0.6, 1.2), (0.75, 1.0), (0.8442, 0.75))  # density, temperature
 SHORT, LONG = 6000, 240_000  # steps
@@ -78,10 +81,28 @@ def observables(ljmd: str, deck_text: str) -> dict[str, dict[str, float]]:
         return json.loads((out / "results.json").read_text())["observables"]
 
 
+def constant_energy(deck_text: str) -> str:
+    """The deck with a continuous potential, and without thermostat in its last stage."""
+    before, last = deck_text.replace('truncation = "cut"\ntail = true', 'truncation = "shifted"').split("sample = true\n")
+    return before + "sample = true\n" + last.split("\n", 1)[1]
+
+
 def check_scatter(ljmd: str) -> None:
     """Every quantity of 60 runs that differ in their seed."""
-    runs = [observables(ljmd, DECK.format(seed=seed, density=0.75, temperature=1.2, cutoff=2.5, equilibration=3000,
-                                          steps=50_000, analysis=EVERYTHING)) for seed in range(1, SEEDS + 1)]
+    decks = [DECK.format(seed=seed, density=0.75, temperature=1.2, cutoff=2.5, equilibration=3000, steps=50_000,
+                         analysis=EVERYTHING) for seed in range(1, SEEDS + 1)]
+    check_scatter_of([observables(ljmd, deck) for deck in decks])
+
+
+def check_fluxes(ljmd: str) -> None:
+    """Transport coefficients of 60 runs at constant energy, each of its own, drawn by a canonical stage."""
+    decks = [constant_energy(DECK.format(seed=seed, density=0.75, temperature=1.2, cutoff=2.5, equilibration=3000, steps=25_000,
+                                         analysis=FLUXES)) for seed in range(1, SEEDS + 1)]
+    runs = [observables(ljmd, deck) for deck in decks]
+    check_scatter_of([{name: run[name] for name in ("thermal_conductivity", "bulk_viscosity", "viscosity")} for run in runs])
+
+
+def check_scatter_of(runs: list[dict[str, dict[str, float]]]) -> None:
     for name in runs[0]:
         found = [run[name] for run in runs if run[name]["standard_error"] is not None]
         check(f"runs with a value, in 60: {name}", len(found), SEEDS, SEEDS / 3)
@@ -125,6 +146,7 @@ def main() -> int:
     for density, temperature in STATES:
         check_insertions(arguments.ljmd, density, temperature)
     check_scatter(arguments.ljmd)
+    check_fluxes(arguments.ljmd)
     return exit_code()
 
 

@@ -243,9 +243,9 @@ TEST_CASE("an error bar that is a guess is marked where it stands") {
 
 TEST_CASE("transport, heat capacity and viscosity have the units of a substance, too") {
     RunResult result = some_result();
-    result.averages = {average("diffusion", "sigma^2/tau", 0.0313, 0.0004),
-                       average("viscosity", "epsilon tau/sigma^3", 3.25, 0.1),
-                       average("heat_capacity_cv", "k_B", 2.63, 0.01)};
+    result.averages = {
+        average("diffusion", "sigma^2/tau", 0.0313, 0.0004), average("viscosity", "epsilon tau/sigma^3", 3.25, 0.1),
+        average("heat_capacity_cv", "k_B", 2.63, 0.01), average("thermal_conductivity", "k_B/(sigma tau)", 7.0, 0.1)};
     const Data json = results_report(deck_with(argon_table), result).data;
     const auto si = [&](const char* name) { return json.at("observables").at(name).at("si"); };
     // tau = (m sigma^2/epsilon)^(1/2) = 2.1563 ps: sigma^2/tau = 53.768 nm^2/ns, epsilon tau/sigma^3 = 0.090345 mPa s
@@ -253,6 +253,9 @@ TEST_CASE("transport, heat capacity and viscosity have the units of a substance,
     CHECK(si("diffusion").at("mean").number() == Approx(0.0313 * 53.768).epsilon(1e-4));
     CHECK(si("viscosity").at("unit") == "mPa s");
     CHECK(si("viscosity").at("mean").number() == Approx(3.25 * 0.090345).epsilon(1e-4));
+    // k_B/(sigma tau) = 1.380649e-23 J/K/(0.3405 nm 2.1563 ps) = 18.804 mW/(m K)
+    CHECK(si("thermal_conductivity").at("unit") == "mW/(m K)");
+    CHECK(si("thermal_conductivity").at("mean").number() == Approx(7.0 * 18.804).epsilon(1e-4));
     CHECK(si("heat_capacity_cv").at("unit") == "J/(mol K)");
     CHECK(si("heat_capacity_cv").at("mean").number() == Approx(2.63 * 8.314462618).epsilon(1e-9));
 }

@@ -59,6 +59,17 @@ struct Mistake {
 [[nodiscard]] std::vector<Mistake> sampling_mistakes(const std::vector<ChosenAnalysis>& analyses,
                                                      const std::vector<Stage>& stages);
 
+/// Whether a truncated potential has a step at the cutoff. Its impulses are missing in the forces.
+[[nodiscard]] bool has_step(const std::string& truncation);
+
+/// What is wrong with a potential that has a step, for analyses that need a continuous one: "... has a step at ...".
+[[nodiscard]] std::string step_in_words(const std::string& truncation);
+
+/// Truncation and thermostats that analyses do not go with (AnalysisNeeds::continuous_potential and constant_energy).
+[[nodiscard]] std::vector<Mistake> analysis_need_mistakes(const std::vector<ChosenAnalysis>& analyses,
+                                                          const std::string& truncation,
+                                                          const std::vector<Stage>& stages);
+
 /// Options of analyses that do not fit the run and its box.
 [[nodiscard]] std::vector<Mistake> analysis_mistakes(const std::vector<ChosenAnalysis>& analyses,
                                                      const SampledRun& run);

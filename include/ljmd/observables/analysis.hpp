@@ -69,8 +69,10 @@ class Analysis {
 struct AnalysisNeeds {
     bool velocities = false;
     bool unwrapped_positions = false;
-    bool interaction = false;  ///< SampledRun::interaction, and quantities computed from it
-    bool fixed_box = true;     ///< uses SampledRun::box throughout; otherwise the box of each configuration
+    bool interaction = false;           ///< SampledRun::interaction, and quantities computed from it
+    bool fixed_box = true;              ///< uses SampledRun::box throughout; otherwise the box of each configuration
+    bool continuous_potential = false;  ///< a step at the cutoff has impulses, which the forces lack
+    bool constant_energy = false;       ///< sampled stages without thermostat
 };
 
 /// Why options do not fit, as pairs of key and message.

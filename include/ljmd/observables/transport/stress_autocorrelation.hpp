@@ -1,9 +1,7 @@
 #pragma once
 
 #include "ljmd/core/schedule.hpp"
-#include "ljmd/observables/statistics/blocking.hpp"
-#include "ljmd/observables/transport/correlation_windows.hpp"
-#include "ljmd/observables/transport/lag_times.hpp"
+#include "ljmd/observables/transport/green_kubo_averages.hpp"
 
 namespace ljmd {
 
@@ -29,26 +27,20 @@ class StressAutocorrelation : public Analysis {
     [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
     [[nodiscard]] bool needs_energy() const override { return true; }
     void sample(const State& state, const Evaluation& evaluation) override;
-    void interrupt() override;
+    void interrupt() override { series_.interrupt(); }
     [[nodiscard]] Index samples() const override { return samples_; }
     [[nodiscard]] std::vector<DataTable> tables() const override;
     [[nodiscard]] std::vector<ObservableAverage> observables() const override;
-    void archive(Archive& a) override { a(samples_, window_, in_window_, temperature_sum_, means_); }
+    void archive(Archive& a) override { a(samples_, series_); }
 
   private:
     /// V/T; NaN if there is no temperature.
     [[nodiscard]] double viscosity_per_integral() const;
-    [[nodiscard]] Estimate viscosity() const;
-    [[nodiscard]] double change_of_viscosity() const;  ///< if only every second configuration is used
 
     double volume_;
-    LagTimes lags_;
     Every every_;
     Index samples_ = 0;
-    CorrelationWindows window_;
-    Index in_window_ = 0;           ///< configurations in the incomplete window
-    double temperature_sum_ = 0.0;  ///< sum of their temperatures
-    BlockingAccumulator means_;     ///< C, its integral, T, and the change of the integral at double spacing
+    GreenKuboSeries series_;
 };
 
 }  // namespace ljmd
