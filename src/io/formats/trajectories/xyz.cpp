@@ -6,7 +6,7 @@ namespace ljmd {
 namespace {
 
 void write_xyz_frame(OutputFile& file, const State& state, const TrajectoryOptions& options) {
-    write_extended_xyz_frame(file, state, options.velocities, options.si);
+    write_extended_xyz_frame(file, state, {.velocities = options.velocities}, options.si);
 }
 
 double xyz_bytes(Index atoms, Index frames, bool velocities) {
