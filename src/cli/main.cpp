@@ -6,7 +6,7 @@
 
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/described_commands.hpp"
-#include "ljmd/cli/evaluate/evaluate_command.hpp"
+#include "ljmd/cli/evaluate/evaluate_options.hpp"
 #include "ljmd/cli/exit_code.hpp"
 #include "ljmd/cli/own_commands.hpp"
 #include "ljmd/cli/signals.hpp"

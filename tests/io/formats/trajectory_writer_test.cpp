@@ -349,20 +349,30 @@ TEST_CASE("the bytes that a trajectory was said to take are about those of its f
     for (const std::string& format : plugin_names(all_trajectory_formats())) {
         for (const Index atoms : {3, 108, 4000}) {
             for (const Index frames : {1, 10, 100}) {
-                for (const bool velocities : {false, true}) {
+                for (const AtomColumns& columns :
+                     {AtomColumns{}, AtomColumns{.velocities = true}, AtomColumns{.forces = true},
+                      AtomColumns{.velocities = true, .forces = true, .energies = true}}) {
                     State state(atoms, Box(Vec3(7.0, 7.0, 7.0)));
                     state.write_positions().setRandom();
                     state.write_velocities().setRandom();
+                    state.write_forces().setRandom();
+                    state.mark_forces_current();
+                    const std::vector<double> energies(
+                        columns.energies ? static_cast<std::size_t>(atoms) : std::size_t{0}, -6.123456789012345);
                     const TemporaryFolder folder;
                     const std::filesystem::path path = folder / "a.trajectory";
-                    const auto writer = make_trajectory_writer(format, state, {.path = path, .velocities = velocities});
+                    const auto writer = make_trajectory_writer(format, state,
+                                                               {.path = path,
+                                                                .velocities = columns.velocities,
+                                                                .forces = columns.forces,
+                                                                .energies = columns.energies});
                     for (Index frame = 0; frame < frames; ++frame) {
-                        writer->write(state);
+                        writer->write(state, energies);
                     }
                     writer->close();
-                    const double said = trajectory_bytes(format, atoms, frames, velocities);
+                    const double said = trajectory_bytes(format, atoms, frames, columns);
                     const auto taken = static_cast<double>(std::filesystem::file_size(path));
-                    CAPTURE(format, atoms, frames, velocities, said, taken);
+                    CAPTURE(format, atoms, frames, columns.velocities, columns.forces, said, taken);
                     CHECK(said < 1.3 * taken);
                     CHECK(said > taken / 1.3);
                 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,22 +34,5 @@ struct EvaluateOptions {
 /// ljmd evaluate CONFIGURATION: energy, virial, pressure and forces of each frame of a file. Nothing is run.
 /// @throws InputError, DataError and OutputRefused with what is wrong
 void evaluate_command(const EvaluateOptions& options);
-
-/// The command on the command line.
-class EvaluateCommand {
-  public:
-    /// Add the command to a parser, which must live as long as this.
-    explicit EvaluateCommand(CLI::App& app);
-    EvaluateCommand(const EvaluateCommand&) = delete;
-    EvaluateCommand& operator=(const EvaluateCommand&) = delete;
-
-    /// Whether the command line has it.
-    [[nodiscard]] bool parsed() const { return command_.parsed(); }
-    void run() const { evaluate_command(options_); }
-
-  private:
-    CLI::App& command_;
-    EvaluateOptions options_;
-};
 
 }  // namespace ljmd
