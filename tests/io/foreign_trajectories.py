@@ -226,7 +226,7 @@ def converted_dcd_and_xtc(ljmd, run):
     pathlib.Path("to_xyz.py").write_text(script, encoding="utf-8")
     sigma, tau = 3.405, math.sqrt(39.948 * 1.66053906660e-27 / (119.8 * 1.380649e-23)) * 3.405e-10 / 1e-12
     atoms = run.positions.shape[1]
-    for name, positions, same_bins, tolerance in (("a.dcd", run.positions, 0.05, 1e-4), ("a.xtc", run.wrapped, 0.2, 3e-3)):
+    for name, positions, same_bins, tolerance in (("a.dcd", run.positions, 0.05, 1e-4), ("a.xtc", run.wrapped, 0.2, 0.02)):
         universe = MDAnalysis.Universe.empty(atoms, trajectory=True)
         with MDAnalysis.Writer(name, atoms, dt=0.02 * tau) as writer:
             for frame, (r, time) in enumerate(zip(positions, run.times)):
