@@ -94,9 +94,10 @@ std::unique_ptr<TrajectoryReader> open_frames(const std::filesystem::path& path,
         return open_trajectory(path, units, group, xyz_comment);
     }
     if (!group.empty() || !xyz_comment.empty()) {
-        throw InputError(fmt::format("{} is a NIST sample configuration or LAMMPS data: these have neither groups of "
-                                     "particles nor a comment line of extended XYZ",
-                                     path.string()));
+        throw InputError(
+            fmt::format("{} is a NIST sample configuration or LAMMPS data: these have neither groups of "
+                        "particles nor a comment line of extended XYZ",
+                        path.string()));
     }
     return std::make_unique<OneConfiguration>(path, units);
 }
@@ -109,16 +110,15 @@ EvaluatedFrame evaluate_frame(Frame frame, Index number, const FluidSpec& spec, 
     for (const Mistake& mistake : cutoff_mistakes(cutoff, box)) {
         throw InputError(fmt::format("{}: frame {}: {}", source, number, in_words(mistake)));
     }
-    EvaluatedFrame result{
-        .number = number,
-        .step = frame.has_step ? std::optional(configuration.step) : std::nullopt,
-        .time = frame.has_time ? std::optional(configuration.time) : std::nullopt,
-        .ids = std::move(frame.ids),
-        .state = State(std::ssize(configuration.positions), box, execution),
-        .has_velocities = !configuration.velocities.empty(),
-        .found = {},
-        .virial = Mat3::Zero(),
-        .energies = {}};
+    EvaluatedFrame result{.number = number,
+                          .step = frame.has_step ? std::optional(configuration.step) : std::nullopt,
+                          .time = frame.has_time ? std::optional(configuration.time) : std::nullopt,
+                          .ids = std::move(frame.ids),
+                          .state = State(std::ssize(configuration.positions), box, execution),
+                          .has_velocities = !configuration.velocities.empty(),
+                          .found = {},
+                          .virial = Mat3::Zero(),
+                          .energies = {}};
     State& state = result.state;
     if (result.ids.empty()) {
         result.ids.resize(static_cast<std::size_t>(state.count()));
@@ -130,8 +130,7 @@ EvaluatedFrame evaluate_frame(Frame frame, Index number, const FluidSpec& spec, 
     const TailCorrection tail = spec.interaction().tail;
     FluidSpec pairs_alone = spec;
     pairs_alone.external = nullptr;
-    const Evaluation evaluation =
-        make_force_field(pairs_alone, execution).evaluate(state, Request::forces_and_energy);
+    const Evaluation evaluation = make_force_field(pairs_alone, execution).evaluate(state, Request::forces_and_energy);
     if (!std::isfinite(evaluation.potential_energy) || !evaluation.virial.allFinite() || !state.forces().allFinite()) {
         throw DataError(
             fmt::format("{}: frame {}: atoms overlap, the forces between them are not finite", source, number));
@@ -184,37 +183,36 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
         tensor.push_back(vector_data(frame.virial.row(a)));
     }
     Document document;
-    document.data = {
-        {"configuration", source},
-        {"frame", frame.number},
-        {"step", frame.step},
-        {"time", frame.time},
-        {"atoms", state.count()},
-        {"box_edges", vector_data(edges)},
-        {"density", found.density},
-        {"potential",
-         {{"type", spec.potential.formula()},
-          {"parameters", parameters},
-          {"truncation", spec.potential.truncation()},
-          {"cutoff", spec.potential.cutoff().radius},
-          {"switch_start", switched ? std::optional(spec.potential.cutoff().switch_start) : std::nullopt},
-          {"tail", spec.tail}}},
-        {"potential_energy", found.potential_energy},
-        {"tail_energy", frame.tail_energy},
-        {"kinetic_energy", moves ? std::optional(found.kinetic_energy) : std::nullopt},
-        {"temperature", moves ? found.temperature : std::nullopt},
-        {"pressure", pressure_of(frame)},
-        {"pressure_parts", moves ? "kinetic and virial" : "virial"},
-        {"virial_pressure", frame.virial_pressure},
-        {"tail_pressure", frame.tail_pressure},
-        {"virial", found.virial},
-        {"virial_tensor", tensor},
-        {"net_force", vector_data(net_force(frame))},
-        {"largest_force", forces.col(sorted.front()).norm()},
-        {"ids", frame.ids},
-        {"forces", all_forces},
-        {"energies", frame.energies},
-        {"remarks", remarks(frame)}};
+    document.data = {{"configuration", source},
+                     {"frame", frame.number},
+                     {"step", frame.step},
+                     {"time", frame.time},
+                     {"atoms", state.count()},
+                     {"box_edges", vector_data(edges)},
+                     {"density", found.density},
+                     {"potential",
+                      {{"type", spec.potential.formula()},
+                       {"parameters", parameters},
+                       {"truncation", spec.potential.truncation()},
+                       {"cutoff", spec.potential.cutoff().radius},
+                       {"switch_start", switched ? std::optional(spec.potential.cutoff().switch_start) : std::nullopt},
+                       {"tail", spec.tail}}},
+                     {"potential_energy", found.potential_energy},
+                     {"tail_energy", frame.tail_energy},
+                     {"kinetic_energy", moves ? std::optional(found.kinetic_energy) : std::nullopt},
+                     {"temperature", moves ? found.temperature : std::nullopt},
+                     {"pressure", pressure_of(frame)},
+                     {"pressure_parts", moves ? "kinetic and virial" : "virial"},
+                     {"virial_pressure", frame.virial_pressure},
+                     {"tail_pressure", frame.tail_pressure},
+                     {"virial", found.virial},
+                     {"virial_tensor", tensor},
+                     {"net_force", vector_data(net_force(frame))},
+                     {"largest_force", forces.col(sorted.front()).norm()},
+                     {"ids", frame.ids},
+                     {"forces", all_forces},
+                     {"energies", frame.energies},
+                     {"remarks", remarks(frame)}};
 
     std::string& text = document.text;
     text = fmt::format("{}: {} atoms", source, state.count());

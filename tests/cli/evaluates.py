@@ -131,6 +131,12 @@ def every_format_and_all_frames(t):
     t.equal(third, h5md[2], "one frame")
     written = t.read("all.xyz")
     t.equal(written.count("forces:R:3:energies:R:1:id:I:1"), 7, "frames with forces and energies")
+    t.run_well("evaluate", "h5md/trajectory.h5md", "--deck", "deck.toml", "--out", "all.lammpsdump")
+    dumped = evaluated(t, "all.lammpsdump", "--deck", "deck.toml", "--frame", "3")
+    t.equal(dumped["step"], third["step"], "step of the dump")
+    for mine, other in zip(dumped["forces"], third["forces"]):
+        t.check(all(math.isclose(a, b, rel_tol=1e-10, abs_tol=1e-10) for a, b in zip(mine, other)), "forces from the dump")
+    t.contains(t.read("all.lammpsdump"), "ITEM: ATOMS id type x y z ix iy iz vx vy vz fx fy fz c_pe\n")
     again = evaluated(t, "all.xyz", "--deck", "deck.toml", "--frame", "3")
     t.equal(again["forces"], third["forces"], "the file that was written")
     line = written.splitlines()[2 + 2 * 110].split()

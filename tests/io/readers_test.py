@@ -315,6 +315,20 @@ def ase_takes_forces_and_energies_as_results_of_a_calculator():
             same(atoms.arrays["id"], 1 + np.arange(ATOMS))
 
 
+def a_dump_is_read_by_mdanalysis_and_ase():
+    """MDAnalysis has positions in single precision and box, ASE also velocities and forces."""
+    system = universe("forces.lammpsdump", topology_format="LAMMPSDUMP", format="LAMMPSDUMP", lammps_coordinate_convention="unscaled")
+    read = ase.io.read(folder / "forces.lammpsdump", index=":", format="lammps-dump-text", units="lj")
+    assert len(read) == system.trajectory.n_frames == FRAMES
+    for f, (frame, atoms) in enumerate(zip(system.trajectory, read)):
+        inside = positions(f) - np.floor(positions(f) / edges(f)) * edges(f)
+        close(frame.positions, inside, 1e-6)
+        close(frame.dimensions, [*edges(f), 90, 90, 90], 1e-6)
+        close(atoms.positions % edges(f), inside)
+        close(atoms.get_forces(), forces(f))
+        close(atoms.cell.array, np.diag(edges(f)))
+
+
 def ase_reads_the_final_configuration_exactly():
     atoms = ase.io.read(folder / "final.xyz")
     same(atoms.positions, positions(FRAMES - 1))
@@ -344,6 +358,7 @@ TESTS = [
     ase_reads_every_frame,
     ase_reads_files_without_velocities_and_without_a_box,
     ase_takes_forces_and_energies_as_results_of_a_calculator,
+    a_dump_is_read_by_mdanalysis_and_ase,
     ase_reads_the_final_configuration_exactly,
 ]
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "ljmd/io/formats/lammps_dump_writer.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 
 namespace {
@@ -90,6 +91,16 @@ void write_trajectory(const std::filesystem::path& path, const std::string& form
     writer->close();
 }
 
+void write_dump(const std::filesystem::path& path) {
+    ljmd::OutputFile file(path);
+    for (Index frame = 0; frame < frames; ++frame) {
+        const std::vector<double> energies = energies_of_atoms(frame);
+        ljmd::write_lammps_dump_frame(file, make_state(frame, true),
+                                      {.velocities = true, .forces = true, .energies = energies});
+    }
+    file.close();
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -112,6 +123,7 @@ int main(int count, char** arguments) {
             write_trajectory(folder / ("forces." + format), format, false, true, true, true);
             write_trajectory(folder / ("forces-si." + format), format, true, false, true, true);
         }
+        write_dump(folder / "forces.lammpsdump");
         ljmd::write_configuration(folder / "final.xyz", make_state(frames - 1, true), true);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: %s\n", error.what());

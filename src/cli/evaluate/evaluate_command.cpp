@@ -19,6 +19,7 @@
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "ljmd/io/formats/lammps_dump_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/recorded_run.hpp"
@@ -41,8 +42,8 @@ PairPotential::Parameters parameters_of(const EvaluateOptions& options) {
         const std::size_t equals = text.find('=');
         const auto value = equals == std::string::npos ? std::nullopt : to_number(text.substr(equals + 1));
         if (!value) {
-            throw InputError(fmt::format("--parameter: {} is not allowed: NAME=VALUE, the value a number in reduced units",
-                                         in_quotes(text)));
+            throw InputError(fmt::format(
+                "--parameter: {} is not allowed: NAME=VALUE, the value a number in reduced units", in_quotes(text)));
         }
         parameters.emplace_back(text.substr(0, equals), *value);
     }
@@ -89,7 +90,8 @@ void refuse_potential_options(const EvaluateOptions& options) {
     if (options.cutoff || options.switch_start || !options.truncation.empty() || !options.tail.empty() ||
         !options.potential.empty() || !options.parameters.empty()) {
         throw InputError(
-            "the potential is that of the deck: change it with --set, as in --set potential.cutoff=3.0, or leave out the "
+            "the potential is that of the deck: change it with --set, as in --set potential.cutoff=3.0, or leave out "
+            "the "
             "deck");
     }
 }
@@ -107,27 +109,46 @@ std::optional<Deck> deck_of(const EvaluateOptions& options, bool is_run) {
     require_fluid(*deck, fmt::format("{} is about few bodies, which have no box and no pair potential",
                                      options.deck.empty() ? options.path : options.deck));
     if (!deck->given.external.empty()) {
-        warn(fmt::format("the external force {} of the run's program is not known here: energies and forces are those "
-                         "of the pairs alone",
-                         in_quotes(deck->given.external)));
+        warn(
+            fmt::format("the external force {} of the run's program is not known here: energies and forces are those "
+                        "of the pairs alone",
+                        in_quotes(deck->given.external)));
     }
     return deck;
 }
 
+bool is_dump(const fs::path& path) {
+    return path.extension() == ".lammpsdump" || path.extension() == ".dump";
+}
+
 /// Refuse a file that must not be written. @return none if none is asked for
-std::optional<fs::path> xyz_to_write(const EvaluateOptions& options) {
+std::optional<fs::path> frames_to_write(const EvaluateOptions& options) {
     if (options.out.empty()) {
         return std::nullopt;
     }
     const fs::path path(options.out);
-    if (path.extension() != ".xyz" && path.extension() != ".extxyz") {
-        throw InputError(fmt::format("--out: {} is not allowed: extended XYZ is written, to a name that ends in .xyz",
-                                     in_quotes(options.out)));
+    if (path.extension() != ".xyz" && path.extension() != ".extxyz" && !is_dump(path)) {
+        throw InputError(
+            fmt::format("--out: {} is not allowed: the name ends in .xyz for extended XYZ, or in "
+                        ".lammpsdump for a dump of LAMMPS",
+                        in_quotes(options.out)));
     }
     const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
     require_no_run(directory, "Nothing was written");
     require_no_outputs(directory, {path.filename().string()}, options.force, "Nothing was written");
     return path;
+}
+
+void write_frame(OutputFile& file, EvaluatedFrame& frame, bool as_dump) {
+    const FrameContents contents{.velocities = frame.has_velocities, .forces = true, .energies = frame.energies};
+    if (!as_dump) {
+        write_extended_xyz_frame(file, frame.state, contents, std::nullopt);
+        return;
+    }
+    if (!frame.step) {
+        frame.state.step = frame.number - 1;  // a dump has steps
+    }
+    write_lammps_dump_frame(file, frame.state, contents);
 }
 
 /// Prints what was found: one frame in full, several as a table.
@@ -138,12 +159,12 @@ class Printer {
 
     void add(EvaluatedFrame frame) {
         if (first_) {
-            print_result(json_ ? "{\"frames\": [\n"
-                               : fmt::format("{}: {} atoms, box {:.6g} x {:.6g} x {:.6g} sigma^3\n{}\n\n{}", source_,
-                                             first_->state.count(), first_->state.box().edges()[0],
-                                             first_->state.box().edges()[1], first_->state.box().edges()[2],
-                                             wrapped(interaction_in_words(spec_), screen_columns, 2),
-                                             frame_headings()));
+            print_result(json_
+                             ? "{\"frames\": [\n"
+                             : fmt::format("{}: {} atoms, box {:.6g} x {:.6g} x {:.6g} sigma^3\n{}\n\n{}", source_,
+                                           first_->state.count(), first_->state.box().edges()[0],
+                                           first_->state.box().edges()[1], first_->state.box().edges()[2],
+                                           wrapped(interaction_in_words(spec_), screen_columns, 2), frame_headings()));
             print_one(*first_);
             first_.reset();
             several_ = true;
@@ -190,13 +211,12 @@ class Printer {
 void evaluate_command(const EvaluateOptions& options) {
     const bool is_run = input_is_directory(options.path);
     const std::optional<Deck> deck = deck_of(options, is_run);
-    const Interacting how = deck ? Interacting{fluid_spec(*deck), execution_options(*deck, options.threads)}
-                                 : of_options(options);
+    const Interacting how =
+        deck ? Interacting{fluid_spec(*deck), execution_options(*deck, options.threads)} : of_options(options);
     const Execution execution(how.execution);
     const fs::path path = configuration_file(options.path);
-    const std::optional<fs::path> xyz = xyz_to_write(options);
-    const auto reader =
-        open_frames(path, deck ? deck->units : std::nullopt, options.group, options.xyz_comment);
+    const std::optional<fs::path> written = frames_to_write(options);
+    const auto reader = open_frames(path, deck ? deck->units : std::nullopt, options.group, options.xyz_comment);
 
     const auto evaluate_all = [&](OutputFile* file) {
         Printer printer(how.spec, path.string(), options.json);
@@ -209,9 +229,7 @@ void evaluate_command(const EvaluateOptions& options) {
             }
             EvaluatedFrame found = evaluate_frame(std::move(frame), number, how.spec, execution, path.string());
             if (file != nullptr) {
-                write_extended_xyz_frame(
-                    *file, found.state,
-                    {.velocities = found.has_velocities, .forces = true, .energies = found.energies}, std::nullopt);
+                write_frame(*file, found, is_dump(*written));
             }
             printer.add(std::move(found));
             ++evaluated;
@@ -226,8 +244,8 @@ void evaluate_command(const EvaluateOptions& options) {
         }
         printer.finish();
     };
-    if (xyz) {
-        write_file_atomically(*xyz, [&](OutputFile& file) { evaluate_all(&file); });
+    if (written) {
+        write_file_atomically(*written, [&](OutputFile& file) { evaluate_all(&file); });
     } else {
         evaluate_all(nullptr);
     }

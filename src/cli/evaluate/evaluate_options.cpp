@@ -16,8 +16,7 @@ void add_potential_options(CLI::App& command, EvaluateOptions& options) {
     command.add_option("--cutoff", options.cutoff, "without a deck: pairs closer than this interact, in sigma")
         ->type_name("RC")
         ->check(reduced_length());
-    command
-        .add_option("--truncation", options.truncation, "without a deck: what happens at the cutoff")
+    command.add_option("--truncation", options.truncation, "without a deck: what happens at the cutoff")
         ->type_name("HOW")
         ->check(CLI::IsMember(PairPotential::truncation_names()));
     command
@@ -28,12 +27,10 @@ void add_potential_options(CLI::App& command, EvaluateOptions& options) {
     command.add_option("--switch-start", options.switch_start, "without a deck: where switched begins, in sigma")
         ->type_name("R")
         ->check(reduced_length());
-    command
-        .add_option("--potential", options.potential, "without a deck: lennard-jones by default")
+    command.add_option("--potential", options.potential, "without a deck: lennard-jones by default")
         ->type_name("TYPE")
         ->check(CLI::IsMember(PairPotential::formula_names()));
-    command
-        .add_option("--parameter", options.parameters, "without a deck: one of the potential's, in reduced units")
+    command.add_option("--parameter", options.parameters, "without a deck: one of the potential's, in reduced units")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 }
@@ -41,7 +38,8 @@ void add_potential_options(CLI::App& command, EvaluateOptions& options) {
 }  // namespace
 
 EvaluateCommand::EvaluateCommand(CLI::App& app)
-    : command_(*app.add_subcommand("evaluate", "energy, virial, pressure and forces of a configuration; nothing is run")) {
+    : command_(
+          *app.add_subcommand("evaluate", "energy, virial, pressure and forces of a configuration; nothing is run")) {
     command_
         .add_option("configuration", options_.path,
                     "configuration or trajectory in any format that is read, or directory of a run, whose final.xyz is "
@@ -63,7 +61,9 @@ EvaluateCommand::EvaluateCommand(CLI::App& app)
         .add_option("--xyz-comment", options_.xyz_comment,
                     "what the comment lines of an XYZ file lack, e.g. 'Lattice=\"20 0 0 0 20 0 0 0 20\"'")
         ->type_name("KEY=VALUE...");
-    command_.add_option("--out", options_.out, "extended XYZ file to write, with forces and energies of the atoms")
+    command_
+        .add_option("--out", options_.out,
+                    "file to write, with forces and energies of the atoms: *.xyz, or *.lammpsdump")
         ->type_name("FILE");
     command_
         .add_option("--threads", options_.threads,

@@ -27,11 +27,11 @@ std::string header(const State& state, const FrameContents& contents, bool si, c
         const Vec3 edges = scale.length * state.box().edges();
         text += fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" ", edges[0], edges[1], edges[2]);
     }
-    text +=
-        fmt::format("Properties=species:S:1:pos:R:3{}{}{}:id:I:1 pbc=\"{}\" Time={} step={} units={} positions=unwrapped\n",
-                    contents.velocities ? ":velo:R:3:momenta:R:3" : "", contents.forces ? ":forces:R:3" : "",
-                    contents.energies.empty() ? "" : ":energies:R:1", state.has_box() ? "T T T" : "F F F",
-                    scale.time * state.time, state.step, si ? "si" : "reduced");
+    text += fmt::format(
+        "Properties=species:S:1:pos:R:3{}{}{}:id:I:1 pbc=\"{}\" Time={} step={} units={} positions=unwrapped\n",
+        contents.velocities ? ":velo:R:3:momenta:R:3" : "", contents.forces ? ":forces:R:3" : "",
+        contents.energies.empty() ? "" : ":energies:R:1", state.has_box() ? "T T T" : "F F F", scale.time * state.time,
+        state.step, si ? "si" : "reduced");
     return text;
 }
 
@@ -70,8 +70,7 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, const FrameC
 }
 
 void write_configuration(const OutputPlace& place, const State& state, bool velocities) {
-    write_file_atomically(place,
-                          [&](OutputFile& file) {
+    write_file_atomically(place, [&](OutputFile& file) {
         write_extended_xyz_frame(file, state, {.velocities = velocities}, std::nullopt);
     });
 }

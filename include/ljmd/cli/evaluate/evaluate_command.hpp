@@ -25,7 +25,7 @@ struct EvaluateOptions {
     std::optional<Index> frame{};  ///< from 1; none: all
     std::string group{};           ///< particle group of an H5MD file; empty: the only one
     std::string xyz_comment{};     ///< keys missing from the comment lines of an extended XYZ file
-    std::string out{};             ///< extended XYZ file to write; empty: none
+    std::string out{};             ///< extended XYZ file or LAMMPS dump to write; empty: none
     int threads = 0;               ///< 0: OMP_NUM_THREADS, or 1
     bool force = false;
     bool json = false;

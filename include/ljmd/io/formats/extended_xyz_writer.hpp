@@ -13,7 +13,7 @@ namespace ljmd {
 /// What a frame holds beside the positions.
 struct FrameContents {
     bool velocities = false;
-    bool forces = false;                       ///< @pre those of the state are current
+    bool forces = false;                    ///< @pre those of the state are current
     std::span<const double> energies = {};  ///< of the atoms, by id [epsilon], see atom_energies(); empty: none
 };
 
@@ -24,10 +24,9 @@ struct FrameContents {
 ///
 /// `momenta` are for ASE, which takes velocities from nothing else: the velocity times the mass that ASE gives to the
 /// species [u]. That velocity is in ASE's unit sqrt(eV/u), in a reduced file in sigma/tau.
-/// `forces:R:3` and `energies:R:1` stand before the id where they are asked for: names and units are those of ASE, which
-/// takes them as results of a calculator.
-/// Numbers have as many digits as are needed to read back the same double. Positions are unwrapped; ids count from 1.
-/// Without a box there is no Lattice, and pbc="F F F".
+/// `forces:R:3` and `energies:R:1` stand before the id where they are asked for: names and units are those of ASE,
+/// which takes them as results of a calculator. Numbers have as many digits as are needed to read back the same double.
+/// Positions are unwrapped; ids count from 1. Without a box there is no Lattice, and pbc="F F F".
 ///
 /// @param si  empty: units=reduced, species X. Set: units=si, species Ar; positions [angstrom], velocities
 ///            [angstrom/ps], Time [ps]; forces [eV/angstrom], energies [eV]

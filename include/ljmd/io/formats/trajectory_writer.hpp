@@ -105,8 +105,9 @@ struct AtomColumns {
 
 /// A format in which runs write trajectories. Each is one file in src/io/formats/trajectories.
 ///
-/// Every format holds periodic boxes and, for few bodies, none; velocities, forces and energies of the atoms where asked
-/// for; reduced and SI units; the step and the time of each frame. Nothing that a later frame depends on is kept but CommittedFrames.
+/// Every format holds periodic boxes and, for few bodies, none; velocities, forces and energies of the atoms where
+/// asked for; reduced and SI units; the step and the time of each frame. Nothing that a later frame depends on is kept
+/// but CommittedFrames.
 struct TrajectoryFormat {
     std::string name;      ///< as a deck selects it; the file is trajectory.<name>
     std::string meaning;   ///< what the format is called, for the reference page: "extended XYZ"
