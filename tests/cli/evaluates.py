@@ -14,6 +14,7 @@ NIST = Path(__file__).resolve().parent.parent / "data/nist"
 CUT = ("--truncation", "cut", "--tail", "false")
 PAIR = ("--cutoff", "2.5", *CUT)
 ONLY_START = (("steps = 20", "steps = 0"), ("steps = 40", "steps = 0"))
+CALCULATED = 'trajectory = { format = "xyz", every = 10, velocities = true, forces = true, energies = true }'
 
 
 def evaluated(t, *arguments):
@@ -97,8 +98,8 @@ def two_atoms_across_the_wall(t):
 def forces_are_slopes(t):
     """Finite differences of the energy, with a continuous potential."""
     how = ("--cutoff", "2.5", "--truncation", "force-shifted")
-    t.deck(*ONLY_START, ("temperature = 1.0", "temperature = 1.0"))
-    t.run_well("run", "deck.toml", "--out", "out", "--quiet", "--set", "stage.melt.steps=20")
+    t.deck()
+    t.run_well("run", "deck.toml", "--out", "out", "--quiet")
     lines = t.read("out/final.xyz").splitlines()
     atoms, h = int(lines[0]), 1e-5
     forces = evaluated(t, "out/final.xyz", *how)["forces"]
@@ -153,6 +154,35 @@ def every_format_and_all_frames(t):
     t.check(two[0]["forces"][0][0] > 0 > two[0]["forces"][1][0], "forces are in the order of ids")
 
 
+def forces_in_trajectories(t):
+    """Those of the positions in the frame, with every kind of integrator; the run is the same without them, and resumed."""
+    for format, integrator in (("xyz", "velocity-verlet"), ("xyz", "position-verlet"), ("h5md", "leapfrog")):
+        t.deck(("thermo = { every = 5 }", CALCULATED.replace("xyz", format)),
+               *((old, f'{old}\nintegrator = "{integrator}"') for old in ('name = "melt"', 'name = "production"')))
+        name = f"{format}-{integrator}"
+        t.run_well("run", "deck.toml", "--out", name, "--quiet")
+        t.run_well("run", "deck.toml", "--out", f"{name}-plain", "--quiet", "--set", "output.trajectory.forces=false", "--set",
+                   "output.trajectory.energies=false")
+        for file in ("final.xyz", "thermo.csv"):
+            t.equal(t.read(f"{name}/{file}"), t.read(f"{name}-plain/{file}"), f"{file} of {name}")
+        if format != "xyz":
+            continue  # the numbers of H5MD are read by tests/io/readers_test.py
+        frames = evaluated(t, f"{name}/trajectory.xyz", "--deck", "deck.toml")["frames"]
+        lines = t.read(f"{name}/trajectory.xyz").splitlines()
+        t.contains(lines[1], ":forces:R:3:energies:R:1:id:I:1")
+        scale = max(frame["largest_force"] for frame in frames)
+        for k, frame in enumerate(frames):
+            for atom in range(108):
+                numbers = [float(x) for x in lines[110 * k + 2 + atom].split()[10:14]]
+                expected = [*frame["forces"][atom], frame["energies"][atom]]
+                t.check(all(math.isclose(a, b, abs_tol=1e-11 * scale) for a, b in zip(numbers, expected)),
+                        f"{name}, frame {k + 1}, atom {atom + 1}: {numbers}, evaluated {expected}")
+    stopped = t.run("run", "deck.toml", "--out", "stopped", "--quiet", "--walltime", "0.000001s")
+    t.equal(stopped.code, 75, "the run is stopped")
+    t.run_well("resume", "stopped", "--quiet")
+    t.equal((t.dir / "stopped/trajectory.h5md").read_bytes(), (t.dir / "h5md-leapfrog/trajectory.h5md").read_bytes(), "resumed")
+
+
 def screen(t):
     fcc = [(x + 0.01 * (y == 0), y, z) for x in range(0, 8, 2) for y in range(0, 8, 2) for z in range(0, 8, 2)]
     write_xyz(t, "a.xyz", fcc)
@@ -168,8 +198,9 @@ def screen(t):
 
 
 def si_units(t):
-    t.deck(*ONLY_START, text=ARGON + DECK)
-    t.run_well("run", "deck.toml", "--out", "out", "--quiet", "--set", "output.trajectory={format=\"xyz\", every=1, units=\"si\"}")
+    t.deck(*ONLY_START, ("[system]", ARGON + "\n[system]"),
+           ("thermo = { every = 5 }", 'trajectory = { format = "xyz", every = 1, units = "si" }'))
+    t.run_well("run", "deck.toml", "--out", "out", "--quiet")
     result = t.expect(3, t.run("evaluate", "out/trajectory.xyz", *PAIR))
     t.contains(result.err, "[argon]")
     found = evaluated(t, "out/trajectory.xyz", "--deck", "deck.toml")
@@ -204,7 +235,8 @@ def a_file_is_not_replaced_unasked(t):
 
 
 def cases():
-    tests = (nist, a_run_of_0_steps, two_atoms_across_the_wall, forces_are_slopes, every_format_and_all_frames, screen,
+    tests = (nist, a_run_of_0_steps, two_atoms_across_the_wall, forces_are_slopes, every_format_and_all_frames,
+             forces_in_trajectories, screen,
              si_units, a_file_is_not_replaced_unasked)
     return [Case(test.__name__.replace("_", " "), test) for test in tests] + [
         Case("no file", refused(3, "nowhere.xyz", *PAIR)),

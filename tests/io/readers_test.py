@@ -316,9 +316,9 @@ def ase_takes_forces_and_energies_as_results_of_a_calculator():
 
 
 def a_dump_is_read_by_mdanalysis_and_ase():
-    """MDAnalysis has positions in single precision and box, ASE also velocities and forces."""
-    system = universe("forces.lammpsdump", topology_format="LAMMPSDUMP", format="LAMMPSDUMP", lammps_coordinate_convention="unscaled")
-    read = ase.io.read(folder / "forces.lammpsdump", index=":", format="lammps-dump-text", units="lj")
+    """MDAnalysis has positions in single precision and box, ASE also forces."""
+    system = universe("forces.lammpsdump", format="LAMMPSDUMP", lammps_coordinate_convention="unscaled")
+    read = ase.io.read(folder / "forces.lammpsdump", index=":", format="lammps-dump-text")
     assert len(read) == system.trajectory.n_frames == FRAMES
     for f, (frame, atoms) in enumerate(zip(system.trajectory, read)):
         inside = positions(f) - np.floor(positions(f) / edges(f)) * edges(f)
