@@ -1,7 +1,7 @@
 # The library ljmd::ljmd and the program ljmd.
 file(GLOB_RECURSE ljmd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 # The command line is read by the program alone.
-set(ljmd_program_sources main.cpp described_commands.cpp own_commands.cpp)
+set(ljmd_program_sources main.cpp described_commands.cpp own_commands.cpp evaluate/evaluate_options.cpp)
 list(TRANSFORM ljmd_program_sources PREPEND ${PROJECT_SOURCE_DIR}/src/cli/)
 list(REMOVE_ITEM ljmd_sources ${ljmd_program_sources} ${ljmd_simd_sources})
 list(FILTER ljmd_sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/python/")

@@ -95,7 +95,8 @@ class Evaluator:
     def __init__(self, formula: str, truncation: str, cutoff: float, switch_start: float,
                  parameters: list[tuple[str, float]], tail: bool, skin: float, threads: int, simd: str,
                  precision: str) -> None: ...
-    def evaluate(self, positions: _Array, edges: tuple[float, float, float]) -> tuple[float, _Array, float, _Array]: ...
+    def evaluate(self, positions: _Array, edges: tuple[float, float, float],
+                 energies: bool) -> tuple[float, _Array, float, _Array, _Array | None]: ...
 
 class View:
     """Read-only memory of the atoms, in its order. No step can be taken while one or an array of one lives."""

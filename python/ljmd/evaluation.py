@@ -21,12 +21,14 @@ class Evaluation:
     forces: by atom, shape (N, 3) [epsilon/sigma]
     virial_tensor: W_ab = sum over pairs of r_a f_b, without tail, shape (3, 3) [epsilon]
     virial_pressure: tr W/(3 V) + p_tail, the pressure of atoms at rest [epsilon/sigma^3]
+    energies: by atom, half of its pairs' energies, without tail, shape (N,) [epsilon]; None unless asked for
     """
 
     potential_energy: float
     forces: np.ndarray
     virial_tensor: np.ndarray
     virial_pressure: float
+    energies: np.ndarray | None = None
 
     @property
     def virial(self) -> float:
@@ -74,10 +76,11 @@ class Evaluator:
         """[sigma]"""
         return float(self._potential.cutoff if isinstance(self._potential, Pair) else self._potential["cutoff"])
 
-    def __call__(self, positions, edges) -> Evaluation:
+    def __call__(self, positions, edges, *, energies: bool = False) -> Evaluation:
         """See `ljmd.evaluate`."""
-        energy, virial, pressure, forces = self._core.evaluate(vectors(positions, "positions"), edges_of(edges))
-        return Evaluation(energy, forces, virial, pressure)
+        energy, virial, pressure, forces, of_atoms = self._core.evaluate(vectors(positions, "positions"), edges_of(edges),
+                                                                         bool(energies))
+        return Evaluation(energy, forces, virial, pressure, of_atoms)
 
     def __reduce__(self):
         return _evaluator_of, (self._potential, self._options)
@@ -112,8 +115,8 @@ def edges_of(edges) -> tuple:
         raise InputError(f"edges: {edges!r}: one number or three are needed, those of the box") from None
 
 
-def evaluate(positions, edges, *, potential=None, threads: int | None = None, simd: str | None = None,
-             precision: str = "double") -> Evaluation:
+def evaluate(positions, edges, *, potential=None, energies: bool = False, threads: int | None = None,
+             simd: str | None = None, precision: str = "double") -> Evaluation:
     """Energy, forces and virial of one configuration of a fluid: periodic box, one kind of atom, no run.
 
         u = 4 (r^-12 - r^-6),  U = sum over pairs with r < cutoff,  f_i = -dU/dr_i,  W_ab = sum over pairs of r_a f_b
@@ -121,9 +124,12 @@ def evaluate(positions, edges, *, potential=None, threads: int | None = None, si
     positions: shape (N, 3) [sigma]; may lie outside the box
     edges: of the box, from the origin, three numbers or one [sigma]; each at least twice the cutoff
     potential: a table as [potential] of decks, in reduced units, or an `ljmd.Pair`; by default Lennard-Jones, shifted at 2.5
+    energies: also those of the atoms, u_i = half of the energies of its pairs; their sum is U without tail. They take
+        about as long as a few evaluations
     threads, simd, precision: as in `Deck.run`
 
     The bits are those of a run that starts from these positions. For many configurations in a row: `ljmd.Evaluator`.
     Raises InputError for wrong shapes, numbers that are not finite, and a cutoff longer than half the box.
     """
-    return Evaluator(potential, threads=threads, simd=simd, precision=precision)(positions, edges)
+    evaluator = Evaluator(potential, threads=threads, simd=simd, precision=precision)
+    return evaluator(positions, edges, energies=energies)

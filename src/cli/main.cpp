@@ -6,6 +6,7 @@
 
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/described_commands.hpp"
+#include "ljmd/cli/evaluate/evaluate_options.hpp"
 #include "ljmd/cli/exit_code.hpp"
 #include "ljmd/cli/own_commands.hpp"
 #include "ljmd/cli/signals.hpp"
@@ -263,6 +264,7 @@ int main(int argc, char** argv) {
     CLI::App& analyze = *app.add_subcommand(
         "analyze", "where a run has come to equilibrium; structure and transport from the frames of a trajectory");
     add_analyze_options(analyze, analyzed);
+    ljmd::EvaluateCommand evaluate(app);
     ljmd::ReportOptions reported;
     CLI::App& report = *app.add_subcommand(
         "report", "write one HTML page about a run, a sweep, a reproduced table or a comparison, or about several");
@@ -323,6 +325,8 @@ int main(int argc, char** argv) {
             ljmd::sweep_command(swept);
         } else if (analyze.parsed()) {
             ljmd::analyze_command(analyzed);
+        } else if (evaluate.parsed()) {
+            evaluate.run();
         } else if (report.parsed()) {
             ljmd::report_command(reported);
         } else if (bench.parsed()) {

@@ -73,7 +73,10 @@ double trajectory(const Deck& deck, const Start& start) {
         return 0.0;
     }
     const Index frames = 1 + total_steps(deck.stages) / deck.trajectory->every;
-    return trajectory_bytes(deck.trajectory->format, start.atoms, frames, deck.trajectory->velocities);
+    return trajectory_bytes(deck.trajectory->format, start.atoms, frames,
+                            {.velocities = deck.trajectory->velocities,
+                             .forces = deck.trajectory->forces,
+                             .energies = deck.trajectory->energies});
 }
 
 }  // namespace
@@ -87,7 +90,7 @@ SizeForecast forecast_size(const Deck& deck, const Start& start) {
     const Index rows_after_start = total_steps(deck.stages) / deck.thermo_every;
     const double rows = 1.0 + static_cast<double>(rows_after_start);
     const double disk = records + rows * (deck.units ? thermo_row_si : thermo_row) + trajectory(deck, start) +
-                        trajectory_bytes("xyz", start.atoms, 1, true) +  // final.xyz
+                        trajectory_bytes("xyz", start.atoms, 1, {.velocities = true}) +  // final.xyz
                         static_cast<double>(deck.checkpoint.keep) * one_checkpoint;
     return {memory, disk};
 }

@@ -4,6 +4,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/mistakes.hpp"
+#include "ljmd/forces/atom_energies.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
@@ -77,6 +78,13 @@ EvaluatedConfiguration ConfigurationEvaluator::evaluate(const Positions& positio
         result.forces.col(state.ids()[static_cast<std::size_t>(i)]) = forces.col(i);
     }
     return result;
+}
+
+std::vector<double> ConfigurationEvaluator::atom_energies() const {
+    if (!parts_) {
+        throw InputError("energies of atoms: no configuration was evaluated yet");
+    }
+    return ljmd::atom_energies(parts_->state, interaction_.potential);
 }
 
 /// New atoms and a new list.

@@ -40,16 +40,21 @@ class PythonEvaluator {
     PythonEvaluator(const PairPotential& potential, bool tail, double skin, const ExecutionOptions& options)
         : evaluator_(potential, tail, {.skin = skin}, Execution(options)) {}
 
-    [[nodiscard]] py::tuple evaluate(const Vectors& positions, const std::array<double, 3>& edges) {
+    /// @param energies  whether those of the atoms are wanted; else they are None
+    [[nodiscard]] py::tuple evaluate(const Vectors& positions, const std::array<double, 3>& edges, bool energies) {
         if (positions.ndim() != 2 || positions.shape(1) != 3) {
             throw InputError("positions: an array of shape (N, 3)");
         }
         const Eigen::Map<const Eigen::Matrix3Xd> r(positions.data(), 3, positions.shape(0));
         EvaluatedConfiguration found;
+        std::vector<double> of_atoms;
         {
             const py::gil_scoped_release free;
             const std::scoped_lock turn(busy_);
             found = evaluator_.evaluate(r, Vec3(edges[0], edges[1], edges[2]));
+            if (energies) {
+                of_atoms = evaluator_.atom_energies();
+            }
         }
         py::array_t<double> virial({3, 3});
         for (int a = 0; a < 3; ++a) {
@@ -57,7 +62,11 @@ class PythonEvaluator {
                 virial.mutable_at(a, b) = found.virial(a, b);
             }
         }
-        return py::make_tuple(found.potential_energy, virial, found.virial_pressure, to_python(found.forces));
+        py::object array = py::none();
+        if (energies) {
+            array = py::array_t<double>(static_cast<py::ssize_t>(of_atoms.size()), of_atoms.data());
+        }
+        return py::make_tuple(found.potential_energy, virial, found.virial_pressure, to_python(found.forces), array);
     }
 
   private:
@@ -84,7 +93,7 @@ void bind_evaluator(py::module_& module) {
              py::arg("formula"), py::arg("truncation"), py::arg("cutoff"), py::arg("switch_start"),
              py::arg("parameters"), py::arg("tail"), py::arg("skin"), py::arg("threads"), py::arg("simd"),
              py::arg("precision"))
-        .def("evaluate", &PythonEvaluator::evaluate, py::arg("positions"), py::arg("edges"));
+        .def("evaluate", &PythonEvaluator::evaluate, py::arg("positions"), py::arg("edges"), py::arg("energies"));
 }
 
 }  // namespace ljmd::python

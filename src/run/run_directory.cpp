@@ -7,6 +7,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/deck/history_columns.hpp"
+#include "ljmd/forces/atom_energies.hpp"
 #include "ljmd/io/files/checkpoint_file.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
@@ -142,6 +143,8 @@ void check_outputs(const Deck& deck, const Continuation& continuation) {
 
 RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<Continuation>& continuation)
     : deck_(deck),
+      energies_of_(deck.trajectory && deck.trajectory->energies ? std::optional(fluid.force_field.potential())
+                                                                : std::nullopt),
       trajectory_(open_trajectory(deck, fluid.state, continuation)),
       thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
               thermo_columns(deck, fluid.order.has_value(), fluid.force_field.external().get()),
@@ -191,7 +194,7 @@ void RunDirectory::write_frame(const State& state, const std::optional<double>& 
     if (csv_) {
         csv_->write(state, angle);
     } else if (trajectory_) {
-        trajectory_->write(state);
+        trajectory_->write(state, energies_of_ ? atom_energies(state, *energies_of_) : std::vector<double>());
     }
 }
 

@@ -59,6 +59,8 @@ std::unique_ptr<TrajectoryWriter> open_trajectory(const Deck& deck, const State&
     return make_trajectory_writer(format, first,
                                   {.path = deck.outputs() / fmt::format("trajectory.{}", format),
                                    .velocities = deck.trajectory->velocities,
+                                   .forces = deck.trajectory->forces,
+                                   .energies = deck.trajectory->energies,
                                    .si = deck.trajectory->si() ? deck.units : std::nullopt,
                                    .creator_version = build_info().version,
                                    .author = user(),

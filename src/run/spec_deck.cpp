@@ -176,6 +176,8 @@ std::string output_text(const FluidSpec& spec, const RunFiles& files) {
         text += fmt::format("trajectory = {}\n", inline_table({{"format", trajectory.format},
                                                                {"every", std::int64_t{trajectory.every}},
                                                                {"velocities", trajectory.velocities},
+                                                               {"forces", trajectory.forces},
+                                                               {"energies", trajectory.energies},
                                                                {"units", trajectory.units}}));
     }
     const Interval& every = files.checkpoint.every;

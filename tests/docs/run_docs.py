@@ -6,7 +6,8 @@ Usage: run_docs.py --ljmd PROGRAM --source ROOT [--python-path FOLDER] [--quick]
 - In a block ```sh, lines that begin with `ljmd` or `analysis/` are run, in order, in one folder for each document, which has
   the repository's inputs/. Other lines (tools/, tests/, build/, python3) are not run: they build, or take hours. Those of
   docs/class are run by tests/class.
-- The blocks ```python of a document are run as one program, in the same folder, with the package `ljmd` in FOLDER; without one
+- A block ```python whose first line is `# file: NAME` is a script of its own, which a test of the program runs.
+- The other blocks ```python of a document are run as one program, in the same folder, with the package `ljmd` in FOLDER; without one
   they are not run. They find a trajectory.h5md and a trajectory.xyz of a short run there.
 - A block ```text that shows a message of ljmd about a deck of the same document is compared with the message that the deck
   gives after the mistake has been made in it.
@@ -126,7 +127,7 @@ def write_trajectories(ljmd: str, folder: pathlib.Path) -> None:
 
 
 def check_python(path: pathlib.Path, ljmd: str, folder: pathlib.Path, package: str | None) -> None:
-    program = "".join(body for language, body in blocks(path.read_text(encoding="utf-8")) if language == "python")
+    program = "".join(body for language, body in blocks(path.read_text(encoding="utf-8")) if language == "python" and not body.startswith("# file: "))
     if program and package:
         write_trajectories(ljmd, folder)
         result = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,

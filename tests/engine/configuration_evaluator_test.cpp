@@ -86,3 +86,25 @@ TEST_CASE("wrong configurations are refused, and the next one is evaluated") {
     CHECK(evaluator.evaluate(r, edges).forces == expected);
     CHECK_THROWS_AS(ConfigurationEvaluator(spec.potential, true, spec.neighbors, {}), InputError);
 }
+
+TEST_CASE("the energies of the atoms are those of the configuration evaluated last, in the order of its positions") {
+    const FluidSpec spec = small_spec();
+    Simulation run(spec);
+    ConfigurationEvaluator evaluator = evaluator_of(spec);
+    CHECK_THROWS_AS(evaluator.atom_energies(), InputError);
+    Eigen::Matrix3Xd r = positions_of(run.state());
+    const Vec3 edges = run.state().box().edges();
+    const EvaluatedConfiguration before = evaluator.evaluate(r, edges);
+    const std::vector<double> energies = evaluator.atom_energies();
+    double sum = 0.0;
+    for (const double energy : energies) {
+        sum += energy;
+    }
+    CHECK(sum == Approx(before.potential_energy * static_cast<double>(r.cols())).epsilon(1e-13));
+    r.col(0).swap(r.col(1));
+    static_cast<void>(evaluator.evaluate(r, edges));
+    const std::vector<double> swapped = evaluator.atom_energies();
+    CHECK(swapped[0] == Approx(energies[1]).epsilon(1e-12));
+    CHECK(swapped[1] == Approx(energies[0]).epsilon(1e-12));
+    CHECK(swapped[2] == Approx(energies[2]).epsilon(1e-12));
+}

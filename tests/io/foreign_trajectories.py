@@ -1,5 +1,5 @@
 """Does `ljmd analyze` read the trajectories of other tools? H5MD by h5py in all its variety and by MDAnalysis, extended XYZ
-by ASE, all made from the frames of one run, give what that run has found itself.
+by ASE, DCD and XTC by way of the converter in the documentation, all made from the frames of one run, give what that run has found itself.
 
 usage: foreign_trajectories.py LJMD
 """
@@ -8,6 +8,7 @@ import csv
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -218,11 +219,41 @@ def extended_xyz_by_ase_with_momenta(ljmd, run):
         as_the_run(ljmd, name, {"msd": 1e-6, "vacf": 1e-6}, "--time-step", "0.02", *settings)
 
 
+def converted_dcd_and_xtc(ljmd, run):
+    """By the script that docs/trajectories.md shows, of files by MDAnalysis: in single precision, XTC with 0.01 angstrom."""
+    page = (pathlib.Path(__file__).resolve().parents[2] / "docs/trajectories.md").read_text(encoding="utf-8")
+    script = re.search(r"^```python\n(# file: to_xyz.py\n.*?)^```$", page, re.M | re.S).group(1)
+    pathlib.Path("to_xyz.py").write_text(script, encoding="utf-8")
+    sigma, tau = 3.405, math.sqrt(39.948 * 1.66053906660e-27 / (119.8 * 1.380649e-23)) * 3.405e-10 / 1e-12
+    atoms = run.positions.shape[1]
+    for name, positions, same_bins, tolerance in (("a.dcd", run.positions, 0.05, 1e-4), ("a.xtc", run.wrapped, 0.2, 0.02)):
+        universe = MDAnalysis.Universe.empty(atoms, trajectory=True)
+        with MDAnalysis.Writer(name, atoms, dt=0.02 * tau) as writer:
+            for frame, (r, time) in enumerate(zip(positions, run.times)):
+                ts = universe.trajectory.ts
+                ts.frame, ts.time = frame, time * tau
+                ts.positions, ts.dimensions = r * sigma, [*(run.edges * sigma), 90, 90, 90]
+                writer.write(universe.atoms)
+        xyz = name.replace(".", "-") + ".xyz"
+        done = subprocess.run([sys.executable, "to_xyz.py", name, xyz, "si"], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        # A distance may fall into the bin beside its own.
+        every = {"rdf": 2, "structure_factor": 4, "msd": 2}  # frames, because there are no steps
+        settings = [part for key, count in every.items() for part in ("--set", f"analysis.{key}.every={count}")]
+        settings += ["--set", "analysis.msd.max_time=0.201"]  # times in single precision: 0.2 may be more than 0.2
+        as_the_run(ljmd, xyz, {"rdf": same_bins, "structure_factor": tolerance, "msd": tolerance}, *settings)
+    with MDAnalysis.Writer("tilted.dcd", atoms) as writer:
+        universe.trajectory.ts.dimensions = [20, 20, 20, 90, 90, 80]
+        writer.write(universe.atoms)
+    done = subprocess.run([sys.executable, "to_xyz.py", "tilted.dcd", "tilted.xyz", "si"], capture_output=True, text=True, check=False)
+    assert done.returncode == 1 and "right angles" in done.stderr, done.stderr
+
+
 def main():
     ljmd = pathlib.Path(sys.argv[1]).resolve()
     compute_same_bits_everywhere()  # how many distances rounding takes to another bin depends on the trajectory
     tests = (h5md_with_images_ids_and_increments, h5md_with_a_matrix_in_each_frame, h5md_in_other_units, h5md_by_mdanalysis,
-             extended_xyz_by_ase, extended_xyz_by_ase_with_momenta)
+             extended_xyz_by_ase, extended_xyz_by_ase_with_momenta, converted_dcd_and_xtc)
     failed = 0
     with tempfile.TemporaryDirectory(prefix="ljmd-foreign-") as folder:
         os.chdir(folder)

@@ -41,6 +41,15 @@ def velocities(f):
     return np.stack([k - 2.0, 0.5 * f - 0.25 * k, -0.125 * k * f], axis=1)
 
 
+def forces(f):
+    k = np.arange(ATOMS)
+    return np.stack([0.25 * k - f, 1.0 * k, 0.0 * k - 0.5 * f], axis=1)
+
+
+def energies(f):
+    return 0.25 * f - 0.5 * np.arange(ATOMS)
+
+
 def edges(f):
     return np.array([4.0 + 0.5 * f, 5.0, 6.0 - 0.25 * f])
 
@@ -149,6 +158,24 @@ def h5py_reads_an_unbounded_system():
             same(group["position/value"][f], positions(f))
 
 
+def h5py_reads_forces_and_energies_of_the_atoms():
+    kilojoule = EPSILON * 6.02214076e23 / 1e3  # of one epsilon, per mole
+    for name, length, energy, tolerance in (("forces", 1.0, 1.0, 0.0), ("forces-si", NANOMETRE, kilojoule, 1e-14)):
+        with h5py.File(folder / f"{name}.h5md", "r") as file:
+            group = file["particles/trajectory"]
+            for f in range(FRAMES):
+                close(group["force/value"][f], energy / length * forces(f), tolerance)
+                close(group["potential_energy/value"][f], energy * energies(f), tolerance)
+            for element in ("force", "potential_energy"):
+                for shared in ("step", "time"):
+                    assert group[f"{element}/{shared}"] == group[f"position/{shared}"], (element, shared)
+            units = [group[element].attrs.get("unit") for element in ("force/value", "potential_energy/value")]
+            assert units == (["kJ mol-1 nm-1", "kJ mol-1"] if name == "forces-si" else [None, None]), units
+            stated = dict(file["parameters/units"].attrs)
+            assert (stated["force"], stated["energy"]) == (("kJ mol-1 nm-1", "kJ mol-1") if name == "forces-si"
+                                                           else ("epsilon/sigma", "epsilon"))
+
+
 def h5py_follows_a_file_that_is_still_written():
     with h5py.File(folder / "reduced.h5md", "r", swmr=True) as file:
         assert file["particles/trajectory/position/value"].shape[0] == FRAMES
@@ -192,6 +219,14 @@ def mdanalysis_reads_h5md_without_velocities_and_at_random():
     assert not system.trajectory.ts.has_velocities
     for f in (2, 0, 3, 1):
         close(system.trajectory[f].positions, 10 * NANOMETRE * positions(f), 1e-6)
+
+
+def mdanalysis_reads_forces():
+    """In kJ/(mol angstrom), its unit; of a reduced file as they stand."""
+    kilojoule = EPSILON * 6.02214076e23 / 1e3
+    for name, unit, options in (("forces-si.h5md", kilojoule / (10 * NANOMETRE), {}), ("forces.h5md", 1.0, {"convert_units": False})):
+        for f, frame in enumerate(universe(name, **options).trajectory):
+            close(frame.forces, unit * forces(f), 1e-6)
 
 
 def mdanalysis_gets_the_displacements_right():
@@ -269,6 +304,31 @@ def ase_reads_files_without_velocities_and_without_a_box():
     same(atoms.positions, positions(1))
 
 
+def ase_takes_forces_and_energies_as_results_of_a_calculator():
+    """In its units, eV and angstrom, from a file in SI units; of a reduced file as they stand."""
+    volt = EPSILON / 1.602176634e-19  # of one epsilon
+    for name, length, energy, tolerance in (("forces", 1.0, 1.0, 0.0), ("forces-si", 10 * NANOMETRE, volt, 1e-14)):
+        for f, atoms in enumerate(ase.io.read(folder / f"{name}.xyz", index=":")):
+            close(atoms.get_forces(), energy / length * forces(f), tolerance)
+            close(atoms.get_potential_energies(), energy * energies(f), tolerance)
+            close(atoms.positions, length * positions(f), tolerance)
+            same(atoms.arrays["id"], 1 + np.arange(ATOMS))
+
+
+def a_dump_is_read_by_mdanalysis_and_ase():
+    """MDAnalysis has positions in single precision and box, ASE also forces."""
+    system = universe("forces.lammpsdump", format="LAMMPSDUMP", lammps_coordinate_convention="unscaled")
+    read = ase.io.read(folder / "forces.lammpsdump", index=":", format="lammps-dump-text")
+    assert len(read) == system.trajectory.n_frames == FRAMES
+    for f, (frame, atoms) in enumerate(zip(system.trajectory, read)):
+        inside = positions(f) - np.floor(positions(f) / edges(f)) * edges(f)
+        close(frame.positions, inside, 1e-6)
+        close(frame.dimensions, [*edges(f), 90, 90, 90], 1e-6)
+        close(atoms.positions % edges(f), inside)
+        close(atoms.get_forces(), forces(f))
+        close(atoms.cell.array, np.diag(edges(f)))
+
+
 def ase_reads_the_final_configuration_exactly():
     atoms = ase.io.read(folder / "final.xyz")
     same(atoms.positions, positions(FRAMES - 1))
@@ -286,15 +346,19 @@ TESTS = [
     h5py_finds_units_in_si_files_only,
     h5py_finds_what_vmd_needs_for_colours,
     h5py_reads_an_unbounded_system,
+    h5py_reads_forces_and_energies_of_the_atoms,
     h5py_follows_a_file_that_is_still_written,
     mdanalysis_reads_si_h5md,
     mdanalysis_reads_reduced_h5md_without_units,
     mdanalysis_reads_h5md_without_velocities_and_at_random,
+    mdanalysis_reads_forces,
     mdanalysis_gets_the_displacements_right,
     mdanalysis_reads_xyz,
     mdanalysis_opens_reduced_files_by_the_lines_of_the_documentation,
     ase_reads_every_frame,
     ase_reads_files_without_velocities_and_without_a_box,
+    ase_takes_forces_and_energies_as_results_of_a_calculator,
+    a_dump_is_read_by_mdanalysis_and_ase,
     ase_reads_the_final_configuration_exactly,
 ]
 

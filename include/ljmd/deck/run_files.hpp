@@ -13,6 +13,8 @@ struct TrajectoryOutput {
     std::string format = "h5md";  ///< one that `ljmd info` names; "csv" for few-body systems alone
     Index every = 100;            ///< [steps]
     bool velocities = false;
+    bool forces = false;            ///< fluids only
+    bool energies = false;          ///< of the atoms, fluids only
     bool accelerations = false;     ///< csv only
     std::string units = "reduced";  ///< or "si", which takes a substance
 

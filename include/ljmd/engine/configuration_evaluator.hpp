@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/execution/execution.hpp"
@@ -35,6 +36,11 @@ class ConfigurationEvaluator {
     /// @throws InputError for wrong edges, and unless all numbers are finite and N is one that a run can have
     [[nodiscard]] EvaluatedConfiguration evaluate(const Eigen::Ref<const Eigen::Matrix3Xd>& positions,
                                                   const Vec3& edges);
+
+    /// Energy of each atom of the configuration evaluated last, in the order of the positions [epsilon], see
+    /// ljmd::atom_energies(): half of its pairs' energies, without tail.
+    /// @throws InputError  nothing was evaluated yet
+    [[nodiscard]] std::vector<double> atom_energies() const;
 
   private:
     /// Atoms and neighbour list, which belong together.

@@ -89,6 +89,7 @@ class RunDirectory {
 
     const Deck& deck_;
     std::optional<TrajectoryCsv> csv_;
+    std::optional<PairPotential> energies_of_;      ///< set: frames hold the energies of the atoms in this potential
     std::unique_ptr<TrajectoryWriter> trajectory_;  ///< if it is not CSV; may throw when the run is resumed
     std::variant<ThermoCsv, FewBodyThermoCsv> thermo_;
     RunRecord record_;

@@ -47,6 +47,9 @@ void FluidTrajectory::describe(Description& description) {
         .meaning("of the file trajectory.h5md and so on; " + meanings_of(formats));
     describe_every(description, *this);
     description.flag("velocities", velocities).meaning("write velocities too");
+    description.flag("forces", forces).meaning("write the forces on the atoms too");
+    description.flag("energies", energies)
+        .meaning("write the energies of the atoms too, half of those of their pairs, without tail");
     description.choice("units", {"reduced", "si"}, units)
         .meaning(fmt::format("si ({}) needs [argon]", meanings_of(formats, &TrajectoryFormat::si_units)));
 }

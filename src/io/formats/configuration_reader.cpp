@@ -85,4 +85,13 @@ Configuration read_configuration(const std::filesystem::path& path, const std::o
         "can be read");
 }
 
+bool holds_one_configuration(const std::filesystem::path& path) {
+    TextFile file(path);
+    if (is_hdf5(path)) {
+        return false;
+    }
+    const Format format = recognise(file);
+    return format == Format::nist || format == Format::lammps_data;
+}
+
 }  // namespace ljmd

@@ -16,27 +16,34 @@ namespace {
 
 constexpr double angstrom_per_nanometre = 10.0;
 
-std::string header(const State& state, bool velocities, bool si, const UnitScale& scale) {
+/// epsilon in the unit of energy of the file.
+double energy_scale(const std::optional<SubstanceUnits>& si) {
+    return si ? si->si(Dimension::energy) / ase_energy : 1.0;
+}
+
+std::string header(const State& state, const FrameContents& contents, bool si, const UnitScale& scale) {
     std::string text = fmt::format("{}\n", state.count());
     if (state.has_box()) {
         const Vec3 edges = scale.length * state.box().edges();
         text += fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" ", edges[0], edges[1], edges[2]);
     }
-    text +=
-        fmt::format("Properties=species:S:1:pos:R:3{}:id:I:1 pbc=\"{}\" Time={} step={} units={} positions=unwrapped\n",
-                    velocities ? ":velo:R:3:momenta:R:3" : "", state.has_box() ? "T T T" : "F F F",
-                    scale.time * state.time, state.step, si ? "si" : "reduced");
+    text += fmt::format(
+        "Properties=species:S:1:pos:R:3{}{}{}:id:I:1 pbc=\"{}\" Time={} step={} units={} positions=unwrapped\n",
+        contents.velocities ? ":velo:R:3:momenta:R:3" : "", contents.forces ? ":forces:R:3" : "",
+        contents.energies.empty() ? "" : ":energies:R:1", state.has_box() ? "T T T" : "F F F", scale.time * state.time,
+        state.step, si ? "si" : "reduced");
     return text;
 }
 
 }  // namespace
 
-void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocities,
+void write_extended_xyz_frame(OutputFile& file, const State& state, const FrameContents& contents,
                               const std::optional<SubstanceUnits>& si) {
     const UnitScale scale = unit_scale(si, angstrom_per_nanometre);
-    file.write(header(state, velocities, si.has_value(), scale));
+    file.write(header(state, contents, si.has_value(), scale));
     const char* species = si ? "Ar" : "X";
     const double momentum = ase_mass(species).value() / (si ? ase_velocity : 1.0);
+    const double energy = energy_scale(si);
     const std::vector<Index> index_of = state.index_of();
     std::string line;
     for (std::size_t id = 0; id < index_of.size(); ++id) {
@@ -44,11 +51,18 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocit
         const Vec3 r = scale.length * state.unwrapped(i);
         line.clear();
         fmt::format_to(std::back_inserter(line), "{} {} {} {}", species, r[0], r[1], r[2]);
-        if (velocities) {
+        if (contents.velocities) {
             const Vec3 v = scale.velocity * state.velocities().col(i);
             fmt::format_to(std::back_inserter(line), " {} {} {}", v[0], v[1], v[2]);
             const Vec3 p = momentum * v;
             fmt::format_to(std::back_inserter(line), " {} {} {}", p[0], p[1], p[2]);
+        }
+        if (contents.forces) {
+            const Vec3 f = energy / scale.length * state.forces().col(i);
+            fmt::format_to(std::back_inserter(line), " {} {} {}", f[0], f[1], f[2]);
+        }
+        if (!contents.energies.empty()) {
+            fmt::format_to(std::back_inserter(line), " {}", energy * contents.energies[id]);
         }
         fmt::format_to(std::back_inserter(line), " {}\n", id + 1);
         file.write(line);
@@ -56,8 +70,9 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocit
 }
 
 void write_configuration(const OutputPlace& place, const State& state, bool velocities) {
-    write_file_atomically(place,
-                          [&](OutputFile& file) { write_extended_xyz_frame(file, state, velocities, std::nullopt); });
+    write_file_atomically(place, [&](OutputFile& file) {
+        write_extended_xyz_frame(file, state, {.velocities = velocities}, std::nullopt);
+    });
 }
 
 }  // namespace ljmd

@@ -54,9 +54,14 @@ std::string frames_of(const std::filesystem::path& path, const std::string& form
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose);
     REQUIRE(file);
     std::string text;
-    for (const char* name : {"position/step", "position/time", "position/value", "velocity/value", "box/edges/value"}) {
-        const Hdf5Handle dataset(
-            H5Dopen2(file.get(), fmt::format("particles/trajectory/{}", name).c_str(), H5P_DEFAULT), H5Dclose);
+    for (const char* name : {"position/step", "position/time", "position/value", "velocity/value", "force/value",
+                             "potential_energy/value", "box/edges/value"}) {
+        const std::string path_of_numbers = fmt::format("particles/trajectory/{}", name);
+        const std::string element = path_of_numbers.substr(0, path_of_numbers.rfind('/'));
+        if (H5Lexists(file.get(), element.c_str(), H5P_DEFAULT) <= 0) {
+            continue;
+        }
+        const Hdf5Handle dataset(H5Dopen2(file.get(), path_of_numbers.c_str(), H5P_DEFAULT), H5Dclose);
         const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose);
         std::vector<double> numbers(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
         REQUIRE(H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) >= 0);
@@ -99,8 +104,16 @@ TEST_CASE("a trajectory is of one system") {
         const auto writer = make_trajectory_writer(format, state, {.path = folder / "t"});
         CHECK_THROWS_AS(writer->write(State(4, state.box())), ContractViolation);
         CHECK_THROWS_AS(writer->write(State(3)), ContractViolation);
+        CHECK_THROWS_AS(writer->write(state, std::vector(3, 1.0)), ContractViolation);
         CHECK_NOTHROW(writer->write(state));
         writer->close();
+        State forced = state;
+        const auto full =
+            make_trajectory_writer(format, state, {.path = folder / "full", .forces = true, .energies = true});
+        CHECK_THROWS_AS(full->write(forced, std::vector(3, 1.0)), ContractViolation);  // forces of other positions
+        forced.mark_forces_current();
+        CHECK_THROWS_AS(full->write(forced), ContractViolation);
+        CHECK_NOTHROW(full->write(forced, std::vector(3, 1.0)));
     }
 }
 
@@ -126,15 +139,18 @@ TEST_CASE("a trajectory is continued from the frames that are kept, whether it w
                 State state = sample();
                 state.step = step;
                 state.write_positions().col(0) += Vec3(0.0, 0.125 * static_cast<double>(step), 0.0);
+                state.write_forces().setConstant(0.5 * static_cast<double>(step));
+                state.mark_forces_current();
                 return state;
             };
             const auto write = [&](const std::string& name, Index first, Index last,
                                    const std::optional<CommittedFrames>& kept) {
-                auto writer =
-                    make_trajectory_writer(format, sample(), {.path = folder / name, .velocities = true, .kept = kept});
+                auto writer = make_trajectory_writer(
+                    format, sample(),
+                    {.path = folder / name, .velocities = true, .forces = true, .energies = true, .kept = kept});
                 CommittedFrames committed;
                 for (Index step = first; step <= last; ++step) {
-                    writer->write(moved(step));
+                    writer->write(moved(step), std::vector(3, -0.25 * static_cast<double>(step)));
                     if (step == 2) {
                         committed = writer->commit();
                     }
@@ -349,20 +365,30 @@ TEST_CASE("the bytes that a trajectory was said to take are about those of its f
     for (const std::string& format : plugin_names(all_trajectory_formats())) {
         for (const Index atoms : {3, 108, 4000}) {
             for (const Index frames : {1, 10, 100}) {
-                for (const bool velocities : {false, true}) {
+                for (const AtomColumns& columns :
+                     {AtomColumns{}, AtomColumns{.velocities = true}, AtomColumns{.forces = true},
+                      AtomColumns{.velocities = true, .forces = true, .energies = true}}) {
                     State state(atoms, Box(Vec3(7.0, 7.0, 7.0)));
                     state.write_positions().setRandom();
                     state.write_velocities().setRandom();
+                    state.write_forces().setRandom();
+                    state.mark_forces_current();
+                    const std::vector<double> energies(
+                        columns.energies ? static_cast<std::size_t>(atoms) : std::size_t{0}, -6.123456789012345);
                     const TemporaryFolder folder;
                     const std::filesystem::path path = folder / "a.trajectory";
-                    const auto writer = make_trajectory_writer(format, state, {.path = path, .velocities = velocities});
+                    const auto writer = make_trajectory_writer(format, state,
+                                                               {.path = path,
+                                                                .velocities = columns.velocities,
+                                                                .forces = columns.forces,
+                                                                .energies = columns.energies});
                     for (Index frame = 0; frame < frames; ++frame) {
-                        writer->write(state);
+                        writer->write(state, energies);
                     }
                     writer->close();
-                    const double said = trajectory_bytes(format, atoms, frames, velocities);
+                    const double said = trajectory_bytes(format, atoms, frames, columns);
                     const auto taken = static_cast<double>(std::filesystem::file_size(path));
-                    CAPTURE(format, atoms, frames, velocities, said, taken);
+                    CAPTURE(format, atoms, frames, columns.velocities, columns.forces, said, taken);
                     CHECK(said < 1.3 * taken);
                     CHECK(said > taken / 1.3);
                 }

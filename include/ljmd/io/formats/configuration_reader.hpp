@@ -27,4 +27,8 @@ namespace ljmd {
                                                const std::optional<SubstanceUnits>& units,
                                                const std::string& xyz_comment = {});
 
+/// Whether a file has a format that holds one configuration and no trajectory: NIST sample configuration, LAMMPS data.
+/// @throws DataError  the file is missing, not a regular file, or empty
+[[nodiscard]] bool holds_one_configuration(const std::filesystem::path& path);
+
 }  // namespace ljmd

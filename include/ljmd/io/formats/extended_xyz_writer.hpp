@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "ljmd/core/units.hpp"
 #include "ljmd/io/files/open_directory.hpp"
@@ -9,6 +10,13 @@
 
 namespace ljmd {
 
+/// What a frame holds beside the positions.
+struct FrameContents {
+    bool velocities = false;
+    bool forces = false;                    ///< @pre those of the state are current
+    std::span<const double> energies = {};  ///< of the atoms, by id [epsilon], see atom_energies(); empty: none
+};
+
 /// Append one frame in extended XYZ: the number of atoms, a comment line, one line per atom in the order of ids.
 ///
 ///     Lattice="L 0 0 0 L 0 0 0 L" Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3:id:I:1 pbc="T T T" Time=..
@@ -16,13 +24,14 @@ namespace ljmd {
 ///
 /// `momenta` are for ASE, which takes velocities from nothing else: the velocity times the mass that ASE gives to the
 /// species [u]. That velocity is in ASE's unit sqrt(eV/u), in a reduced file in sigma/tau.
-/// Numbers have as many digits as are needed to read back the same double. Positions are unwrapped; ids count from 1.
-/// Without a box there is no Lattice, and pbc="F F F".
+/// `forces:R:3` and `energies:R:1` stand before the id where they are asked for: names and units are those of ASE,
+/// which takes them as results of a calculator. Numbers have as many digits as are needed to read back the same double.
+/// Positions are unwrapped; ids count from 1. Without a box there is no Lattice, and pbc="F F F".
 ///
 /// @param si  empty: units=reduced, species X. Set: units=si, species Ar; positions [angstrom], velocities
-///            [angstrom/ps], Time [ps]
+///            [angstrom/ps], Time [ps]; forces [eV/angstrom], energies [eV]
 /// @throws FileError
-void write_extended_xyz_frame(OutputFile& file, const State& state, bool velocities,
+void write_extended_xyz_frame(OutputFile& file, const State& state, const FrameContents& contents,
                               const std::optional<SubstanceUnits>& si);
 
 /// Write one configuration in reduced units, from which a later run can start. The file is replaced atomically.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct CommittedFrames {
 struct TrajectoryOptions {
     OutputPlace path;                          ///< the file; may be given as a path
     bool velocities = false;                   ///< write velocities as well
+    bool forces = false;                       ///< write forces as well
+    bool energies = false;                     ///< write the energies of the atoms as well
     std::optional<SubstanceUnits> si = {};     ///< set: SI units; else reduced units (without a box: those of the deck)
     std::string creator_version = {};          ///< version of this program
     std::string author = {};                   ///< empty: "unknown"
@@ -53,9 +56,11 @@ class TrajectoryWriter {
 
     /// Append one frame. On return the system has it: readers of the file see it, and a kill does not lose it. A power
     /// cut may, until the next commit(). When writing fails, earlier frames stay and every later call throws.
-    /// @pre   the number of atoms and the presence of a box are those of the first state, else ContractViolation
+    /// @param energies  of the atoms, by id, if the file has them, else none: see atom_energies()
+    /// @pre   the number of atoms and the presence of a box are those of the first state, there are energies where the
+    /// file has them, and forces are current where it has forces, else ContractViolation
     /// @throws FileError
-    virtual void write(const State& state) = 0;
+    void write(const State& state, std::span<const double> energies = {});
 
     /// Synchronise all frames so far.
     /// @return the committed part of the file, for TrajectoryOptions::kept
@@ -67,9 +72,23 @@ class TrajectoryWriter {
     virtual void close() = 0;
 
   protected:
-    TrajectoryWriter() = default;
+    /// For files with the contents of these options, of atoms like those of the first state.
+    TrajectoryWriter(const State& first, const TrajectoryOptions& options)
+        : count_(first.count()),
+          has_box_(first.has_box()),
+          has_forces_(options.forces),
+          has_energies_(options.energies) {}
     TrajectoryWriter(const TrajectoryWriter&) = default;
     TrajectoryWriter& operator=(const TrajectoryWriter&) = default;
+
+    /// write() of a state that meets its precondition.
+    virtual void append(const State& state, std::span<const double> energies) = 0;
+
+  private:
+    Index count_;
+    bool has_box_;
+    bool has_forces_;
+    bool has_energies_;
 };
 
 /// Creates a file without frames, replacing one of that name; or continues an existing one, closed or not.
@@ -77,10 +96,18 @@ class TrajectoryWriter {
 using MakeTrajectory =
     std::function<std::unique_ptr<TrajectoryWriter>(const State& first, const TrajectoryOptions& options)>;
 
+/// What the frames of a file hold of each atom beside its position.
+struct AtomColumns {
+    bool velocities = false;
+    bool forces = false;
+    bool energies = false;
+};
+
 /// A format in which runs write trajectories. Each is one file in src/io/formats/trajectories.
 ///
-/// Every format holds periodic boxes and, for few bodies, none; velocities where asked for; reduced and SI units; the
-/// step and the time of each frame. Nothing that a later frame depends on is kept but CommittedFrames.
+/// Every format holds periodic boxes and, for few bodies, none; velocities, forces and energies of the atoms where
+/// asked for; reduced and SI units; the step and the time of each frame. Nothing that a later frame depends on is kept
+/// but CommittedFrames.
 struct TrajectoryFormat {
     std::string name;      ///< as a deck selects it; the file is trajectory.<name>
     std::string meaning;   ///< what the format is called, for the reference page: "extended XYZ"
@@ -88,14 +115,15 @@ struct TrajectoryFormat {
     bool is_read;          ///< open_trajectory() reads its fluids in reduced units, so `ljmd analyze` can
     MakeTrajectory make;
     /// Approximate size of a file with so many frames of a fluid [bytes].
-    std::function<double(Index atoms, Index frames, bool velocities)> bytes;
+    std::function<double(Index atoms, Index frames, const AtomColumns& columns)> bytes;
 };
 
 /// Every format, in alphabetical order.
 [[nodiscard]] std::vector<TrajectoryFormat> all_trajectory_formats();
 
 /// Appends one frame to a text file.
-using WriteFrame = std::function<void(OutputFile& file, const State& state, const TrajectoryOptions& options)>;
+using WriteFrame = std::function<void(OutputFile& file, const State& state, std::span<const double> energies,
+                                      const TrajectoryOptions& options)>;
 
 /// TrajectoryFormat::make of a text format, whose file is one frame after the other.
 [[nodiscard]] MakeTrajectory text_trajectory(const WriteFrame& write_frame);
@@ -108,6 +136,6 @@ using WriteFrame = std::function<void(OutputFile& file, const State& state, cons
                                                                        const TrajectoryOptions& options);
 
 /// TrajectoryFormat::bytes of the format of this name. @throws InputError  unknown format
-[[nodiscard]] double trajectory_bytes(const std::string& format, Index atoms, Index frames, bool velocities);
+[[nodiscard]] double trajectory_bytes(const std::string& format, Index atoms, Index frames, const AtomColumns& columns);
 
 }  // namespace ljmd

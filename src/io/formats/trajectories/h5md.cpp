@@ -74,42 +74,55 @@ std::vector<double> numbers_at(const std::filesystem::path& path, std::uint64_t 
 class H5mdWriter : public TrajectoryWriter {
   public:
     H5mdWriter(const State& first, const TrajectoryOptions& options);
-    void write(const State& state) override;
     CommittedFrames commit() override;
     void close() override;
 
   private:
+    void append(const State& state, std::span<const double> energies) override;
     void require_kept(const TrajectoryOptions& options);
 
     void create_metadata(const TrajectoryOptions& options);
     void create_parameters(const TrajectoryOptions& options);
     void create_box(bool si);
     void create_particles(const State& first, bool si);
+    void create_series_of_atoms(const std::string& name, Hdf5Output::Series& series, const std::vector<hsize_t>& chunk,
+                                const std::string& unit);
 
     Index count_;
     bool has_box_;
     bool has_velocities_;
+    bool has_forces_;
+    bool has_energies_;
     bool failed_ = false;
     FrameMark last_;
     UnitScale scale_;
+    double energy_scale_;  ///< epsilon in the unit of the file
     Hdf5Output file_;
     Hdf5Output::Series step_;
     Hdf5Output::Series time_;
     Hdf5Output::Series edges_;
     Hdf5Output::Series velocity_;
+    Hdf5Output::Series force_;
+    Hdf5Output::Series energy_;
     Hdf5Output::Series position_;
 };
 
 H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
-    : count_(first.count()),
+    : TrajectoryWriter(first, options),
+      count_(first.count()),
       has_box_(first.has_box()),
       has_velocities_(options.velocities),
+      has_forces_(options.forces),
+      has_energies_(options.energies),
       scale_(unit_scale(options.si, 1.0)),
+      energy_scale_(options.si ? options.si->kilojoule_per_mole() : 1.0),
       file_(options.path),
       step_{particles + "/position/step", {}, H5T_NATIVE_INT64},
       time_{particles + "/position/time", {}, H5T_NATIVE_DOUBLE},
       edges_{particles + "/box/edges/value", {3, 3}, H5T_NATIVE_DOUBLE},
       velocity_{particles + "/velocity/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE},
+      force_{particles + "/force/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE},
+      energy_{particles + "/potential_energy/value", {static_cast<hsize_t>(count_)}, H5T_NATIVE_DOUBLE},
       position_{particles + "/position/value", {static_cast<hsize_t>(count_), 3}, H5T_NATIVE_DOUBLE} {
     create_metadata(options);
     create_parameters(options);
@@ -126,6 +139,12 @@ H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
     }
     if (has_velocities_) {
         series.push_back(&velocity_);
+    }
+    if (has_forces_) {
+        series.push_back(&force_);
+    }
+    if (has_energies_) {
+        series.push_back(&energy_);
     }
     series.push_back(&position_);
     file_.continue_appending(series, static_cast<hsize_t>(options.kept->frames), frames_per_chunk(count_));
@@ -177,6 +196,12 @@ void H5mdWriter::create_parameters(const TrajectoryOptions& options) {
     file_.set_variable_text(units, "length", si ? "nm" : has_box_ ? "sigma" : "unit of the deck");
     file_.set_variable_text(units, "time", si ? "ps" : has_box_ ? "tau" : "unit of the deck");
     file_.set_variable_text(units, "velocity", si ? "nm ps-1" : has_box_ ? "sigma/tau" : "unit of the deck");
+    if (has_forces_) {
+        file_.set_variable_text(units, "force", si ? "kJ mol-1 nm-1" : has_box_ ? "epsilon/sigma" : "unit of the deck");
+    }
+    if (has_energies_) {
+        file_.set_variable_text(units, "energy", si ? "kJ mol-1" : has_box_ ? "epsilon" : "unit of the deck");
+    }
 
     const std::string vmd = "parameters/vmd_structure";
     file_.create_group(vmd);
@@ -196,18 +221,20 @@ void H5mdWriter::create_particles(const State& first, bool si) {
     file_.create_series(step_, {max_frames_per_chunk});
     file_.create_series(time_, {max_frames_per_chunk});
     file_.create_series(position_, vector_chunk(count_));
-    if (has_velocities_) {
-        file_.create_group(particles + "/velocity");
-        file_.create_series(velocity_, vector_chunk(count_));
-        file_.link(step_.name, particles + "/velocity/step");
-        file_.link(time_.name, particles + "/velocity/time");
-    }
     if (si) {
         file_.set_variable_text(position_.name, "unit", "nm");
         file_.set_variable_text(time_.name, "unit", "ps");
-        if (has_velocities_) {
-            file_.set_variable_text(velocity_.name, "unit", "nm ps-1");
-        }
+    }
+    const auto unit = [si](const char* name) { return si ? std::string(name) : std::string(); };
+    if (has_velocities_) {
+        create_series_of_atoms("velocity", velocity_, vector_chunk(count_), unit("nm ps-1"));
+    }
+    if (has_forces_) {
+        create_series_of_atoms("force", force_, vector_chunk(count_), unit("kJ mol-1 nm-1"));
+    }
+    if (has_energies_) {
+        const std::vector<hsize_t> chunk = vector_chunk(count_);
+        create_series_of_atoms("potential_energy", energy_, {chunk[0], chunk[1]}, unit("kJ mol-1"));
     }
     std::vector<std::int64_t> ids;
     std::vector<double> masses;
@@ -219,6 +246,20 @@ void H5mdWriter::create_particles(const State& first, bool si) {
     file_.write_numbers(particles + "/id", ids);
     if (!si) {
         file_.write_numbers(particles + "/mass", masses);
+    }
+}
+
+/// An element of the particles, at the steps and times of the positions.
+/// @param unit  empty: none
+void H5mdWriter::create_series_of_atoms(const std::string& name, Hdf5Output::Series& series,
+                                        const std::vector<hsize_t>& chunk, const std::string& unit) {
+    const std::string group = particles + "/" + name;
+    file_.create_group(group);
+    file_.create_series(series, chunk);
+    file_.link(step_.name, group + "/step");
+    file_.link(time_.name, group + "/time");
+    if (!unit.empty()) {
+        file_.set_variable_text(series.name, "unit", unit);
     }
 }
 
@@ -238,10 +279,7 @@ void H5mdWriter::create_box(bool si) {
     }
 }
 
-void H5mdWriter::write(const State& state) {
-    if (state.count() != count_ || state.has_box() != has_box_) {
-        throw ContractViolation("a trajectory keeps its number of atoms and its kind of box");
-    }
+void H5mdWriter::append(const State& state, std::span<const double> energies) {
     if (failed_) {
         throw FileError(fmt::format("cannot write '{}': an earlier write failed", file_.path().string()));
     }
@@ -258,6 +296,18 @@ void H5mdWriter::write(const State& state) {
         const auto v = state.velocities();
         const auto velocities = gathered(state, scale_.velocity, [&v](Index i) -> Vec3 { return v.col(i); });
         file_.append(velocity_, velocities.data());
+    }
+    if (has_forces_) {
+        const auto f = state.forces();
+        const auto forces = gathered(state, energy_scale_ / scale_.length, [&f](Index i) -> Vec3 { return f.col(i); });
+        file_.append(force_, forces.data());
+    }
+    if (has_energies_) {
+        std::vector<double> scaled(energies.begin(), energies.end());
+        for (double& energy : scaled) {
+            energy *= energy_scale_;
+        }
+        file_.append(energy_, scaled.data());
     }
     // Positions go last: readers take the number of frames from them, so a frame that they count is complete.
     const auto positions = gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); });
@@ -281,7 +331,7 @@ void H5mdWriter::close() {
     }
 }
 
-double h5md_bytes(Index atoms, Index frames, bool velocities) {
+double h5md_bytes(Index atoms, Index frames, const AtomColumns& columns) {
     constexpr double metadata = 16e3;
     constexpr double of_atom = 3.0 * 8.0;   // species, id, mass
     constexpr double small_entries = 88.0;  // of a frame: step, time, edges
@@ -290,7 +340,9 @@ double h5md_bytes(Index atoms, Index frames, bool velocities) {
         const Index chunks = (frames + length - 1) / length;
         return static_cast<double>(chunks * length);
     };
-    const double frame = (velocities ? 2.0 : 1.0) * 3.0 * sizeof(double) * static_cast<double>(atoms);
+    const double vectors = 1.0 + (columns.velocities ? 1.0 : 0.0) + (columns.forces ? 1.0 : 0.0);
+    const double numbers = 3.0 * vectors + (columns.energies ? 1.0 : 0.0);
+    const double frame = numbers * sizeof(double) * static_cast<double>(atoms);
     return metadata + of_atom * static_cast<double>(atoms) + small_entries * allotted(max_frames_per_chunk) +
            frame * allotted(frames_per_chunk(atoms));
 }
@@ -308,9 +360,11 @@ double h5md_bytes(Index atoms, Index frames, bool velocities) {
 ///     particles/trajectory/box          dimension, boundary; edges/value (F, 3, 3), a matrix: vectors are misread
 ///     particles/trajectory/position     step (F), time (F), value (F, N, 3), unwrapped
 ///     particles/trajectory/velocity     when asked for
+///     particles/trajectory/force        when asked for
+///     particles/trajectory/potential_energy  value (F, N), energies of the atoms, when asked for
 ///
-/// step and time of box and velocity are hard links to those of position. Files in SI units have `unit` attributes nm,
-/// ps and nm ps-1; reduced files have none, because readers refuse unknown units.
+/// step and time of the others are hard links to those of position. Files in SI units have `unit` attributes nm, ps,
+/// nm ps-1, kJ mol-1 nm-1 and kJ mol-1; reduced files have none, because readers refuse unknown units.
 ///
 /// A chunk holds up to 64 frames and up to 64 KiB; larger frames have chunks of their own, those above 1 MiB several.
 /// So HDF5's records of chunks are small, and their number grows with the number of chunks, not of frames.

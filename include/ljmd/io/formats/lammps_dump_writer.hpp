@@ -1,0 +1,24 @@
+#pragma once
+
+#include "ljmd/io/files/output_file.hpp"
+#include "ljmd/io/formats/extended_xyz_writer.hpp"
+#include "ljmd/model/state.hpp"
+
+namespace ljmd {
+
+/// Append one frame as LAMMPS writes it in a text dump, in reduced units (LAMMPS: lj), atoms in the order of ids:
+///
+///     ITEM: TIMESTEP                                      state.step
+///     ITEM: NUMBER OF ATOMS
+///     ITEM: BOX BOUNDS pp pp pp                           from 0
+///     ITEM: ATOMS id type x y z ix iy iz vx vy vz fx fy fz c_pe
+///
+/// Positions are in the box, with the number of edges crossed. Velocities, forces and energies (c_pe, as of LAMMPS'
+/// compute pe/atom) stand there where they are asked for. The time is left out: readers such as MDAnalysis refuse
+/// ITEM: TIME. Numbers have as many digits as are needed to read back the same double.
+/// @pre the state has a box, and its atoms are in it
+/// Source: LAMMPS documentation, dump command
+/// @throws FileError
+void write_lammps_dump_frame(OutputFile& file, const State& state, const FrameContents& contents);
+
+}  // namespace ljmd
