@@ -262,11 +262,14 @@ std::vector<Mistake> sampling_mistakes(const std::vector<ChosenAnalysis>& analys
     }
     const bool follows_time =
         std::ranges::any_of(analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.follows_time; });
+    const bool needs_box = std::ranges::any_of(analyses, [](const ChosenAnalysis& analysis) {
+        return analysis.plugin.needs.fixed_box || analysis.plugin.needs.shortest_box;
+    });
     const std::size_t first = first_sampled(stages);
     const double time_step = stages[first].time_step;
     return judged(stages, [&](const Stage& stage, Mistakes& found) {
         const bool is_later = &stage >= &stages[first] && stages[first].sample;
-        if (is_later && stage.barostat) {
+        if (is_later && stage.barostat && needs_box) {
             found.add({"barostat"}, "analyses need a box that stays as it is from the first sampled stage on",
                       "sample a later stage without barostat, or leave the analyses out");
         }
