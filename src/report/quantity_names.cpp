@@ -17,7 +17,7 @@ struct Named {
     std::string_view unit;
 };
 
-constexpr std::array<Named, 43> known{{{"time", "t", "tau"},
+constexpr std::array<Named, 51> known{{{"time", "t", "tau"},
                                        {"temperature", "T", "epsilon/k_B"},
                                        {"potential_energy", "U/N", "epsilon"},
                                        {"kinetic_energy", "K/N", "epsilon"},
@@ -35,6 +35,14 @@ constexpr std::array<Named, 43> known{{{"time", "t", "tau"},
                                        {"density", "rho", "sigma^-3"},
                                        {"compressibility_factor", "Z", ""},
                                        {"heat_capacity_cv", "c_v", "k_B"},
+                                       {"heat_capacity_cp", "c_p", "k_B"},
+                                       {"isothermal_compressibility", "kappa_T", "sigma^3/epsilon"},
+                                       {"adiabatic_compressibility", "kappa_S", "sigma^3/epsilon"},
+                                       {"thermal_expansion", "alpha_p", "k_B/epsilon"},
+                                       {"thermal_pressure_coefficient", "gamma_V", "k_B/sigma^3"},
+                                       {"speed_of_sound", "w", "sigma/tau"},
+                                       {"joule_thomson_coefficient", "mu_JT", "sigma^3/k_B"},
+                                       {"configurational_temperature", "T_conf", "epsilon/k_B"},
                                        {"order_parameter", "order", ""},
                                        {"coordination_number", "n_c", ""},
                                        {"diffusion", "D", "sigma^2/tau"},

@@ -150,6 +150,9 @@ std::string stage_text(const Stage& stage) {
     if (stage.thermostat) {
         settings.emplace_back("temperature", stage.temperature);
     }
+    if (stage.total_energy) {
+        settings.emplace_back("total_energy", *stage.total_energy);
+    }
     settings.emplace_back("sample", stage.sample);
     settings.emplace_back("reverse", stage.reverse);
     std::string text = "\n[[stage]]\n" + lines(settings);
