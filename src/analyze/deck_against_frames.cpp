@@ -18,12 +18,12 @@ constexpr double temperature_fraction = 0.05;
 
 /// What relies on the fluctuations of the deck's ensemble.
 constexpr std::array<const char*, 8> of_fluctuations{
-    "heat_capacity_cv", "isothermal_compressibility", "thermal_expansion",        "thermal_pressure_coefficient",
+    "heat_capacity_cv", "isothermal_compressibility", "thermal_expansion",         "thermal_pressure_coefficient",
     "heat_capacity_cp", "adiabatic_compressibility",  "joule_thomson_coefficient", "speed_of_sound"};
 
 /// Why the frames do not fluctuate as in the deck's ensemble; empty if there is no contradiction.
 std::string against_fluctuations(Ensemble ensemble, const EnergyFluctuations& energies,
-                                  std::optional<Index> box_changes) {
+                                 std::optional<Index> box_changes) {
     if (ensemble == Ensemble::isothermal_isobaric) {
         return box_changes ? "" : "the deck is one of constant pressure, but the box stays the same";
     }

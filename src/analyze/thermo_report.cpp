@@ -77,8 +77,9 @@ std::vector<ObservableAverage> responses(const DataTable& table, const Deck& dec
     if (!atoms || is_cut || !deck.given.external.empty() || (!isobaric && ensemble != Ensemble::canonical)) {
         return {};
     }
-    const auto held = isobaric ? std::optional(deck.stages[first_sampled(deck.stages)].barostat->options->held_pressure())
-                               : std::nullopt;
+    const auto held = isobaric
+                          ? std::optional(deck.stages[first_sampled(deck.stages)].barostat->options->held_pressure())
+                          : std::nullopt;
     ResponseFunctions responses(*atoms, ensemble, held, false);
     const std::vector<double> temperatures = column(table, "temperature");
     const std::vector<double> energies = column(table, "potential_energy");
@@ -90,9 +91,8 @@ std::vector<ObservableAverage> responses(const DataTable& table, const Deck& dec
         responses.add({t, energies[k], pressures[k] - rho * t, 1.0 / rho, 0.0});
     }
     std::vector<ObservableAverage> found = responses.observables();
-    std::erase_if(found, [&](const ObservableAverage& each) {
-        return !isobaric && each.name != "thermal_pressure_coefficient";
-    });
+    std::erase_if(
+        found, [&](const ObservableAverage& each) { return !isobaric && each.name != "thermal_pressure_coefficient"; });
     return found;
 }
 
@@ -110,7 +110,8 @@ std::string spaced(const std::string& mark) {
 
 /// "heat capacity", "thermal expansion": its name without the symbol.
 std::string in_words(const ObservableAverage& average) {
-    std::string words = average.name == "heat_capacity_cv" || average.name == "heat_capacity_cp" ? "heat_capacity" : average.name;
+    std::string words =
+        average.name == "heat_capacity_cv" || average.name == "heat_capacity_cp" ? "heat_capacity" : average.name;
     std::ranges::replace(words, '_', ' ');
     return words;
 }
@@ -222,8 +223,8 @@ Document thermo_document(const ThermoReport& report) {
         const auto& estimate = each.estimate;
         const std::string value =
             estimate ? with_error(estimate->mean, estimate->standard_error) + " " + each.unit : "no value";
-        document.text += fmt::format("  {} {} of all rows, from their fluctuations: {}{}\n", in_words(each), each.symbol,
-                                     value, spaced(footnotes.mark(each.remark)));
+        document.text += fmt::format("  {} {} of all rows, from their fluctuations: {}{}\n", in_words(each),
+                                     each.symbol, value, spaced(footnotes.mark(each.remark)));
         document.data[each.name] = observables_data({each}, std::nullopt).at(each.name);
     }
     document.text += footnotes.text();

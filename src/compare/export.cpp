@@ -79,9 +79,8 @@ std::vector<std::string> left_out(const Deck& deck, bool to_come) {
                                     exported.name, name));
     }
     if (exported.total_energy && to_come) {
-        words.push_back(
-            fmt::format("stage '{}' scales velocities to total_energy at its beginning, the exported ones are not",
-                        exported.name));
+        words.push_back(fmt::format(
+            "stage '{}' scales velocities to total_energy at its beginning, the exported ones are not", exported.name));
     }
     if (exported.reverse) {
         words.push_back(

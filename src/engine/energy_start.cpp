@@ -14,7 +14,8 @@ EnergyStart scale_to_total_energy(State& state, const Thermodynamics& now, doubl
     const double wanted = total_energy - potential;
     if (!(wanted > 0.0)) {
         throw PhysicsError(fmt::format(
-            "total_energy is {:.10g} epsilon per atom, but the atoms have a potential energy of {:.10g} where they are: "
+            "total_energy is {:.10g} epsilon per atom, but the atoms have a potential energy of {:.10g} where they "
+            "are: "
             "no motion has a negative kinetic energy; equilibrate at a lower temperature first, or ask for more energy",
             total_energy, potential));
     }

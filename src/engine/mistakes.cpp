@@ -159,10 +159,10 @@ std::vector<Mistake> external_force_mistakes(const FluidSpec& spec) {
     }
     std::vector<Mistake> all = judged(spec.stages, [&](const Stage& stage, Mistakes& found) {
         if (stage.total_energy && !spec.external->has_energy()) {
-            found.add({"total_energy"},
-                      fmt::format("a total energy needs the energy of the external force '{}', which does not tell it",
-                                  name),
-                      "see ExternalForce::has_energy()");
+            found.add(
+                {"total_energy"},
+                fmt::format("a total energy needs the energy of the external force '{}', which does not tell it", name),
+                "see ExternalForce::has_energy()");
         }
         if (stage.barostat && !spec.external->has_virial()) {
             found.add(

@@ -11,8 +11,8 @@ namespace ljmd {
 
 namespace {
 
-constexpr double step = 1e-5;   // of ln r
-constexpr double shell = 0.1;   // b [sigma]
+constexpr double step = 1e-5;  // of ln r
+constexpr double shell = 0.1;  // b [sigma]
 
 /// The sums of one pair, for a potential of its own type.
 template <class Pair>

@@ -49,9 +49,8 @@ std::string stage_lines(const std::vector<StageResult>& stages, const std::strin
     std::string text;
     for (const StageResult& stage : stages) {
         if (const auto& start = stage.energy_start) {
-            const std::string line =
-                fmt::format("  stage {} began at E/N = {:.10g}: velocities multiplied by {:.6g}",
-                            in_quotes(stage.name), start->total_energy, start->velocity_factor);
+            const std::string line = fmt::format("  stage {} began at E/N = {:.10g}: velocities multiplied by {:.6g}",
+                                                 in_quotes(stage.name), start->total_energy, start->velocity_factor);
             text += wrapped(line, screen_columns, 4) + '\n';
         }
         if (stage.energy_drift) {

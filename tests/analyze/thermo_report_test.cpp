@@ -167,12 +167,10 @@ TEST_CASE("rows of a canonical run have a pressure coefficient, those under a ba
         return names;
     };
     const SmallRun canonical({"stage.production.thermostat={ type = \"andersen\" }"});
-    CHECK(names_of(canonical.report()) ==
-          std::vector<std::string>{"heat_capacity_cv", "thermal_pressure_coefficient"});
+    CHECK(names_of(canonical.report()) == std::vector<std::string>{"heat_capacity_cv", "thermal_pressure_coefficient"});
     const std::vector<std::string> isobaric{
         "stage.production.thermostat={ type = \"andersen\" }",
-        "stage.production.barostat={ type = \"stochastic-cell-rescaling\", pressure = 1.0 }",
-        "system.density=0.7"};
+        "stage.production.barostat={ type = \"stochastic-cell-rescaling\", pressure = 1.0 }", "system.density=0.7"};
     CHECK(names_of(SmallRun(isobaric).report()).size() == 8);
     std::vector<std::string> cut = isobaric;
     cut.emplace_back("potential.truncation=\"cut\"");

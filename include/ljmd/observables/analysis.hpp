@@ -33,9 +33,9 @@ struct SampledRun {
     std::uint64_t seed;
     std::optional<double> held_temperature;  ///< held by the thermostat of the sampled stages; empty at constant energy
 
-    std::optional<Interaction> interaction;      ///< empty while a deck is checked
-    Ensemble ensemble = Ensemble::none;          ///< of the samples
-    std::optional<double> held_pressure = {};    ///< held by the barostat of the sampled stages
+    std::optional<Interaction> interaction;    ///< empty while a deck is checked
+    Ensemble ensemble = Ensemble::none;        ///< of the samples
+    std::optional<double> held_pressure = {};  ///< held by the barostat of the sampled stages
 };
 
 /// A measurement on configurations during the sampled stages of a run. Sampling never changes the state.

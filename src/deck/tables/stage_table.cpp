@@ -74,7 +74,8 @@ void FluidStageTable::describe(TableDescription& description) {
         .unit("epsilon")
         .optional("as the atoms come")
         .meaning(
-            "(U + K)/N, tail included, to which velocities are scaled before the first step; only without a thermostat");
+            "(U + K)/N, tail included, to which velocities are scaled before the first step; only without a "
+            "thermostat");
     description.table("thermostat", "thermostat", thermostat)
         .optional("none: constant energy")
         .meaning(meaning_of_thermostats());

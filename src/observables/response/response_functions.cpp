@@ -4,10 +4,10 @@
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "ljmd/observables/thermodynamics.hpp"
 #include "ljmd/observables/response/canonical.hpp"
 #include "ljmd/observables/response/constant_energy.hpp"
 #include "ljmd/observables/response/isothermal_isobaric.hpp"
+#include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
 
@@ -47,8 +47,8 @@ std::vector<Named> all_of(const response::Basis<Dual>& basis, const Dual& temper
             {"heat_capacity_cp", "c_p", "k_B", c_p, true, false},
             {"adiabatic_compressibility", "kappa_S", "sigma^3/epsilon", Dual(1.0 / adiabatic), true, true},
             {"speed_of_sound", "w", "sigma/tau", sound, true, true},
-            {"joule_thomson_coefficient", "mu_JT", "sigma^3/k_B",
-             Dual((temperature * alpha - 1.0) / (rho * c_p)), true, true}};
+            {"joule_thomson_coefficient", "mu_JT", "sigma^3/k_B", Dual((temperature * alpha - 1.0) / (rho * c_p)), true,
+             true}};
 }
 
 /// The quantities whose fluctuations the formulas of an ensemble use.
@@ -96,15 +96,16 @@ std::vector<ObservableAverage> ResponseFunctions::observables() const {
     }
     const Eigen::VectorXd mean = series_.mean();
     constexpr int all = response::columns + 1;
-    response::Means<Dual> means{{}, Dual(1.0, all, response::columns), first_pressure_, first_volume_, atoms_, held_pressure_};
+    response::Means<Dual> means{
+        {}, Dual(1.0, all, response::columns), first_pressure_, first_volume_, atoms_, held_pressure_};
     for (int k = 0; k < response::columns; ++k) {
         means.mean[k] = Dual(mean[k], all, k);
     }
     const bool isobaric = ensemble_ == Ensemble::isothermal_isobaric;
     const bool known = isobaric || ensemble_ == Ensemble::canonical || ensemble_ == Ensemble::constant_energy;
-    const response::Basis<Dual> basis = isobaric                                     ? response::isothermal_isobaric(means)
-                              : ensemble_ == Ensemble::constant_energy ? response::constant_energy(means)
-                                                                       : response::canonical(means);
+    const response::Basis<Dual> basis = isobaric                                 ? response::isothermal_isobaric(means)
+                                        : ensemble_ == Ensemble::constant_energy ? response::constant_energy(means)
+                                                                                 : response::canonical(means);
     double independent = static_cast<double>(samples());
     bool long_enough = true;
     for (const response::Column column : fluctuating(ensemble_)) {

@@ -82,7 +82,12 @@ Expected expected_of(double t, double rho, double gamma_v, double modulus, doubl
     const double alpha = gamma_v / modulus;
     const double c_p = c_v + t * alpha * gamma_v / rho;
     const double adiabatic = modulus * c_p / c_v;
-    return {1.0 / modulus, alpha, gamma_v, c_p, 1.0 / adiabatic, std::sqrt(adiabatic / rho),
+    return {1.0 / modulus,
+            alpha,
+            gamma_v,
+            c_p,
+            1.0 / adiabatic,
+            std::sqrt(adiabatic / rho),
             (t * alpha - 1.0) / (rho * c_p)};
 }
 
@@ -192,7 +197,8 @@ TEST_CASE("errors are those of a jackknife over blocks of the series") {
         }
     }
     for (const auto& [name, average] : whole) {
-        const double jackknife = std::sqrt((blocks - 1.0) * (squares[name] / blocks - std::pow(sums[name] / blocks, 2)));
+        const double jackknife =
+            std::sqrt((blocks - 1.0) * (squares[name] / blocks - std::pow(sums[name] / blocks, 2)));
         CAPTURE(name, jackknife, average.estimate->standard_error);
         CHECK(average.estimate->standard_error == Approx(jackknife).epsilon(0.25));  // each is known to 5 to 18 %
     }

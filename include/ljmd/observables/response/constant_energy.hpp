@@ -30,12 +30,12 @@ Basis<Real> constant_energy(const Means<Real>& means) {
     // With all variances multiplied by the share: <T> <1/T> exceeds 1 by the variance of T.
     const Real theta = Real(1.0) - s * Real(Real(1.0) + means.share * Real(t * y - Real(1.0)));
     const Real c = means.covariance(inverse_pressure, inverse_temperature, pressure);
-    const Real m = means.share * Real(means.mean[inverse_pressure_2] - Real(2.0) * p * means.mean[inverse_pressure] +
-                                      p * p * y);
+    const Real m =
+        means.share * Real(means.mean[inverse_pressure_2] - Real(2.0) * p * means.mean[inverse_pressure] + p * p * y);
     const Real volume = n / rho;
-    return {Real(1.0) / (n * theta) + Real(1.5 / means.atoms), rho + s * c / theta,
-            rho * t + means.pressure() + Real(means.mean[stiffness]) - volume * s * m -
-                volume * s * s * t * c * c / theta};
+    return {
+        Real(1.0) / (n * theta) + Real(1.5 / means.atoms), rho + s * c / theta,
+        rho * t + means.pressure() + Real(means.mean[stiffness]) - volume * s * m - volume * s * s * t * c * c / theta};
 }
 
 }  // namespace ljmd::response

@@ -48,9 +48,9 @@ struct Means {
 /// Three response functions from which all others follow.
 template <class Real>
 struct Basis {
-    Real heat_capacity;  ///< c_v, with 3/2 of the motion [k_B]
-    Real pressure_slope; ///< gamma_V = (dp/dT)_V [k_B/sigma^3]
-    Real bulk_modulus;   ///< K_T = 1/kappa_T = -V (dp/dV)_T [epsilon/sigma^3]
+    Real heat_capacity;   ///< c_v, with 3/2 of the motion [k_B]
+    Real pressure_slope;  ///< gamma_V = (dp/dT)_V [k_B/sigma^3]
+    Real bulk_modulus;    ///< K_T = 1/kappa_T = -V (dp/dV)_T [epsilon/sigma^3]
 };
 
 }  // namespace ljmd::response
