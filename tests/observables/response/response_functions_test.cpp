@@ -58,10 +58,12 @@ ResponseSample energetic_sample(std::mt19937_64& generator) {
     return sample_of(energy, 2.0 * (total - energy) / freedom);
 }
 
-/// An ideal gas at a pressure: the volume has the density V^N exp(-p V/T).
+/// An ideal gas at a pressure, with oscillators in its atoms: the volume has the density V^N exp(-p V/T).
 ResponseSample gas_sample(std::mt19937_64& generator) {
     const double volume = temperature_held / 0.9 * gamma_number(generator, n + 1.0);
-    return {temperature_held * gamma_number(generator, 0.5 * freedom) / (0.5 * freedom), 0.0, 0.0, volume / n, 0.0};
+    const double energy = temperature_held * gamma_number(generator, 0.5 * oscillators);
+    return {temperature_held * gamma_number(generator, 0.5 * freedom) / (0.5 * freedom), energy / n, 0.0, volume / n,
+            0.0};
 }
 
 template <class Sample>
@@ -131,7 +133,7 @@ TEST_CASE("so do those at constant pressure: an ideal gas") {
     const Found found = measured(Ensemble::isothermal_isobaric, gas_sample, 200000, 3);
     // To order 1/N: <V> = (N + 1) T/p.
     const double rho = 0.9 * n / (temperature_held * (n + 1.0));
-    const double c_p = 2.5 + 1.0 / n;
+    const double c_p = 2.5 + (1.0 + 0.5 * oscillators) / n;
     const double alpha = 1.0 / temperature_held;
     const double kappa = 1.0 / 0.9;
     const double c_v = c_p - temperature_held * alpha * alpha / (rho * kappa);
