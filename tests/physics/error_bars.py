@@ -62,7 +62,9 @@ EVERYTHING = """rdf = { every = 50 }
 msd = { every = 25, max_time = 2.0 }
 vacf = { every = 5, max_time = 1.5 }
 viscosity = { every = 5, max_time = 1.5 }
-chemical_potential = { every = 25, insertions = 300 }"""
+chemical_potential = { every = 25, insertions = 300 }
+response_functions = { every = 20 }
+configurational_temperature = { every = 50 }"""
 INSERTIONS = "chemical_potential = { every = 20, insertions = 500 }"
 STATES = ((0.3, 1.5), (0.6, 1.2), (0.75, 1.0), (0.8442, 0.75))  # density, temperature
 SHORT, LONG = 6000, 240_000  # steps
