@@ -42,6 +42,8 @@ OfIndependentAtoms independent_atoms(const PairPotential& potential, int configu
     OfIndependentAtoms found;
     std::vector<double> differences;
     std::vector<double> laplacians;
+    differences.reserve(static_cast<std::size_t>(configurations));
+    laplacians.reserve(static_cast<std::size_t>(configurations));
     for (int k = 0; k < configurations; ++k) {
         State state = test::random_state(60, Box(Vec3(3.2, 3.5, 3.9)), static_cast<std::uint64_t>(k));
         const PairCurvature sums = pair_curvature(state, potential);

@@ -129,6 +129,7 @@ std::vector<ObservableAverage> ResponseFunctions::observables() const {
     const bool modulus_is_known = has_modulus && sound_temperature && is_positive(basis.bulk_modulus);
     const bool capacity_is_known = sound_temperature && is_positive(basis.heat_capacity);
     std::vector<ObservableAverage> result;
+    result.reserve(8);
     for (const Named& each : all_of(basis, means.mean[response::temperature], means.density())) {
         ObservableAverage average{each.name, each.symbol, each.unit, std::nullopt};
         if (average.name == "heat_capacity_cv" && !isobaric) {
