@@ -41,6 +41,7 @@ class Stage(Table):
     steps: their number
     time_step: in tau
     temperature: that the thermostat holds [epsilon/k_B]; the deck's by default
+    total_energy: (U + K)/N, tail included, to which velocities are scaled before the first step [epsilon]
     thermostat, barostat: a name, or a table with its options: {"type": "langevin", "time": 0.5}
     sample: whether observables are measured
     reverse: whether the motion is reversed before the first step
@@ -50,10 +51,12 @@ class Stage(Table):
     """
 
     def __init__(self, name: str, steps: int, *, time_step: float = 0.004, integrator: str = "velocity-verlet",
-                 temperature=None, thermostat=None, barostat=None, sample: bool = False, reverse: bool = False, **options):
+                 temperature=None, thermostat=None, barostat=None, sample: bool = False, reverse: bool = False, total_energy=None,
+                 **options):
         super().__init__()
         for key, value in {"name": name, "integrator": integrator, **options, "time_step": time_step, "steps": steps,
-                           "temperature": temperature, "thermostat": thermostat, "barostat": barostat}.items():
+                           "temperature": temperature, "total_energy": total_energy, "thermostat": thermostat,
+                           "barostat": barostat}.items():
             if value is not None:
                 self[key] = value
         if sample:

@@ -56,5 +56,7 @@ BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy",
             "compressibility_factor",
             *(f"pressure_{k}" for k in ("xx", "yy", "zz", "xy", "xz", "yz")), "virial", "heat_capacity_cv", "density",
             "coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "bulk_viscosity",
-            "thermal_conductivity", "diffusion_infinite_system",
-            "excess_chemical_potential"}
+            "thermal_conductivity", "diffusion_infinite_system", "excess_chemical_potential",
+            "configurational_temperature", "isothermal_compressibility", "adiabatic_compressibility",
+            "thermal_expansion", "thermal_pressure_coefficient", "heat_capacity_cp", "speed_of_sound",
+            "joule_thomson_coefficient", "surface_tension", "normal_pressure", "liquid_density", "vapour_density"}

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -15,9 +16,17 @@ constexpr double constant_or_canonical = 0.5;
 constexpr double temperature_errors = 5.0;
 constexpr double temperature_fraction = 0.05;
 
-/// Why the frames do not have the heat capacity of the deck's ensemble; empty if there is no contradiction.
-std::string against_heat_capacity(Ensemble ensemble, const EnergyFluctuations& energies,
-                                  std::optional<Index> box_changes) {
+/// What relies on the fluctuations of the deck's ensemble.
+constexpr std::array<const char*, 8> of_fluctuations{
+    "heat_capacity_cv", "isothermal_compressibility", "thermal_expansion",         "thermal_pressure_coefficient",
+    "heat_capacity_cp", "adiabatic_compressibility",  "joule_thomson_coefficient", "speed_of_sound"};
+
+/// Why the frames do not fluctuate as in the deck's ensemble; empty if there is no contradiction.
+std::string against_fluctuations(Ensemble ensemble, const EnergyFluctuations& energies,
+                                 std::optional<Index> box_changes) {
+    if (ensemble == Ensemble::isothermal_isobaric) {
+        return box_changes ? "" : "the deck is one of constant pressure, but the box stays the same";
+    }
     if (box_changes) {
         return fmt::format("the box changes, in frame {}: the fluctuations are not those at constant volume",
                            *box_changes);
@@ -82,7 +91,10 @@ std::optional<double> EnergyFluctuations::total_over_kinetic() const {
 
 void withdraw_contradicted(std::vector<ObservableAverage>& averages, const DeckClaims& deck,
                            const EnergyFluctuations& energies, std::optional<Index> box_changes) {
-    take_back(averages, "heat_capacity_cv", against_heat_capacity(deck.ensemble, energies, box_changes));
+    const std::string against = against_fluctuations(deck.ensemble, energies, box_changes);
+    for (const char* name : of_fluctuations) {
+        take_back(averages, name, against);
+    }
     if (deck.held_temperature) {
         take_back(averages, "excess_chemical_potential", against_temperature(averages, *deck.held_temperature));
     }

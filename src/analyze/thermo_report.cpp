@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
@@ -12,6 +13,7 @@
 #include "ljmd/deck/deck_system.hpp"
 #include "ljmd/deck/sampled_steps.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/observables/response/response_functions.hpp"
 #include "ljmd/run/footnotes.hpp"
 #include "ljmd/run/results.hpp"
 
@@ -64,6 +66,36 @@ std::optional<ObservableAverage> heat_capacity(const DataTable& table, const Dec
     return std::nullopt;
 }
 
+/// Response functions that the columns determine: all of them where a barostat lets the volume fluctuate; under a
+/// thermostat alone the pressure coefficient.
+std::vector<ObservableAverage> responses(const DataTable& table, const Deck& deck) {
+    const auto atoms = atoms_of(deck);
+    const Ensemble ensemble = sampled_ensemble(deck.stages);
+    const bool isobaric = ensemble == Ensemble::isothermal_isobaric;
+    // The energy of a plain cut is not the one that the forces belong to, see SampledResponses.
+    const bool is_cut = deck.potential().truncation == "cut";
+    if (!atoms || is_cut || !deck.given.external.empty() || (!isobaric && ensemble != Ensemble::canonical)) {
+        return {};
+    }
+    const auto held = isobaric
+                          ? std::optional(deck.stages[first_sampled(deck.stages)].barostat->options->held_pressure())
+                          : std::nullopt;
+    ResponseFunctions responses(*atoms, ensemble, held, false);
+    const std::vector<double> temperatures = column(table, "temperature");
+    const std::vector<double> energies = column(table, "potential_energy");
+    const std::vector<double> pressures = column(table, "pressure");
+    const std::vector<double> densities = column(table, "density");
+    for (std::size_t k = 0; k < energies.size(); ++k) {
+        const double t = temperatures[k];
+        const double rho = densities[k];
+        responses.add({t, energies[k], pressures[k] - rho * t, 1.0 / rho, 0.0});
+    }
+    std::vector<ObservableAverage> found = responses.observables();
+    std::erase_if(
+        found, [&](const ObservableAverage& each) { return !isobaric && each.name != "thermal_pressure_coefficient"; });
+    return found;
+}
+
 /// With fewer independent rows the error bar is unreliable, see BlockingAccumulator.
 constexpr double few_samples = 16.0;
 
@@ -74,6 +106,14 @@ std::string remark_on(const Equilibration& found) {
 /// The mark after a number; empty for an empty mark.
 std::string spaced(const std::string& mark) {
     return mark.empty() ? "" : " " + mark;
+}
+
+/// "heat capacity", "thermal expansion": its name without the symbol.
+std::string in_words(const ObservableAverage& average) {
+    std::string words =
+        average.name == "heat_capacity_cv" || average.name == "heat_capacity_cp" ? "heat_capacity" : average.name;
+    std::ranges::replace(words, '_', ' ');
+    return words;
 }
 
 /// (g - 1)/2 rows, as a time.
@@ -144,7 +184,11 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
                         (times.back() - times.front()) / static_cast<double>(rows - 1),
                         std::max(rows / max_starts, Index{1}),
                         {},
-                        heat_capacity(table, run.deck)};
+                        {}};
+    if (const auto capacity = heat_capacity(table, run.deck)) {
+        report.of_fluctuations.push_back(*capacity);
+    }
+    std::ranges::move(responses(table, run.deck), std::back_inserter(report.of_fluctuations));
     for (const char* name : reported) {
         const std::vector<double> series = column(table, name);
         report.columns.push_back(
@@ -175,14 +219,13 @@ Document thermo_document(const ThermoReport& report) {
                        {"observables", observables}},
                       fmt::format("{} rows of thermo.csv, steps {} to {}, {:.6g} tau apart\n\n{}", report.rows,
                                   report.first_step, report.last_step, report.interval, table.text())};
-    if (report.heat_capacity) {
-        const ObservableAverage& capacity = *report.heat_capacity;
-        const auto& estimate = capacity.estimate;
+    for (const ObservableAverage& each : report.of_fluctuations) {
+        const auto& estimate = each.estimate;
         const std::string value =
-            estimate ? with_error(estimate->mean, estimate->standard_error) + " " + capacity.unit : "no value";
-        document.text += fmt::format("  heat capacity {} of all rows, from their fluctuations: {}{}\n", capacity.symbol,
-                                     value, spaced(footnotes.mark(capacity.remark)));
-        document.data[capacity.name] = observables_data({capacity}, std::nullopt).at(capacity.name);
+            estimate ? with_error(estimate->mean, estimate->standard_error) + " " + each.unit : "no value";
+        document.text += fmt::format("  {} {} of all rows, from their fluctuations: {}{}\n", in_words(each),
+                                     each.symbol, value, spaced(footnotes.mark(each.remark)));
+        document.data[each.name] = observables_data({each}, std::nullopt).at(each.name);
     }
     document.text += footnotes.text();
     return document;

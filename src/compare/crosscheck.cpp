@@ -186,6 +186,10 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
     const FluidSpec spec = fluid_spec(deck);
     const std::size_t compared = first_sampled(deck.stages);
     const Stage& stage = deck.stages[compared];
+    if (stage.total_energy) {
+        say(fmt::format("stage '{}' is compared at the energy of its start: velocities are not scaled to total_energy",
+                        stage.name));
+    }
     if (stage.thermostat) {
         say(fmt::format("stage '{}' is compared at constant energy: its {} out", stage.name,
                         stage.barostat ? "thermostat and its barostat are left" : "thermostat is left"));

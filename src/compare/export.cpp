@@ -78,6 +78,10 @@ std::vector<std::string> left_out(const Deck& deck, bool to_come) {
         words.push_back(fmt::format("stage '{}' moves the atoms by '{}', the exported motion is velocity Verlet's",
                                     exported.name, name));
     }
+    if (exported.total_energy && to_come) {
+        words.push_back(fmt::format(
+            "stage '{}' scales velocities to total_energy at its beginning, the exported ones are not", exported.name));
+    }
     if (exported.reverse) {
         words.push_back(
             fmt::format("stage '{}' turns the motion round, the exported motion goes forward", exported.name));

@@ -223,8 +223,8 @@ void check_sense(const Placed<FluidTables>& tables, bool has_units, bool force, 
     check_stages(tables, force, diagnostics);
     check_output(tables.output, has_units, diagnostics);
     if (const auto start = has_system ? lattice_start(tables, diagnostics) : std::nullopt) {
-        const Box box = potential.given(&PotentialTable::radius) ? box_for_cutoff(start->box, potential.radius)
-                                                                 : start->box;
+        const Box box =
+            potential.given(&PotentialTable::radius) ? box_for_cutoff(start->box, potential.radius) : start->box;
         check_box(tables, start->atoms, box, diagnostics);
     }
 }

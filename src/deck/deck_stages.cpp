@@ -22,6 +22,9 @@ Stage stage_of(const Placed<FluidStageTable>& table, const FluidTables& tables) 
     if (table.given(&FluidStageTable::barostat) && table.barostat->sound(&BarostatTable::method)) {
         stage.barostat = table.barostat->method;
     }
+    if (table.sound(&FluidStageTable::total_energy)) {
+        stage.total_energy = table.total_energy;
+    }
     stage.seed = static_cast<std::uint64_t>(tables.system.seed);
     // That a thermostat lacks its temperature is reported elsewhere: the stand-in breaks no rule.
     stage.temperature = stage_temperature(table, tables).value_or(stage.thermostat ? 1.0 : 0.0);

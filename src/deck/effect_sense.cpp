@@ -56,7 +56,7 @@ void check_acts(const FluidStageSteps& steps, const std::optional<Placed<Bath>>&
 
 void check_stage(const FluidStageSteps& steps, Diagnostics& diagnostics) {
     const Placed<FluidStageTable>& stage = steps.stage;
-    if (stage.temperature && !stage.thermostat) {
+    if (stage.temperature && !stage.thermostat && !stage.total_energy) {
         diagnostics.warning(stage.location(&FluidStageTable::temperature),
                             "'temperature' in [[stage]] has no effect without a thermostat");
     }

@@ -35,6 +35,13 @@ void check_fluid_stages(const Placed<FluidTables>& tables, Diagnostics& diagnost
     report(stage_mistakes(stages), tables, diagnostics);
     report(fluid_stage_mistakes(stages), tables, diagnostics);
     for (std::size_t k = 0; k < stages.size(); ++k) {
+        const Placed<FluidStageTable>& table = tables.stages[k];
+        if (table.total_energy && table.temperature && !stages[k].thermostat) {
+            diagnostics.error(table.location(&FluidStageTable::total_energy),
+                              "'total_energy' and 'temperature' in one [[stage]]: at constant energy the temperature "
+                              "is a result",
+                              "leave 'temperature' out");
+        }
         if (stages[k].thermostat) {
             check_thermostat(tables.stages[k], stages[k], tables, diagnostics);
         }

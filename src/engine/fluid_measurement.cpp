@@ -183,7 +183,8 @@ void FluidMeasurement::stage_begins(const Stage& stage) {
         order_at_sampling_ = order();
     }
     begin_to_watch(stage);
-    if (stage.sample && state.box().edges() != analysed_edges_) {
+    const bool unused = std::ranges::all_of(fluid_.analyses, [](const auto& each) { return each->samples() == 0; });
+    if (stage.sample && unused && state.box().edges() != analysed_edges_) {
         adapt_analyses();
     }
     for (const auto& analysis : fluid_.analyses) {
@@ -197,8 +198,8 @@ void FluidMeasurement::stage_begins(const Stage& stage) {
     stages_.push_back(begun_stage(stage, state, stage.thermostat.has_value()));
 }
 
-/// A barostat has changed the box since the analyses were made. They have no samples yet: with analyses no stage with a
-/// barostat may come after the first sampled one.
+/// A barostat has changed the box since the analyses were made, which have no samples yet. Those that have some do not
+/// depend on the box: with others no stage with a barostat may come after the first sampled one.
 void FluidMeasurement::adapt_analyses() {
     const State& state = fluid_.state;
     const std::vector<Mistake> wrong = box_mistakes(spec_, state.count(), state.box());

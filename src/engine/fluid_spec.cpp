@@ -157,6 +157,10 @@ SampledRun sampled_run(const std::vector<Stage>& stages, std::uint64_t seed, Ind
     SampledRun run{atoms,       box,  stage.time_step,
                    stage.steps, seed, stage.thermostat ? std::optional(stage.temperature) : std::nullopt,
                    std::nullopt};
+    run.ensemble = sampled_ensemble(stages);
+    if (stage.barostat) {
+        run.held_pressure = stage.barostat->options->held_pressure();
+    }
     for (const Stage& other : stages) {
         if (other.sample) {
             run.steps = std::max(run.steps, other.steps);
@@ -169,7 +173,8 @@ Ensemble sampled_ensemble(const std::vector<Stage>& stages, bool external) {
     const auto sampled = [](const Stage& stage) { return stage.sample && stage.steps > 0; };
     const auto first = std::ranges::find_if(stages, sampled);
     if (std::any_of(first, stages.end(), [](const Stage& stage) { return stage.barostat.has_value(); })) {
-        return Ensemble::constant_pressure;
+        const bool one = std::ranges::count_if(stages, sampled) == 1 && first->barostat && !external;
+        return one ? Ensemble::isothermal_isobaric : Ensemble::constant_pressure;
     }
     if (external || std::ranges::count_if(stages, sampled) != 1 || !conserves_energy(*first)) {
         return Ensemble::none;

@@ -137,6 +137,13 @@ std::vector<Mistake> fluid_stage_mistakes(const std::vector<Stage>& stages) {
         if (stage.thermostat) {
             judge_thermostat(stage, found);
         }
+        if (stage.total_energy && !std::isfinite(*stage.total_energy)) {
+            found.add_of_key({"total_energy"}, "must be a finite number");
+        } else if (stage.total_energy && stage.thermostat) {
+            found.add({"total_energy", "thermostat.type"},
+                      "a total energy is kept at constant energy only: a thermostat would change it",
+                      "leave one of the two out");
+        }
     });
 }
 
@@ -151,6 +158,12 @@ std::vector<Mistake> external_force_mistakes(const FluidSpec& spec) {
         return found.take();
     }
     std::vector<Mistake> all = judged(spec.stages, [&](const Stage& stage, Mistakes& found) {
+        if (stage.total_energy && !spec.external->has_energy()) {
+            found.add(
+                {"total_energy"},
+                fmt::format("a total energy needs the energy of the external force '{}', which does not tell it", name),
+                "see ExternalForce::has_energy()");
+        }
         if (stage.barostat && !spec.external->has_virial()) {
             found.add(
                 {"barostat"},
@@ -286,11 +299,14 @@ std::vector<Mistake> sampling_mistakes(const std::vector<ChosenAnalysis>& analys
     }
     const bool follows_time =
         std::ranges::any_of(analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.follows_time; });
+    const bool needs_box = std::ranges::any_of(analyses, [](const ChosenAnalysis& analysis) {
+        return analysis.plugin.needs.fixed_box || analysis.plugin.needs.shortest_box;
+    });
     const std::size_t first = first_sampled(stages);
     const double time_step = stages[first].time_step;
     return judged(stages, [&](const Stage& stage, Mistakes& found) {
         const bool is_later = &stage >= &stages[first] && stages[first].sample;
-        if (is_later && stage.barostat) {
+        if (is_later && stage.barostat && needs_box) {
             found.add({"barostat"}, "analyses need a box that stays as it is from the first sampled stage on",
                       "sample a later stage without barostat, or leave the analyses out");
         }

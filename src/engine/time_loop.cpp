@@ -151,11 +151,26 @@ class TimeLoop {
             !thermostat_conserves_momentum(stages_[position_.stage - 1])) {
             remove_momentum(state_);
         }
+        std::optional<EnergyStart> energy_start;
+        if (stage.total_energy) {
+            energy_start = set_energy(*stage.total_energy);
+        }
         integrator.prepare(state_, force_field_);
         observer_.stage_begins(stage);
+        if (energy_start) {
+            observer_.energy_set(*energy_start);
+        }
         if (stage.reverse) {
             integrator.reverse(state_, force_field_);
         }
+    }
+
+    [[nodiscard]] EnergyStart set_energy(double total_energy) {
+        if (!interaction_) {
+            throw ContractViolation("a total energy needs to know the interaction");
+        }
+        const Evaluation evaluation = force_field_.evaluate(state_, Request::forces_and_energy);
+        return scale_to_total_energy(state_, thermodynamics(state_, evaluation, interaction_->tail), total_energy);
     }
 
     void take_step(const Stage& stage, const StageParts& parts) {

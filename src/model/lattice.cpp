@@ -79,8 +79,7 @@ Vec3 crystal_edges(Lattice lattice, Index cells, Index layers, double density) {
 }
 
 std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, Index layers, const Vec3& edges, const Box& box) {
-    const Vec3 cell =
-        edges.cwiseQuotient(Eigen::Matrix<Index, 3, 1>(cells, cells, layers).cast<double>());
+    const Vec3 cell = edges.cwiseQuotient(Eigen::Matrix<Index, 3, 1>(cells, cells, layers).cast<double>());
     std::vector<Vec3> sites;
     sites.reserve(static_cast<std::size_t>(lattice_atoms(lattice, cells, layers)));
     for (Index z = 0; z < layers; ++z) {

@@ -80,9 +80,13 @@ void rescale_velocities(State& state, double target) {
     if (!now || !(*now > 0.0)) {
         return;
     }
+    scale_velocities(state, std::sqrt(target / *now));
+}
+
+void scale_velocities(State& state, double factor) {
+    state.finish_kick();
     auto v = state.write_velocities();
-    for_each_index(state.execution(), state.count(),
-                   [&, factor = std::sqrt(target / *now)](Index i) { v.col(i) *= factor; });
+    for_each_index(state.execution(), state.count(), [&](Index i) { v.col(i) *= factor; });
 }
 
 }  // namespace ljmd

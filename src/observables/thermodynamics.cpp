@@ -64,8 +64,7 @@ double virial_pressure(const State& state, const Evaluation& evaluation, const T
 
 Vec3 virial_pressures(const State& state, const Evaluation& evaluation, const TailCorrection& tail) {
     const double volume = state.box().volume();
-    return (evaluation.virial.diagonal() / volume).array() +
-           tail.pressure(static_cast<double>(state.count()) / volume);
+    return (evaluation.virial.diagonal() / volume).array() + tail.pressure(static_cast<double>(state.count()) / volume);
 }
 
 Mat3 mechanical_stress(const State& state, const Evaluation& evaluation) {

@@ -30,6 +30,12 @@ Data stage_data(const StageResult& stage) {
                  {"time_step_error", stage.time_step_error},
                  {"checksum_at_start", stage.checksum_at_start},
                  {"checksum_at_end", stage.checksum_at_end}};
+    if (const auto& start = stage.energy_start) {
+        json["energy_start"] = {{"total_energy", start->total_energy},
+                                {"potential_energy", start->potential_energy},
+                                {"kinetic_energy_before", start->kinetic_before},
+                                {"velocity_factor", start->velocity_factor}};
+    }
     if (!stage.drift_remark.empty()) {
         json["energy_drift_remark"] = stage.drift_remark;
     }
@@ -42,6 +48,11 @@ Data stage_data(const StageResult& stage) {
 std::string stage_lines(const std::vector<StageResult>& stages, const std::string& drift_unit) {
     std::string text;
     for (const StageResult& stage : stages) {
+        if (const auto& start = stage.energy_start) {
+            const std::string line = fmt::format("  stage {} began at E/N = {:.10g}: velocities multiplied by {:.6g}",
+                                                 in_quotes(stage.name), start->total_energy, start->velocity_factor);
+            text += wrapped(line, screen_columns, 4) + '\n';
+        }
         if (stage.energy_drift) {
             const std::string line = fmt::format("  energy drift in stage {}: {:.2g} {}", in_quotes(stage.name),
                                                  *stage.energy_drift, drift_unit);

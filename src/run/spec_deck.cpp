@@ -153,6 +153,9 @@ std::string stage_text(const Stage& stage) {
     settings.insert(settings.end(), stage.integrator.values.begin(), stage.integrator.values.end());
     settings.emplace_back("time_step", stage.time_step);
     settings.emplace_back("steps", std::int64_t{stage.steps});
+    if (stage.total_energy) {
+        settings.emplace_back("total_energy", *stage.total_energy);
+    }
     if (stage.thermostat) {
         settings.emplace_back("temperature", stage.temperature);
     }

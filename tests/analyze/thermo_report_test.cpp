@@ -136,24 +136,45 @@ TEST_CASE("the heat capacity is that of the run, from all rows, and there is non
     const Data observables = parse_json(content_of(run.directory() / "results.json")).at("observables");
     const ThermoReport report = run.report();
     const bool found = observables.contains("heat_capacity_cv");
-    REQUIRE(report.heat_capacity.has_value() == found);
     REQUIRE(found);
+    REQUIRE(report.of_fluctuations.size() == 1);
+    const ObservableAverage& capacity = report.of_fluctuations.front();
     // Forty rows are too few to tell; what is said of it is the same everywhere.
-    CHECK_FALSE(report.heat_capacity->estimate.has_value());
+    CHECK_FALSE(capacity.estimate.has_value());
     CHECK(observables["heat_capacity_cv"]["mean"].is_null());
-    CHECK(observables["heat_capacity_cv"]["remark"] == report.heat_capacity->remark);
+    CHECK(observables["heat_capacity_cv"]["remark"] == capacity.remark);
     CHECK_THAT(thermo_document(report).text,
                Contains("heat capacity c_v of all rows, from their fluctuations: no value [") &&
-                   Contains("] " + report.heat_capacity->remark + "\n"));
+                   Contains("] " + capacity.remark + "\n"));
     CHECK(thermo_document(report).data["heat_capacity_cv"] == observables["heat_capacity_cv"]);
 
     ThermoReport known = report;
-    known.heat_capacity = {"heat_capacity_cv", "c_v", "k_B", Estimate{2.5, 0.1, 100.0, 1000, true}};
+    known.of_fluctuations = {{"heat_capacity_cv", "c_v", "k_B", Estimate{2.5, 0.1, 100.0, 1000, true}}};
     CHECK_THAT(thermo_document(known).text, Contains("from their fluctuations: 2.50 +- 0.10 k_B\n"));
 
     const SmallRun several({"stage.equilibrate.sample=true"});
-    CHECK_FALSE(several.report().heat_capacity.has_value());
+    CHECK(several.report().of_fluctuations.empty());
     CHECK_THAT(thermo_document(several.report()).text, !Contains("heat capacity"));
+}
+
+TEST_CASE("rows of a canonical run have a pressure coefficient, those under a barostat all response functions") {
+    const auto names_of = [](const ThermoReport& report) {
+        std::vector<std::string> names;
+        for (const ObservableAverage& each : report.of_fluctuations) {
+            names.push_back(each.name);
+            CHECK((each.estimate.has_value() || !each.remark.empty()));
+        }
+        return names;
+    };
+    const SmallRun canonical({"stage.production.thermostat={ type = \"andersen\" }"});
+    CHECK(names_of(canonical.report()) == std::vector<std::string>{"heat_capacity_cv", "thermal_pressure_coefficient"});
+    const std::vector<std::string> isobaric{
+        "stage.production.thermostat={ type = \"andersen\" }",
+        "stage.production.barostat={ type = \"stochastic-cell-rescaling\", pressure = 1.0 }", "system.density=0.7"};
+    CHECK(names_of(SmallRun(isobaric).report()).size() == 8);
+    std::vector<std::string> cut = isobaric;
+    cut.emplace_back("potential.truncation=\"cut\"");
+    CHECK(names_of(SmallRun(cut).report()).empty());
 }
 
 TEST_CASE("rows without a step or a time, or with one that is none, are refused with their line") {

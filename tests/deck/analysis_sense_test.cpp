@@ -93,6 +93,10 @@ TEST_CASE("analyses need a box that stays as it is from the first sampled stage 
     REQUIRE(found.size() == 1);
     CHECK_THAT(found[0].message, Contains("need a box that stays as it is"));
     CHECK_THAT(line_shown(found[0]), Contains("barostat ="));
+    // These are of the box of each configuration.
+    CHECK(errors_in(complaints(after + "\n[analysis]\nresponse_functions = {}\nconfigurational_temperature = {}\n")) ==
+          0);
+    CHECK(errors_in(complaints(after + "\n[analysis]\nresponse_functions = {}\nrdf = {}\n")) == 1);
 }
 
 TEST_CASE("a potential with a step is refused where its impulses would count, and continuous ones are named") {

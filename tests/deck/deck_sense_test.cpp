@@ -67,7 +67,8 @@ TEST_CASE("a start that cannot be meant is refused at its key") {
         with_lattice("type = \"fcc\", cells = 700", "1372000000 atoms, more than 1073741824", ""),
         with_lattice("type = \"fcc\", cells = 600, layers = 1000", "1440000000 atoms, more than 1073741824", ""),
         with_lattice("type = \"fcc\", atoms = 108, layers = 4", "'layers' in lattice goes with 'cells'", "'cells'"),
-        with_lattice("type = \"fcc\", cells = 3, height = 5.0", "'height' in lattice is 5, but the crystal is 5.12993", ""),
+        with_lattice("type = \"fcc\", cells = 3, height = 5.0", "'height' in lattice is 5, but the crystal is 5.12993",
+                     ""),
         with_lattice("type = \"fcc\", cells = 3, layers = 6, height = 9", "but the crystal is 10.2599 sigma high", ""),
         with_lattice("type = \"random\", atoms = 108, height = 9", "no meaning for a random start", "crystal"),
         with_lattice("type = \"random\"", "missing key 'atoms'", "random start"),
@@ -88,9 +89,9 @@ TEST_CASE("starts of every kind are accepted") {
     for (const char* start :
          {"lattice = { type = \"fcc\", atoms = 108 }", "lattice = { type = \"simple-cubic\", cells = 5 }",
           "lattice = { type = \"simple-cubic\", atoms = 125 }", "lattice = { type = \"random\", atoms = 100 }",
-          "lattice = { type = \"fcc\", cells = 3, layers = 5 }", "lattice = { type = \"fcc\", cells = 3, height = 5.2 }",
-          "lattice = { type = \"fcc\", atoms = 108, height = 20 }",
-          "file = \"start.xyz\""}) {
+          "lattice = { type = \"fcc\", cells = 3, layers = 5 }",
+          "lattice = { type = \"fcc\", cells = 3, height = 5.2 }",
+          "lattice = { type = \"fcc\", atoms = 108, height = 20 }", "file = \"start.xyz\""}) {
         INFO(start);
         CHECK(complaints(changed(small_deck, {{lattice, start}})).empty());
     }

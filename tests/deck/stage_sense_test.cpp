@@ -121,3 +121,20 @@ TEST_CASE("what is sampled under a thermostat that samples no ensemble is warned
     CHECK(found[0].severity == Severity::warning);
     CHECK_THAT(found[0].message, Contains("samples no ensemble"));
 }
+
+TEST_CASE("a stage begins at a total energy only at constant energy, where no temperature is held") {
+    const auto with = [](const std::string& lines) {
+        return complaints(changed(small_deck, {{"sample = true\n", "sample = true\ntotal_energy = -3.0\n" + lines}}));
+    };
+    CHECK(with("").empty());
+    const auto warm = with("temperature = 1.0\n");
+    REQUIRE(warm.size() == 1);
+    CHECK(warm[0].severity == Severity::error);
+    CHECK_THAT(warm[0].message, Contains("'total_energy' and 'temperature' in one [[stage]]"));
+    CHECK_THAT(line_shown(warm[0]), Contains("total_energy"));
+    const auto held = with("thermostat = { type = \"andersen\" }\n");
+    REQUIRE(held.size() == 1);
+    CHECK_THAT(held[0].message, Contains("a thermostat would change it"));
+    CHECK_THAT(complaints(changed(stars_deck, {{"steps = 95\n", "steps = 95\ntotal_energy = -3.0\n"}})).at(0).message,
+               Contains("total_energy"));
+}

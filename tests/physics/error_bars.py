@@ -62,7 +62,9 @@ EVERYTHING = """rdf = { every = 50 }
 msd = { every = 25, max_time = 2.0 }
 vacf = { every = 5, max_time = 1.5 }
 viscosity = { every = 5, max_time = 1.5 }
-chemical_potential = { every = 25, insertions = 300 }"""
+chemical_potential = { every = 25, insertions = 300 }
+response_functions = { every = 20 }
+configurational_temperature = { every = 50 }"""
 FLUXES = """thermal_conductivity = { max_time = 2.0 }
 bulk_viscosity = { max_time = 2.0 }
 viscosity = { max_time = 2.0 }"""

@@ -151,9 +151,10 @@ TEST_CASE("a barostat makes the isothermal-isobaric ensemble of an ideal gas, wi
     for (const std::string& name : canonical_thermostats()) {
         CAPTURE(name, type);
         const Sampled gas(gas_deck(ideal_gas, p / t, t, 400000,
-                                   thermostat(name) + fmt::format("barostat = {{ type = \"{}, pressure = {}, time = 3.0, "
-                                                                  "compressibility = {}, every = 1 }}",
-                                                                  type, p, (type.find("edges") == std::string::npos ? 1.0 : 3.0) / p)),
+                                   thermostat(name) +
+                                       fmt::format("barostat = {{ type = \"{}, pressure = {}, time = 3.0, "
+                                                   "compressibility = {}, every = 1 }}",
+                                                   type, p, (type.find("edges") == std::string::npos ? 1.0 : 3.0) / p)),
                           1);
         const Estimate density = gas(Sampled::density);
         const Estimate volume = gas(Sampled::volume);

@@ -33,9 +33,12 @@ End end_of_run(const ExecutionOptions& options) {
                                execution);
     test::advance(state, force_field, 0.005, steps);
     const Evaluation last = force_field.evaluate(state, Request::forces_and_energy);
-    return {
-        test::unwrapped_by_id(state), test::by_id(state, state.velocities()),         last.potential_energy,
-        kinetic_energy(state),        TranslationalOrder(Lattice::fcc, cells, cells)(state), pair_histogram(state, 2.5, 50)};
+    return {test::unwrapped_by_id(state),
+            test::by_id(state, state.velocities()),
+            last.potential_energy,
+            kinetic_energy(state),
+            TranslationalOrder(Lattice::fcc, cells, cells)(state),
+            pair_histogram(state, 2.5, 50)};
 }
 
 void check_equal(const End& a, const End& b) {

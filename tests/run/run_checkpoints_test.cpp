@@ -171,8 +171,14 @@ TEST_CASE("so it is while a barostat changes the box and samples are taken") {
         changed(small_deck, {{"sample = true\n",
                               "sample = true\nthermostat = { type = \"stochastic-rescaling\" }\n"
                               "barostat = { type = \"stochastic-cell-rescaling\", pressure = 0.5, every = 3 }\n"}}) +
-        "[output]\ntrajectory = { format = \"xyz\", every = 7, velocities = true }\n";
+        "[output]\ntrajectory = { format = \"xyz\", every = 7, velocities = true }\n"
+        "[analysis]\nresponse_functions = { every = 2 }\nconfigurational_temperature = { every = 3 }\n";
     check_every_step(text, {"stage.equilibrate.steps=5", "stage.production.steps=25"});
+}
+
+TEST_CASE("so it is with a stage that begins at a given total energy") {
+    check_every_step(changed(with_files, {{"sample = true\n", "sample = true\ntotal_energy = -3.0\n"}}),
+                     {"stage.equilibrate.steps=10", "stage.production.steps=20"});
 }
 
 TEST_CASE("so it is with few bodies, every integrator, and a stage that goes backwards") {

@@ -38,8 +38,9 @@ struct DeckClaims {
 
 /// Withdraw values that rely on a statement of the deck if the frames contradict it; each gets a remark instead:
 ///
-/// - the heat capacity, if the box of the frames changes, if the total energy fluctuates at "constant energy", or if it
-///   does not in the "canonical" ensemble;
+/// - the heat capacity and other response functions, if the box of the frames changes at "constant volume" or does not
+///   at "constant pressure", if the total energy fluctuates at "constant energy", or if it does not in the "canonical"
+///   ensemble;
 /// - the excess chemical potential, if the temperature of the frames differs from that of the deck's thermostat by more
 ///   than 5 standard errors and more than 5 %.
 ///

@@ -27,7 +27,8 @@ struct ThermoReport {
     double interval;  ///< between rows [tau]
     Index stride;     ///< rows between candidate start rows
     std::vector<Column> columns;
-    std::optional<ObservableAverage> heat_capacity = {};  ///< c_v from the fluctuations of all rows, see RunAverages
+    /// From the fluctuations of all rows: c_v, see RunAverages, and what they determine of ResponseFunctions.
+    std::vector<ObservableAverage> of_fluctuations = {};
 };
 
 /// @param run   of a fluid; may still be running
@@ -39,8 +40,9 @@ struct ThermoReport {
 /// The report as a document. Text: one line per column, with the step from which it is in equilibrium; below it the
 /// remarks. Data: rows, first_step, last_step, interval, stride; observables, by name: equilibrated_at_row,
 /// equilibrated_at_step, statistical_inefficiency, correlation_time, independent_samples, mean, standard_error, and for
-/// all rows statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all. If the ensemble has one,
-/// heat_capacity_cv: mean, standard_error. Remarks, if there are any.
+/// all rows statistical_inefficiency_of_all, mean_of_all, blocking_standard_error_of_all. What
+/// fluctuations determine in the ensemble, by name (heat_capacity_cv, isothermal_compressibility): mean,
+/// standard_error. Remarks, if there are any.
 [[nodiscard]] Document thermo_document(const ThermoReport& report);
 
 }  // namespace ljmd

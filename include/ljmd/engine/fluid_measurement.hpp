@@ -39,6 +39,7 @@ class FluidMeasurement : public RunMeasurement {
 
     void started(const Evaluation& evaluation) override;
     void stage_begins(const Stage& stage) override;
+    void energy_set(const EnergyStart& start) override { stages_.back().energy_start = start; }
     [[nodiscard]] bool wants_energy(Index step) const override;
     [[nodiscard]] bool reads_velocities(Index step_of_stage) const override;
     void moved(Index step_of_stage) override;

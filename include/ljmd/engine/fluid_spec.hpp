@@ -25,9 +25,9 @@ namespace ljmd {
 /// A box filled with a crystal. With a height it is a film: the crystal fills the lower part of the box.
 struct LatticeStart {
     Lattice lattice = Lattice::fcc;
-    Index cells = 6;                      ///< cubic cells along x and y, and along z; an fcc cell has 4 atoms
-    std::optional<Index> layers = {};     ///< cubic cells along z instead
-    std::optional<double> height = {};    ///< edge of the box along z [sigma], at least that of the crystal
+    Index cells = 6;                    ///< cubic cells along x and y, and along z; an fcc cell has 4 atoms
+    std::optional<Index> layers = {};   ///< cubic cells along z instead
+    std::optional<double> height = {};  ///< edge of the box along z [sigma], at least that of the crystal
 
     [[nodiscard]] Index layers_along_z() const { return layers.value_or(cells); }
 };

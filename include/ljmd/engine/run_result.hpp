@@ -28,13 +28,14 @@ struct StageResult {
     std::optional<double> energy_drift;  ///< least-squares slope of the conserved energy per atom [epsilon/tau]
     std::string checksum_at_start;       ///< of the positions, see checksum()
     std::string checksum_at_end;
-    std::optional<double> time_step_error = {};  ///< see TimeStepError; for sampled stages of a fluid
-    std::string drift_remark = {};               ///< why the drift is too large; set at the end of the run
-    std::string time_step_remark = {};           ///< why the time step is too long; set at the end of the run
+    std::optional<double> time_step_error = {};    ///< see TimeStepError; for sampled stages of a fluid
+    std::optional<EnergyStart> energy_start = {};  ///< if the stage began at a given total energy
+    std::string drift_remark = {};                 ///< why the drift is too large; set at the end of the run
+    std::string time_step_remark = {};             ///< why the time step is too long; set at the end of the run
 
     void archive(Archive& a) {
         a(name, integrator, first_step, last_step, time_step, sampled, thermostatted, reversed, energy_drift,
-          checksum_at_start, checksum_at_end, time_step_error);
+          checksum_at_start, checksum_at_end, time_step_error, energy_start);
     }
 };
 

@@ -28,6 +28,10 @@ struct Stage {
     std::optional<ChosenThermostat> thermostat = {};
     std::optional<ChosenBarostat> barostat = {};  ///< for a fluid only
     std::uint64_t seed = 0;                       ///< of the random numbers of thermostat and barostat
+
+    /// (U + K)/N, tail and external energy included, to which velocities are scaled before the first step [epsilon];
+    /// for a fluid only, and without a thermostat.
+    std::optional<double> total_energy = {};
 };
 
 /// Whether a fluid conserves its total energy minus the heat from the thermostat in this stage, but for errors of the

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
+#include "ljmd/engine/energy_start.hpp"
 #include "ljmd/engine/stage.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
@@ -41,6 +42,9 @@ class StepObserver {
 
     /// The integrator has done its start-up. If the stage reverses the motion, that comes next.
     virtual void stage_begins(const Stage& stage) = 0;
+
+    /// The velocities of the stage that has just begun were scaled, before the start-up of the integrator.
+    virtual void energy_set(const EnergyStart& /*start*/) {}
 
     /// Whether the potential energy is needed after this step of the run.
     [[nodiscard]] virtual bool wants_energy(Index step) const = 0;

@@ -51,6 +51,9 @@ class BarostatOptions {
     virtual void describe(Description& description) = 0;
     [[nodiscard]] virtual std::unique_ptr<Barostat> make(const PressureBath& bath) const = 0;
 
+    /// The pressure to be held [epsilon/sigma^3].
+    [[nodiscard]] virtual double held_pressure() const = 0;
+
   protected:
     BarostatOptions() = default;
     BarostatOptions(const BarostatOptions&) = default;

@@ -43,4 +43,7 @@ void remove_momentum(State& state);
 /// @param target  temperature [epsilon/k_B], >= 0
 void rescale_velocities(State& state, double target);
 
+/// Multiply all velocities by a factor.
+void scale_velocities(State& state, double factor);
+
 }  // namespace ljmd

@@ -11,6 +11,7 @@
 #include "ljmd/core/description.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/observables/ensemble.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
 #include "ljmd/potentials/interaction.hpp"
 
@@ -32,7 +33,9 @@ struct SampledRun {
     std::uint64_t seed;
     std::optional<double> held_temperature;  ///< held by the thermostat of the sampled stages; empty at constant energy
 
-    std::optional<Interaction> interaction;  ///< empty while a deck is checked
+    std::optional<Interaction> interaction;    ///< empty while a deck is checked
+    Ensemble ensemble = Ensemble::none;        ///< of the samples
+    std::optional<double> held_pressure = {};  ///< held by the barostat of the sampled stages
 };
 
 /// A measurement on configurations during the sampled stages of a run. Sampling never changes the state.
@@ -73,6 +76,7 @@ struct AnalysisNeeds {
     bool fixed_box = true;              ///< uses SampledRun::box throughout; otherwise the box of each configuration
     bool continuous_potential = false;  ///< a step at the cutoff has impulses, which the forces lack
     bool constant_energy = false;       ///< sampled stages without thermostat
+    bool shortest_box = true;  ///< its options are limited by SampledRun::box, which a barostat may make too small
 };
 
 /// Why options do not fit, as pairs of key and message.

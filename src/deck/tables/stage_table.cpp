@@ -69,6 +69,13 @@ void FluidStageTable::describe(TableDescription& description) {
         .at_least(0.0)
         .optional("that of [system]")
         .meaning("what the thermostat holds in this stage");
+    description.number("total_energy", total_energy)
+        .dimension(Dimension::energy)
+        .unit("epsilon")
+        .optional("as the atoms come")
+        .meaning(
+            "(U + K)/N, tail included, to which velocities are scaled before the first step; only without a "
+            "thermostat");
     description.table("thermostat", "thermostat", thermostat)
         .optional("none: constant energy")
         .meaning(meaning_of_thermostats());

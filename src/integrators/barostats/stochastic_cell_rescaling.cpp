@@ -83,6 +83,7 @@ struct StochasticCellRescalingOptions : BarostatOptions {
                 "isothermal, about that of the fluid; 0.05 is that of the liquid near its triple point, a gas has 1/p");
         description.integer("every", every).at_least(1).step_interval().meaning("steps between changes");
     }
+    [[nodiscard]] double held_pressure() const override { return pressure; }
     [[nodiscard]] std::unique_ptr<Barostat> make(const PressureBath& bath) const override {
         return std::make_unique<StochasticCellRescaling>(pressure, compressibility / time, Every(every), bath);
     }

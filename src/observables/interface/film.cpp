@@ -38,8 +38,7 @@ void Film::sample(const State& state, const Evaluation& evaluation) {
     if (state.count() < 2) {
         return;
     }
-    const PressureProfile profile =
-        pressure_profile(state, potential_, axis_, film_centre(state, axis_), layers_);
+    const PressureProfile profile = pressure_profile(state, potential_, axis_, film_centre(state, axis_), layers_);
     const double normal = evaluation.virial(axis_, axis_);
     const double tangential = 0.5 * (evaluation.virial.trace() - normal);
     Eigen::VectorXd found(means_.width());

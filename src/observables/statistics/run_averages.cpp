@@ -166,7 +166,7 @@ std::vector<ObservableAverage> RunAverages::averages() const {
     }
     for (Index k = 0; k < static_cast<Index>(columns.size()); ++k) {
         const Column& column = columns[static_cast<std::size_t>(k)];
-        if (k == density_column && ensemble_ != Ensemble::constant_pressure) {
+        if (k == density_column && !volume_fluctuates(ensemble_)) {
             continue;
         }
         const bool is_pressure = k == pressure_column || (k > density_column && k < virial_column);

@@ -73,9 +73,9 @@ TEST_CASE("edges that are not named keep their lengths, to the last bit") {
 }
 
 TEST_CASE("volume and shape of an elastic ideal gas take the distribution of the ensemble of constant pressure") {
-    // With U = (k/2) sum_a (x_a - mean x)^2, x_a = ln L_a, the volume has V^N exp(-p_0 V/T) dV whatever the shape, so that
-    // <V> = (N + 1) T/p_0 with the variance (N + 1) (T/p_0)^2, and the shape has two modes of <(x_a - mean x)^2> = T/k.
-    // With one free edge the box has no shape of its own, and k = 0.
+    // With U = (k/2) sum_a (x_a - mean x)^2, x_a = ln L_a, the volume has V^N exp(-p_0 V/T) dV whatever the shape, so
+    // that <V> = (N + 1) T/p_0 with the variance (N + 1) (T/p_0)^2, and the shape has two modes of <(x_a - mean x)^2> =
+    // T/k. With one free edge the box has no shape of its own, and k = 0.
     const bool all = GENERATE(true, false);
     constexpr Index atoms = 40;
     constexpr double wanted = 1.5;

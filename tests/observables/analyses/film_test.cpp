@@ -15,8 +15,8 @@ TEST_CASE("a film has 200 layers along z and is measured every 50 steps unless t
     usual->sample(state, {});
     CHECK(usual->tables().at(0).rows.size() == 200);
     CHECK(usual->tables().at(0).rows.back()[0] == Approx(15.0 - 0.075));
-    const auto along_x = test::analysis_options(method, {{"axis", "x"}, {"layers", std::int64_t{6}}})
-                             ->make(test::run_of(state));
+    const auto along_x =
+        test::analysis_options(method, {{"axis", "x"}, {"layers", std::int64_t{6}}})->make(test::run_of(state));
     along_x->sample(state, {});
     CHECK(along_x->tables().at(0).rows.back()[0] == Approx(2.5));
 }

@@ -26,8 +26,14 @@ inline AnalysisMethod analysis_method(const std::string& name) {
 /// A run of 10000 steps that all are sampled.
 inline SampledRun run_of(const State& state) {
     const PairPotential potential = PairPotential::lennard_jones("cut", {2.5, 0.0});
-    return {
-        state.count(), state.box(), 0.004, 10000, 1, std::nullopt, Interaction{potential, TailCorrection(potential)}};
+    return {state.count(),
+            state.box(),
+            0.004,
+            10000,
+            1,
+            std::nullopt,
+            Interaction{potential, TailCorrection(potential)},
+            Ensemble::canonical};
 }
 
 /// The section of an analysis as a deck gives it. Keys that are not given take their defaults.

@@ -30,8 +30,8 @@ State film_state(unsigned seed, Index liquid, Index vapour) {
     const double middle = 40.0 * uniform(generator);
     std::vector<Vec3> positions;
     for (Index i = 0; i < liquid + vapour; ++i) {
-        const double z = i < liquid ? middle + 12.0 * (uniform(generator) - 0.5)
-                                    : middle + 6.0 + 28.0 * uniform(generator);
+        const double z =
+            i < liquid ? middle + 12.0 * (uniform(generator) - 0.5) : middle + 6.0 + 28.0 * uniform(generator);
         positions.emplace_back(10.0 * uniform(generator), 10.0 * uniform(generator), z - 40.0 * std::floor(z / 40.0));
     }
     State state = test::state_of(positions, box);

@@ -34,7 +34,8 @@ struct BarostatTable {
 
 /// [[stage]] of a fluid.
 struct FluidStageTable : StageTable {
-    std::optional<double> temperature;  ///< [epsilon/k_B]
+    std::optional<double> temperature;   ///< [epsilon/k_B]
+    std::optional<double> total_energy;  ///< per atom [epsilon]
     std::optional<Placed<ThermostatTable>> thermostat;
     std::optional<Placed<BarostatTable>> barostat;
 

@@ -23,7 +23,7 @@ struct LatticeTable {
     std::string type;
     std::optional<Index> cells;  ///< along an edge
     std::optional<Index> atoms;
-    std::optional<Index> layers;    ///< cells along z
+    std::optional<Index> layers;   ///< cells along z
     std::optional<double> height;  ///< of the box [sigma]
 
     void describe(Description& description);

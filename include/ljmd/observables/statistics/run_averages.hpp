@@ -3,19 +3,12 @@
 #include <optional>
 #include <vector>
 
+#include "ljmd/observables/ensemble.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
 namespace ljmd {
-
-/// Ensemble of the samples.
-enum class Ensemble {
-    constant_energy,    ///< one stage of Newton's equations
-    canonical,          ///< one stage with a canonical thermostat
-    constant_pressure,  ///< the volume fluctuates
-    none                ///< anything else: only means are meaningful
-};
 
 /// Averages of thermodynamic samples with standard errors by block averaging.
 ///

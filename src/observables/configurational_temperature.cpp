@@ -1,0 +1,44 @@
+#include "ljmd/observables/configurational_temperature.hpp"
+
+#include "ljmd/observables/pair_curvature.hpp"
+#include "ljmd/observables/squared_forces.hpp"
+
+namespace ljmd {
+
+namespace {
+
+enum RatioColumn : Index { force_column, laplacian_column, ratio_columns };
+
+}  // namespace
+
+ConfigurationalTemperature::ConfigurationalTemperature(const SampledRun& run, Every every)
+    : interaction_(run.interaction.value()), every_(every), means_(ratio_columns, Covariance::full) {}
+
+void ConfigurationalTemperature::sample(const State& state, const Evaluation& /*evaluation*/) {
+    const auto atoms = static_cast<double>(state.count());
+    Eigen::VectorXd found(Index{ratio_columns});
+    found[force_column] = squared_forces_over_mass(state) / atoms;
+    found[laplacian_column] = pair_curvature(state, interaction_.potential).laplacian / atoms;
+    means_.add(found);
+}
+
+std::vector<ObservableAverage> ConfigurationalTemperature::observables() const {
+    if (samples() == 0) {
+        return {};
+    }
+    ObservableAverage average{"configurational_temperature", "T_conf", "epsilon/k_B", std::nullopt};
+    const Eigen::VectorXd mean = means_.mean();
+    const Estimate laplacian = means_.estimate(laplacian_column);
+    if (!(laplacian.mean > 4.0 * laplacian.standard_error)) {
+        average.remark = "it is divided by the curvature of the potential, which is not known to be above zero";
+        return {average};
+    }
+    const double temperature = mean[force_column] / mean[laplacian_column];
+    Eigen::VectorXd gradient(Index{ratio_columns});
+    gradient[force_column] = 1.0 / mean[laplacian_column];
+    gradient[laplacian_column] = -temperature / mean[laplacian_column];
+    average.estimate = means_.estimate(temperature, gradient);
+    return {average};
+}
+
+}  // namespace ljmd
