@@ -232,7 +232,7 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
     }
     line("pressure", number(pressure_of(frame)),
          spec.tail ? fmt::format("epsilon/sigma^3, {:.6g} of it tail", frame.tail_pressure) : "epsilon/sigma^3");
-    line("virial", number(found.virial), "epsilon: sum of r.f over pairs, without tail");
+    line("virial", number(found.virial), "epsilon: sum of r.f over pairs, no tail");
     for (const auto& [name, a, b] : {std::tuple{"  xx, yy, zz", std::array{0, 1, 2}, std::array{0, 1, 2}},
                                      std::tuple{"  xy, xz, yz", std::array{0, 0, 1}, std::array{1, 2, 2}}}) {
         text += fmt::format("{:<18}", name);
