@@ -15,7 +15,7 @@ struct ResponseFunctionsOptions : AnalysisOptions {
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         constexpr double of_copy = 230.0;  // of an atom in the sorted copy, with images
-        return {.kept = BlockingAccumulator::bytes(response::columns, Covariance::full, run.steps / every + 1),
+        return {.kept = ResponseFunctions::bytes(run.steps / every + 1),
                 .passing = of_copy * static_cast<double>(run.atoms)};
     }
 };
