@@ -5,7 +5,7 @@ namespace ljmd {
 namespace {
 
 struct ResponseFunctionsOptions : AnalysisOptions {
-    Index every = 20;
+    Index every = 50;
 
     void describe(Description& description) override {
         description.integer("every", every).at_least(1).step_interval().meaning("steps between configurations");
