@@ -5,7 +5,7 @@ namespace ljmd {
 namespace {
 
 struct ResponseFunctionsOptions : AnalysisOptions {
-    Index every = 20;
+    Index every = 50;
 
     void describe(Description& description) override {
         description.integer("every", every).at_least(1).step_interval().meaning("steps between configurations");
@@ -15,7 +15,7 @@ struct ResponseFunctionsOptions : AnalysisOptions {
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         constexpr double of_copy = 230.0;  // of an atom in the sorted copy, with images
-        return {.kept = BlockingAccumulator::bytes(response::columns, Covariance::full, run.steps / every + 1),
+        return {.kept = ResponseFunctions::bytes(run.steps / every + 1),
                 .passing = of_copy * static_cast<double>(run.atoms)};
     }
 };

@@ -1,7 +1,9 @@
 #include "ljmd/observables/response/response_functions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <unsupported/Eigen/AutoDiff>
 
 #include "ljmd/observables/response/canonical.hpp"
@@ -21,34 +23,53 @@ constexpr double errors_above_zero = 4.0;
 
 constexpr const char* too_short = "the run is too short to tell how its energy, pressure and volume fluctuate";
 
-/// One response function.
+/// A response function as results.json has it.
 struct Named {
     const char* name;
     const char* symbol;
     const char* unit;
-    Dual value;
     bool by_bulk_modulus;   ///< divided by it, or by what contains it
     bool by_heat_capacity;  ///< divided by c_v
 };
 
-std::vector<Named> all_of(const response::Basis<Dual>& basis, const Dual& temperature, const Dual& rho) {
+constexpr std::size_t c_v_place = 3;
+constexpr std::array<Named, 8> named{{{"isothermal_compressibility", "kappa_T", "sigma^3/epsilon", true, false},
+                                      {"thermal_expansion", "alpha_p", "k_B/epsilon", true, false},
+                                      {"thermal_pressure_coefficient", "gamma_V", "k_B/sigma^3", false, false},
+                                      {"heat_capacity_cv", "c_v", "k_B", false, false},
+                                      {"heat_capacity_cp", "c_p", "k_B", true, false},
+                                      {"adiabatic_compressibility", "kappa_S", "sigma^3/epsilon", true, true},
+                                      {"speed_of_sound", "w", "sigma/tau", true, true},
+                                      {"joule_thomson_coefficient", "mu_JT", "sigma^3/k_B", true, true}}};
+
+/// The values of all that is named, and last the isothermal bulk modulus.
+constexpr std::size_t modulus_place = named.size();
+template <class Real>
+using Values = std::array<Real, named.size() + 1>;
+
+template <class Real>
+Values<Real> values_of(const response::Means<Real>& means, Ensemble ensemble) {
     using std::sqrt;
-    const Dual c_v = basis.heat_capacity;
-    const Dual slope = basis.pressure_slope;
-    const Dual modulus = basis.bulk_modulus;
-    const Dual alpha = slope / modulus;
-    const Dual c_p = c_v + temperature * slope * slope / (rho * modulus);
-    const Dual adiabatic = modulus + temperature * slope * slope / (rho * c_v);
-    const Dual sound = sqrt(Dual(adiabatic / rho));
-    return {{"isothermal_compressibility", "kappa_T", "sigma^3/epsilon", Dual(1.0 / modulus), true, false},
-            {"thermal_expansion", "alpha_p", "k_B/epsilon", alpha, true, false},
-            {"thermal_pressure_coefficient", "gamma_V", "k_B/sigma^3", slope, false, false},
-            {"heat_capacity_cv", "c_v", "k_B", c_v, false, false},
-            {"heat_capacity_cp", "c_p", "k_B", c_p, true, false},
-            {"adiabatic_compressibility", "kappa_S", "sigma^3/epsilon", Dual(1.0 / adiabatic), true, true},
-            {"speed_of_sound", "w", "sigma/tau", sound, true, true},
-            {"joule_thomson_coefficient", "mu_JT", "sigma^3/k_B", Dual((temperature * alpha - 1.0) / (rho * c_p)), true,
-             true}};
+    const response::Basis<Real> basis = ensemble == Ensemble::isothermal_isobaric ? response::isothermal_isobaric(means)
+                                        : ensemble == Ensemble::constant_energy   ? response::constant_energy(means)
+                                                                                  : response::canonical(means);
+    const Real t = means.mean[response::temperature];
+    const Real rho = means.density();
+    const Real c_v = basis.heat_capacity;
+    const Real slope = basis.pressure_slope;
+    const Real modulus = basis.bulk_modulus;
+    const Real alpha = slope / modulus;
+    const Real c_p = c_v + t * slope * slope / (rho * modulus);
+    const Real adiabatic = modulus + t * slope * slope / (rho * c_v);
+    return {Real(1.0 / modulus),
+            alpha,
+            slope,
+            c_v,
+            c_p,
+            Real(1.0 / adiabatic),
+            Real(sqrt(Real(adiabatic / rho))),
+            Real((t * alpha - 1.0) / (rho * c_p)),
+            modulus};
 }
 
 /// The quantities whose fluctuations the formulas of an ensemble use.
@@ -71,7 +92,8 @@ ResponseFunctions::ResponseFunctions(Index atoms, Ensemble ensemble, std::option
       ensemble_(ensemble),
       held_pressure_(held_pressure.value_or(0.0)),
       with_stiffness_(with_stiffness),
-      series_(response::columns, Covariance::full) {}
+      series_(response::columns, Covariance::full),
+      blocks_(response::columns) {}
 
 void ResponseFunctions::add(const ResponseSample& sample) {
     if (samples() == 0) {
@@ -88,24 +110,23 @@ void ResponseFunctions::add(const ResponseSample& sample) {
     row << t, inverse, u, p, v, (with_stiffness_ ? sample.stiffness : 0.0), u * u, u * p, p * p, v * v, u * v,
         p * inverse, p * p * inverse;
     series_.add(row);
+    blocks_.add(row);
 }
 
-std::vector<ObservableAverage> ResponseFunctions::observables() const {
-    if (samples() == 0) {
-        return {};
-    }
-    const Eigen::VectorXd mean = series_.mean();
+Eigen::VectorXd ResponseFunctions::values_at(const Eigen::VectorXd& means) const {
+    const Values<double> values = values_of(
+        response::Means<double>{means, 1.0, first_pressure_, first_volume_, atoms_, held_pressure_}, ensemble_);
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
+
+std::vector<Estimate> ResponseFunctions::estimates() const {
     constexpr int all = response::columns + 1;
+    const Eigen::VectorXd mean = series_.mean();
     response::Means<Dual> means{
         {}, Dual(1.0, all, response::columns), first_pressure_, first_volume_, atoms_, held_pressure_};
     for (int k = 0; k < response::columns; ++k) {
         means.mean[k] = Dual(mean[k], all, k);
     }
-    const bool isobaric = ensemble_ == Ensemble::isothermal_isobaric;
-    const bool known = isobaric || ensemble_ == Ensemble::canonical || ensemble_ == Ensemble::constant_energy;
-    const response::Basis<Dual> basis = isobaric                                 ? response::isothermal_isobaric(means)
-                                        : ensemble_ == Ensemble::constant_energy ? response::constant_energy(means)
-                                                                                 : response::canonical(means);
     double independent = static_cast<double>(samples());
     bool long_enough = true;
     for (const response::Column column : fluctuating(ensemble_)) {
@@ -113,42 +134,57 @@ std::vector<ObservableAverage> ResponseFunctions::observables() const {
         independent = std::min(independent, of_column.independent_samples);
         long_enough = long_enough && of_column.converged;
     }
-    const auto estimate_of = [&](const Dual& value) {
-        Estimate found = series_.estimate(value.value(), value.derivatives().head(response::columns));
-        found.standard_error = std::hypot(found.standard_error, value.derivatives()[response::columns] / independent);
-        found.converged = found.converged && long_enough && std::isfinite(found.standard_error);
-        return found;
+    const Eigen::VectorXd jackknife = blocks_.errors([this](const Eigen::VectorXd& at) { return values_at(at); });
+    std::vector<Estimate> found;
+    found.reserve(named.size() + 1);
+    for (const Dual& value : values_of(means, ensemble_)) {
+        Estimate each = series_.estimate(value.value(), value.derivatives().head(response::columns));
+        const double by_blocks = jackknife[static_cast<Index>(found.size())];
+        each.converged = each.converged && long_enough && std::isfinite(by_blocks);
+        each.standard_error =
+            std::hypot(std::max(each.standard_error, by_blocks), value.derivatives()[response::columns] / independent);
+        found.push_back(each);
+    }
+    return found;
+}
+
+std::vector<ObservableAverage> ResponseFunctions::observables() const {
+    if (samples() == 0) {
+        return {};
+    }
+    const std::vector<Estimate> found = estimates();
+    const auto is_known = [&](std::size_t place) {
+        return found[place].converged && found[place].mean > errors_above_zero * found[place].standard_error;
     };
-    const auto is_positive = [&](const Dual& value) {
-        const Estimate found = estimate_of(value);
-        return found.converged && found.mean > errors_above_zero * found.standard_error;
+    const bool isobaric = ensemble_ == Ensemble::isothermal_isobaric;
+    const bool fluctuates = isobaric || ensemble_ == Ensemble::canonical || ensemble_ == Ensemble::constant_energy;
+    const bool is_warm = is_above_zero(series_.mean()[response::temperature]) && atoms_ > 1.0;
+    const auto remark_on = [&](std::size_t place) -> std::string {
+        const Named& each = named.at(place);
+        if (!fluctuates) {
+            return "fluctuations determine it in one sampled stage: at constant energy, or under a canonical "
+                   "thermostat with or without a barostat";
+        }
+        if (!is_warm) {
+            return no_temperature;
+        }
+        if (each.by_bulk_modulus && !isobaric && !with_stiffness_) {
+            return "it needs the hypervirial: ask for the analysis response_functions";
+        }
+        const bool unknown = !found[place].converged || (each.by_bulk_modulus && !is_known(modulus_place)) ||
+                             (each.by_heat_capacity && !is_known(c_v_place));
+        return unknown ? too_short : "";
     };
-    const bool sound_temperature = is_above_zero(mean[response::temperature]) && atoms_ > 1.0;
-    const bool has_modulus = with_stiffness_ || isobaric;
-    // A compressibility from the fluctuations of the volume is as well known as its inverse.
-    const bool modulus_is_known = has_modulus && sound_temperature && is_positive(basis.bulk_modulus);
-    const bool capacity_is_known = sound_temperature && is_positive(basis.heat_capacity);
     std::vector<ObservableAverage> result;
-    result.reserve(8);
-    for (const Named& each : all_of(basis, means.mean[response::temperature], means.density())) {
-        ObservableAverage average{each.name, each.symbol, each.unit, std::nullopt};
-        if (average.name == "heat_capacity_cv" && !isobaric) {
+    result.reserve(named.size());
+    for (std::size_t place = 0; place < named.size(); ++place) {
+        if (place == c_v_place && !isobaric) {
             continue;  // RunAverages has it, from more samples
         }
-        if (!known) {
-            average.remark =
-                "fluctuations determine it in one sampled stage: at constant energy, or under a canonical thermostat "
-                "with or without a barostat";
-        } else if (!sound_temperature) {
-            average.remark = no_temperature;
-        } else if (each.by_bulk_modulus && !has_modulus) {
-            average.remark = "it needs the hypervirial: ask for the analysis response_functions";
-        } else if ((each.by_bulk_modulus && !modulus_is_known) || (each.by_heat_capacity && !capacity_is_known)) {
-            average.remark = too_short;
-        } else if (const Estimate found = estimate_of(each.value); found.converged) {
-            average.estimate = found;
-        } else {
-            average.remark = too_short;
+        const Named& each = named.at(place);
+        ObservableAverage average{each.name, each.symbol, each.unit, std::nullopt, remark_on(place)};
+        if (average.remark.empty()) {
+            average.estimate = found[place];
         }
         result.push_back(average);
     }

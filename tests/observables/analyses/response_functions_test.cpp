@@ -6,13 +6,13 @@
 
 using namespace ljmd;
 
-TEST_CASE("response_functions looks every 20 steps, with energies, in any box, unless told otherwise") {
+TEST_CASE("response_functions looks every 50 steps, with energies, in any box, unless told otherwise") {
     const State state = test::random_state(20, Box(Vec3::Constant(6.0)), 1);
     const AnalysisMethod method = test::analysis_method("response_functions");
     const SampledRun run = test::run_of(state);
     const auto analysis = test::analysis_options(method)->make(run);
-    CHECK(analysis->due(40));
-    CHECK_FALSE(analysis->due(10));
+    CHECK(analysis->due(100));
+    CHECK_FALSE(analysis->due(25));
     CHECK(analysis->needs_energy());
     CHECK_FALSE(method.follows_time);
     CHECK(method.needs.interaction);

@@ -7,6 +7,7 @@
 #include "ljmd/observables/ensemble.hpp"
 #include "ljmd/observables/response/response_means.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/observables/statistics/jackknife_blocks.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
 
 namespace ljmd {
@@ -32,11 +33,12 @@ struct ResponseSample {
 ///     w       = (K_S/rho)^(1/2)                speed of sound
 ///     mu_JT   = (T alpha_p - 1)/(rho c_p)      Joule-Thomson coefficient      (dT/dp)_H
 ///
-/// Errors are those of the whole formula as a function of all means, with the covariances of the means from block
-/// averages: to first order what a jackknife over the blocks gives (BlockingAccumulator). To them is added what the
-/// value would change if all variances were too low by 1/n, n being the independent samples of the fluctuating
-/// quantities. There is no value where the run is too short for these errors; where K_T or c_v is not known to a
-/// quarter of itself, what is divided by it has none either.
+/// Errors are those of the whole formula as a function of all means, with their correlations: the larger one of that by
+/// block averages (BlockingAccumulator, to first order) and of a jackknife over 32 to 64 blocks (JackknifeBlocks). In a
+/// gas, slow fluctuations of the density are hidden below those of collisions, and only the second one sees them. To it
+/// is added what the value would change if all variances were too low by 1/n, n being the independent samples of the
+/// fluctuating quantities. There is no value where the run is too short for these errors; where K_T or c_v is not known
+/// to a quarter of itself, what is divided by it has none either.
 class ResponseFunctions {
   public:
     /// @param ensemble        of all samples
@@ -53,9 +55,19 @@ class ResponseFunctions {
     /// isothermal-isobaric ensemble, where RunAverages has none. Empty without samples. What has no value has a remark.
     [[nodiscard]] std::vector<ObservableAverage> observables() const;
 
-    void archive(Archive& a) { a(first_volume_, first_energy_, first_pressure_, series_); }
+    void archive(Archive& a) { a(first_volume_, first_energy_, first_pressure_, series_, blocks_); }
+
+    /// Memory of this many samples, also in a checkpoint [bytes].
+    [[nodiscard]] static double bytes(Index samples) {
+        return BlockingAccumulator::bytes(response::columns, Covariance::full, samples) +
+               JackknifeBlocks::bytes(response::columns);
+    }
 
   private:
+    /// All values that follow from these means, and the bulk modulus.
+    [[nodiscard]] Eigen::VectorXd values_at(const Eigen::VectorXd& means) const;
+    [[nodiscard]] std::vector<Estimate> estimates() const;
+
     double atoms_;
     Ensemble ensemble_;
     double held_pressure_;
@@ -64,6 +76,7 @@ class ResponseFunctions {
     double first_energy_ = 0.0;
     double first_pressure_ = 0.0;
     BlockingAccumulator series_;
+    JackknifeBlocks blocks_;
 };
 
 }  // namespace ljmd

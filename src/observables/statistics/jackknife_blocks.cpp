@@ -1,0 +1,74 @@
+#include "ljmd/observables/statistics/jackknife_blocks.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "ljmd/core/errors.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr std::size_t most_blocks = 64;
+constexpr std::size_t least_blocks = 16;
+
+}  // namespace
+
+void JackknifeBlocks::add(const Eigen::VectorXd& sample) {
+    pending_ += sample;
+    ++collected_;
+    if (collected_ < length_) {
+        return;
+    }
+    means_.emplace_back(pending_ / static_cast<double>(length_));
+    pending_.setZero();
+    collected_ = 0;
+    if (means_.size() < most_blocks) {
+        return;
+    }
+    for (std::size_t k = 0; k < most_blocks / 2; ++k) {
+        means_[k] = 0.5 * (means_[2 * k] + means_[2 * k + 1]);
+    }
+    means_.resize(most_blocks / 2);
+    length_ *= 2;
+}
+
+Eigen::VectorXd JackknifeBlocks::errors(
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd& means)>& function) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(width_);
+    for (const Eigen::VectorXd& block : means_) {
+        sum += block;
+    }
+    const auto blocks = static_cast<double>(means_.size());
+    if (means_.size() < least_blocks) {
+        return Eigen::VectorXd::Constant(function(sum / blocks).size(), std::numeric_limits<double>::quiet_NaN());
+    }
+    std::vector<Eigen::VectorXd> without;
+    without.reserve(means_.size());
+    for (const Eigen::VectorXd& block : means_) {
+        without.push_back(function((sum - block) / (blocks - 1.0)));
+    }
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(without.front().size());
+    for (const Eigen::VectorXd& each : without) {
+        mean += each / blocks;
+    }
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(mean.size());
+    for (const Eigen::VectorXd& each : without) {
+        squares += (each - mean).cwiseAbs2();
+    }
+    return ((blocks - 1.0) / blocks * squares).cwiseSqrt();
+}
+
+void JackknifeBlocks::archive(Archive& a) {
+    a(length_, collected_, pending_, means_);
+    bool fits = length_ >= 1 && collected_ >= 0 && collected_ < length_ && pending_.size() == width_ &&
+                means_.size() < most_blocks;
+    for (const Eigen::VectorXd& block : means_) {
+        fits = fits && block.size() == width_;
+    }
+    if (!fits) {
+        throw CheckpointError("its blocks for a jackknife are not those of this series");
+    }
+}
+
+}  // namespace ljmd
