@@ -88,7 +88,8 @@ def test_what_has_no_value_has_no_picture(tmp: Path) -> None:
                         "viscosity": none, "viscosity_standard_error": none})
     result = plot(run)
     assert result.returncode == 0, result.stderr
-    assert [Path(line).stem for line in result.stdout.splitlines()] == ["thermo", "sk", "msd"], result.stdout
+    made = [Path(line).stem for line in result.stdout.splitlines()]
+    assert made == ["thermo", "sk", "msd", "pressure_autocorrelation", "heat_flux_autocorrelation"], result.stdout
     said = [line.partition(": ")[2] for line in result.stderr.splitlines()]
     assert said == [f"'{name}' has no value in this run, no picture of it"
                     for name in ("g", "vacf_normalized", "spectrum", "viscosity")], result.stderr
