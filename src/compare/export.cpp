@@ -78,6 +78,10 @@ std::vector<std::string> left_out(const Deck& deck, bool to_come) {
         words.push_back(fmt::format("stage '{}' moves the atoms by '{}', the exported motion is velocity Verlet's",
                                     exported.name, name));
     }
+    if (!exported.until.empty()) {
+        words.push_back(fmt::format("stage '{}' ends when errors are reached; exported are its max_steps, {}",
+                                    exported.name, exported.steps));
+    }
     if (exported.reverse) {
         words.push_back(
             fmt::format("stage '{}' turns the motion round, the exported motion goes forward", exported.name));
