@@ -311,11 +311,17 @@ void FluidMeasurement::widen_errors(RunResult& result) const {
         return;
     }
     result.stages.back().until = {errors_of(stage), stage.steps, errors_reached_};
-    for (const WantedError& wanted : stage.until) {
-        const auto found = std::ranges::find(result.averages, wanted.observable, &ObservableAverage::name);
-        if (found != result.averages.end() && found->estimate) {
-            found->estimate = stopped_estimate(*found->estimate);
+    const auto widen = [&stage](std::vector<ObservableAverage>& averages) {
+        for (ObservableAverage& average : averages) {
+            if (average.estimate &&
+                std::ranges::find(stage.until, average.name, &WantedError::observable) != stage.until.end()) {
+                average.estimate = stopped_estimate(*average.estimate);
+            }
         }
+    };
+    widen(result.averages);
+    if (result.at_requested) {
+        widen(result.at_requested->observables);
     }
 }
 
@@ -363,10 +369,10 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
     if (!result.stages.empty() && result.stages.back().checksum_at_end.empty()) {  // its last stage has not ended
         complete(result.stages.back());
     }
-    widen_errors(result);
     if (averages_.samples() > 0) {
         result.at_requested = at_requested_temperature(spec_, density(), averages_);
     }
+    widen_errors(result);
     for (const auto& analysis : fluid_.analyses) {
         std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
         std::ranges::move(analysis->observables(), std::back_inserter(result.averages));

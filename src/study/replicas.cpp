@@ -4,6 +4,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* merged_tables[] = {"rdf"};  // those whose rows are averages at fixed places
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<const char*, 1> merged_tables{"rdf"};  // those whose rows are averages at fixed places
 constexpr const char* seed_key = "system.seed";
 
 /// A stage name as a part of a key.
@@ -39,6 +40,10 @@ std::string key_part(const std::string& name) {
 
 double number_or(const Data* value, double otherwise) {
     return value != nullptr && !value->is_null() ? value->number() : otherwise;
+}
+
+std::uint64_t seed_of(const Deck& deck) {
+    return static_cast<std::uint64_t>(deck.system().seed);
 }
 
 /// An observable of one run, from its results.json.
@@ -65,10 +70,10 @@ FoundRun found_run(const ChildRun& run) {
             const Data* remark = entry.find("remark");
             found.observables.push_back({name,
                                          entry.at("unit").text(),
-                                         {entry.at("mean").number(), number_or(entry.find("standard_error"), nan),
+                                         {entry.at("mean").number(), number_or(entry.find("standard_error"), no_number),
                                           static_cast<double>(integer_of(entry.at("samples"), "samples", 1, max_steps)),
                                           entry.at("error_is_converged").flag()},
-                                         number_or(entry.find("independent_samples"), nan),
+                                         number_or(entry.find("independent_samples"), no_number),
                                          remark != nullptr ? remark->text() : ""});
         }
         for (const Data& doubt : results.at("doubts").items()) {
@@ -157,7 +162,7 @@ SweepPlan replica_plan(const Deck& deck, const std::vector<std::string>& setting
         }
     }
     for (Index k = 1; k <= replicas; ++k) {
-        std::vector<std::string> values{fmt::format("{}", replica_seed(deck.system().seed, k))};
+        std::vector<std::string> values{fmt::format("{}", replica_seed(seed_of(deck), k))};
         values.insert(values.end(), errors.begin(), errors.end());
         plan.points.values.push_back(std::move(values));
     }
@@ -202,7 +207,7 @@ Document replicas_report(const Deck& deck, const std::vector<ChildRun>& children
     }
     Data list = Data::list();
     for (std::size_t k = 1; k <= children.size(); ++k) {
-        list.push_back(Data(replica_seed(deck.system().seed, static_cast<Index>(k))));
+        list.push_back(Data(replica_seed(seed_of(deck), static_cast<Index>(k))));
     }
     std::string text = fmt::format("{}\n{} replicas, merged\n\n", title_line(deck), children.size());
     text += observables_table(averages, deck.units) + samples_footnote();

@@ -8,6 +8,7 @@
 
 #include "ljmd/core/document.hpp"
 #include "ljmd/deck/deck.hpp"
+#include "ljmd/deck/fluid.hpp"
 #include "ljmd/study/sweep_record.hpp"
 
 namespace ljmd {
