@@ -25,6 +25,7 @@ from .external import external_force
 from .frames import Frames
 from .observables import observable
 from .potentials import Pair, pair
+from .replicas import Replicas
 from .results import Observable, Quantity, Results, Run, resume
 from .results import open_run as open  # noqa: A001, ljmd.open
 from .simulation import Arrays, Simulation
@@ -35,6 +36,6 @@ __version__ = build()["version"]
 
 __all__ = ["ARGON", "Arrays", "Check", "CheckpointError", "Comparison", "DataError", "Deck", "Error", "Evaluation", "Evaluator",
            "FileError", "Frames", "InUseError", "InputError", "InternalError", "Interrupted", "Observable", "Pair",
-           "PhysicsError", "Point", "Properties", "Quantity", "Results", "Run", "RunWarning", "Simulation", "Stage", "Sweep", "Table",
+           "PhysicsError", "Point", "Properties", "Quantity", "Replicas", "Results", "Run", "RunWarning", "Simulation", "Stage", "Sweep", "Table",
            "ThreadsError", "Trajectory", "build", "eos", "equations", "evaluate", "external_force", "observable", "open",
            "open_sweep", "pair", "resume", "trajectory"]

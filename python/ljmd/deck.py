@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import copy
 import os
+from collections.abc import Mapping
 
 from . import _check, _core, _toml
 from ._text import html_pre, html_table
 from .comparisons import Comparison, compare
 from .errors import InputError
 from .potentials import Pair
+from .replicas import Replicas, run_replicas
 from .results import Run
 from .simulation import Simulation
 from .sweeps import Sweep, sweep
@@ -38,25 +40,30 @@ class Stage(Table):
     """Steps of one integrator, with at most one thermostat and one barostat: a [[stage]] of a deck.
 
     name: for results and messages
-    steps: their number
+    steps: their number; None with `until`
     time_step: in tau
     temperature: that the thermostat holds [epsilon/k_B]; the deck's by default
     total_energy: (U + K)/N, tail included, to which velocities are scaled before the first step [epsilon]
     thermostat, barostat: a name, or a table with its options: {"type": "langevin", "time": 0.5}
     sample: whether observables are measured
     reverse: whether the motion is reversed before the first step
+    until: ends the last stage, which is sampled, when the averages have these standard errors:
+        {"pressure": 0.005, "max_steps": 1_000_000}, in place of `steps`
     options: of the integrator
 
         Stage("production", 20000, sample=True)
+        Stage("production", until={"pressure": 0.005, "max_steps": 1_000_000}, sample=True)
     """
 
-    def __init__(self, name: str, steps: int, *, time_step: float = 0.004, integrator: str = "velocity-verlet",
-                 temperature=None, thermostat=None, barostat=None, sample: bool = False, reverse: bool = False, total_energy=None,
-                 **options):
+    def __init__(self, name: str, steps: int | None = None, *, until: Mapping | None = None, time_step: float = 0.004,
+                 integrator: str = "velocity-verlet", temperature=None, thermostat=None, barostat=None, sample: bool = False,
+                 reverse: bool = False, total_energy=None, **options):
+        if (steps is None) == (until is None):
+            raise InputError(f"stage {name!r}: it takes a number of steps, or `until` with errors, one of the two")
         super().__init__()
         for key, value in {"name": name, "integrator": integrator, **options, "time_step": time_step, "steps": steps,
-                           "temperature": temperature, "total_energy": total_energy, "thermostat": thermostat,
-                           "barostat": barostat}.items():
+                           "until": None if until is None else Table(until), "temperature": temperature, "total_energy": total_energy,
+                           "thermostat": thermostat, "barostat": barostat}.items():
             if value is not None:
                 self[key] = value
         if sample:
@@ -78,7 +85,8 @@ class Stage(Table):
     def __repr__(self) -> str:
         rest = "".join(f", {key}={dict(value) if isinstance(value, dict) else value!r}" for key, value in self.items()
                        if key not in ("name", "steps"))
-        return f"Stage({self.get('name')!r}, {self.get('steps')}{rest})"
+        steps = f", {self['steps']}" if "steps" in self else ""
+        return f"Stage({self.get('name')!r}{steps}{rest})"
 
 
 def _stage_of(table: dict) -> Stage:
@@ -313,7 +321,8 @@ class Deck:
         return Check(data, text, warnings)
 
     def run(self, directory=None, *, observables=(), external=None, threads: int | None = None, simd: str | None = None, progress=True,
-            replace: bool = False, force: bool = False, walltime=None) -> Run:
+            replace: bool = False, force: bool = False, walltime=None, replicas: int | None = None,
+            jobs: int | None = None) -> Run | Replicas:
         """Run all stages.
 
         directory: where results, tables and checkpoints are written, so that the run can be resumed; None: nowhere
@@ -325,10 +334,19 @@ class Deck:
         replace: an earlier run in the directory
         force: accept unlikely values
         walltime: stop after that long with a checkpoint: seconds or "2h"; with a directory
+        replicas: as many independent runs, each with a seed of its own and one thread in a process of its own, in the directory; the
+            result is that of all, merged (`ljmd run --replicas`, docs/sweeps.md). The same call resumes them
+        jobs: replicas at a time; one for each processor by default
 
         Ctrl-C stops the run after a step; in a directory it writes a checkpoint first, see `ljmd.resume`.
         Raises InputError, DataError, PhysicsError, InUseError, FileError, Interrupted (its wall time is over).
         """
+        if replicas is not None:
+            if observables or external is not None or threads is not None or simd is not None or walltime is not None:
+                raise InputError("replicas run in processes of their own: without observables, external, threads, simd and walltime")
+            return run_replicas(self, directory, replicas, jobs=jobs, progress=progress, replace=replace, force=force)
+        if jobs is not None:
+            raise InputError("jobs is for replicas")
         if directory is None:
             if walltime is not None or replace:
                 raise InputError("walltime and replace are for a run with a directory")

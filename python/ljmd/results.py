@@ -313,6 +313,9 @@ def open_run(directory):
     Raises DataError when it is not the directory of a run.
     """
     if (_check.directory_of(directory) / "sweep.json").exists():
+        from .replicas import Replicas, holds_replicas
+        if holds_replicas(_check.directory_of(directory)):
+            return Replicas.open(directory)
         from .sweeps import Sweep
         return Sweep.open(directory)
     return Run.open(directory)

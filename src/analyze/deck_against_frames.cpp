@@ -51,7 +51,8 @@ std::string against_temperature(const std::vector<ObservableAverage>& averages, 
     if (found == averages.end() || !found->estimate) {
         return "";
     }
-    const auto& [mean, error, independent, samples, converged] = *found->estimate;
+    const double mean = found->estimate->mean;
+    const double error = found->estimate->standard_error;
     const double off = std::abs(mean - held);
     if (!(off > temperature_errors * error && off > temperature_fraction * held)) {
         return "";

@@ -238,7 +238,8 @@ void resume_command(const ResumeOptions& options) {
                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
                               "ljmd resume {} --steps +N\n",
                               from.step, options.directory)
-                : fmt::format("resuming after step {} of {}\n", from.step, steps));
+                : fmt::format("resuming after step {} of {}{}\n", from.step,
+                              run.deck().stages.back().until.empty() ? "" : "at most ", steps));
     }
     control.continuation = run.take();
     const Document results = run_deck(run.deck(), system, progress, control);

@@ -11,12 +11,14 @@
 #include "ljmd/cli/own_commands.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
+#include "ljmd/cli/studies/replicas_command.hpp"
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/input/reduced_number.hpp"
 #include "ljmd/observables/analysis.hpp"
+#include "ljmd/study/replicas.hpp"
 
 namespace {
 
@@ -68,6 +70,29 @@ void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
         ->type_name("PART,...")
         ->delimiter(',')
         ->check(CLI::IsMember(ljmd::crosscheck_parts()));
+}
+
+/// Options of replicas.
+struct Several {
+    ljmd::Index replicas = 0;  ///< 0: one run
+    int jobs = 0;
+};
+
+/// @return that which makes several runs of one
+CLI::Option* add_replica_options(CLI::App& command, Several& several) {
+    CLI::Option* replicas =
+        command
+            .add_option(
+                "--replicas", several.replicas,
+                "as many independent runs, each with a seed and a directory of its own, and their merged results")
+            ->type_name("N")
+            ->check(CLI::Range(ljmd::Index{1}, ljmd::max_replicas));
+    command.add_option("--jobs", several.jobs, "replicas at a time; one for each processor by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, ljmd::max_threads))
+        ->needs(replicas);
+    replicas->excludes(command.get_option("--threads"))->excludes(command.get_option("--simd"));
+    return replicas;
 }
 
 void add_sweep_options(CLI::App& command, ljmd::SweepOptions& options) {
@@ -190,6 +215,7 @@ int main(int argc, char** argv) {
     ljmd::ResumeOptions resumed;
     std::string out;
     std::string walltime;
+    Several several;
     ljmd::CrosscheckOptions compared;
     std::string to;
     ljmd::InfoOptions told;
@@ -197,7 +223,8 @@ int main(int argc, char** argv) {
     add_deck_options(run, options);
     run.add_option("--out", out, "output directory, instead of the deck's")->type_name("DIR");
     run.add_option("--walltime", walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
-        ->type_name("TIME");
+        ->type_name("TIME")
+        ->excludes(add_replica_options(run, several));
     CLI::App& resume = *app.add_subcommand("resume", "resume a run that was stopped, from its last checkpoint");
     resume.add_option("directory", resumed.directory, "directory of the run")->required()->type_name("RUNDIR");
     resume.add_option("--steps", resumed.more_steps, "add steps to the last stage: +N")
@@ -206,6 +233,9 @@ int main(int argc, char** argv) {
     resume.add_option("--walltime", resumed.walltime, "stop after that long with a checkpoint: 90s, 30min, 2h, 1d")
         ->type_name("TIME");
     resume.add_option("--threads", resumed.threads, "threads to share the work; as many as before by default")
+        ->type_name("N")
+        ->check(CLI::Range(1, ljmd::max_threads));
+    resume.add_option("--jobs", several.jobs, "of replicas: at a time; one for each processor by default")
         ->type_name("N")
         ->check(CLI::Range(1, ljmd::max_threads));
     resume.add_flag("--quiet", resumed.quiet, "no progress");
@@ -307,8 +337,12 @@ int main(int argc, char** argv) {
         return ljmd::report_usage(app, error);
     }
     try {
-        if (run.parsed()) {
+        if (run.parsed() && several.replicas > 0) {
+            ljmd::replicas_command(options, out, several.replicas, several.jobs);
+        } else if (run.parsed()) {
             ljmd::run_command(options, out, walltime);
+        } else if (resume.parsed() && ljmd::holds_replicas(resumed.directory)) {
+            ljmd::resume_replicas(resumed, several.jobs);
         } else if (resume.parsed()) {
             ljmd::resume_command(resumed);
         } else if (check.parsed()) {

@@ -91,10 +91,12 @@ Progress::~Progress() {
 
 void Progress::stage_begins(const Stage& stage) {
     stage_ = stage.name;
+    errors_.clear();
     if (!quiet_) {
         clear_line();
-        print_message(fmt::format("stage '{}': {} steps of {:.6g}{}\n", stage.name, stage.steps, stage.time_step,
-                                  atoms_ ? " tau" : ""));
+        print_message(fmt::format("stage '{}': {}{} steps of {:.6g}{}\n", stage.name,
+                                  stage.until.empty() ? "" : "until errors are reached, at most ", stage.steps,
+                                  stage.time_step, atoms_ ? " tau" : ""));
     }
 }
 
@@ -111,6 +113,16 @@ void Progress::sampled(const ThermoRow& row) {
 
 void Progress::sampled(const FewBodyRow& row) {
     values_ = {fmt::format("E {:.6g}", row.values.total_energy)};
+}
+
+void Progress::errors(const std::vector<ErrorSoFar>& errors) {
+    errors_.clear();
+    for (const ErrorSoFar& found : errors) {
+        errors_.push_back(
+            std::isnan(found.error)
+                ? fmt::format("error of {} ?/{:.3g}", found.wanted.observable, found.wanted.error)
+                : fmt::format("error of {} {:.2g}/{:.3g}", found.wanted.observable, found.error, found.wanted.error));
+    }
 }
 
 void Progress::step_done(Index step) {
@@ -163,8 +175,12 @@ std::string Progress::time_left(Index step, double steps_per_second) const {
 std::string Progress::line(Index step, double steps_per_second) const {
     const std::string of_atoms =
         atoms_ ? fmt::format("  {:.3g} atom-steps/s", steps_per_second * static_cast<double>(*atoms_)) : "";
-    return fmt::format("[{}] {:3.0f} % step {}/{}  {:.3g} steps/s{}  ETA {}", stage_, 100.0 * done(step), step,
-                       total_steps_, steps_per_second, of_atoms, time_left(step, steps_per_second));
+    std::string text = fmt::format("[{}] {:3.0f} % step {}/{}  {:.3g} steps/s{}  ETA {}", stage_, 100.0 * done(step),
+                                   step, total_steps_, steps_per_second, of_atoms, time_left(step, steps_per_second));
+    for (const std::string& error : errors_) {
+        text += "  " + error;
+    }
+    return text;
 }
 
 std::string Progress::line_within(std::size_t columns, Index step, double steps_per_second) const {
@@ -177,6 +193,9 @@ std::string Progress::line_within(std::size_t columns, Index step, double steps_
         parts.push_back({fmt::format("{:.3g} atom-steps/s", steps_per_second * static_cast<double>(*atoms_)), 8});
     }
     parts.push_back({fmt::format("ETA {}", time_left(step, steps_per_second)), 2});
+    for (const std::string& error : errors_) {
+        parts.push_back({error, 2});
+    }
     int dispensable = 3;  // the first value stays longest; the rate is worth more than the others
     for (const std::string& value : values_) {
         parts.push_back({value, dispensable});

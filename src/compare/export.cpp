@@ -82,6 +82,10 @@ std::vector<std::string> left_out(const Deck& deck, bool to_come) {
         words.push_back(fmt::format(
             "stage '{}' scales velocities to total_energy at its beginning, the exported ones are not", exported.name));
     }
+    if (!exported.until.empty()) {
+        words.push_back(fmt::format("stage '{}' ends when errors are reached; exported are its max_steps, {}",
+                                    exported.name, exported.steps));
+    }
     if (exported.reverse) {
         words.push_back(
             fmt::format("stage '{}' turns the motion round, the exported motion goes forward", exported.name));

@@ -68,6 +68,22 @@ void explain_mixture(const Table& table, Diagnostics& diagnostics) {
     }
 }
 
+/// Explain why few bodies do not run until an error is reached.
+void refuse_until(const Table& table, Diagnostics& diagnostics) {
+    const Entry* stages = find(table, Placed<FewBodyTables>::key(&FewBodyTables::stages));
+    const auto* array = stages != nullptr ? std::get_if<Array>(&stages->value.data) : nullptr;
+    for (const Value& stage : array != nullptr ? *array : Array()) {
+        const auto* keys = std::get_if<Table>(&stage.data);
+        const Entry* until =
+            keys != nullptr ? find(*keys, Placed<FluidStageTable>::key(&FluidStageTable::until)) : nullptr;
+        if (until != nullptr) {
+            diagnostics.error(until->key_location,
+                              "'until' in [[stage]] is for fluids: a motion of few bodies has no averages with errors",
+                              "give a number of steps");
+        }
+    }
+}
+
 std::filesystem::path default_directory(const std::filesystem::path& deck) {
     return std::filesystem::path("runs") / deck.stem();
 }
@@ -126,6 +142,7 @@ std::optional<Deck> deck_of(const std::filesystem::path& path, DeckFile file, co
     const DeckKind kind = kind_of(file.table);
     if (kind == DeckKind::few_body) {
         explain_mixture(file.table, diagnostics);
+        refuse_until(file.table, diagnostics);
         if (!given.empty()) {
             diagnostics.error(whole,
                               "a pair potential and observers of a program are for fluids: this deck has few bodies");

@@ -1,5 +1,7 @@
 #include "ljmd/deck/deck_stages.hpp"
 
+#include "ljmd/engine/until_mistakes.hpp"
+
 namespace ljmd {
 
 namespace {
@@ -24,6 +26,15 @@ Stage stage_of(const Placed<FluidStageTable>& table, const FluidTables& tables) 
     }
     if (table.sound(&FluidStageTable::total_energy)) {
         stage.total_energy = table.total_energy;
+    }
+    if (table.given(&FluidStageTable::until)) {
+        const Placed<UntilTable>& until = *table.until;
+        stage.steps = until.max_steps;
+        for (std::size_t k = 0; k < until.errors.size(); ++k) {
+            if (until.errors[k]) {
+                stage.until.push_back({until_observables()[k].name, *until.errors[k]});
+            }
+        }
     }
     stage.seed = static_cast<std::uint64_t>(tables.system.seed);
     // That a thermostat lacks its temperature is reported elsewhere: the stand-in breaks no rule.

@@ -25,12 +25,19 @@ struct StageSteps {
     [[nodiscard]] bool has_multiple_of(Index every) const { return last / every > first / every; }
 };
 
+Index most_steps(const FluidStageTable& stage) {
+    return stage.most_steps();
+}
+Index most_steps(const FewBodyStageTable& stage) {
+    return stage.steps;
+}
+
 template <class Stage>
 std::vector<StageSteps<Stage>> steps_of_stages(const std::vector<Placed<Stage>>& stages) {
     std::vector<StageSteps<Stage>> found;
     Index step = 0;
     for (const Placed<Stage>& stage : stages) {
-        found.push_back({stage, step, step + stage.steps});
+        found.push_back({stage, step, step + most_steps(stage)});
         step = found.back().last;
     }
     return found;
@@ -86,6 +93,13 @@ void check_sampling(const std::vector<FluidStageSteps>& stages, Index thermo_eve
                             steps.stage.name, steps_in_words(thermo_every), steps_in_words(steps.count())),
                 "'every' of thermo in [output] sets them");
         }
+    }
+    const FluidStageSteps& last = stages.back();
+    if (last.stage.until && last.count() / thermo_every < first_look) {
+        diagnostics.warning(last.stage.location(&FluidStageTable::until),
+                            fmt::format("stage '{}' cannot end before its max_steps: errors are first looked at after "
+                                        "{} samples, and it has {}",
+                                        last.stage.name, first_look, last.count() / thermo_every));
     }
     if (!sampled) {
         warn_of_no_sampling(

@@ -111,14 +111,16 @@ Document check_report(const Deck& deck, const Start& start, const Forecast& fore
     text += fmt::format("  box       {:.6g} x {:.6g} x {:.6g} sigma^3, density {:.6g} sigma^-3\n", edges[0], edges[1],
                         edges[2], density_of(start));
     text += fmt::format("  cutoff    {:.6g} sigma, at most L/2 = {:.6g}\n", cutoff, 0.5 * start.box.shortest_edge());
+    std::string at_most;  // with a stage that may end earlier
     for (const Stage& stage : deck.stages) {
-        text += fmt::format("  stage     '{}': {} steps of {:.6g} tau = {:.6g} tau{}\n", stage.name, stage.steps,
-                            stage.time_step, static_cast<double>(stage.steps) * stage.time_step,
-                            stage.sample ? ", sampled" : "");
+        text += fmt::format("  stage     '{}': {}{} steps of {:.6g} tau = {:.6g} tau{}\n", stage.name,
+                            stage.until.empty() ? "" : "at most ", stage.steps, stage.time_step,
+                            static_cast<double>(stage.steps) * stage.time_step, stage.sample ? ", sampled" : "");
+        at_most = stage.until.empty() ? at_most : "at most ";
     }
     text += fmt::format("  memory    about {}\n", bytes(forecast.memory_bytes));
-    text += fmt::format("  disk      about {} in {}\n", bytes(forecast.disk_bytes), deck.directory.string());
-    text += fmt::format("  time      about {} on this machine with {}, analyses not counted\n",
+    text += fmt::format("  disk      {}about {} in {}\n", at_most, bytes(forecast.disk_bytes), deck.directory.string());
+    text += fmt::format("  time      {}about {} on this machine with {}, analyses not counted\n", at_most,
                         duration(forecast.seconds), in_words(forecast.threads));
     return {{{"deck", deck.path},
              {"atoms", start.atoms},
@@ -126,6 +128,7 @@ Document check_report(const Deck& deck, const Start& start, const Forecast& fore
              {"cutoff", cutoff},
              {"largest_cutoff", 0.5 * start.box.shortest_edge()},
              {"steps", total_steps(deck.stages)},
+             {"steps_are_most", !at_most.empty()},
              {"memory_bytes", forecast.memory_bytes},
              {"disk_bytes", forecast.disk_bytes},
              {"seconds", forecast.seconds}},

@@ -1,7 +1,13 @@
 #include "ljmd/deck/stage_sense.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 #include "ljmd/deck/deck_stages.hpp"
 #include "ljmd/deck/mistake_report.hpp"
+#include "ljmd/engine/until_mistakes.hpp"
 
 namespace ljmd {
 
@@ -28,12 +34,41 @@ void check_thermostat(const Placed<FluidStageTable>& table, const Stage& stage, 
     }
 }
 
+/// A stage has `steps` or `until`, one of both, and `until` has an error.
+void check_length(const Placed<FluidStageTable>& table, Diagnostics& diagnostics) {
+    if (table.absent(&FluidStageTable::until)) {
+        if (table.absent(&StageTable::steps)) {
+            diagnostics.error(table.location(), "missing key 'steps' in [[stage]]",
+                              "or 'until', for a stage that ends when errors are reached");
+        }
+        return;
+    }
+    if (table.has(&StageTable::steps)) {
+        diagnostics.error(table.location(&FluidStageTable::until),
+                          "'until' in [[stage]] stands in place of 'steps', and both are given",
+                          "leave out 'steps'; the largest number of steps is 'max_steps' in until");
+    }
+    if (table.sound(&FluidStageTable::until) && table.until->section().all_sound() &&
+        std::ranges::none_of(table.until->errors, [](const auto& error) { return error.has_value(); })) {
+        std::vector<std::string> names;
+        for (const UntilObservable& observable : until_observables()) {
+            names.push_back(observable.name);
+        }
+        diagnostics.error(table.location(&FluidStageTable::until), "'until' in [[stage]] has no error to reach",
+                          fmt::format("it takes one or more of {}", fmt::join(names, ", ")));
+    }
+}
+
 }  // namespace
 
 void check_fluid_stages(const Placed<FluidTables>& tables, Diagnostics& diagnostics) {
     const std::vector<Stage> stages = stages_of(tables);
     report(stage_mistakes(stages), tables, diagnostics);
     report(fluid_stage_mistakes(stages), tables, diagnostics);
+    report(until_mistakes(stages), tables, diagnostics);
+    for (const Placed<FluidStageTable>& table : tables.stages) {
+        check_length(table, diagnostics);
+    }
     for (std::size_t k = 0; k < stages.size(); ++k) {
         const Placed<FluidStageTable>& table = tables.stages[k];
         if (table.total_energy && table.temperature && !stages[k].thermostat) {

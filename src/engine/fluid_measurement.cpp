@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
@@ -17,6 +18,9 @@
 namespace ljmd {
 
 namespace {
+
+/// The errors that a stage is to reach are shown each time the samples have grown by this share.
+constexpr Index shown_share = 64;
 
 /// Steps between checks of the atoms' speeds; a check costs a hundredth of a step.
 constexpr Index steps_between_looks = 10;
@@ -74,8 +78,8 @@ void FluidMeasurement::archive(Archive& a) {
     a(fluid_.state);
     fluid_.force_field.archive(a, fluid_.state);
     a.mark("averages");
-    a(averages_, order_at_sampling_, first_, last_, drift_, step_error_, stages_, seconds_, force_before_,
-      search_before_);
+    a(averages_, errors_reached_, order_at_sampling_, first_, last_, drift_, step_error_, stages_, seconds_,
+      force_before_, search_before_);
     if (watch_) {
         a(*watch_);
     }
@@ -264,6 +268,64 @@ void FluidMeasurement::step_done(const Stage& stage, const Evaluation& evaluatio
     outputs_.step_done(state.step);
 }
 
+std::vector<ErrorSoFar> FluidMeasurement::errors_of(const Stage& stage) const {
+    std::vector<ErrorSoFar> errors;
+    errors.reserve(stage.until.size());
+    const std::vector<ObservableAverage> averages = averages_.averages();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const WantedError& wanted : stage.until) {
+        const auto found = std::ranges::find(averages, wanted.observable, &ObservableAverage::name);
+        if (found == averages.end() || !found->estimate) {
+            errors.push_back({wanted, nan, nan, false});
+        } else {
+            const Estimate estimate = stopped_estimate(*found->estimate);
+            errors.push_back(
+                {wanted, estimate.standard_error, estimate.independent_samples, is_reached(estimate, wanted.error)});
+        }
+    }
+    return errors;
+}
+
+/// The last step of a stage is looked at, too: its number was chosen before.
+bool FluidMeasurement::has_enough(const Stage& stage) {
+    if (stage.until.empty() || errors_reached_) {
+        return false;
+    }
+    const Index samples = averages_.samples();
+    const bool is_last = fluid_.state.step == stages_.back().first_step + stage.steps;
+    const bool look = is_last || (sample_every_.due(fluid_.state.step) && is_look(samples));
+    const bool show = sample_every_.due(fluid_.state.step) && samples % std::max<Index>(1, samples / shown_share) == 0;
+    if (!look && !show) {
+        return false;
+    }
+    const std::vector<ErrorSoFar> errors = errors_of(stage);
+    outputs_.errors(errors);
+    errors_reached_ = look && std::ranges::all_of(errors, &ErrorSoFar::reached);
+    return errors_reached_;
+}
+
+/// The errors that decided the length are known less well than those of a length that was chosen before, see
+/// stopped_estimate().
+void FluidMeasurement::widen_errors(RunResult& result) const {
+    const Stage& stage = spec_.stages.back();
+    if (stage.until.empty() || stages_.size() < spec_.stages.size()) {
+        return;
+    }
+    result.stages.back().until = {errors_of(stage), stage.steps, errors_reached_};
+    const auto widen = [&stage](std::vector<ObservableAverage>& averages) {
+        for (ObservableAverage& average : averages) {
+            if (average.estimate &&
+                std::ranges::find(stage.until, average.name, &WantedError::observable) != stage.until.end()) {
+                average.estimate = stopped_estimate(*average.estimate);
+            }
+        }
+    };
+    widen(result.averages);
+    if (result.at_requested) {
+        widen(result.at_requested->observables);
+    }
+}
+
 void FluidMeasurement::stage_ends(const Stage& /*stage*/) {
     complete(stages_.back());
     watch_.reset();
@@ -311,6 +373,7 @@ RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
     if (averages_.samples() > 0) {
         result.at_requested = at_requested_temperature(spec_, density(), averages_);
     }
+    widen_errors(result);
     for (const auto& analysis : fluid_.analyses) {
         std::ranges::move(analysis->tables(), std::back_inserter(result.tables));
         std::ranges::move(analysis->observables(), std::back_inserter(result.averages));

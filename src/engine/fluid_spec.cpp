@@ -10,6 +10,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/mistakes.hpp"
+#include "ljmd/engine/until_mistakes.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 
@@ -194,6 +195,7 @@ std::vector<std::string> mistakes(const FluidSpec& spec, Precision precision) {
     complaints.add(search_mistakes(spec.neighbors, precision));
     complaints.add(stage_mistakes(spec.stages));
     complaints.add(fluid_stage_mistakes(spec.stages));
+    complaints.add(until_mistakes(spec.stages));
     complaints.add(external_force_mistakes(spec));
     complaints.add(analysis_need_mistakes(spec.analyses, spec.potential.truncation(), spec.stages));
     if (!spec.stages.empty()) {

@@ -1,6 +1,7 @@
 #include "ljmd/engine/result_doubts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,27 @@ void judge_stages(RunResult& result) {
     }
 }
 
+/// The stage has taken all its steps, and has not reached its errors; empty if it has, or may still.
+std::string until_doubt(const StageResult& stage) {
+    if (!stage.until || stage.until->reached || stage.last_step - stage.first_step < stage.until->max_steps) {
+        return "";
+    }
+    std::vector<std::string> errors;
+    double longer = 1.0;
+    for (const ErrorSoFar& found : stage.until->errors) {
+        const double independent = std::isnan(found.independent) ? 1.0 : found.independent;
+        errors.push_back(fmt::format("{} {:.2g} (wanted {:.4g}) from {:.0f} independent samples (needed {:.0f})",
+                                     found.wanted.observable, found.error, found.wanted.error, independent,
+                                     least_independent_samples));
+        const double ratio = std::isnan(found.error) ? 1.0 : found.error / found.wanted.error;
+        longer = std::max({longer, ratio * ratio, least_independent_samples / std::max(independent, 1.0)});
+    }
+    return fmt::format(
+        "stage {} ended at its max_steps, {}, before it reached the errors wanted: {}. It takes about {:.1g} times as "
+        "many steps",
+        in_quotes(stage.name), stage.until->max_steps, fmt::join(errors, ", "), std::max(longer, 1.1));
+}
+
 /// Doubts about the results as a whole, and about stages.
 std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
     std::vector<std::string> doubts;
@@ -60,6 +82,9 @@ std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
                         late, result.search.rebuilds));
     }
     for (const StageResult& stage : result.stages) {
+        if (const std::string text = until_doubt(stage); !text.empty()) {
+            doubts.push_back(text);
+        }
         if (!stage.drift_remark.empty()) {
             doubts.push_back(
                 fmt::format("the energy drifts in stage {}: {}", in_quotes(stage.name), stage.drift_remark));

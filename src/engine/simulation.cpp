@@ -50,6 +50,9 @@ std::string identity(const FluidSpec& spec, const Execution& execution) {
         if (stage.thermostat) {
             text += fmt::format(" {} {}", stage.thermostat->plugin.name, settings_in_words(stage.thermostat->values));
         }
+        for (const WantedError& wanted : stage.until) {
+            text += fmt::format(" until {} {}", wanted.observable, wanted.error);
+        }
         if (stage.barostat) {
             text += fmt::format(" {} {}", stage.barostat->plugin.name, settings_in_words(stage.barostat->values));
         }

@@ -131,15 +131,17 @@ class TimeLoop {
         } else if (state_.bath.size() != bath.size()) {
             throw CheckpointError("the checkpoint has another thermostat than the run");
         }
-        while (position_.steps < stage.steps) {
+        while (position_.steps < stage.steps && !position_.enough) {
             if (is_reached()) {
                 return;
             }
             take_step(stage, parts);
-            offer_checkpoint(position_.steps == stage.steps);
+            position_.enough = observer_.has_enough(stage);
+            offer_checkpoint(position_.steps == stage.steps || position_.enough);
         }
         observer_.stage_ends(stage);
         position_.begun = false;
+        position_.enough = false;
     }
 
     void begin(const Stage& stage, const Integrator& integrator) {

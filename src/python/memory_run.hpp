@@ -29,7 +29,8 @@ class MemoryRun {
     [[nodiscard]] virtual bool finished() const = 0;
     [[nodiscard]] virtual const State& state() const = 0;
     [[nodiscard]] virtual const std::vector<Stage>& stages() const = 0;
-    [[nodiscard]] Index steps_left() const { return total_steps(stages()) - state().step; }
+    /// With `until` in the last stage the largest number of them.
+    [[nodiscard]] Index steps_left() const { return finished() ? 0 : total_steps(stages()) - state().step; }
 
     /// Energies and what else results.json has of one moment, of the present one.
     [[nodiscard]] virtual Data now() const = 0;

@@ -145,7 +145,7 @@ class PythonSimulation {
             part_ = std::clamp(static_cast<Index>(std::min(fitting, 1e12)), Index{1}, 8 * part + 8);
             left -= part;
             attention.step_done(run_->state().step);
-        } while (!attention.look() && left > 0);
+        } while (!attention.look() && left > 0 && !run_->finished());
     }
 
     PythonObservers observers_;

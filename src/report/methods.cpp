@@ -18,8 +18,9 @@ std::string number(double value) {
 std::string stages_in_words(const Deck& deck) {
     std::string words;
     for (const Stage& stage : deck.stages) {
-        words += fmt::format(" Stage '{}': {} steps of {} with {}", stage.name, stage.steps, number(stage.time_step),
-                             stage.integrator.plugin.name);
+        words += fmt::format(" Stage '{}': {}{} steps of {} with {}", stage.name,
+                             stage.until.empty() ? "" : "until errors were reached, at most ", stage.steps,
+                             number(stage.time_step), stage.integrator.plugin.name);
         if (stage.thermostat) {
             words += fmt::format(", thermostat {} at temperature {}", stage.thermostat->plugin.name,
                                  number(stage.temperature));

@@ -9,6 +9,7 @@
 #include "ljmd/report/pages/set_page.hpp"
 #include "ljmd/report/pages/study_pages.hpp"
 #include "ljmd/study/study_report.hpp"
+#include "ljmd/study/sweep_record.hpp"
 
 namespace ljmd {
 
@@ -20,7 +21,10 @@ PageContent report_on(const std::filesystem::path& directory) {
                         directory.string()));
     }
     if (holds_study(directory)) {
-        return input_is_there(directory / "sweep.json") ? sweep_page(directory) : reproduction_page(directory);
+        const auto sweep = recorded_sweep(directory);
+        return !sweep                ? reproduction_page(directory)
+               : sweep->replicas > 0 ? replicas_page(directory)
+                                     : sweep_page(directory);
     }
     if (!input_is_there(directory / "run.json") && holds_comparison(directory)) {
         return comparison_page(directory);

@@ -47,7 +47,7 @@ std::string place_in_words(RunFacts& facts) {
             return "";
         }
         facts.problems.insert(facts.problems.end(), continuation->warnings.begin(), continuation->warnings.end());
-        return fmt::format("step {} of {}", continuation->head.step, total_steps(facts.run->deck.stages));
+        return fmt::format("step {} of {}", continuation->head.step, steps_of_run(*facts.run, continuation->head));
     } catch (const Error& error) {
         facts.problems.emplace_back(error.what());
         return "";

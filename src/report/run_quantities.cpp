@@ -66,6 +66,12 @@ constexpr std::array<Comparable, 5> comparables{
 
 }  // namespace
 
+std::vector<Quantity> quantities_in(const Data& results) {
+    std::vector<Quantity> quantities;
+    add_observables(quantities, value_in(results, {"observables"}), "");
+    return quantities;
+}
+
 std::vector<Quantity> run_quantities(const RunFacts& facts, const std::optional<ThermoReport>& so_far) {
     std::vector<Quantity> quantities;
     if (!facts.results.is_null()) {

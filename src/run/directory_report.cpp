@@ -34,6 +34,20 @@ struct Contents {
     std::vector<std::string> damaged;
     std::vector<std::pair<std::string, std::uintmax_t>> files;  ///< names and bytes, sorted by name
 
+    /// Whether the last stage may end before its last step.
+    [[nodiscard]] bool length_is_open() const {
+        return !run.finished && !run.earlier.last_stage_steps && !run.deck.stages.back().until.empty() &&
+               !(continuation && continuation->head.position.enough);
+    }
+
+    [[nodiscard]] Index steps() const {
+        return continuation ? steps_of_run(run, continuation->head) : total_steps(run.deck.stages);
+    }
+    [[nodiscard]] Index steps_of_stage() const {
+        const LoopPosition& position = continuation->head.position;
+        return position.enough && !run.earlier.last_stage_steps ? position.steps : stage().steps;
+    }
+
     /// The stage that the checkpoint is in.
     [[nodiscard]] const Stage& stage() const { return run.deck.stages.at(continuation->head.position.stage); }
 };
@@ -86,9 +100,11 @@ std::string text_of(const Contents& contents, const fs::path& directory) {
                                                                     : "no");
     if (contents.continuation) {
         const CheckpointHead& head = contents.continuation->head;
-        text += fmt::format("checkpoint    after step {} of {}, {} of {} in stage {}\n", head.step,
-                            total_steps(deck.stages), head.position.begun ? head.position.steps : 0,
-                            contents.stage().steps, in_quotes(contents.stage().name));
+        const std::string most = contents.length_is_open() ? "at most " : "";
+        text += fmt::format("checkpoint    after step {} of {}{}, {} of {}{} in stage {}\n", head.step, most,
+                            contents.steps(), head.position.begun ? head.position.steps : 0,
+                            contents.stage().until.empty() ? "" : most, contents.steps_of_stage(),
+                            in_quotes(contents.stage().name));
     } else {
         text += "checkpoint    none\n";
     }
@@ -127,7 +143,8 @@ Data data_of(const Contents& contents) {
             {"running", contents.running},
             {"began", contents.run.earlier.began},
             {"resumed_at_steps", contents.run.earlier.resumed_at_steps},
-            {"total_steps", total_steps(deck.stages)},
+            {"total_steps", contents.steps()},
+            {"total_steps_are_most", contents.length_is_open()},
             {"checkpoint", checkpoint},
             {"given", given_data(deck.given)},
             {"damaged", contents.damaged},

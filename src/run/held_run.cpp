@@ -42,10 +42,12 @@ HeldRun::HeldRun(const std::filesystem::path& directory, Index more_steps, int t
     : lock_(lock_of(directory, warn)),
       run_(locked_run(directory, more_steps, again, lock_)),
       continuation_(newest_continuation(run_)),
-      execution_(execution_options(run_.deck, threads > 0 ? threads : run_.threads, run_.simd)) {}
+      execution_(execution_options(run_.deck, threads > 0 ? threads : run_.threads, run_.simd)) {
+    continue_past_errors(run_, continuation_, more_steps);
+}
 
 bool HeldRun::is_at_its_end() const {
-    return run_.finished && checkpoint().step == total_steps(run_.deck.stages);
+    return run_.finished && checkpoint().step == steps_of_run(run_, checkpoint());
 }
 
 }  // namespace ljmd

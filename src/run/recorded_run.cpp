@@ -41,6 +41,9 @@ Record read_record(const fs::path& path) {
         }
         EarlierParts earlier{
             record.at("began").text(), {}, integer_of(record.at("steps_added"), "steps_added", 0, max_steps)};
+        if (const Data* steps = record.find("last_stage_steps"); steps != nullptr && !steps->is_null()) {
+            earlier.last_stage_steps = integer_of(*steps, "last_stage_steps", 0, max_steps);
+        }
         for (const Data& step : record.at("resumed_at_steps").items()) {
             earlier.resumed_at_steps.push_back(integer_of(step, "resumed_at_steps", 0, max_steps));
         }
@@ -87,8 +90,36 @@ RecordedRun recorded_run(const fs::path& directory, Index more_steps) {
             fmt::format("{} steps more are too many, at most {} can be added", more_steps, std::max<Index>(0, room)));
     }
     record.earlier.steps_added += more_steps;
-    deck->stages.back().steps += record.earlier.steps_added;
+    Stage& last = deck->stages.back();
+    if (auto& steps = record.earlier.last_stage_steps) {
+        *steps = std::min(*steps + more_steps, max_steps);
+        last.steps = *steps;
+    } else {
+        last.steps += record.earlier.steps_added;
+    }
     return {std::move(*deck), record.earlier, record.simd, record.threads, record.finished};
+}
+
+void continue_past_errors(RecordedRun& run, Continuation& continuation, Index more_steps) {
+    LoopPosition& position = continuation.head.position;
+    if (!position.enough) {
+        return;
+    }
+    // Steps may have been added by a run that was killed before its first checkpoint.
+    if (!run.earlier.last_stage_steps) {
+        if (more_steps == 0) {
+            return;
+        }
+        Stage& last = run.deck.stages.back();
+        last.steps = position.steps + more_steps;
+        run.earlier.last_stage_steps = last.steps;
+        continuation.earlier.last_stage_steps = last.steps;
+    }
+    position.enough = false;
+}
+
+Index steps_of_run(const RecordedRun& run, const CheckpointHead& head) {
+    return head.position.enough && !run.earlier.last_stage_steps ? head.step : total_steps(run.deck.stages);
 }
 
 State last_configuration(const fs::path& directory, const Deck& deck) {

@@ -22,6 +22,11 @@ auto saving_failure(const Deck& deck, State& state, const Work& work) {
     }
 }
 
+std::optional<UntilEnd> until_end(const RunResult& result) {
+    const StageResult& last = result.stages.back();
+    return last.until ? std::optional(UntilEnd{last.until->reached, last.last_step}) : std::nullopt;
+}
+
 }  // namespace
 
 RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control) {
@@ -40,7 +45,8 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
     outputs.files().finish(fluid.state, {.report = results_report(deck, result),
                                          .tables = result.tables,
                                          .seconds = result.seconds.sum(),
-                                         .phases = result.seconds});
+                                         .phases = result.seconds,
+                                         .until = until_end(result)});
     return result;
 }
 

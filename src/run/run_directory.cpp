@@ -216,7 +216,7 @@ void RunDirectory::finish(const State& state, const FinalOutputs& outputs) {
     }
     write_file_atomically(deck_.outputs() / "results.json", to_json(outputs.report.data) + "\n");
     write_file_atomically(deck_.outputs() / "results.txt", outputs.report.text);
-    record_.finish(outputs.seconds, outputs.phases);
+    record_.finish(outputs.seconds, outputs.phases, outputs.until);
 }
 
 }  // namespace ljmd

@@ -39,6 +39,11 @@ class Relay : public RunListener {
             listener_->step_done(step);
         }
     }
+    void errors(const std::vector<ErrorSoFar>& errors) override {
+        if (listener_ != nullptr) {
+            listener_->errors(errors);
+        }
+    }
     void warning(const std::string& text) override {
         warnings.push_back(text);
         if (listener_ != nullptr) {

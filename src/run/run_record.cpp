@@ -89,7 +89,9 @@ RunRecord::RunRecord(const Deck& deck, Execution execution, const std::optional<
     write(false, 0.0, std::nullopt);
 }
 
-void RunRecord::finish(double seconds, const std::optional<PhaseSeconds>& phases) const {
+void RunRecord::finish(double seconds, const std::optional<PhaseSeconds>& phases,
+                       const std::optional<UntilEnd>& until) {
+    until_ = until;
     write(true, seconds, phases);
 }
 
@@ -120,7 +122,12 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                    {"finished", finished},
                    {"seconds_in_time_loop", finished ? Data(seconds) : Data(nullptr)},
                    {"resumed_at_steps", parts_.resumed_at_steps},
-                   {"steps_added", parts_.steps_added}};
+                   {"steps_added", parts_.steps_added},
+                   {"last_stage_steps", parts_.last_stage_steps}};
+    if (until_) {
+        record["until_reached"] = until_->reached;
+        record["steps_taken"] = until_->steps;
+    }
     if (phases) {
         record["seconds_per_phase"] = phases_data(*phases);
     }

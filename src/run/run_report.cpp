@@ -36,6 +36,18 @@ Data stage_data(const StageResult& stage) {
                                 {"kinetic_energy_before", start->kinetic_before},
                                 {"velocity_factor", start->velocity_factor}};
     }
+    if (stage.until) {
+        Data wanted = Data::object();
+        Data errors = Data::object();
+        for (const ErrorSoFar& found : stage.until->errors) {
+            wanted[found.wanted.observable] = found.wanted.error;
+            errors[found.wanted.observable] = found.error;
+        }
+        json["until"] = {{"wanted", wanted},
+                         {"errors", errors},
+                         {"max_steps", stage.until->max_steps},
+                         {"reached", stage.until->reached}};
+    }
     if (!stage.drift_remark.empty()) {
         json["energy_drift_remark"] = stage.drift_remark;
     }
@@ -56,6 +68,15 @@ std::string stage_lines(const std::vector<StageResult>& stages, const std::strin
         if (stage.energy_drift) {
             const std::string line = fmt::format("  energy drift in stage {}: {:.2g} {}", in_quotes(stage.name),
                                                  *stage.energy_drift, drift_unit);
+            text += wrapped(line, screen_columns, 4) + '\n';
+        }
+    }
+    for (const StageResult& stage : stages) {
+        if (stage.until && stage.until->reached) {
+            const Index steps = stage.last_step - stage.first_step;
+            const std::string line = fmt::format(
+                "  stage {} reached the errors wanted: it took {}{} steps", in_quotes(stage.name), steps,
+                steps < stage.until->max_steps ? fmt::format(" of at most {}", stage.until->max_steps) : "");
             text += wrapped(line, screen_columns, 4) + '\n';
         }
     }

@@ -152,7 +152,9 @@ std::string stage_text(const Stage& stage) {
     Settings settings{{"name", stage.name}, {"integrator", stage.integrator.plugin.name}};
     settings.insert(settings.end(), stage.integrator.values.begin(), stage.integrator.values.end());
     settings.emplace_back("time_step", stage.time_step);
-    settings.emplace_back("steps", std::int64_t{stage.steps});
+    if (stage.until.empty()) {
+        settings.emplace_back("steps", std::int64_t{stage.steps});
+    }
     if (stage.total_energy) {
         settings.emplace_back("total_energy", *stage.total_energy);
     }
@@ -164,6 +166,14 @@ std::string stage_text(const Stage& stage) {
     std::string text = "\n[[stage]]\n" + lines(settings);
     if (stage.thermostat) {
         text += fmt::format("thermostat = {}\n", table_of(*stage.thermostat));
+    }
+    if (!stage.until.empty()) {
+        Settings until;
+        for (const WantedError& wanted : stage.until) {
+            until.emplace_back(wanted.observable, wanted.error);
+        }
+        until.emplace_back("max_steps", std::int64_t{stage.steps});
+        text += fmt::format("until = {}\n", inline_table(until));
     }
     if (stage.barostat) {
         text += fmt::format("barostat = {}\n", table_of(*stage.barostat));

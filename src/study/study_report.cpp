@@ -39,6 +39,7 @@ struct RunState {
 struct Study {
     bool is_sweep;
     std::string deck;  ///< of a sweep
+    bool replicas;     ///< its points are replicas of one deck
     bool running;      ///< whether the command is running
     std::vector<RunState> runs;
 
@@ -58,6 +59,7 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
     try {
         if (const auto continuation = find_continuation(run.deck)) {
             found.step = continuation->head.step;
+            found.total_steps = steps_of_run(run, continuation->head);
         }
     } catch (const CheckpointError&) {
         found.step.reset();  // `ljmd info` for this run shows what is wrong with its checkpoints
@@ -74,10 +76,11 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
 }
 
 Study study_in(const fs::path& directory) {
-    Study study{false, "", DirectoryLock::is_held(directory), {}};
+    Study study{false, "", false, DirectoryLock::is_held(directory), {}};
     if (const auto plan = recorded_sweep(directory)) {
         study.is_sweep = true;
         study.deck = plan->deck_file;
+        study.replicas = plan->replicas > 0;
         for (const ChildRun& run : sweep_runs(*plan, directory)) {
             study.runs.push_back(state_of(run.name, run.directory, run.log));
         }
@@ -101,9 +104,11 @@ std::string progress_of(const RunState& run) {
 }
 
 std::string text_of(const Study& study, const fs::path& directory) {
-    std::string text =
-        fmt::format("{}: {} of {} runs{}\n", directory.string(), study.is_sweep ? "a sweep" : "a reproduced table",
-                    study.runs.size(), study.running ? ", under way" : "");
+    std::string text = fmt::format("{}: {} of {} runs{}\n", directory.string(),
+                                   study.replicas   ? "replicas of one deck"
+                                   : study.is_sweep ? "a sweep"
+                                                    : "a reproduced table",
+                                   study.runs.size(), study.running ? ", under way" : "");
     if (study.is_sweep) {
         text += fmt::format("deck          {}\n", printable(study.deck, longest_foreign_text));
     }
@@ -118,11 +123,16 @@ std::string text_of(const Study& study, const fs::path& directory) {
     }
     text += table.text();
     const bool whole = study.count("finished") == std::ssize(study.runs);
-    return text + (whole || study.running ? "" : "to go on: the command that began it\n");
+    const std::string how =
+        study.replicas ? fmt::format("ljmd resume {}", directory.string()) : "the command that began it";
+    return text + (whole || study.running ? "" : fmt::format("to go on: {}\n", how));
 }
 
 Data data_of(const Study& study) {
-    Data json = {{"kind", study.is_sweep ? "sweep" : "reproduction"}, {"running", study.running}};
+    Data json = {{"kind", study.replicas   ? "replicas"
+                          : study.is_sweep ? "sweep"
+                                           : "reproduction"},
+                 {"running", study.running}};
     if (study.is_sweep) {
         json["deck"] = study.deck;
     }

@@ -22,14 +22,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Points are named after their values, replicas after their numbers.
+std::vector<std::string> run_names(const SweepPlan& plan) {
+    if (plan.replicas == 0) {
+        return point_names(plan.points);
+    }
+    std::vector<std::string> names;
+    const std::size_t digits = fmt::format("{}", plan.replicas).size();
+    for (Index k = 1; k <= plan.replicas; ++k) {
+        names.push_back(fmt::format("replica-{:0{}}", k, digits));
+    }
+    return names;
+}
+
 std::string record_json(const SweepPlan& plan) {
-    const std::vector<std::string> names = point_names(plan.points);
+    const std::vector<std::string> names = run_names(plan);
     Data points = Data::list();
     for (std::size_t k = 0; k < names.size(); ++k) {
         points.push_back({{"name", names[k]}, {"values", plan.points.values[k]}});
     }
-    const Data record = {{"program", "ljmd"},         {"deck_file", plan.deck_file}, {"deck", plan.deck},
-                         {"settings", plan.settings}, {"keys", plan.points.keys},    {"points", points}};
+    Data record = {{"program", "ljmd"},         {"deck_file", plan.deck_file}, {"deck", plan.deck},
+                   {"settings", plan.settings}, {"keys", plan.points.keys},    {"points", points}};
+    if (plan.replicas > 0) {
+        record["replicas"] = plan.replicas;
+        record["steps_added"] = plan.steps_added;
+    }
     return to_json(record) + "\n";
 }
 
@@ -37,6 +54,7 @@ std::string record_json(const SweepPlan& plan) {
 std::string difference(const SweepPlan& recorded, const SweepPlan& plan) {
     return recorded.deck != plan.deck           ? "another deck"
            : recorded.settings != plan.settings ? "other settings (--set)"
+           : recorded.replicas != plan.replicas ? "another number of replicas"
            : recorded.points != plan.points     ? "other points"
                                                 : "";
 }
@@ -130,7 +148,7 @@ void require_removable(const ChildRun& run) {
 
 std::vector<ChildRun> sweep_runs(const SweepPlan& plan, const fs::path& directory) {
     const fs::path folder = directory / "points";
-    const std::vector<std::string> names = point_names(plan.points);
+    const std::vector<std::string> names = run_names(plan);
     std::vector<ChildRun> runs;
     for (std::size_t point = 0; point < names.size(); ++point) {
         ChildRun run{.name = names[point],
@@ -159,9 +177,20 @@ std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
         for (const Data& point : record.at("points").items()) {
             plan.points.values.push_back(texts_of(point.at("values"), "values", max_varied_keys));
         }
+        if (const Data* replicas = record.find("replicas")) {
+            plan.replicas = integer_of(*replicas, "replicas", 1, static_cast<Index>(max_points));
+            plan.steps_added = integer_of(record.at("steps_added"), "steps_added", 0, max_steps);
+            if (plan.points.values.size() != static_cast<std::size_t>(plan.replicas)) {
+                throw WrongData("it has another number of points than of replicas");
+            }
+        }
         require_sound(plan.points, plan.settings);
         return plan;
     });
+}
+
+void record_sweep(const SweepPlan& plan, const OpenDirectory& directory) {
+    write_file_atomically(directory / "sweep.json", record_json(plan));
 }
 
 void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force) {

@@ -28,6 +28,7 @@ class Progress : public RunListener {
     void step_done(Index step) override;
     void sampled(const ThermoRow& row) override;
     void sampled(const FewBodyRow& row) override;
+    void errors(const std::vector<ErrorSoFar>& errors) override;
     void warning(const std::string& text) override;
 
     /// One line: "[production] 42 % step 10500/25000 4210 steps/s 3.64e+06 atom-steps/s ETA 0:03"; without the
@@ -59,6 +60,7 @@ class Progress : public RunListener {
     bool quiet_;
     std::string stage_;
     std::vector<std::string> values_;  ///< of the last sample: "T 0.7129"
+    std::vector<std::string> errors_;  ///< present ones and those wanted: "error of pressure 0.0061/0.005"
     std::deque<Mark> window_;
     Index next_look_ = 0;   ///< step at which to read the clock again: by time on a terminal, and at every tenth
     Index next_tenth_ = 1;  ///< the next tenth of the run; each is reported

@@ -44,6 +44,7 @@ class FluidMeasurement : public RunMeasurement {
     [[nodiscard]] bool reads_velocities(Index step_of_stage) const override;
     void moved(Index step_of_stage) override;
     void step_done(const Stage& stage, const Evaluation& evaluation) override;
+    [[nodiscard]] bool has_enough(const Stage& stage) override;
     [[nodiscard]] bool wants_checkpoint(bool last_of_stage) override;
     void checkpoint(const LoopPosition& position) override;
     void stage_ends(const Stage& stage) override;
@@ -53,6 +54,8 @@ class FluidMeasurement : public RunMeasurement {
     void begin_to_watch(const Stage& stage);
     void complete(StageResult& stage) const;
     void adapt_analyses();
+    [[nodiscard]] std::vector<ErrorSoFar> errors_of(const Stage& stage) const;
+    void widen_errors(RunResult& result) const;
     void put_row(const Thermodynamics& values);
     void sample(const Evaluation& evaluation, bool always);
     [[nodiscard]] double density() const;
@@ -67,6 +70,7 @@ class FluidMeasurement : public RunMeasurement {
     Every sample_every_;
     RunAverages averages_;
     std::optional<double> order_at_sampling_;
+    bool errors_reached_ = false;          ///< those that the last stage was to reach
     std::optional<StabilityWatch> watch_;  ///< for the current stage
     bool sampling_ = false;                ///< the current stage is sampled
     bool conserves_energy_ = true;         ///< the current stage has a conserved energy

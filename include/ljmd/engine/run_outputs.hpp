@@ -40,6 +40,9 @@ class RunOutputs {
     virtual void row(const ThermoRow& /*row*/) {}
     virtual void row(const FewBodyRow& /*row*/) {}
 
+    /// The present errors of a stage that is to reach some, every so many samples.
+    virtual void errors(const std::vector<ErrorSoFar>& /*errors*/) {}
+
     /// Whether frame() is to be called with this state, the end of a step. It is called with the start always.
     [[nodiscard]] virtual bool frame_is_due(const State& /*state*/) const { return false; }
     /// @param angle  polar angle of a radial motion, for forces that have one

@@ -15,6 +15,13 @@
 
 namespace ljmd {
 
+/// How a stage with `until` ended, or stands.
+struct UntilResult {
+    std::vector<ErrorSoFar> errors;
+    Index max_steps;
+    bool reached;  ///< all errors are, when the stage ended or steps were added to it
+};
+
 /// Results of one stage.
 struct StageResult {
     std::string name;
@@ -32,6 +39,7 @@ struct StageResult {
     std::optional<EnergyStart> energy_start = {};  ///< if the stage began at a given total energy
     std::string drift_remark = {};                 ///< why the drift is too large; set at the end of the run
     std::string time_step_remark = {};             ///< why the time step is too long; set at the end of the run
+    std::optional<UntilResult> until = {};         ///< of a stage with `until`; set by result()
 
     void archive(Archive& a) {
         a(name, integrator, first_step, last_step, time_step, sampled, thermostatted, reversed, energy_drift,

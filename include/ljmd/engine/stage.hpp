@@ -10,6 +10,7 @@
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/observables/statistics/wanted_errors.hpp"
 
 namespace ljmd {
 
@@ -20,8 +21,8 @@ inline constexpr Index max_steps = 1'000'000'000'000'000;
 struct Stage {
     std::string name;  ///< for messages and results; unique in a run
     ChosenIntegrator integrator = choose(find_integrator("velocity-verlet"));
-    double time_step = 0.0;  ///< [tau], must be given: above 0
-    Index steps = 0;
+    double time_step = 0.0;    ///< [tau], must be given: above 0
+    Index steps = 0;           ///< with `until` the largest number of them
     double temperature = 0.0;  ///< target of the thermostat [epsilon/k_B]
     bool sample = false;       ///< whether observables are measured
     bool reverse = false;      ///< whether the motion is reversed before the first step
@@ -32,13 +33,17 @@ struct Stage {
     /// (U + K)/N, tail and external energy included, to which velocities are scaled before the first step [epsilon];
     /// for a fluid only, and without a thermostat.
     std::optional<double> total_energy = {};
+
+    /// Ends the last stage of a fluid, which is sampled, as soon as the averages of the run have these errors; see
+    /// until_observables() and docs/physics.md.
+    std::vector<WantedError> until = {};
 };
 
 /// Whether a fluid conserves its total energy minus the heat from the thermostat in this stage, but for errors of the
 /// integrator. True without a thermostat, and with a canonical one if there is no barostat.
 [[nodiscard]] bool conserves_energy(const Stage& stage);
 
-/// Steps of all stages.
+/// Steps of all stages; with `until` the largest number of them.
 [[nodiscard]] Index total_steps(const std::vector<Stage>& stages);
 
 /// Steps of the stages before the one with this index. @pre index <= stages.size()

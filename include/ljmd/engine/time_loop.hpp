@@ -27,9 +27,10 @@ struct LoopPosition {
     bool begun = false;       ///< false: nothing of the stage has happened yet
     Index steps = 0;          ///< steps of the stage that are done
     double first_time = 0.0;  ///< time at which the stage began [tau]
+    bool enough = false;      ///< the stage ends here, before its last step: its errors are reached
     LoopSeconds seconds;      ///< spent so far
 
-    void archive(Archive& a) { a(stage, begun, steps, first_time, seconds); }
+    void archive(Archive& a) { a(stage, begun, steps, first_time, enough, seconds); }
 };
 
 /// Called around the steps of a run, to measure, write and watch.
@@ -65,6 +66,10 @@ class StepObserver {
 
     /// A step is complete; state.step and state.time belong to its end. The barostat may still act.
     virtual void step_done(const Stage& stage, const Evaluation& evaluation) = 0;
+
+    /// Whether the stage ends after this step, because the errors that it was to reach are reached. Asked after every
+    /// step.
+    [[nodiscard]] virtual bool has_enough(const Stage& /*stage*/) { return false; }
 
     /// Whether checkpoint() is to be called now. Asked after the start and after every step.
     /// @param last_of_stage  true also after the start

@@ -14,6 +14,9 @@ namespace ljmd {
 /// @param so_far  used while there are no results: means of all sampled rows of thermo.csv
 [[nodiscard]] std::vector<Quantity> run_quantities(const RunFacts& facts, const std::optional<ThermoReport>& so_far);
 
+/// The observables of a results.json that tables show.
+[[nodiscard]] std::vector<Quantity> quantities_in(const Data& results);
+
 /// Add the values of an equation of state at the measured temperature and density. Does nothing if there is no equation
 /// of this fluid, or if it is not reliable there.
 /// @param density  of a run at constant volume; with a barostat the measured one counts

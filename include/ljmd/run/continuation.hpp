@@ -39,6 +39,9 @@ struct EarlierParts {
     std::string began;
     std::vector<Index> resumed_at_steps;
     Index steps_added = 0;  ///< to the last stage of the deck, by `ljmd resume --steps`
+
+    /// Steps of the last stage, if `until` had ended it when steps were added: it takes that many, whatever its errors.
+    std::optional<Index> last_stage_steps = {};
 };
 
 /// From where a stopped run is resumed: its state, how much of each output file belongs to it, and its record.

@@ -37,6 +37,7 @@ class DirectoryOutputs : public RunOutputs {
         files_->write(row);
         listener_.sampled(row);
     }
+    void errors(const std::vector<ErrorSoFar>& errors) override { listener_.errors(errors); }
     [[nodiscard]] bool frame_is_due(const State& state) const override { return files_->frame_is_due(state); }
     void frame(const State& state, const std::optional<double>& angle) override { files_->write_frame(state, angle); }
     void step_done(Index step) override { listener_.step_done(step); }

@@ -36,6 +36,15 @@ struct RecordedRun {
 /// @throws DataError as recorded_deck()  @throws InputError more steps than can be counted
 [[nodiscard]] RecordedRun recorded_run(const std::filesystem::path& directory, Index more_steps = 0);
 
+/// Add steps to a run whose last stage was ended by `until`: to those that it took, not to its max_steps, and its
+/// errors end it no more.
+/// @param more_steps  as given to recorded_run()
+void continue_past_errors(RecordedRun& run, Continuation& continuation, Index more_steps);
+
+/// Steps of a run with this checkpoint: at most those of its stages, and exactly those that were taken where `until`
+/// has ended it.
+[[nodiscard]] Index steps_of_run(const RecordedRun& run, const CheckpointHead& head);
+
 /// The last configuration of a fluid's run, from its final.xyz.
 /// @throws DataError  there is none, or it cannot be used
 [[nodiscard]] State last_configuration(const std::filesystem::path& directory, const Deck& deck);

@@ -60,6 +60,7 @@ struct FinalOutputs {
     std::vector<DataTable> tables = {};
     double seconds = 0.0;                     ///< wall time of the time loop
     std::optional<PhaseSeconds> phases = {};  ///< its parts, if measured
+    std::optional<UntilEnd> until = {};       ///< of a run that was to reach errors
 };
 
 /// The output files of a running run; docs/files.md describes them.

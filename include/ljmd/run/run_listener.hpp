@@ -18,6 +18,8 @@ class RunListener {
     /// A sample was taken, of a fluid or of few bodies; step_done() for its step comes later.
     virtual void sampled(const ThermoRow& /*row*/) {}
     virtual void sampled(const FewBodyRow& /*row*/) {}
+    /// The present errors of a stage that is to reach some, every so many samples.
+    virtual void errors(const std::vector<ErrorSoFar>& /*errors*/) {}
     virtual void warning(const std::string& /*text*/) {}
 
   protected:

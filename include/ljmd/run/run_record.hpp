@@ -16,6 +16,12 @@ namespace ljmd {
 /// was run.
 [[nodiscard]] std::string deck_hash(const Deck& deck);
 
+/// How a run that was to reach errors has ended.
+struct UntilEnd {
+    bool reached;  ///< before its max_steps
+    Index steps;   ///< taken in all stages
+};
+
 /// run.json: what was run, by which program, where and when. Written at the beginning and the end of a run; at the
 /// beginning also the table of a pair potential that a program gave, which the record names.
 class RunRecord {
@@ -27,7 +33,9 @@ class RunRecord {
 
     /// @param seconds  wall time of the time loop
     /// @param phases   its parts, if measured
-    void finish(double seconds, const std::optional<PhaseSeconds>& phases = std::nullopt) const;
+    /// @param until    of a run that was to reach errors
+    void finish(double seconds, const std::optional<PhaseSeconds>& phases = std::nullopt,
+                const std::optional<UntilEnd>& until = std::nullopt);
 
   private:
     void write(bool finished, double seconds, const std::optional<PhaseSeconds>& phases) const;
@@ -35,6 +43,7 @@ class RunRecord {
     const Deck& deck_;
     Execution execution_;
     EarlierParts parts_;
+    std::optional<UntilEnd> until_;
 };
 
 /// Create or continue the trajectory that a deck asks for, in H5MD or extended XYZ; null if it asks for none.

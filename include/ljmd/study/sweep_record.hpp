@@ -17,6 +17,8 @@ struct SweepPlan {
     std::string deck;                   ///< text of the deck
     std::vector<std::string> settings;  ///< arguments of --set
     SweepPoints points;
+    Index replicas = 0;     ///< above 0: the points are that many replicas of one deck, see replica_plan()
+    Index steps_added = 0;  ///< to the last stage of each replica
 };
 
 /// The runs of a sweep in its directory, one per point. All use `points/deck.toml`, a copy of the deck, so that later
@@ -34,5 +36,8 @@ struct SweepPlan {
 /// @throws InputError  it holds another sweep, or points without a sweep  @throws DataError  its sweep.json is damaged
 /// @throws FileError
 void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force);
+
+/// Write sweep.json anew, for the same runs. @pre the directory holds this sweep, and is locked  @throws FileError
+void record_sweep(const SweepPlan& plan, const OpenDirectory& directory);
 
 }  // namespace ljmd

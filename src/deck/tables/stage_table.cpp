@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ljmd/engine/until_mistakes.hpp"
 #include "ljmd/input/deck_setting.hpp"
 #include "ljmd/input/table_description.hpp"
 
@@ -18,11 +19,14 @@ void describe_beginning(TableDescription& description, StageTable& stage,
         .meaning("integration scheme; " + meanings_of(integrators));
 }
 
-void describe_steps(TableDescription& description, StageTable& stage) {
-    description.required_integer("steps", stage.steps)
+Key& describe_steps(TableDescription& description, StageTable& stage) {
+    return description.required_integer("steps", stage.steps)
         .at_least(0)
         .at_most(static_cast<double>(max_steps))
         .meaning("number of steps; a run of 0 steps in all evaluates the start once");
+}
+
+void describe_reverse(TableDescription& description, StageTable& stage) {
     description.flag("reverse", stage.reverse)
         .meaning("turn the motion round before the first step: a reversible integrator then goes back the way it came");
 }
@@ -55,6 +59,24 @@ void BarostatTable::describe(TableDescription& description) {
     description.plugin("type", barostats, method).meaning(meanings_of(barostats));
 }
 
+UntilTable::UntilTable() : errors(until_observables().size()) {}
+
+void UntilTable::describe(TableDescription& description) {
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        const UntilObservable& observable = until_observables()[k];
+        description.number(observable.name, errors[k])
+            .dimension(observable.dimension)
+            .unit(observable.unit)
+            .above(0.0)
+            .optional("not waited for")
+            .meaning(fmt::format("largest standard error of the mean of {}", observable.name));
+    }
+    description.required_integer("max_steps", max_steps)
+        .at_least(1)
+        .at_most(static_cast<double>(ljmd::max_steps))
+        .meaning("the stage ends after so many steps even if the errors are larger, with a warning");
+}
+
 void FluidStageTable::describe(TableDescription& description) {
     describe_beginning(description, *this, integrators_of_fluids());
     description.required_number("time_step", time_step)
@@ -62,7 +84,13 @@ void FluidStageTable::describe(TableDescription& description) {
         .unit("tau")
         .above(0.0)
         .meaning("below 0.02 unless --force is given");
-    describe_steps(description, *this);
+    describe_steps(description, *this).optional("needed unless `until` is given");
+    description.table("until", "until", until)
+        .optional("as many steps as `steps` says")
+        .meaning(
+            "in place of `steps` in the last stage, which is sampled: it ends as soon as the averages have these "
+            "standard errors, `{ pressure = 0.005, max_steps = 1000000 }`");
+    describe_reverse(description, *this);
     description.number("temperature", temperature)
         .dimension(Dimension::temperature)
         .unit("epsilon/k_B")
@@ -89,6 +117,7 @@ void FewBodyStageTable::describe(TableDescription& description) {
     describe_beginning(description, *this, all_integrators());
     description.required_number("time_step", time_step).above(0.0).meaning("in the deck's unit of time");
     describe_steps(description, *this);
+    describe_reverse(description, *this);
     description.flag("sample", sample)
         .meaning("the analyses look at this stage; sampled stages follow one another, and none runs backwards");
 }

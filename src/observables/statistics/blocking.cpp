@@ -43,21 +43,26 @@ Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>&
     const double n = static_cast<double>(samples);
     const double shortest_error = curve.front().standard_error;
     if (shortest_error == 0.0) {
-        return {mean, 0.0, n, samples, true};
+        return {mean, 0.0, n, samples, true, samples};
     }
     const auto chosen = std::find_if(curve.begin(), curve.end(), [&](const BlockLevel& level) {
         return level.blocks >= many_blocks && blocks_are_long_enough(level, n, shortest_error);
     });
     const bool long_enough = chosen != curve.end();
     double error = long_enough ? chosen->standard_error : 0.0;
+    Index blocks = long_enough ? chosen->blocks : fallback_blocks;
     if (!long_enough) {
         for (const BlockLevel& level : curve) {
-            error = level.blocks >= fallback_blocks ? std::max(error, level.standard_error) : error;
+            if (level.blocks >= fallback_blocks && level.standard_error > error) {
+                error = level.standard_error;
+                blocks = level.blocks;
+            }
         }
     }
     const double ratio = shortest_error / error;  // infinite if the blocks of an alternating series are all equal
     const double independent = n * std::min(1.0, ratio * ratio);
-    return {mean, error, independent, samples, long_enough || (independent >= few_samples && !still_grows(curve))};
+    const bool converged = long_enough || (independent >= few_samples && !still_grows(curve));
+    return {mean, error, independent, samples, converged, blocks};
 }
 
 }  // namespace

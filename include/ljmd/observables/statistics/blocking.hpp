@@ -14,7 +14,8 @@ struct Estimate {
     double standard_error;       ///< one standard deviation of the mean; NaN with fewer than 4 samples
     double independent_samples;  ///< variance of the series / standard_error^2, at most `samples`; NaN if the error is
     Index samples;
-    bool converged;  ///< false: the series is too short for its correlations, and the error is a guess (see below)
+    bool converged;    ///< false: the series is too short for its correlations, and the error is a guess (see below)
+    Index blocks = 0;  ///< the error was found from; 0 if unknown
 };
 
 /// A point of the blocking curve: the error of the mean if blocks of this length are taken as independent.

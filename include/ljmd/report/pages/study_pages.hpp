@@ -10,6 +10,10 @@ namespace ljmd {
 /// fluid, from those points that are finished. @throws DataError  its sweep.json is damaged
 [[nodiscard]] PageContent sweep_page(const std::filesystem::path& directory);
 
+/// The page of replicas of one deck: their merged results, and each replica beside them.
+/// @throws DataError  its sweep.json is damaged
+[[nodiscard]] PageContent replicas_page(const std::filesystem::path& directory);
+
 /// The page of a reproduced table: z-scores, isotherms, the rows, from those rows that are finished.
 [[nodiscard]] PageContent reproduction_page(const std::filesystem::path& directory);
 

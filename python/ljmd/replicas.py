@@ -1,0 +1,84 @@
+"""Replicas: independent runs of one deck, and their merged results."""
+
+from __future__ import annotations
+
+import json
+import pathlib
+import re
+import tempfile
+
+from . import _check, _program, _progress
+from .errors import DataError, Error, InputError
+from .results import Results, Run, _Files
+
+
+class Replicas(Results):
+    """The merged results of independent runs of one deck, as those of one run: `replicas["pressure"].mean`, `.error`, `.table("rdf")`.
+
+    directory: where they are
+    """
+
+    def __init__(self, data: dict, tables, directory: pathlib.Path, folders):
+        super().__init__(data, tables)
+        self.directory, self._folders = directory, list(folders)
+
+    @classmethod
+    def open(cls, directory) -> "Replicas":
+        """The replicas in a directory, of Python or of `ljmd run --replicas`; without observables until all have ended.
+
+        Raises DataError if there are none.
+        """
+        directory = _check.directory_of(directory)
+        try:
+            about = json.loads((directory / "sweep.json").read_text(encoding="utf-8"))
+            if "replicas" not in about:
+                raise ValueError("it is that of a sweep")
+            folders = [directory / "points" / each["name"] for each in about["points"]]
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise DataError(f"{directory} holds no replicas, or its sweep.json is damaged: {error}") from None
+        path = directory / "results.json"
+        data = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+        return cls(data, _Files(directory, [each for each in ("rdf",) if (directory / f"{each}.csv").exists()]), directory, folders)
+
+    @property
+    def runs(self) -> list:
+        """Each replica that has begun, as a Run."""
+        return [Run.open(folder) for folder in self._folders if (folder / "run.json").exists()]
+
+    def _heading(self) -> str:
+        return f"{super()._heading()}: {len(self._folders)} replicas in {self.directory}"
+
+
+def holds_replicas(directory: pathlib.Path) -> bool:
+    """Whether the sweep in a directory consists of replicas of one deck; False if its record is damaged."""
+    try:
+        return "replicas" in json.loads((directory / "sweep.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return False
+
+
+def run_replicas(deck, directory, replicas: int, *, jobs=None, progress=True, replace: bool = False, force: bool = False) -> Replicas:
+    """See `Deck.run`."""
+    if directory is None:
+        raise InputError("replicas have files: give a directory")
+    directory = _check.directory_of(directory)
+    replicas = _check.whole(replicas, "replicas", 1)
+    options = ["--jobs", _check.whole(jobs, "jobs", 1)] if jobs is not None else []
+    options += ["--force"] if force or replace else []
+    with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
+        deck_file, settings = deck._in_file(pathlib.Path(folder))
+        with _progress.shown(progress, replicas, unit="replica") as tell:
+            done = re.compile(r"\[(\d+)/\d+\] ")
+
+            def told(line):
+                found = done.match(line)
+                if tell is not None and found:
+                    tell(int(found[1]))
+
+            try:
+                _, _, said = _program.call(["run", deck_file, "--replicas", replicas, "--out", directory, "--json", *options, *settings],
+                                           told=told, note="replicas that had begun have checkpoints: the same call resumes them")
+            except Error as error:
+                raise type(error)(str(error).replace(str(deck_file), "Deck").replace("--force", "force=True")) from None
+    _program.warned(line.replace(str(deck_file), "Deck") for line in said if not line.startswith("["))
+    return Replicas.open(directory)
