@@ -94,6 +94,7 @@ TextTable table_of(const std::vector<ReproducedRow>& rows, const std::vector<Col
     TextTable table(std::move(headings), roomy ? 2 : 0);
     for (const ReproducedRow& row : rows) {
         std::vector<std::string> entries;
+        entries.reserve(shown.size());
         for (const Column& column : shown) {
             entries.push_back(column.text(row));
         }
