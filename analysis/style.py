@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-import warnings
 from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+import fonts  # noqa: E402  (the backend must be chosen first)
+import matplotlib.pyplot as plt  # noqa: E402
 from checked_files import RunDirectoryError  # noqa: E402
 from plain_text import lines, plain  # noqa: E402
 
@@ -58,6 +58,7 @@ LABELS = {
 def use() -> None:
     """Apply the style to all pictures made from here on."""
     plt.style.use(STYLE)
+    fonts.use()
 
 
 def colour(k: int) -> str:
@@ -85,8 +86,7 @@ def save(figure: plt.Figure, path: Path) -> None:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         try:
-            with warnings.catch_warnings():
-                warnings.filterwarnings("ignore", message="Glyph")  # a box stands for a letter that the font lacks
+            with fonts.letters_that_lack():
                 figure.savefig(half, format=path.suffix[1:],
                                metadata={dates[path.suffix]: None} if path.suffix in dates else None)
             half.replace(path)

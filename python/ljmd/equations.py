@@ -34,33 +34,65 @@ def _number(value, name: str, least_is_allowed: bool) -> float:
     return number
 
 
-def _state(temperature, density, model) -> Properties:
-    data, text = _core.state(model, _number(temperature, "temperature", False), _number(density, "density", True))
+def _document(model, temperature, density, pressure) -> Properties:
+    """One point: what is None is not given."""
+    given = [None if value is None else _number(value, name, name == "density")
+             for name, value in (("temperature", temperature), ("density", density), ("pressure", pressure))]
+    T, rho, p = given
+    if T is None:
+        data, text = _core.saturation(model, p)
+    elif p is not None:
+        data, text = _core.state_at_pressure(model, T, p)
+    elif rho is not None:
+        data, text = _core.state(model, T, rho)
+    else:
+        data, text = _core.coexistence(model, T)
     for warning in data["warnings"]:
         _check.warn(warning)
     return Properties(data, text)
 
 
-def eos(temperature, density=None, *, model: str = "thol2016") -> Properties:
-    """The equation of state at a temperature [epsilon/k_B] and a density [sigma^-3]; without one, liquid and vapour at
-    coexistence.
+def _arrays(data: list, shape: tuple) -> dict:
+    """Numbers of many points as arrays, by name; what is no number is left out."""
+    first = data[0] if data else {}
+    found = {}
+    for name, value in first.items():
+        each = [one[name] for one in data]
+        if isinstance(value, dict):
+            found[name] = _arrays(each, shape)
+        elif name == "phase":
+            found[name] = np.array(each).reshape(shape)
+        elif not isinstance(value, (str, list)):
+            found[name] = np.array([np.nan if one is None else one for one in each], dtype=float).reshape(shape)
+    return found
+
+
+def eos(temperature=None, density=None, *, pressure=None, model: str = "thol2016") -> Properties:
+    """The equation of state at a temperature [epsilon/k_B] and a density [sigma^-3] or a pressure [epsilon/sigma^3];
+    from a temperature or a pressure alone, liquid and vapour at coexistence.
 
     A state has compressibility_factor, pressure, potential_energy, heat_capacity_cv, heat_capacity_cp, speed_of_sound,
-    residual_helmholtz_energy, excess_chemical_potential, second_virial_coefficient and more; coexistence has pressure,
-    liquid, vapour and heat_of_vaporisation. Arrays of temperatures and densities give arrays.
+    isothermal_compressibility, thermal_expansion, joule_thomson_coefficient, residual_helmholtz_energy,
+    excess_chemical_potential, second_virial_coefficient and more, None where no phase is stable. From a pressure it is the
+    most stable one, named by phase, and metastable lists the others with their gibbs_energy_difference. Coexistence has
+    temperature, pressure, liquid, vapour and heat_of_vaporisation. Arrays give arrays, without what is metastable.
 
     model: one of `ljmd.build()["equations_of_state"]`. Numbers that are not to be relied on come with an ljmd.RunWarning.
-    Raises InputError for no temperature or density, and above the critical temperature without a density.
+    Raises InputError for what is no temperature, density or pressure, for a density together with a pressure, and for
+    coexistence at and above the critical point; PhysicsError where the equation gives no such state.
     """
-    if density is None:
-        return Properties(*_core.coexistence(model, _number(temperature, "temperature", False)))
-    if np.ndim(temperature) == 0 and np.ndim(density) == 0:
-        return _state(temperature, density, model)
-    temperatures, densities = np.broadcast_arrays(temperature, density)
-    states = [_state(T, rho, model).data for T, rho in zip(temperatures.ravel(), densities.ravel())]
-    names = [name for name in (states[0] if states else ()) if name not in ("model", "source", "warnings")]
-    return Properties({name: np.array([np.nan if each[name] is None else each[name] for each in states],
-                                      dtype=float).reshape(temperatures.shape) for name in names})
+    if density is not None and pressure is not None:
+        raise InputError("density and pressure: the equation gives one from the other, give one of them")
+    if temperature is None and (density is not None or pressure is None):
+        raise InputError("eos() wants a temperature, or a pressure alone")
+    given = [None if value is None else np.asarray(value, dtype=object) for value in (temperature, density, pressure)]
+    arrays = [value for value in given if value is not None]
+    if all(value.ndim == 0 for value in arrays):
+        return _document(model, temperature, density, pressure)
+    shape = np.broadcast_shapes(*(value.shape for value in arrays))
+    columns = [np.full(shape, None, dtype=object) if value is None else np.broadcast_to(value, shape) for value in given]
+    points = [_document(model, *values).data for values in zip(*(column.ravel() for column in columns))]
+    return Properties(_arrays(points, shape))
 
 
 def equations() -> list:

@@ -191,6 +191,13 @@ void check_compare_options(const CrosscheckOptions& compared) {
     }
 }
 
+/// Doubts about results stand below the table, too: where both are read, there alone.
+void print_doubts_once(Progress& progress, bool as_json) {
+    if (!as_json && messages_stand_beside_results()) {
+        progress.leave_doubts_to_report();
+    }
+}
+
 /// Write the page about a finished run, if its deck asks for one, and tell where it is.
 void show_asked_report(const Deck& deck) {
     if (const auto page = write_asked_report(deck, warn)) {
@@ -213,6 +220,7 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
     Progress progress(run.atoms(), total_steps(deck.stages), options.quiet);
     AnySystem system = make_system(deck, std::move(run.start), run.execution,
                                    [&](const std::string& text) { progress.warning(text); });
+    print_doubts_once(progress, options.json);
     install_stop_handlers();  // before this, nothing would be lost
     const Document results = run_in_locked_directory(deck, system, options.force, progress, control);
     progress.clear_line();
@@ -229,6 +237,7 @@ void resume_command(const ResumeOptions& options) {
     AnySystem system = empty_system(run.deck(), from.atoms, from.edges, run.execution());
     Progress progress(std::holds_alternative<FluidSystem>(system) ? std::optional(from.atoms) : std::nullopt, steps,
                       options.quiet, from.step);
+    print_doubts_once(progress, options.json);
     for (const std::string& warning : run.warnings()) {
         progress.warning(warning);
     }

@@ -117,7 +117,7 @@ void info_command(const InfoOptions& options) {
     } else if (options.directory.empty()) {
         print_result(options.json ? info_json() : info_text());
     } else if (holds_study(options.directory)) {
-        print_document(study_report(options.directory), options.json);
+        print_document(study_report(options.directory, result_columns()), options.json);
     } else {
         print_document(directory_report(options.directory), options.json);
     }

@@ -29,6 +29,15 @@ CLI::Validator reduced(const std::string& unit, ljmd::Dimension dimension) {
     return {[=](const std::string& text) { return ljmd::not_reduced(text, unit, dimension); }, ""};
 }
 
+/// The same of an option that also takes a range or a list, whose numbers are checked where they are read.
+CLI::Validator each_reduced(const std::string& unit, ljmd::Dimension dimension) {
+    return {[=](const std::string& text) {
+                const bool several = text.find_first_of(":|") != std::string::npos;
+                return several ? std::string() : ljmd::not_reduced(text, unit, dimension);
+            },
+            ""};
+}
+
 void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_is_required = true) {
     command.add_option("deck", options.deck, "deck (TOML); all keys: ljmd info --keys")
         ->required(deck_is_required)
@@ -262,14 +271,20 @@ int main(int argc, char** argv) {
     add_deck_options(bench, options, false);
     ljmd::EosOptions state;
     CLI::App& eos =
-        *app.add_subcommand("eos", "equations of state of the Lennard-Jones fluid; without a density, at coexistence");
-    eos.add_option("--temperature", state.temperature, "in epsilon/k_B")
+        *app.add_subcommand("eos",
+                            "equations of state of the Lennard-Jones fluid: a state from temperature and density or "
+                            "pressure; from one of temperature and pressure, coexistence; FROM:TO:COUNT gives a table");
+    eos.add_option("--temperature", state.temperature, "in epsilon/k_B: a number, FROM:TO:COUNT or A|B|C")
         ->type_name("T")
-        ->check(reduced("epsilon/k_B", ljmd::Dimension::temperature));
-    eos.add_option("--density", state.density, "atoms per sigma^3")
+        ->check(each_reduced("epsilon/k_B", ljmd::Dimension::temperature));
+    eos.add_option("--density", state.density, "atoms per sigma^3, as the temperature")
         ->type_name("RHO")
-        ->check(reduced("atoms per sigma^3", ljmd::Dimension::density));
+        ->check(each_reduced("atoms per sigma^3", ljmd::Dimension::density));
+    eos.add_option("--pressure", state.pressure, "in epsilon/sigma^3, as the temperature; instead of a density")
+        ->type_name("P")
+        ->check(each_reduced("epsilon/sigma^3", ljmd::Dimension::pressure));
     eos.add_option("--model", state.model, "one that `ljmd eos` lists, thol2016 by default")->type_name("EQUATION");
+    eos.add_flag("--csv", state.csv, "print it as CSV, with a column for each property");
     eos.add_flag("--json", state.json, "print it as JSON");
     ljmd::ReproduceOptions table{.what = "", .out = "runs/verlet1967"};
     CLI::App& reproduce = *app.add_subcommand(

@@ -222,6 +222,12 @@ void Progress::warning(const std::string& text) {
     warn(text);
 }
 
+void Progress::doubted(const std::string& text) {
+    if (prints_doubts_) {
+        warning(text);
+    }
+}
+
 void Progress::clear_line() {
     if (line_is_open_) {
         talk_over_line("");

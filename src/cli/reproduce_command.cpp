@@ -178,7 +178,7 @@ void reproduce_command(const ReproduceOptions& options) {
     write_file_atomically(directory / "rows.csv", reproduction_csv(rows));
     write_file_atomically(directory / "isotherms.csv", isotherms_csv());
     write_file_atomically(directory / "rows.md", reproduction_markdown(rows));
-    Document report = reproduction_report(rows);
+    Document report = reproduction_report(rows, result_columns());
     write_file_atomically(directory / "results.json", to_json(report.data) + "\n");
     report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", out.string());
     print_document(report, options.json);

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,6 +37,12 @@ void prepare_standard_streams() {
 namespace {
 
 constexpr std::size_t usual_columns = 80;
+
+std::size_t width_of_terminal(int descriptor) {
+    winsize size{};
+    const bool known = ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? size.ws_col : usual_columns;
+}
 
 /// Number of bytes at the beginning of a text that may be written to a terminal unchanged.
 std::size_t harmless_beginning(std::string_view text) {
@@ -104,9 +111,18 @@ std::optional<std::size_t> message_columns() {
     if (::isatty(STDERR_FILENO) != 1 || (kind != nullptr && std::string_view(kind) == "dumb")) {
         return std::nullopt;
     }
-    winsize size{};
-    const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return known ? size.ws_col : usual_columns;
+    return width_of_terminal(STDERR_FILENO);
+}
+
+std::optional<std::size_t> result_columns() {
+    return ::isatty(STDOUT_FILENO) == 1 ? std::optional(width_of_terminal(STDOUT_FILENO)) : std::nullopt;
+}
+
+bool messages_stand_beside_results() {
+    struct stat messages {};
+    struct stat results {};
+    return ::isatty(STDERR_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1 && ::fstat(STDERR_FILENO, &messages) == 0 &&
+           ::fstat(STDOUT_FILENO, &results) == 0 && messages.st_rdev == results.st_rdev;
 }
 
 void talk_over_line(const std::string& text) {

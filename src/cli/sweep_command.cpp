@@ -142,7 +142,7 @@ void sweep_command(const SweepOptions& options) {
     const SweptPoints swept = sweep(plan, lock.directory(), options);
     lock.directory().require_at_its_path();
     write_file_atomically(lock.directory() / "sweep.csv", sweep_csv(swept));
-    Document report = sweep_report(swept);
+    Document report = sweep_report(swept, result_columns());
     report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", directory.string());
     print_document(report, options.json);
     tell_of_failures(swept);

@@ -51,11 +51,16 @@ std::string TextTable::text() const {
     return text_of(widths_);
 }
 
-std::string TextTable::text_within(std::size_t columns) const {
+std::size_t TextTable::columns() const {
     std::size_t all = indent_;
     for (std::size_t k = 0; k < widths_.size(); ++k) {
         all += widths_[k] > 0 ? widths_[k] + (all > indent_ ? gaps_[k] : 0) : 0;
     }
+    return all;
+}
+
+std::string TextTable::text_within(std::size_t columns) const {
+    const std::size_t all = this->columns();
     std::vector<std::size_t> widths = widths_;
     if (all > columns) {
         const std::size_t excess = all - columns;

@@ -66,6 +66,18 @@ void bind_equations(py::module_& module) {
             return to_python(coexistence_document(equation_of_state(model), temperature));
         },
         py::arg("model"), py::arg("temperature"));
+    module.def(
+        "state_at_pressure",
+        [](const std::string& model, double temperature, double pressure) {
+            return to_python(pressure_document(equation_of_state(model), temperature, pressure));
+        },
+        py::arg("model"), py::arg("temperature"), py::arg("pressure"));
+    module.def(
+        "saturation",
+        [](const std::string& model, double pressure) {
+            return to_python(saturation_document(equation_of_state(model), pressure));
+        },
+        py::arg("model"), py::arg("pressure"));
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ FluidProperties properties(const EquationOfState& equation, double temperature, 
     state.pressure_temperature_slope = density * (1.0 + a_r + a_tr);
     state.pressure_density_curvature = temperature * (2.0 * a.derivative(0, 1) + 4.0 * density * a.derivative(0, 2) +
                                                       density * density * a.derivative(0, 3));
+    state.non_ideal_expansion = temperature * a.derivative(1, 1) - a.derivative(0, 1) - density * a.derivative(0, 2);
     if (!std::isfinite(state.pressure) || !std::isfinite(state.potential_energy)) {
         throw PhysicsError(
             fmt::format("{} gives no pressure at temperature {} and density {}: too far from where it holds",
@@ -66,6 +67,30 @@ std::optional<double> FluidProperties::speed_of_sound() const {
         return std::nullopt;
     }
     return std::sqrt(*cp / heat_capacity_cv * pressure_density_slope);
+}
+
+std::optional<double> FluidProperties::isothermal_compressibility() const {
+    const double inverse = density * pressure_density_slope;
+    return inverse > 0.0 ? std::optional(1.0 / inverse) : std::nullopt;
+}
+
+std::optional<double> FluidProperties::thermal_expansion() const {
+    const auto compressibility = isothermal_compressibility();
+    return compressibility ? std::optional(pressure_temperature_slope * *compressibility) : std::nullopt;
+}
+
+std::optional<double> FluidProperties::joule_thomson_coefficient() const {
+    const auto cp = heat_capacity_cp();
+    return cp ? std::optional(temperature * non_ideal_expansion / (pressure_density_slope * *cp)) : std::nullopt;
+}
+
+double FluidProperties::residual_heat_capacity_cv() const {
+    return heat_capacity_cv - ideal_heat_capacity;
+}
+
+std::optional<double> FluidProperties::residual_heat_capacity_cp() const {
+    const auto cp = heat_capacity_cp();
+    return cp ? std::optional(*cp - ideal_heat_capacity - 1.0) : std::nullopt;
 }
 
 double second_virial_coefficient(const EquationOfState& equation, double temperature) {

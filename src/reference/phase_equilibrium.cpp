@@ -20,6 +20,7 @@ constexpr double highest_critical_temperature = 1.5;
 constexpr double thinnest_critical_density = 0.2;
 constexpr double thickest_critical_density = 0.45;
 
+constexpr double thinnest_vapour = std::numeric_limits<double>::min();
 constexpr double densest_liquid = 1.1;
 constexpr int scan_steps = 200;
 
@@ -75,12 +76,11 @@ FluidProperties phase_at(const EquationOfState& equation, double temperature, do
     return properties(equation, temperature, density);
 }
 
-/// Chemical potential up to a function of the temperature.
+}  // namespace
+
 double chemical_potential(const FluidProperties& phase) {
     return phase.temperature * std::log(phase.density) + phase.excess_chemical_potential;
 }
-
-}  // namespace
 
 CriticalPoint critical_point(const EquationOfState& equation) {
     const double temperature = find_root([&](double t) { return min_steep(equation, t).pressure_density_slope; },
@@ -93,17 +93,25 @@ double Coexistence::heat_of_vaporisation() const {
     return vapour.potential_energy - liquid.potential_energy + pressure * (1.0 / vapour.density - 1.0 / liquid.density);
 }
 
-std::optional<Coexistence> coexistence(const EquationOfState& equation, double temperature) {
+std::optional<Spinodals> spinodals(const EquationOfState& equation, double temperature) {
     const FluidProperties unstable = min_steep(equation, temperature);
     if (unstable.pressure_density_slope >= 0.0) {
         return std::nullopt;
     }
-    const double thinnest = std::numeric_limits<double>::min();
-    const double end_of_vapour = spinodal(equation, temperature, thinnest, unstable.density);
-    const double end_of_liquid = spinodal(equation, temperature, densest_liquid, unstable.density);
+    return Spinodals{spinodal(equation, temperature, thinnest_vapour, unstable.density),
+                     spinodal(equation, temperature, densest_liquid, unstable.density)};
+}
+
+std::optional<Coexistence> coexistence(const EquationOfState& equation, double temperature) {
+    const auto ends = spinodals(equation, temperature);
+    if (!ends) {
+        return std::nullopt;
+    }
+    const double end_of_vapour = ends->vapour;
+    const double end_of_liquid = ends->liquid;
     const auto both = [&](double pressure) {
         return Coexistence{pressure, phase_at(equation, temperature, pressure, end_of_liquid, densest_liquid),
-                           phase_at(equation, temperature, pressure, thinnest, end_of_vapour)};
+                           phase_at(equation, temperature, pressure, thinnest_vapour, end_of_vapour)};
     };
     // The search is in the logarithm, because at low temperatures the pressure is a small fraction of that at the
     // spinodal.

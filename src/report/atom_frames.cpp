@@ -145,6 +145,9 @@ Data AtomFrames::data(const std::string& words) const {
     if (each_ > 1) {
         said += fmt::format("; {} of {} atoms are shown, one in {}", shown, atoms_, each_);
     }
+    if (!counts_) {
+        said += fmt::format("; no colours by coordination: neighbours are counted for at most {} atoms", most_counted);
+    }
     return {{"atoms", atoms_},
             {"shown_atoms", shown},
             {"frames", seen_},

@@ -40,7 +40,7 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
     });
     RunResult result = measurement.result(end.seconds);
     for (const std::string& warning : result.warnings) {
-        listener.warning(warning);
+        listener.doubted(warning);
     }
     outputs.files().finish(fluid.state, {.report = results_report(deck, result),
                                          .tables = result.tables,

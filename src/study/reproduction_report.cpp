@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
+#include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/tables/csv_text.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/study/error_in_brackets.hpp"
 
 namespace ljmd {
 
@@ -17,20 +20,6 @@ namespace {
 // Verlet's numbers are printed with two decimals; their errors are about as large.
 constexpr double printed_error_z = 0.05;
 constexpr double printed_error_u = 0.03;
-
-/// "0.2709(46)": the error in units of the last two digits.
-std::string with_error_of_digits(const Estimate& found) {
-    if (!(found.standard_error > 0.0) || !std::isfinite(found.standard_error)) {
-        return fmt::format("{:.4f}", found.mean);
-    }
-    constexpr int max_digits = 9;
-    constexpr double three_digits = 99.5;  // values from here on would be rounded to 100
-    int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(found.standard_error))), 0, max_digits);
-    if (digits > 0 && found.standard_error * std::pow(10.0, digits) >= three_digits) {
-        --digits;
-    }
-    return fmt::format("{:.{}f}({:.0f})", found.mean, digits, found.standard_error * std::pow(10.0, digits));
-}
 
 std::string printed(const std::optional<Printed>& value) {
     if (!value) {
@@ -58,21 +47,22 @@ const char* name_of(Soundness soundness) {
 struct Column {
     const char* name;
     std::string (*text)(const ReproducedRow&);
+    bool dispensable = false;  ///< left out on a narrow terminal
 };
 
 const std::vector<Column>& columns() {
     static const std::vector<Column> all{
         {"rho", [](const ReproducedRow& row) { return fmt::format("{:.4f}", row.verlet.density); }},
         {"T", [](const ReproducedRow& row) { return fmt::format("{:.3f}", row.verlet.temperature); }},
-        {"Z", [](const ReproducedRow& row) { return with_error_of_digits(row.z); }},
+        {"Z", [](const ReproducedRow& row) { return with_error_in_brackets(row.z.mean, row.z.standard_error); }},
         {"Verlet", [](const ReproducedRow& row) { return printed(row.verlet.compressibility_factor); }},
         {"Thol", [](const ReproducedRow& row) { return fmt::format("{:.3f}", row.thol.z); }},
-        {"cutoff", [](const ReproducedRow& row) { return fmt::format("{:+.3f}", row.beyond_cutoff.z); }},
+        {"cutoff", [](const ReproducedRow& row) { return fmt::format("{:+.3f}", row.beyond_cutoff.z); }, true},
         {"z", [](const ReproducedRow& row) { return fmt::format("{:+.1f}", row.z_scores().z); }},
-        {"U", [](const ReproducedRow& row) { return with_error_of_digits(row.u); }},
+        {"U", [](const ReproducedRow& row) { return with_error_in_brackets(row.u.mean, row.u.standard_error); }},
         {"Verlet", [](const ReproducedRow& row) { return printed(row.verlet.potential_energy); }},
         {"Thol", [](const ReproducedRow& row) { return fmt::format("{:.3f}", row.thol.u); }},
-        {"cutoff", [](const ReproducedRow& row) { return fmt::format("{:+.4f}", row.beyond_cutoff.u); }},
+        {"cutoff", [](const ReproducedRow& row) { return fmt::format("{:+.4f}", row.beyond_cutoff.u); }, true},
         {"z", [](const ReproducedRow& row) { return fmt::format("{:+.1f}", row.z_scores().u); }}};
     return all;
 }
@@ -94,24 +84,57 @@ Data data_of(const std::optional<Printed>& value) {
     return value ? Data{{"value", value->value}, {"soundness", name_of(value->soundness)}} : Data(nullptr);
 }
 
-std::string text_of(const std::vector<ReproducedRow>& rows) {
+/// The table with columns of one width, or with columns that are as narrow as their entries.
+TextTable table_of(const std::vector<ReproducedRow>& rows, const std::vector<Column>& shown, bool roomy) {
     std::vector<TextTable::Column> headings;
-    for (const auto& column : columns()) {
-        headings.push_back({column.name, TextTable::Align::right, headings.size() < 2 ? 6u : 10u});
+    for (const Column& column : shown) {
+        const std::size_t width = headings.size() < 2 ? 6 : 10;
+        headings.push_back({column.name, TextTable::Align::right, roomy ? width : 0, roomy ? 2u : 1u});
     }
-    TextTable table(std::move(headings), 2);
+    TextTable table(std::move(headings), roomy ? 2 : 0);
     for (const ReproducedRow& row : rows) {
         std::vector<std::string> entries;
-        for (const auto& column : columns()) {
+        entries.reserve(shown.size());
+        for (const Column& column : shown) {
             entries.push_back(column.text(row));
         }
         table.add(entries);
     }
-    std::string text = table.text();
-    text += fmt::format("\n{}\n{}\n", legend, chi_square_line(rows));
+    return table;
+}
+
+/// The table that fits a screen; without one, the whole table.
+std::string table_text(const std::vector<ReproducedRow>& rows, std::optional<std::size_t> screen) {
+    const TextTable whole = table_of(rows, columns(), true);
+    if (!screen || whole.columns() <= *screen) {
+        return whole.text();
+    }
+    const TextTable close = table_of(rows, columns(), false);
+    if (close.columns() <= *screen) {
+        return close.text();
+    }
+    std::vector<Column> shown = columns();
+    std::erase_if(shown, [](const Column& column) { return column.dispensable; });
+    return table_of(rows, shown, false).text() + "left out here: cutoff (rows.csv has it)\n";
+}
+
+std::string text_of(const std::vector<ReproducedRow>& rows, std::optional<std::size_t> screen) {
+    const auto paragraph = [&](std::string text, std::size_t indent) {
+        return (screen ? wrapped(text, *screen, indent) : std::move(text)) + '\n';
+    };
+    std::string text = table_text(rows, screen) + '\n';
+    if (screen) {
+        std::string in_one_line = legend;
+        std::ranges::replace(in_one_line, '\n', ' ');
+        text += paragraph(in_one_line, 0);
+    } else {
+        text += paragraph(legend, 0);
+    }
+    text += paragraph(chi_square_line(rows), 2);
     for (const ReproducedRow& row : rows) {
         if (const std::string remark = remark_of(row); !remark.empty()) {
-            text += fmt::format("  {:.4f} {:.3f}: {}\n", row.verlet.density, row.verlet.temperature, remark);
+            text +=
+                paragraph(fmt::format("  {:.4f} {:.3f}: {}", row.verlet.density, row.verlet.temperature, remark), 4);
         }
     }
     return text;
@@ -163,8 +186,8 @@ std::string remark_of(const ReproducedRow& row) {
     return text;
 }
 
-Document reproduction_report(const std::vector<ReproducedRow>& rows) {
-    return {data_of(rows), text_of(rows)};
+Document reproduction_report(const std::vector<ReproducedRow>& rows, std::optional<std::size_t> screen) {
+    return {data_of(rows), text_of(rows, screen)};
 }
 
 std::string reproduction_markdown(const std::vector<ReproducedRow>& rows) {

@@ -103,7 +103,29 @@ std::string progress_of(const RunState& run) {
                : fmt::format("{} at step {} of {}", run.state, *run.step, run.total_steps);
 }
 
-std::string text_of(const Study& study, const fs::path& directory) {
+/// Name and progress of each run, behind them what its log says; where that does not fit, below.
+std::string table_of(const std::vector<RunState>& runs, std::optional<std::size_t> screen) {
+    const auto made = [&](bool with_words) {
+        TextTable table({{"", TextTable::Align::left}, {"", TextTable::Align::left}, {"", TextTable::Align::left}}, 2);
+        for (const RunState& run : runs) {
+            table.add({run.name, progress_of(run), with_words ? run.words : ""});
+        }
+        return table;
+    };
+    const TextTable whole = made(true);
+    if (!screen || whole.columns() <= *screen) {
+        return whole.text();
+    }
+    std::string text = made(false).text_within(*screen);
+    for (const RunState& run : runs) {
+        if (!run.words.empty()) {
+            text += wrapped(fmt::format("  {}: {}", run.name, run.words), *screen, 4) + '\n';
+        }
+    }
+    return text;
+}
+
+std::string text_of(const Study& study, const fs::path& directory, std::optional<std::size_t> screen) {
     std::string text = fmt::format("{}: {} of {} runs{}\n", directory.string(),
                                    study.replicas   ? "replicas of one deck"
                                    : study.is_sweep ? "a sweep"
@@ -117,11 +139,7 @@ std::string text_of(const Study& study, const fs::path& directory) {
             text += fmt::format("{:<14}{}\n", state, count);
         }
     }
-    TextTable table({{"", TextTable::Align::left}, {"", TextTable::Align::left}, {"", TextTable::Align::left}}, 2);
-    for (const RunState& run : study.runs) {
-        table.add({run.name, progress_of(run), run.words});
-    }
-    text += table.text();
+    text += table_of(study.runs, screen);
     const bool whole = study.count("finished") == std::ssize(study.runs);
     const std::string how =
         study.replicas ? fmt::format("ljmd resume {}", directory.string()) : "the command that began it";
@@ -158,9 +176,9 @@ bool holds_study(const fs::path& directory) {
            (input_is_directory(directory / "rows") && !files::exists(directory / "run.json"));
 }
 
-Document study_report(const fs::path& directory) {
+Document study_report(const fs::path& directory, std::optional<std::size_t> screen) {
     const Study study = study_in(directory);
-    return {data_of(study), text_of(study, directory)};
+    return {data_of(study), text_of(study, directory, screen)};
 }
 
 }  // namespace ljmd

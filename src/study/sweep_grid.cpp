@@ -104,26 +104,8 @@ Axis read_axis(const std::string& text, const Location& where, Diagnostics& diag
                           "a value that holds a comma stands in quotes or brackets");
         return {};
     }
-    Axis axis{std::string(trimmed(text.substr(0, equals))), {}};
-    const std::string rest = text.substr(equals + 1);
-    axis.values = parts_of(rest, '|');
-    if (axis.values.size() == 1) {
-        if (const auto parts = parts_of(rest, ':'); parts.size() > 1) {
-            axis.values = range(parts, where, diagnostics);
-        }
-    }
-    std::set<std::string> found;
-    for (const std::string& value : axis.values) {
-        if (value.empty()) {
-            diagnostics.error(where, fmt::format("{} has an empty value", in_quotes(axis.key)));
-            break;
-        }
-        if (!found.insert(value).second) {
-            diagnostics.error(where, fmt::format("{} has the value {} twice", in_quotes(axis.key), in_quotes(value)));
-            break;
-        }
-    }
-    return axis;
+    const std::string key(trimmed(text.substr(0, equals)));
+    return {key, axis_values(text.substr(equals + 1), key, where, diagnostics)};
 }
 
 /// All combinations; the last axis varies fastest.
@@ -144,6 +126,28 @@ SweepPoints combinations(const std::vector<Axis>& axes) {
 }
 
 }  // namespace
+
+std::vector<std::string> axis_values(const std::string& text, const std::string& name, const Location& where,
+                                     Diagnostics& diagnostics) {
+    std::vector<std::string> values = parts_of(text, '|');
+    if (values.size() == 1) {
+        if (const auto parts = parts_of(text, ':'); parts.size() > 1) {
+            values = range(parts, where, diagnostics);
+        }
+    }
+    std::set<std::string> found;
+    for (const std::string& value : values) {
+        if (value.empty()) {
+            diagnostics.error(where, fmt::format("{} has an empty value", in_quotes(name)));
+            return {};
+        }
+        if (!found.insert(value).second) {
+            diagnostics.error(where, fmt::format("{} has the value {} twice", in_quotes(name), in_quotes(value)));
+            return {};
+        }
+    }
+    return values;
+}
 
 SweepPoints grid_points(const std::vector<std::string>& grids, const std::vector<std::string>& settings,
                         Diagnostics& diagnostics) {

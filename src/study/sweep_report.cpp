@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/io/tables/csv_text.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/footnotes.hpp"
+#include "ljmd/study/error_in_brackets.hpp"
 #include "ljmd/study/sweep_points.hpp"
 
 namespace ljmd {
@@ -45,11 +48,17 @@ std::string in_words(const ObservedMean* found) {
     return found == nullptr || std::isnan(found->mean) ? "-" : with_error(found->mean, found->standard_error);
 }
 
-/// Like in_words(), with the mark of its remark.
-std::string in_marked_words(const ObservedMean* found, Footnotes& footnotes) {
-    const std::string mark = found == nullptr ? "" : footnotes.mark(found->remark);
-    return in_words(found) + (mark.empty() ? "" : " " + mark);
+/// Like in_words(), with "1.250(12)" for "1.250 +- 0.012".
+std::string in_short_words(const ObservedMean* found) {
+    const bool has_error = found != nullptr && std::isfinite(found->mean) && found->standard_error > 0.0;
+    return has_error ? with_error_in_brackets(found->mean, found->standard_error) : in_words(found);
 }
+
+/// How much room a table takes.
+struct TableLayout {
+    std::size_t observables;  ///< columns of observables, from the first on
+    bool roomy;               ///< columns of one width, errors as "+- 0.012"; otherwise "(12)"
+};
 
 std::string remarks_of(const SweptPoint& point) {
     std::string text;
@@ -90,23 +99,37 @@ std::vector<std::string> observables_of(const SweptPoints& swept) {
     return names;
 }
 
-std::string text_of(const SweptPoints& swept) {
+bool is_of_fluid(const SweptPoints& swept) {
+    return std::any_of(swept.points.begin(), swept.points.end(), has_temperature);
+}
+
+/// The entry of an observable, with the mark of its remark.
+std::string entry_of(const SweptPoint& point, const char* observable, bool roomy, Footnotes& footnotes) {
+    if (!point.failure.empty()) {
+        return "failed";
+    }
+    const ObservedMean* found = find_mean(point, observable);
+    const std::string mark = found == nullptr ? "" : footnotes.mark(found->remark);
+    return (roomy ? in_words(found) : in_short_words(found)) + (mark.empty() ? "" : " " + mark);
+}
+
+TextTable table_of(const SweptPoints& swept, const TableLayout& layout, Footnotes& footnotes) {
+    constexpr std::size_t usual_width = 21;
+    std::vector<TableColumn> shown = columns_for(is_of_fluid(swept));
+    shown.resize(layout.observables);
     std::vector<TextTable::Column> columns;
     for (const std::string& heading : short_keys(swept.keys)) {
         columns.push_back({heading});
     }
-    const bool fluid = std::any_of(swept.points.begin(), swept.points.end(), has_temperature);
-    for (const auto& [observable, heading] : columns_for(fluid)) {
-        columns.push_back({heading, TextTable::Align::right, 21});
+    for (const TableColumn& column : shown) {
+        columns.push_back({column.heading, TextTable::Align::right, layout.roomy ? usual_width : 0});
     }
     columns.push_back({"", TextTable::Align::left});
-    Footnotes footnotes;
     TextTable table(std::move(columns), 2);
     for (const SweptPoint& point : swept.points) {
         std::vector<std::string> entries = point.values;
-        for (const auto& [observable, heading] : columns_for(fluid)) {
-            entries.push_back(point.failure.empty() ? in_marked_words(find_mean(point, observable), footnotes)
-                                                    : "failed");
+        for (const TableColumn& column : shown) {
+            entries.push_back(entry_of(point, column.observable, layout.roomy, footnotes));
         }
         std::string marks;
         for (const std::string& doubt : point.doubts) {
@@ -115,7 +138,33 @@ std::string text_of(const SweptPoints& swept) {
         entries.push_back(marks);
         table.add(entries);
     }
-    return table.text() + footnotes.text();
+    return table;
+}
+
+/// "left out here: p, Z (sweep.csv has all)": the observables that a layout does not show; empty if it shows all.
+std::string left_out(const SweptPoints& swept, const TableLayout& layout) {
+    const std::vector<TableColumn>& all = columns_for(is_of_fluid(swept));
+    std::string names;
+    for (std::size_t k = layout.observables; k < all.size(); ++k) {
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", all[k].heading);
+    }
+    return names.empty() ? "" : fmt::format("  left out here: {} (sweep.csv has all)\n", names);
+}
+
+/// The table in the roomiest layout that fits; where there is no screen, in full.
+std::string text_of(const SweptPoints& swept, std::optional<std::size_t> screen) {
+    TableLayout layout{columns_for(is_of_fluid(swept)).size(), true};
+    const auto made = [&]() {
+        Footnotes footnotes;
+        TextTable table = table_of(swept, layout, footnotes);
+        return std::pair(std::move(table), footnotes.text());
+    };
+    auto [table, remarks] = made();
+    while (screen && table.columns() > *screen && (layout.roomy || layout.observables > 1)) {
+        layout = {layout.roomy ? layout.observables : layout.observables - 1, false};
+        std::tie(table, remarks) = made();
+    }
+    return (screen ? table.text_within(*screen) : table.text()) + remarks + left_out(swept, layout);
 }
 
 Data data_of(const SweptPoints& swept) {
@@ -144,8 +193,8 @@ Data data_of(const SweptPoints& swept) {
 
 }  // namespace
 
-Document sweep_report(const SweptPoints& swept) {
-    return {data_of(swept), text_of(swept)};
+Document sweep_report(const SweptPoints& swept, std::optional<std::size_t> screen) {
+    return {data_of(swept), text_of(swept, screen)};
 }
 
 std::string sweep_csv(const SweptPoints& swept) {

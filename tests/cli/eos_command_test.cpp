@@ -1,8 +1,7 @@
-#include <limits>
-
 #include "deck/deck_fixtures.hpp"
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/tables/data_list_csv.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/reference/equation_report.hpp"
 
@@ -14,36 +13,64 @@ using Catch::Matchers::StartsWith;
 TEST_CASE("eos prints the equations, coexistence, or a state, by what it is given") {
     CHECK(said([] { eos_command({}); }).out == equations_document().text);
     CHECK(said([] { eos_command({.json = true}); }).out == to_json(equations_document().data) + "\n");
-    CHECK(said([] { eos_command({.temperature = 0.9}); }).out ==
+    CHECK(said([] { eos_command({.temperature = "0.9"}); }).out ==
           coexistence_document(equation_of_state("thol2016"), 0.9).text);
-    CHECK(said([] { eos_command({.temperature = 0.9, .json = true}); }).out ==
+    CHECK(said([] { eos_command({.temperature = "0.9", .json = true}); }).out ==
           to_json(coexistence_document(equation_of_state("thol2016"), 0.9).data) + "\n");
-    CHECK(said([] { eos_command({.temperature = 1.5, .density = 0.5}); }).out ==
+    CHECK(said([] { eos_command({.temperature = "1.5", .density = "0.5"}); }).out ==
           state_document(equation_of_state("thol2016"), 1.5, 0.5).text);
-    CHECK(said([] { eos_command({.model = "thol2015", .temperature = 1.5, .density = 0.5, .json = true}); }).out ==
+    CHECK(said([] { eos_command({.model = "thol2015", .temperature = "1.5", .density = "0.5", .json = true}); }).out ==
           to_json(state_document(equation_of_state("thol2015"), 1.5, 0.5).data) + "\n");
 }
 
+TEST_CASE("eos takes a pressure in place of a density, and alone for coexistence") {
+    const EquationOfState thol = equation_of_state("thol2016");
+    CHECK(said([] { eos_command({.temperature = "1.5", .pressure = "0.5"}); }).out ==
+          pressure_document(thol, 1.5, 0.5).text);
+    CHECK(said([] { eos_command({.pressure = "0.01", .json = true}); }).out ==
+          to_json(saturation_document(thol, 0.01).data) + "\n");
+}
+
+TEST_CASE("eos makes a table of a range or a list, as text, JSON or CSV") {
+    const EquationOfState thol = equation_of_state("thol2016");
+    const EquationPoints points{{0.8, 0.9, 1.0}, {0.1, 0.7}, {}};
+    const EosOptions given{.temperature = "0.8:1.0:3", .density = "0.1|0.7"};
+    const auto with = [&](bool csv, bool json) {
+        EosOptions options = given;
+        options.csv = csv;
+        options.json = json;
+        return said([&] { eos_command(options); }).out;
+    };
+    CHECK(with(false, false) == points_document(thol, points).text);
+    CHECK(with(false, true) == to_json(points_document(thol, points).data) + "\n");
+    CHECK(with(true, false) == data_list_csv(points_document(thol, points).data["points"]));
+    const std::string one = said([] { eos_command({.temperature = "0.9", .density = "0.7", .csv = true}); }).out;
+    CHECK(one == data_list_csv(points_document(thol, {{0.9}, {0.7}, {}}).data["points"]));
+}
+
 TEST_CASE("eos warns of doubtful numbers, and only of these") {
-    CHECK(said([] { eos_command({.temperature = 1.5, .density = 0.5}); }).err.empty());
-    CHECK(said([] { eos_command({.temperature = 0.9}); }).err.empty());
-    CHECK_THAT(said([] { eos_command({.temperature = 0.9, .density = 0.5}); }).err,
+    CHECK(said([] { eos_command({.temperature = "1.5", .density = "0.5"}); }).err.empty());
+    CHECK(said([] { eos_command({.temperature = "0.9"}); }).err.empty());
+    CHECK_THAT(said([] { eos_command({.temperature = "0.9", .density = "0.5"}); }).err,
                Contains("warning: ") && Contains("coexist"));
-    CHECK_THAT(said([] { eos_command({.temperature = 0.722, .density = 1.0}); }).err,
+    CHECK_THAT(said([] { eos_command({.temperature = "0.722", .density = "1.0"}); }).err,
                StartsWith("warning: at temperature 0.722 the fluid freezes at density 0.8545"));
-    CHECK_THAT(said([] { eos_command({.temperature = 0.6}); }).err, Contains("warning: temperature 0.6 is outside"));
+    CHECK_THAT(said([] { eos_command({.temperature = "0.6"}); }).err, Contains("warning: temperature 0.6 is outside"));
 }
 
 TEST_CASE("eos refuses what is no temperature, no density, no equation") {
-    const double infinity = std::numeric_limits<double>::infinity();
-    for (const double wrong : {0.0, -1.0, infinity, std::nan("")}) {
+    for (const char* wrong : {"0", "-1", "inf", "nan", "hot", "1:2", "1:2:1", "1|1", "1|", "0:1:3"}) {
+        INFO(wrong);
         CHECK_THROWS_AS(eos_command({.temperature = wrong}), InputError);
-        CHECK_THROWS_AS(eos_command({.temperature = wrong, .density = 0.5}), InputError);
+        CHECK_THROWS_AS(eos_command({.temperature = wrong, .density = "0.5"}), InputError);
+        CHECK_THROWS_AS(eos_command({.temperature = "1.0", .pressure = wrong}), InputError);
     }
-    for (const double wrong : {-0.1, infinity, std::nan("")}) {
-        CHECK_THROWS_AS(eos_command({.temperature = 1.0, .density = wrong}), InputError);
+    for (const char* wrong : {"-0.1", "inf", "nan"}) {
+        CHECK_THROWS_AS(eos_command({.temperature = "1.0", .density = wrong}), InputError);
     }
-    CHECK_THROWS_AS(eos_command({.density = 0.5}), InputError);
+    CHECK_THROWS_AS(eos_command({.temperature = "1.0", .density = "0.5", .pressure = "0.1"}), InputError);
+    CHECK_THROWS_AS(eos_command({.temperature = "1.0", .csv = true, .json = true}), InputError);
+    CHECK_THROWS_AS(eos_command({.density = "0.5"}), InputError);
     CHECK_THROWS_AS(eos_command({.model = "ideal"}), InputError);
     CHECK_THROWS_AS(eos_command({.model = "thol2015"}), InputError);  // all are listed, whatever it says
 }

@@ -1,5 +1,7 @@
 """ljmd eos: what equations of state say, and what they refuse."""
 
+import csv
+import io
 import json
 
 from harness import Case
@@ -50,6 +52,60 @@ def what_no_temperature_has(t):
     t.contains(t.run_well("eos", "--temperature", "0.9", "--density", "0").out, "-  sqrt(epsilon/m)")
 
 
+def from_a_pressure(t):
+    """The density comes back; below the vapour pressure the liquid is metastable, and the text names it."""
+    state = json.loads(t.run_well("eos", "--temperature", "1.5", "--density", "0.5", "--json").out)
+    found = json.loads(t.run_well("eos", "--temperature", "1.5", "--pressure", str(state["pressure"]), "--json").out)
+    t.check(abs(found["density"] - 0.5) < 1e-12, f"density: {found['density']}")
+    t.equal((found["phase"], found["metastable"]), ("fluid", []), "phases")
+    for key in ("isothermal_compressibility", "thermal_expansion", "joule_thomson_coefficient"):
+        t.check(abs(found[key] - state[key]) < 1e-9 * abs(state[key]), f"{key}: {found[key]}")
+    arguments = ("eos", "--temperature", "0.9", "--pressure", "0.0115")
+    found = json.loads(t.run_well(*arguments, "--json").out)
+    t.equal((found["phase"], found["pressure"]), ("vapour", 0.0115), "stable phase")
+    other, = found["metastable"]
+    t.equal(other["phase"], "liquid", "metastable phase")
+    t.check(0.0 < other["gibbs_energy_difference"] < 0.1, f"Gibbs energy: {other['gibbs_energy_difference']}")
+    t.contains(t.run_well(*arguments).out, f"metastable: liquid of density {other['density']:.6g}, its Gibbs energy is higher by")
+
+
+def coexistence_from_a_pressure(t):
+    found = json.loads(t.run_well("eos", "--pressure", "0.0118130", "--json").out)
+    t.check(abs(found["temperature"] - 0.9) < 1e-4, f"temperature: {found['temperature']}")
+    t.check(abs(found["liquid"]["density"] - 0.75277) < 1e-4, f"liquid: {found['liquid']['density']}")
+
+
+def a_range(t):
+    """A table, whose numbers are those of the states one by one; CSV and JSON have all of them."""
+    arguments = ("eos", "--temperature", "0.7:1.3:7", "--density", "0.01|0.8")
+    points = json.loads(t.run_well(*arguments, "--json").out)["points"]
+    t.equal([(point["temperature"], point["density"]) for point in points],
+            [(round(0.7 + 0.1 * k, 1), rho) for k in range(7) for rho in (0.01, 0.8)], "points")
+    one = json.loads(t.run_well("eos", "--temperature", "1.2", "--density", "0.8", "--json").out)
+    t.equal({**{key: one[key] for key in one if key not in ("model", "source")}, "failure": None}, points[11], "a point")
+    rows = list(csv.DictReader(io.StringIO(t.run_well(*arguments, "--csv").out)))
+    t.equal(len(rows), 14, "rows")
+    for row, point in zip(rows, points):
+        for key, value in point.items():
+            if isinstance(value, float):
+                t.equal(float(row[key]), value, key)
+        t.equal(row["warnings"], "; ".join(point["warnings"]), "warnings")
+    text = t.run_well(*arguments).out
+    t.check(max(map(len, text.splitlines()[3:])) <= 80, f"wider than a terminal:\n{text}")
+    t.golden(text)
+
+
+def a_range_of_coexistence(t):
+    """A temperature at which there is none has a reason instead of numbers."""
+    text = t.run_well("eos", "--temperature", "0.8:1.4:4").out
+    t.golden(text)
+    rows = list(csv.DictReader(io.StringIO(t.run_well("eos", "--pressure", "0.01|0.2", "--csv").out)))
+    t.check(float(rows[0]["liquid_density"]) > 0.7 and "critical pressure" in rows[1]["failure"], f"rows: {rows}")
+    t.equal(rows[1]["liquid_density"], "", "a value of nothing")
+    row, = csv.DictReader(io.StringIO(t.run_well("eos", "--temperature", "0.9", "--pressure", "0.0115", "--csv").out))
+    t.check(row["phase"] == "vapour" and row["metastable"].startswith("liquid of density 0.75"), f"row: {row}")
+
+
 def warned(*arguments):
     def test(t):
         result = t.run_well("eos", *arguments)
@@ -71,7 +127,8 @@ def refused(code, *arguments):
 
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (every_equation_is_listed, a_state, coexistence, what_no_temperature_has)] + [
+            for test in (every_equation_is_listed, a_state, coexistence, what_no_temperature_has, from_a_pressure,
+                         coexistence_from_a_pressure, a_range, a_range_of_coexistence)] + [
         Case("too cold", warned("--temperature", "0.5", "--density", "0.9")),
         Case("too dense", warned("--temperature", "2", "--density", "1.3", "--model", "johnson1993")),
         Case("too high a pressure", warned("--temperature", "5", "--density", "1.3")),
@@ -81,6 +138,17 @@ def cases():
         Case("coexistence below the triple point", warned("--temperature", "0.5")),
         Case("coexistence above the critical temperature", refused(2, "--temperature", "1.4")),
         Case("a density alone", refused(2, "--density", "0.8")),
+        Case("a density and a pressure", refused(2, "--temperature", "1", "--density", "0.8", "--pressure", "1")),
+        Case("a pressure of zero", refused(2, "--temperature", "1", "--pressure", "0")),
+        Case("a pressure that is a word", refused(2, "--temperature", "1", "--pressure", "5 bar")),
+        Case("coexistence above the critical pressure", refused(2, "--pressure", "0.2")),
+        Case("coexistence below all vapour pressures", refused(5, "--pressure", "1e-30")),
+        Case("a pressure that the equation does not reach", refused(5, "--temperature", "1", "--pressure", "1e9")),
+        Case("a range of two parts", refused(2, "--temperature", "0.7:1.3")),
+        Case("a range with a word", refused(2, "--temperature", "0.7:hot:3")),
+        Case("a list with a value twice", refused(2, "--temperature", "0.7|0.7")),
+        Case("a range from a negative number", refused(2, "--temperature", "-1:1:3")),
+        Case("CSV and JSON", refused(2, "--temperature", "1", "--csv", "--json")),
         Case("a negative temperature", refused(2, "--temperature", "-1", "--density", "0.8")),
         Case("a negative density", refused(2, "--temperature", "1", "--density", "-0.8")),
         Case("a temperature that is no number", refused(2, "--temperature", "nan", "--density", "0.8")),

@@ -166,6 +166,18 @@ TEST_CASE("off a terminal there are plain lines, one for each tenth at most") {
     CHECK(text.find_first_of("\r\033") == std::string::npos);
 }
 
+TEST_CASE("doubts are printed like warnings, unless they are left to the report that follows") {
+    Captured captured(stderr);
+    {
+        Progress progress(108, 100, true);
+        progress.doubted("a doubt");
+        progress.leave_doubts_to_report();
+        progress.doubted("another doubt");
+        progress.warning("a warning");
+    }
+    CHECK(captured.text() == "warning: a doubt\nwarning: a warning\n");
+}
+
 TEST_CASE("quiet, only warnings are heard") {
     CHECK(said(true) == "warning: a doubt\n");
 }

@@ -94,9 +94,11 @@ def width_of(text):
 
 
 def without_progress(t, *arguments):
-    """What the same command prints where there is no terminal, in one stream, without lines of progress."""
+    """What the same command prints where there is no terminal, in one stream, without lines of progress and without warnings
+    about results that the table says, too."""
     result = t.run(*arguments, capture_output=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    return "".join(line for line in result.out.splitlines(keepends=True) if not re.match(r"\[.*steps/s", line))
+    lines = [line for line in result.out.splitlines(keepends=True) if not re.match(r"\[.*steps/s", line)]
+    return "".join(line for line in lines if not line.startswith("warning: "))  # they stand in the table, too
 
 
 def fits(columns):
@@ -120,6 +122,47 @@ def fits(columns):
             table = expected[expected.index("observable"):expected.index("files:")]
             t.check(max(map(len, table.splitlines())) <= 80, f"the table is wider than the screen:\n{table}")
     return test
+
+
+def doubts_stand_once(t):
+    """On a terminal below the table, where results go to a file on the terminal, in files and pipes in both places."""
+    t.deck()
+    piped = t.run("run", "deck.toml")
+    said = re.findall(r"^warning: (.*)$", piped.err, flags=re.M)
+    t.check(any(f"  warning: {one[:40]}" in piped.out for one in said), f"no doubt that stands in both: {piped.err!r}")
+    for arguments, beside in ((("--force",), False), (("--force", "--json"), True)):
+        program = Program(t, 200, "run", "deck.toml", *arguments)
+        t.equal(program.run(), 0, "exit code")
+        for one in said:
+            t.equal(f"warning: {one}\n" in program.terminals[0].text(), beside, f"{one!r} as a message with {arguments}")
+    ours, theirs = pty.openpty()
+    with open(t.dir / "results", "w", encoding="utf-8") as results:
+        subprocess.run([t.ljmd, "run", "deck.toml", "--force"], cwd=t.dir, stdin=subprocess.DEVNULL, stdout=results,
+                       stderr=theirs, env=clean_environment(), check=True)
+    os.close(theirs)
+    seen = os.read(ours, 1 << 16).decode()
+    os.close(ours)
+    t.check(all(one in seen for one in said), f"not said beside a file: {seen!r}")
+
+
+def studies(t):
+    """Tables of sweeps fit a terminal; one that is wide enough and a pipe get the same."""
+    t.deck()
+    sweep = ("sweep", "deck.toml", "--grid", "system.temperature=0.9:1.1:2,system.density=0.7:0.8:2", "--quiet", "--out", "s")
+    piped = t.run(*sweep).out
+    t.check(max(map(len, piped.splitlines())) > 100, f"the table is narrow:\n{piped}")
+    for arguments, expected in ((sweep, piped), (("info", "s"), t.run("info", "s").out)):
+        for columns in (80, 200):
+            program = Program(t, columns, *arguments)
+            t.equal(program.run(), 0, "exit code")
+            for terminal in program.terminals:
+                rows = terminal.text().splitlines()
+                t.check(max(map(len, rows)) <= columns, f"wider than {columns} columns:\n{terminal.text()}")
+                if columns == 200:
+                    t.equal(terminal.text(), expected, "the table on a wide terminal")
+    narrow = Program(t, 80, *sweep)
+    t.equal(narrow.run(), 0, "exit code")
+    t.check(re.search(r"-\d\.\d+\(\d+\)", narrow.terminals[0].text()), f"no short errors:\n{narrow.terminals[0].text()}")
 
 
 def resized(t):
@@ -226,5 +269,5 @@ def no_progress_on_a_dumb_terminal(t):
 def cases():
     return [Case(f"a run on a terminal of {columns} columns", fits(columns)) for columns in (40, 80, 200)] + \
         [Case(test.__name__.replace("_", " "), test)
-         for test in (resized, the_width_is_asked_each_time, an_error_takes_the_place_of_progress, names_of_any_width, few_bodies,
+         for test in (doubts_stand_once, studies, resized, the_width_is_asked_each_time, an_error_takes_the_place_of_progress, names_of_any_width, few_bodies,
                       no_progress_on_a_dumb_terminal)]

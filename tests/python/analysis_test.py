@@ -29,9 +29,26 @@ class Equations(Case):
         self.assertEqual(isotherms.pressure.shape, (5, 2))
         self.assertEqual(isotherms.pressure[2, 1], ljmd.eos(2.0, densities[2, 0]).pressure)
 
+    def test_a_pressure_stands_in_for_a_density(self):
+        state = ljmd.eos(1.5, 0.5)
+        found = ljmd.eos(1.5, pressure=state.pressure)
+        self.assertEqual(found.data, json.loads(command_line("eos", "--temperature", 1.5, "--pressure", repr(state.pressure), "--json").stdout))
+        self.assertAlmostEqual(found.density, 0.5, places=10)
+        self.assertAlmostEqual(found.joule_thomson_coefficient, state.joule_thomson_coefficient, places=9)
+        self.assertEqual((found.phase, found.metastable), ("fluid", []))
+        both = ljmd.eos(pressure=ljmd.eos(0.9).pressure)
+        self.assertAlmostEqual(both.temperature, 0.9, places=9)
+        isobar = ljmd.eos([0.8, 1.5, 3.0], pressure=0.5)
+        self.assertEqual(isobar.phase.tolist(), ["liquid", "fluid", "fluid"])
+        self.assertTrue(np.all(np.diff(isobar.density) < 0))
+        self.assertEqual(isobar.thermal_expansion[1], ljmd.eos(1.5, pressure=0.5).thermal_expansion)
+        self.assertEqual(ljmd.eos([0.8, 0.9]).liquid.density[1], ljmd.eos(0.9).liquid.density)
+
     def test_wrong_states_are_refused_and_doubtful_ones_warned_of(self):
         for arguments in ((0,), (-1, 0.5), (np.nan, 0.5), (1.0, -0.1), ("hot", 0.5), (1.4,), (1.0, np.inf)):
             self.assertRaises(ljmd.InputError, ljmd.eos, *arguments)
+        for wrong in (dict(), dict(density=0.5), dict(temperature=1, density=0.5, pressure=1), dict(pressure=0), dict(pressure=0.2)):
+            self.assertRaises(ljmd.InputError, ljmd.eos, **wrong)
         self.assertRaisesText(ljmd.InputError, "thol2016", of=lambda: ljmd.eos(1.0, 0.5, model="ideal"))
         with self.assertWarnsRegex(ljmd.RunWarning, "coexist"):
             ljmd.eos(0.9, 0.5)

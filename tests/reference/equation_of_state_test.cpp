@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/registry.hpp"
@@ -140,6 +142,110 @@ TEST_CASE("the liquid has a heat capacity at constant pressure and a speed of so
     // A monatomic ideal gas: w^2 = 5/3 T.
     CHECK(*properties(equation_of_state("thol2016"), 2.0, 1e-9).speed_of_sound() ==
           Approx(std::sqrt(10.0 / 3.0)).epsilon(1e-7));
+}
+
+namespace {
+
+/// df/dx by central differences of order h^6.
+template <class Function>
+double slope(const Function& f, double x, double h) {
+    return (45.0 * (f(x + h) - f(x - h)) - 9.0 * (f(x + 2 * h) - f(x - 2 * h)) + (f(x + 3 * h) - f(x - 3 * h))) /
+           (60.0 * h);
+}
+
+/// States where all equations have a stable gas or liquid.
+const std::vector<std::pair<double, double>> stable_states{{0.8, 0.001}, {0.8, 0.85}, {1.0, 0.75}, {1.5, 0.05},
+                                                           {1.5, 0.5},   {3.0, 0.3},  {3.0, 0.9}};
+
+}  // namespace
+
+TEST_CASE("response functions are derivatives of volume, enthalpy and energy, to 1e-8") {
+    for (const EquationOfState& equation : all_equations_of_state()) {
+        for (const auto& [temperature, density] : stable_states) {
+            const double t = temperature;
+            const double rho = density;
+            INFO(equation.name << ", temperature " << t << ", density " << rho);
+            const FluidProperties state = properties(equation, t, rho);
+            const auto pressure = [&](double at, double of) { return properties(equation, at, of).pressure; };
+            const double p_rho = slope([&](double of) { return pressure(t, of); }, rho, 2e-3 * rho);
+            const double p_t = slope([&](double at) { return pressure(at, rho); }, t, 2e-3 * t);
+            const auto enthalpy = [&](double at, double of) {
+                const FluidProperties there = properties(equation, at, of);
+                return there.potential_energy + 1.5 * at + there.pressure / of;
+            };
+            const double h_rho = slope([&](double of) { return enthalpy(t, of); }, rho, 2e-3 * rho);
+            const double h_t = slope([&](double at) { return enthalpy(at, rho); }, t, 2e-3 * t);
+            const auto near = [](double value) { return Approx(value).epsilon(1e-8).margin(1e-8); };
+            CHECK(*state.isothermal_compressibility() == near(1.0 / (rho * p_rho)));
+            CHECK(*state.thermal_expansion() == near(p_t / (rho * p_rho)));
+            // At constant pressure and at constant enthalpy the density follows the temperature.
+            CHECK(*state.heat_capacity_cp() == near(h_t - h_rho * p_t / p_rho));
+            CHECK(*state.joule_thomson_coefficient() == near(1.0 / (p_t - p_rho * h_t / h_rho)));
+        }
+    }
+}
+
+TEST_CASE("the identities of thermodynamics hold to round-off") {
+    for (const EquationOfState& equation : all_equations_of_state()) {
+        for (const auto& [t, rho] : stable_states) {
+            INFO(equation.name << ", temperature " << t << ", density " << rho);
+            const FluidProperties state = properties(equation, t, rho);
+            const double kappa = *state.isothermal_compressibility();
+            const double alpha = *state.thermal_expansion();
+            const double cp = *state.heat_capacity_cp();
+            CHECK(cp - state.heat_capacity_cv == Approx(t * alpha * alpha / (kappa * rho)).epsilon(1e-12));
+            const double adiabatic = kappa * state.heat_capacity_cv / cp;
+            CHECK(*state.speed_of_sound() == Approx(1.0 / std::sqrt(rho * adiabatic)).epsilon(1e-12));
+            CHECK(*state.joule_thomson_coefficient() ==
+                  Approx((t * alpha - 1.0) / (rho * cp)).epsilon(1e-9).margin(1e-9 / rho * 1e-6));
+            CHECK(state.residual_heat_capacity_cv() == state.heat_capacity_cv - 1.5);
+            CHECK(*state.residual_heat_capacity_cp() == Approx(cp - 2.5));
+        }
+    }
+}
+
+TEST_CASE("in the limit of low density the gas is ideal, and the Joule-Thomson coefficient that of the second virial") {
+    for (const EquationOfState& equation : all_equations_of_state()) {
+        for (const double t : {0.8, 1.5, 6.0}) {
+            INFO(equation.name << ", temperature " << t);
+            const double rho = 1e-12;
+            const FluidProperties gas = properties(equation, t, rho);
+            CHECK(*gas.isothermal_compressibility() * rho * t == Approx(1.0).epsilon(1e-9));
+            CHECK(*gas.thermal_expansion() * t == Approx(1.0).epsilon(1e-9));
+            CHECK(*gas.residual_heat_capacity_cp() == Approx(0.0).margin(1e-9));
+            const double b = second_virial_coefficient(equation, t);
+            const double b_slope =
+                slope([&](double at) { return second_virial_coefficient(equation, at); }, t, 2e-3 * t);
+            CHECK(*gas.joule_thomson_coefficient() == Approx((t * b_slope - b) / 2.5).epsilon(1e-8));
+        }
+    }
+}
+
+TEST_CASE(
+    "a dilute gas is neither warmed nor cooled by throttling at the inversion temperature of Lennard-Jones atoms") {
+    // T B2' = B2: 6.430798 by the exact second virial coefficient, S. Stephan and U. K. Deiters, Int. J. Thermophys.
+    // 41, 147 (2020), doi:10.1007/s10765-020-02721-9.
+    const PairPotential full = PairPotential::lennard_jones("cut", {.radius = 2.5});
+    const double inversion = 6.430798;
+    const auto exact = [&](double t) { return untruncated_second_virial_coefficient(full, t); };
+    CHECK(inversion * slope(exact, inversion, 0.05) == Approx(exact(inversion)).epsilon(1e-6));
+    for (const std::string name : {"johnson1993", "kolafa-nezbeda1994", "thol2016"}) {
+        INFO(name);
+        const EquationOfState equation = equation_of_state(name);
+        CHECK(*properties(equation, 0.93 * inversion, 1e-9).joule_thomson_coefficient() > 0.0);
+        CHECK(*properties(equation, 1.07 * inversion, 1e-9).joule_thomson_coefficient() < 0.0);
+    }
+}
+
+TEST_CASE("an unstable state and density zero have no response functions") {
+    const EquationOfState equation = equation_of_state("thol2016");
+    for (const double rho : {0.0, 0.5}) {
+        const FluidProperties state = properties(equation, 0.8, rho);
+        CHECK_FALSE(state.isothermal_compressibility());
+        CHECK_FALSE(state.thermal_expansion());
+        CHECK_FALSE(state.joule_thomson_coefficient());
+        CHECK_FALSE(state.residual_heat_capacity_cp());
+    }
 }
 
 TEST_CASE("states outside of what an equation was fitted to are told") {

@@ -57,7 +57,9 @@ TEST_CASE("a page of 864 atoms stays small, one of 32000 below eleven megabytes,
     CHECK(large["shown_frames"].integer() >= 32);
     CHECK(large["frames"] == 1000);
     CHECK(large["steps"][1] == 290);
-    CHECK(large["words"] == "35 of 1000 frames are shown, one in 29, to keep the page small.");
+    CHECK(large["words"] ==
+          "35 of 1000 frames are shown, one in 29, to keep the page small; no colours by coordination: neighbours are "
+          "counted for at most 20000 atoms.");
 }
 
 TEST_CASE("more frames than were expected are thinned as they come, at even distances") {

@@ -5,6 +5,7 @@
 
 using namespace ljmd;
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -39,6 +40,29 @@ TEST_CASE("the table shows values with their errors, and marks what is suspect")
     const std::string markdown = reproduction_markdown({a_row(), a_row()});
     CHECK(std::count(markdown.begin(), markdown.end(), '\n') > 4);
     CHECK_THAT(markdown, Contains("| 0.8500 | 0.786 | 0.957(14) | 0.99 | 0.999 |"));
+}
+
+TEST_CASE("on a screen the columns stand closer, then those of the cutoff are left out, and sentences are broken") {
+    ReproducedRow row = a_row();
+    row.verlet.remark = "a remark that is so long that it does not stand on one line of a usual terminal";
+    const std::string whole = reproduction_report({row}).text;
+    const auto longest = [](const std::string& text) {
+        std::size_t most = 0;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            most = std::max(most, line.size());
+        }
+        return most;
+    };
+    CHECK_THAT(whole, Contains("    cutoff"));
+    CHECK(longest(whole) > 100);
+    CHECK_THAT(reproduction_report({row}, 200).text, StartsWith(whole.substr(0, whole.find("\n\n"))));
+    const std::string close = reproduction_report({row}, 100).text;
+    CHECK_THAT(close, Contains(" cutoff ") && !Contains("left out"));
+    CHECK(longest(close) <= 100);
+    const std::string narrow = reproduction_report({row}, 80).text;
+    CHECK_THAT(narrow, Contains("\nleft out here: cutoff (rows.csv has it)\n") && Contains("0.957(14)"));
+    CHECK(longest(narrow) <= 80);
 }
 
 TEST_CASE("errors have two digits, also where rounding would make it three") {

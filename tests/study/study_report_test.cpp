@@ -41,6 +41,13 @@ TEST_CASE("of a sweep its directory tells how far each run got, in words and as 
                               "  temperature=4  not begun\n"));
     CHECK_THAT(text, Catch::EndsWith("to go on: the command that began it\n"));
 
+    CHECK(study_report(out, 80).text == text);
+    std::ofstream(runs[2].log) << "error: " << std::string(30, 'x') << " was blown up\n";
+    CHECK_THAT(study_report(out, 57).text,
+               Contains("  temperature=3  failed\n  temperature=4  not begun\n  temperature=3: error: " +
+                        std::string(30, 'x') + "\n    was blown up\n"));
+    std::ofstream(runs[2].log) << "error: blown up\n";
+
     const Data json = study_report(out).data;
     CHECK(json["kind"] == "sweep");
     CHECK(json["deck"] == "some.toml");

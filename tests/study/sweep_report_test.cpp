@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <sstream>
 
 using namespace ljmd;
 using Catch::Matchers::Contains;
@@ -63,6 +65,37 @@ TEST_CASE("numbers that are long do not run together") {
     SweptPoints swept = fluids();
     swept.points[0].found = {{"temperature", -6.626360956, 1.23e-7, "a guess"}, {"potential_energy", 1.0, 0.1}};
     CHECK_THAT(sweep_report(swept).text, Contains("a,b  -6.62636096 +- 0.00000012 [1]  "));
+}
+
+namespace {
+
+std::size_t longest_line(const std::string& text) {
+    std::size_t longest = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        longest = std::max(longest, line.size());
+    }
+    return longest;
+}
+
+}  // namespace
+
+TEST_CASE("on a screen the table gets shorter errors, then fewer observables, until it fits") {
+    const std::string whole = sweep_report(fluids()).text;
+    CHECK(sweep_report(fluids(), 200).text == whole);
+    CHECK(sweep_report(fluids(), longest_line(whole)).text == whole);
+    CHECK(sweep_report(fluids(), 80).text ==
+          "  temperature  title              T     U/N          p       Z\n"
+          "          1.2    a,b  1.250(12) [1]      -6  0.100(20)       -\n"
+          "            2      c         failed  failed     failed  failed\n"
+          "            3      d   3.00(10) [1]       -      - [2]       -\n"
+          "  [1] a guess\n  [2] one atom\n");
+    const std::string narrow = sweep_report(fluids(), 45).text;
+    CHECK_THAT(narrow, Contains("T     U/N\n") && Contains("  left out here: p, Z (sweep.csv has all)\n"));
+    CHECK_THAT(narrow, !Contains("[2]"));
+    for (std::size_t screen = 46; screen < 130; ++screen) {
+        CHECK(longest_line(sweep_report(fluids(), screen).text) <= screen);
+    }
 }
 
 TEST_CASE("a table of few bodies has their energies") {

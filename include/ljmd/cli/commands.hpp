@@ -33,9 +33,11 @@ struct ResumeOptions {
 
 /// Options of `ljmd eos`.
 struct EosOptions {
-    std::string model{};  ///< empty: thol2016
-    std::optional<double> temperature{};
-    std::optional<double> density{};
+    std::string model{};        ///< empty: thol2016
+    std::string temperature{};  ///< a number, FROM:TO:COUNT or A|B|C; empty: not given. Also those below
+    std::string density{};
+    std::string pressure{};
+    bool csv = false;
     bool json = false;
 };
 
@@ -108,8 +110,9 @@ void export_command(const DeckOptions& options, const std::string& to, const std
 /// ljmd bench [DECK]: measure the speed of a deck. An empty options.deck means the Lennard-Jones melt.
 void bench_command(const DeckOptions& options);
 
-/// ljmd eos: list the equations of state; with a temperature, liquid and vapour at coexistence; with a density too, the
-/// state of one phase. Warns outside the range that an equation was fitted to.
+/// ljmd eos: list the equations of state; with a temperature or a pressure, liquid and vapour at coexistence; with a
+/// temperature and a density or a pressure, the state of one phase. Ranges, and --csv, give a table. Warns outside the
+/// range that an equation was fitted to.
 void eos_command(const EosOptions& options);
 
 /// ljmd reproduce verlet1967: recompute the rows of the paper's table, one run per row, and compare them with the

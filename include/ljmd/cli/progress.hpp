@@ -30,6 +30,10 @@ class Progress : public RunListener {
     void sampled(const FewBodyRow& row) override;
     void errors(const std::vector<ErrorSoFar>& errors) override;
     void warning(const std::string& text) override;
+    void doubted(const std::string& text) override;
+
+    /// From now on print no doubts: the report that says them follows on the same terminal.
+    void leave_doubts_to_report() { prints_doubts_ = false; }
 
     /// One line: "[production] 42 % step 10500/25000 4210 steps/s 3.64e+06 atom-steps/s ETA 0:03"; without the
     /// atom-steps for few bodies.
@@ -58,6 +62,7 @@ class Progress : public RunListener {
     std::optional<Index> atoms_;
     Index total_steps_;
     bool quiet_;
+    bool prints_doubts_ = true;
     std::string stage_;
     std::vector<std::string> values_;  ///< of the last sample: "T 0.7129"
     std::vector<std::string> errors_;  ///< present ones and those wanted: "error of pressure 0.0061/0.005"

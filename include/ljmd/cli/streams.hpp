@@ -37,6 +37,12 @@ void warn(const std::string& text) noexcept;
 /// move its cursor (TERM=dumb). A terminal that does not know its width has 80 columns.
 [[nodiscard]] std::optional<std::size_t> message_columns();
 
+/// Width of the terminal that results go to; nothing if they go to no terminal: a file or a pipe gets tables in full.
+[[nodiscard]] std::optional<std::size_t> result_columns();
+
+/// Whether messages and results go to one terminal, where both are read.
+[[nodiscard]] bool messages_stand_beside_results();
+
 /// Replace the terminal line at the cursor, and leave the cursor at its beginning: a terminal that is made narrower
 /// wraps the line or cuts it, and in both cases it begins at the cursor. An empty text clears the line.
 /// @pre the text is shorter than the line

@@ -26,6 +26,9 @@ class TextTable {
     /// @throws ContractViolation if there are more entries than columns
     void add(const std::vector<std::string>& entries);
 
+    /// Characters in its longest line.
+    [[nodiscard]] std::size_t columns() const;
+
     /// Heading line, unless all headings are empty, and rows, without trailing spaces, each with a line end.
     [[nodiscard]] std::string text() const;
 

@@ -40,9 +40,11 @@ struct EquationOfState {
 ///     u    = -T^2 a_T                             c_v = 3/2 - 2 T a_T - T^2 a_TT
 ///     mu_x = T (a + rho a_rho)                    dp/drho = T (1 + 2 rho a_rho + rho^2 a_rhorho)
 ///     dp/dT = rho (1 + rho a_rho + T rho a_Trho)  c_p = c_v + T (dp/dT)^2 / (rho^2 dp/drho)
-///     w^2  = c_p/c_v dp/drho
+///     w^2  = c_p/c_v dp/drho                      kappa_T = 1/(rho dp/drho)
+///     alpha_p = (dp/dT)/(rho dp/drho)             mu_JT = (dT/dp)_h = (T alpha_p - 1)/(rho c_p)
 ///
-/// Source: R. Span, Multiparameter Equations of State (2000), chapter 3.
+/// What is divided by dp/drho is empty where that is not positive, because no phase is stable there, and at zero
+/// density. Source: R. Span, Multiparameter Equations of State (2000), chapter 3.
 struct FluidProperties {
     double temperature;
     double density;
@@ -55,12 +57,19 @@ struct FluidProperties {
     double pressure_density_slope;      ///< dp/drho at constant T; 1/(rho kappa_T). Negative if no phase is stable
     double pressure_temperature_slope;  ///< dp/dT at constant density
     double pressure_density_curvature;  ///< d2p/drho2 at constant T
+    double non_ideal_expansion;         ///< (T dp/dT/rho - dp/drho)/(rho T) = T a_Trho - a_rho - rho a_rhorho
 
-    /// c_p; empty if no phase is stable, or at zero density.
-    [[nodiscard]] std::optional<double> heat_capacity_cp() const;
+    [[nodiscard]] std::optional<double> heat_capacity_cp() const;  ///< c_p
+    [[nodiscard]] std::optional<double> speed_of_sound() const;    ///< w
 
-    /// Speed of sound w; empty if no phase is stable, or at zero density.
-    [[nodiscard]] std::optional<double> speed_of_sound() const;
+    [[nodiscard]] std::optional<double> isothermal_compressibility() const;  ///< kappa_T
+    [[nodiscard]] std::optional<double> thermal_expansion() const;           ///< alpha_p
+
+    /// mu_JT. To all digits at any low density, where T alpha_p is nearly 1: it becomes (T dB2/dT - B2)/(5/2).
+    [[nodiscard]] std::optional<double> joule_thomson_coefficient() const;
+
+    [[nodiscard]] double residual_heat_capacity_cv() const;                 ///< c_v - 3/2
+    [[nodiscard]] std::optional<double> residual_heat_capacity_cp() const;  ///< c_p - 5/2
 };
 
 /// The equation with this name. @throws InputError listing all names, if there is none

@@ -17,6 +17,20 @@ struct CriticalPoint {
 /// smallest slope dp/drho of an isotherm, where d2p/drho2 = 0, is zero.
 [[nodiscard]] CriticalPoint critical_point(const EquationOfState& equation);
 
+/// G/N = mu up to a function of the temperature: T ln rho + mu_x. @pre density > 0
+[[nodiscard]] double chemical_potential(const FluidProperties& phase);
+
+/// Where vapour and liquid cease to be stable or metastable: dp/drho = 0. Densities [sigma^-3].
+struct Spinodals {
+    double vapour;
+    double liquid;
+};
+
+/// The spinodals of an isotherm; empty at and above the critical temperature.
+/// @pre temperature > 0
+/// @throws PhysicsError if the equation has no stable liquid or vapour: far below the triple point
+[[nodiscard]] std::optional<Spinodals> spinodals(const EquationOfState& equation, double temperature);
+
 /// Liquid and vapour in equilibrium: equal temperature, pressure and chemical potential.
 struct Coexistence {
     double pressure;

@@ -22,6 +22,9 @@ class RunListener {
     virtual void errors(const std::vector<ErrorSoFar>& /*errors*/) {}
     virtual void warning(const std::string& /*text*/) {}
 
+    /// A warning about the results, which the report of the run says, too.
+    virtual void doubted(const std::string& text) { warning(text); }
+
   protected:
     RunListener() = default;
     RunListener(const RunListener&) = default;

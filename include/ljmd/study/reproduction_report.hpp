@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +12,10 @@ namespace ljmd {
 
 /// The table of `ljmd reproduce verlet1967`. Text, on the screen: one line per row, then chi-square and remarks. Data,
 /// in results.json: rows and chi-square.
-[[nodiscard]] Document reproduction_report(const std::vector<ReproducedRow>& rows);
+/// @param screen  columns of the terminal that the text has to fit: columns stand closer, then those of the cutoff are
+/// left out. None: the whole table
+[[nodiscard]] Document reproduction_report(const std::vector<ReproducedRow>& rows,
+                                           std::optional<std::size_t> screen = std::nullopt);
 
 /// rows.csv: rho, T (Verlet's), T_measured, Z and U at T with standard errors, the cutoff corrections, values of
 /// Verlet, of Thol 2016 and of Kolafa and Nezbeda, z-scores, steps, soundness, remark.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 
 #include "ljmd/core/document.hpp"
 
@@ -13,7 +15,9 @@ namespace ljmd {
 /// begun; for a failed one, the last error in its log is shown.
 /// Data: kind ("sweep" or "reproduction"), deck (of a sweep), running, states with the number of runs in
 /// each, and runs, a list of name, directory, state, step (null before the first checkpoint), total_steps and words.
+/// @param screen  columns of the terminal that the text has to fit; none: one line a run
 /// @pre holds_study(directory)  @throws DataError  its sweep.json, or the run.json of one of its runs, is damaged
-[[nodiscard]] Document study_report(const std::filesystem::path& directory);
+[[nodiscard]] Document study_report(const std::filesystem::path& directory,
+                                    std::optional<std::size_t> screen = std::nullopt);
 
 }  // namespace ljmd

@@ -36,6 +36,12 @@ void check_keys(const std::vector<std::string>& keys, const std::vector<std::str
 [[nodiscard]] SweepPoints grid_points(const std::vector<std::string>& grids, const std::vector<std::string>& settings,
                                       Diagnostics& diagnostics);
 
+/// The values of one axis of a grid: "FROM:TO:COUNT", "A|B|C", or a single value.
+/// @param where  location of the text, whose mistakes are errors there
+/// @return no values if there are mistakes
+[[nodiscard]] std::vector<std::string> axis_values(const std::string& text, const std::string& name,
+                                                   const Location& where, Diagnostics& diagnostics);
+
 /// The points of `--list FILE`: CSV with a header of keys, and one point per row. Blank lines are skipped.
 /// @param settings  arguments of --set
 /// @return no points if there are mistakes; each mistake is one error, located at its line

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,9 @@ struct SweptPoints {
 /// The results of `ljmd sweep`. Text: a table with values of the keys, then T, U, p and Z, or the energies of few
 /// bodies, and the mark of what is doubtful about the run; below it the remarks. Data: keys; points with name,
 /// directory, values, failure or null, doubts, observables.
-[[nodiscard]] Document sweep_report(const SweptPoints& swept);
+/// @param screen  columns of the terminal that the table has to fit: errors are written shorter, then observables are
+/// left out from the last on, which is said below. None: the whole table
+[[nodiscard]] Document sweep_report(const SweptPoints& swept, std::optional<std::size_t> screen = std::nullopt);
 
 /// sweep.csv: the varied keys, then each observable and its `_standard_error`, empty if unknown. The last column is
 /// `remarks`: "NAME: remark", then the doubts about the run, separated by "; ".

@@ -2,21 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/statistics/sampled_quantities.hpp"
 
 namespace ljmd {
 
 namespace {
-
-struct Column {
-    const char* name;
-    const char* symbol;
-    const char* unit;
-};
 
 constexpr Index temperature_column = 0;
 constexpr Index potential_energy_column = 1;
@@ -24,22 +18,9 @@ constexpr Index total_energy_column = 3;
 constexpr Index pressure_column = 4;
 constexpr Index density_column = 5;
 constexpr Index virial_column = 12;
-constexpr std::array<Column, 13> columns{{{"temperature", "T", "epsilon/k_B"},
-                                          {"potential_energy", "U/N", "epsilon"},
-                                          {"kinetic_energy", "K/N", "epsilon"},
-                                          {"total_energy", "E/N", "epsilon"},
-                                          {"pressure", "p", "epsilon/sigma^3"},
-                                          {"density", "rho", "sigma^-3"},
-                                          {"pressure_xx", "p_xx", "epsilon/sigma^3"},
-                                          {"pressure_yy", "p_yy", "epsilon/sigma^3"},
-                                          {"pressure_zz", "p_zz", "epsilon/sigma^3"},
-                                          {"pressure_xy", "p_xy", "epsilon/sigma^3"},
-                                          {"pressure_xz", "p_xz", "epsilon/sigma^3"},
-                                          {"pressure_yz", "p_yz", "epsilon/sigma^3"},
-                                          {"virial", "W", "epsilon"}}};
 
 /// After the reported columns: 1/T, u^2 and, where there is one, the external energy.
-constexpr auto inverse_temperature_column = static_cast<Index>(columns.size());
+constexpr auto inverse_temperature_column = static_cast<Index>(sampled_quantities.size());
 constexpr Index squared_energy_column = inverse_temperature_column + 1;
 constexpr Index external_energy_column = squared_energy_column + 1;
 
@@ -164,8 +145,8 @@ std::vector<ObservableAverage> RunAverages::averages() const {
     if (samples() == 0) {
         return result;
     }
-    for (Index k = 0; k < static_cast<Index>(columns.size()); ++k) {
-        const Column& column = columns[static_cast<std::size_t>(k)];
+    for (Index k = 0; k < static_cast<Index>(sampled_quantities.size()); ++k) {
+        const SampledQuantity& column = sampled_quantities[static_cast<std::size_t>(k)];
         if (k == density_column && !volume_fluctuates(ensemble_)) {
             continue;
         }

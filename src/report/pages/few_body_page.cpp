@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/formats/body_trajectory.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/report/body_tracks.hpp"
 #include "ljmd/report/lenient_data.hpp"
@@ -149,7 +150,8 @@ PageTable paths(const DataTable& trajectory, const TrackShape& shape) {
     return table;
 }
 
-void add_trajectory(PageContent& page, const DataTable& trajectory) {
+/// @param file  its name
+void add_trajectory(PageContent& page, const DataTable& trajectory, const std::string& file) {
     const TrackShape shape = track_shape(trajectory);
     if (shape.dimensions >= 2) {
         page.tables.push_back(paths(trajectory, shape));
@@ -164,8 +166,8 @@ void add_trajectory(PageContent& page, const DataTable& trajectory) {
              .equal_axes = true});
     }
     if (has_column(trajectory, "x1") && has_column(trajectory, "vx1")) {
-        page.tables.push_back(page_table(trajectory, "Body 1 in phase space", "trajectory.csv", {"time", "x1", "vx1"},
-                                         most_few_body_rows));
+        page.tables.push_back(
+            page_table(trajectory, "Body 1 in phase space", file, {"time", "x1", "vx1"}, most_few_body_rows));
         page.charts.push_back(
             {.id = "phase",
              .title = "Phase portrait",
@@ -190,6 +192,9 @@ void add_apsides(PageContent& page, const DataTable& orbit) {
         table.add({name}, column(orbit, name));
     }
     page.tables.push_back(std::move(table));
+    if (orbit.rows.size() < 2) {
+        return;  // a single dot is no chart
+    }
     page.charts.push_back(
         {.id = "apsides",
          .title = "Distance at the apsides",
@@ -203,23 +208,29 @@ void add_apsides(PageContent& page, const DataTable& orbit) {
 
 PageContent few_body_page(const RunFacts& facts) {
     PageContent page = page_of(facts);
-    const auto with_file = [&](const char* name, const auto& use) {
+    const auto with_table = [&](const std::string& name, const auto& read, const auto& use) {
         if (input_is_there(facts.directory / name)) {
             add_if_readable(page.warnings, [&] {
-                const DataTable table = read_growing_csv(facts.directory / name);
+                const DataTable table = read(facts.directory / name);
                 if (!table.rows.empty()) {
                     use(table);
                 }
             });
         }
     };
+    const auto with_file = [&](const char* name, const auto& use) { with_table(name, read_growing_csv, use); };
     add_findings(page, facts.results);
     with_file("thermo.csv", [&](const DataTable& thermo) {
         add_thermo(page, thermo);
-        with_file("trajectory.csv", [&](const DataTable& trajectory) {
-            page.tracks = body_tracks(trajectory, thermo, masses_of(facts));
-            add_trajectory(page, trajectory);
-        });
+        const auto show = [&](const std::string& name, const auto& read) {
+            with_table(name, read, [&](const DataTable& trajectory) {
+                page.tracks = body_tracks(trajectory, thermo, masses_of(facts));
+                add_trajectory(page, trajectory, name);
+            });
+        };
+        show("trajectory.csv", read_growing_csv);
+        show("trajectory.xyz", read_body_trajectory);
+        show("trajectory.h5md", read_body_trajectory);
     });
     add_totals(page, facts.results);
     with_file("orbit.csv", [&](const DataTable& orbit) { add_apsides(page, orbit); });

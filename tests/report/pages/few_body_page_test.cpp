@@ -24,6 +24,26 @@ TEST_CASE("the page of stars has tracks, paths, the error of the energy and what
     CHECK_FALSE(page.quantities.empty());
 }
 
+TEST_CASE("bodies move on the page whatever the format of their trajectory") {
+    const DeckFolder folder(stars_deck);
+    const auto tracks = [&](const std::string& format) {
+        Deck deck = folder.load({"output.trajectory={ every = 5, velocities = true, format = \"" + format + "\" }"});
+        deck.directory /= format;
+        run_whole(deck);
+        const PageContent page = few_body_page(run_facts(deck.directory));
+        check_marks(page);
+        INFO(format);
+        CHECK(page.warnings.empty());
+        CHECK(chart_called(page, "orbit").equal_axes);
+        CHECK(table_called(page, "trajectory").file == "trajectory." + format);
+        return page.tracks;
+    };
+    const Data of_csv = tracks("csv");
+    CHECK(of_csv["times"].size() == 20);
+    CHECK(tracks("xyz") == of_csv);
+    CHECK(tracks("h5md") == of_csv);
+}
+
 TEST_CASE("one coordinate has a phase portrait, and an energy that is lost is told") {
     const DeckFolder folder(radial_deck);
     const Deck deck =

@@ -44,6 +44,13 @@ export function comparedSection(members, level) {
 /** What a chart is about: its axes. Charts of two kinds of runs may have the same name. */
 const axes = (chart) => `${chart.x?.label}|${chart.y?.label}`;
 
+/** Whether a mark draws two points or more: a single dot is no chart. */
+function drawsSeveral(mark, table) {
+    const values = (name) => table.values[table.columns.findIndex((column) => column.name === name)] ?? [];
+    const y = values(mark.y);
+    return values(mark.x).filter((x, row) => x !== null && y[row] !== null).length > 1;
+}
+
 /**
  * Charts that two members or more have, each member in a colour of its own.
  * @param {object[]} members
@@ -57,7 +64,7 @@ export function overlaidCharts(members, there) {
         for (const own of member.payload.charts ?? []) {
             const mark = own.marks?.find((entry) => ["line", "dots", "steps"].includes(entry.type) && !entry.group);
             const table = mark && (member.payload.tables ?? []).find((entry) => entry.name === mark.table);
-            if (!table || there.some((chart) => axes(chart) === axes(own))) continue;
+            if (!table || !drawsSeveral(mark, table) || there.some((chart) => axes(chart) === axes(own))) continue;
             const name = `${place}/${table.name}`;
             if (!tables.some((entry) => entry.name === name)) tables.push({ ...table, name });
             const kind = `${own.id}|${axes(own)}`;
