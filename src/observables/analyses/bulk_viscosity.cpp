@@ -32,7 +32,8 @@ struct BulkViscosityOptions : AnalysisOptions {
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         const LagTimes times = lags.times(run);
-        return {.kept = 8.0 * static_cast<double>(run.steps / times.every + 1)};
+        const Index frames = run.steps / times.every + 1;
+        return {.kept = 8.0 * static_cast<double>(frames)};
     }
 };
 

@@ -81,10 +81,14 @@ TEST_CASE("a series of fluxes is cut into windows, goes on from an archive, and 
             }
             series->add(Eigen::Vector2d(normal(generator), normal(generator)), 1.0 + t, Execution());
         }
-        return std::pair(series->averages().temperature(), series->averages().table("f", "c", 1.0).rows);
+        std::vector<double> numbers{series->averages().temperature()};
+        for (const auto& row : series->averages().table("f", "c", 1.0).rows) {
+            numbers.insert(numbers.end(), row.begin(), row.begin() + 3);  // noise has no integral
+        }
+        return numbers;
     };
     const auto whole = sampled(-1, -1);
-    CHECK(whole.first == 15.5);
+    CHECK(whole.front() == 15.5);
     CHECK(sampled(-1, 17) == whole);
     CHECK(sampled(12, -1) == whole);
     CHECK(sampled(13, -1) != whole);
