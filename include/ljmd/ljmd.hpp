@@ -4,6 +4,7 @@
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/choices.hpp"
+#include "ljmd/engine/configuration_evaluator.hpp"
 #include "ljmd/engine/observer.hpp"
 #include "ljmd/engine/simulation.hpp"
 #include "ljmd/execution/execution.hpp"

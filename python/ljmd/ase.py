@@ -58,7 +58,7 @@ def _edges(atoms) -> np.ndarray:
 
 
 class Calculator(_AseCalculator):
-    """Pair forces of ljmd for ASE: energy, free_energy, forces, stress of one kind of atom in a periodic orthorhombic cell.
+    """Pair forces of ljmd for ASE: energy, energies, free_energy, forces, stress of one kind of atom in a periodic orthorhombic cell.
 
     sigma: [angstrom]
     epsilon: [eV]
@@ -74,11 +74,12 @@ class Calculator(_AseCalculator):
 
         stress_ab = (dU/d strain_ab)/V = -W_ab/V,  W_ab = sum over pairs of r_a f_b
 
+    The energies of the atoms are half of those of their pairs, without tail. They are computed only where they are asked for.
     The tail adds -p_tail to its diagonal, which corrects towards the pressure of the full potential (docs/physics.md). Atoms that
     ljmd cannot move (several kinds, a tilted cell, open boundaries, a cell below two cutoffs) are an InputError.
     """
 
-    implemented_properties = ["energy", "free_energy", "forces", "stress"]
+    implemented_properties = ["energy", "energies", "free_energy", "forces", "stress"]
     default_parameters = {"sigma": 1.0, "epsilon": 1.0, "cutoff": None, "truncation": "shifted", "switch_start": None,
                           "tail": False, "potential": "lennard-jones", "parameters_of_potential": {}, "threads": None,
                           "simd": None, "precision": "double"}
@@ -125,7 +126,8 @@ class Calculator(_AseCalculator):
         super().calculate(atoms, properties or self.implemented_properties, system_changes)
         sigma, epsilon = float(self.parameters["sigma"]), float(self.parameters["epsilon"])
         edges = _edges(self.atoms)
-        found = self._evaluator(self.atoms.positions / sigma, edges / sigma)
+        wants_energies = properties is not None and "energies" in properties
+        found = self._evaluator(self.atoms.positions / sigma, edges / sigma, energies=wants_energies)
         volume = np.prod(edges) / sigma**3
         tail = found.virial_pressure - found.virial / (3 * volume)
         stress = -found.virial_tensor / volume - (tail * np.eye(3) if self.parameters["tail"] else 0.0)
@@ -133,6 +135,8 @@ class Calculator(_AseCalculator):
         stress *= epsilon / sigma**3
         self.results = {"energy": energy, "free_energy": energy, "forces": found.forces * (epsilon / sigma),
                         "stress": stress[[0, 1, 2, 1, 0, 0], [0, 1, 2, 2, 2, 1]]}
+        if wants_energies:
+            self.results["energies"] = epsilon * found.energies
 
 
 def _atoms_of(positions, velocities, edges, masses, sigma, epsilon, mass, symbol, info) -> Atoms:

@@ -5,7 +5,9 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/forces/atom_energies.hpp"
+#include "ljmd/forces/pair_force_field.hpp"
 #include "ljmd/model/box_for_cutoff.hpp"
+#include "ljmd/model/state.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
 #include "ljmd/observables/thermodynamics.hpp"
 
@@ -49,6 +51,13 @@ Vec3 placed(const Box& box, const Vec3& r, Index atom) {
 
 }  // namespace
 
+/// Atoms and neighbour list, which belong together.
+struct ConfigurationEvaluator::Parts {
+    State state;
+    PairForceField force_field;
+    Vec3 edges;  ///< that were asked for
+};
+
 ConfigurationEvaluator::ConfigurationEvaluator(const PairPotential& potential, bool tail, const NeighborSpec& neighbors,
                                                const Execution& execution)
     : interaction_{potential, TailCorrection()}, neighbors_(neighbors), execution_(execution) {
@@ -58,6 +67,10 @@ ConfigurationEvaluator::ConfigurationEvaluator(const PairPotential& potential, b
         interaction_.tail = TailCorrection(potential);
     }
 }
+
+ConfigurationEvaluator::~ConfigurationEvaluator() = default;
+ConfigurationEvaluator::ConfigurationEvaluator(ConfigurationEvaluator&&) noexcept = default;
+ConfigurationEvaluator& ConfigurationEvaluator::operator=(ConfigurationEvaluator&&) noexcept = default;
 
 EvaluatedConfiguration ConfigurationEvaluator::evaluate(const Positions& positions, const Vec3& edges) {
     require_sound(positions, edges);
@@ -98,7 +111,7 @@ void ConfigurationEvaluator::begin(const Positions& positions, const Vec3& edges
         r.col(i) = placed(box, positions.col(i), i);
     }
     state.wrap();  // rounding to the grid may have put an atom onto the far wall
-    parts_.emplace(
+    parts_ = std::make_unique<Parts>(
         Parts{std::move(state),
               PairForceField(interaction_.potential,
                              make_pair_search(neighbors_.method, neighbors_.skin, neighbors_.every), execution_),

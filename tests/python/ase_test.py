@@ -66,7 +66,8 @@ class Calculators(Case):
         theirs.calc = LennardJones(**ARGON, rc=7.9)
         atoms.calc = ljmd.ase.Calculator(**ARGON, cutoff=7.9)
         for ours, expected in ((atoms.get_potential_energy(), theirs.get_potential_energy()),
-                               (atoms.get_forces(), theirs.get_forces()), (atoms.get_stress(), theirs.get_stress())):
+                               (atoms.get_forces(), theirs.get_forces()), (atoms.get_stress(), theirs.get_stress()),
+                               (atoms.get_potential_energies(), theirs.get_potential_energies())):
             np.testing.assert_allclose(ours, expected, rtol=1e-10, atol=1e-12)
         self.assertEqual(atoms.calc.get_property("free_energy", atoms), atoms.get_potential_energy())
 

@@ -76,6 +76,27 @@ class Evaluations(Case):
         self.assertAlmostEqual(found.virial_pressure, r * force / (3 * 8**3), 15)
         self.assertIn("2 atoms", repr(found))
 
+    def test_energies_of_atoms_sum_to_the_energy_and_stand_by_atom(self):
+        sim = moved()
+        plain = ljmd.evaluate(sim.positions, sim.edges, potential=LIQUID)
+        found = ljmd.evaluate(sim.positions, sim.edges, potential=LIQUID, energies=True)
+        self.assertIsNone(plain.energies)
+        np.testing.assert_array_equal(found.forces, plain.forces)
+        self.assertEqual(found.energies.shape, (108,))
+        self.assertAlmostEqual(found.energies.sum(), 108 * found.potential_energy, 10)
+        for other in (2, 5):
+            again = ljmd.evaluate(sim.positions, sim.edges, potential=LIQUID, energies=True, threads=other)
+            np.testing.assert_array_equal(again.energies, found.energies)
+        order = np.random.default_rng(3).permutation(108)
+        np.testing.assert_allclose(ljmd.evaluate(sim.positions[order], sim.edges, potential=LIQUID, energies=True).energies,
+                                   found.energies[order], rtol=1e-12)
+        with_tail = ljmd.evaluate(sim.positions, sim.edges, energies=True, potential={**LIQUID, "truncation": "cut", "tail": True})
+        without = ljmd.evaluate(sim.positions, sim.edges, energies=True, potential={**LIQUID, "truncation": "cut"})
+        np.testing.assert_array_equal(with_tail.energies, without.energies)
+        table = ljmd.pair(lambda r: 4 * (r**-12 - r**-6), cutoff=2.0, truncation="shifted")
+        np.testing.assert_allclose(ljmd.evaluate(sim.positions, sim.edges, potential=table, energies=True).energies,
+                                   found.energies, atol=1e-6)
+
     def test_other_potentials(self):
         sim = moved()
         morse = {"type": "morse", "cutoff": 2.0, "truncation": "force-shifted", "well_depth": 1.0, "steepness": 6.0,

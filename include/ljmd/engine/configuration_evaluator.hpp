@@ -1,13 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "ljmd/engine/fluid_spec.hpp"
 #include "ljmd/execution/execution.hpp"
-#include "ljmd/forces/pair_force_field.hpp"
-#include "ljmd/model/state.hpp"
 #include "ljmd/potentials/interaction.hpp"
 
 namespace ljmd {
@@ -30,6 +28,11 @@ class ConfigurationEvaluator {
     /// @throws InputError for values that no run of a fluid takes, see potential_mistakes() and search_mistakes()
     ConfigurationEvaluator(const PairPotential& potential, bool tail, const NeighborSpec& neighbors,
                            const Execution& execution);
+    ~ConfigurationEvaluator();
+    ConfigurationEvaluator(ConfigurationEvaluator&&) noexcept;
+    ConfigurationEvaluator& operator=(ConfigurationEvaluator&&) noexcept;
+    ConfigurationEvaluator(const ConfigurationEvaluator&) = delete;
+    ConfigurationEvaluator& operator=(const ConfigurationEvaluator&) = delete;
 
     /// @param positions  shape (3, N) [sigma], N >= 1; may lie outside the box
     /// @param edges      of the box [sigma], each at least twice the cutoff
@@ -43,12 +46,7 @@ class ConfigurationEvaluator {
     [[nodiscard]] std::vector<double> atom_energies() const;
 
   private:
-    /// Atoms and neighbour list, which belong together.
-    struct Parts {
-        State state;
-        PairForceField force_field;
-        Vec3 edges;  ///< that were asked for
-    };
+    struct Parts;
 
     void begin(const Eigen::Ref<const Eigen::Matrix3Xd>& positions, const Vec3& edges);
     [[nodiscard]] bool move_to(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
@@ -56,7 +54,7 @@ class ConfigurationEvaluator {
     Interaction interaction_;
     NeighborSpec neighbors_;
     Execution execution_;
-    std::optional<Parts> parts_;
+    std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace ljmd
