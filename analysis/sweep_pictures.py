@@ -60,7 +60,7 @@ def load(directory: Path) -> Sweep:
         if done == 0:
             raise damaged(directory, "no point has come to its end yet")
     if "replicas" in request:  # their seeds are no axis
-        columns = {"replica": [str(number) for number in range(1, len(results) + 1)]}
+        columns = {"replica": [field(record, point, "name", str) for point in field(record, request, "points", list)]}
     fitting = len(results) == len(next(iter(columns.values()), []))  # else the table is of another sweep
     return Sweep(
         columns, observables, title_of(results) or directory.resolve().name, status,
