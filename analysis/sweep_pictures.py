@@ -56,9 +56,11 @@ def load(directory: Path) -> Sweep:
     else:
         columns, observables = columns_of(record, request, results)
         done = sum(one is not None for one in results)
-        status = f"the sweep has not come to its end: {done} of {len(results)} points"
+        status = "" if done == len(results) else f"the sweep has not come to its end: {done} of {len(results)} points"
         if done == 0:
             raise damaged(directory, "no point has come to its end yet")
+    if "replicas" in request:  # their seeds are no axis
+        columns = {"replica": [field(record, point, "name", str) for point in field(record, request, "points", list)]}
     fitting = len(results) == len(next(iter(columns.values()), []))  # else the table is of another sweep
     return Sweep(
         columns, observables, title_of(results) or directory.resolve().name, status,

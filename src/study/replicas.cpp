@@ -120,7 +120,7 @@ std::optional<Merged> merged(const Found& first, const std::vector<FoundRun>& ru
     const bool converged = runs.size() > 1 || means.front().converged;
     ObservableAverage average{
         first.name, symbol_of(first.name), first.unit,
-        Estimate{mean.mean, mean.standard_error, std::min(counted, samples), static_cast<Index>(samples), converged}};
+        Estimate{mean.mean, mean.standard_error, std::clamp(counted, 1.0, samples), static_cast<Index>(samples), converged}};
     if (!mean.agree) {
         average.remark = "the replicas differ by more than their errors let expect: its error is from their scatter";
     }

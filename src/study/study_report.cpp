@@ -126,11 +126,10 @@ std::string table_of(const std::vector<RunState>& runs, std::optional<std::size_
 }
 
 std::string text_of(const Study& study, const fs::path& directory, std::optional<std::size_t> screen) {
-    std::string text = fmt::format("{}: {} of {} runs{}\n", directory.string(),
-                                   study.replicas   ? "replicas of one deck"
-                                   : study.is_sweep ? "a sweep"
-                                                    : "a reproduced table",
-                                   study.runs.size(), study.running ? ", under way" : "");
+    const std::string what = study.replicas   ? fmt::format("{} replicas of one deck", study.runs.size())
+                             : study.is_sweep ? fmt::format("a sweep of {} runs", study.runs.size())
+                                              : fmt::format("a reproduced table of {} runs", study.runs.size());
+    std::string text = fmt::format("{}: {}{}\n", directory.string(), what, study.running ? ", under way" : "");
     if (study.is_sweep) {
         text += fmt::format("deck          {}\n", printable(study.deck, longest_foreign_text));
     }

@@ -31,11 +31,11 @@ def an_error_ends_a_stage(t):
     until = found["stages"][-1]["until"]
     steps = steps_of(found)
     t.check(steps in LOOKS, f"{steps} steps are at no look")
-    t.contains(result.out, f"stage 'production' reached the errors wanted: it took {steps} of at most 20000 steps")
+    t.contains(result.out, f"stage 'production' reached the errors wanted: it took {steps} of at most 20000\n")
     t.equal((until["reached"], until["max_steps"], until["wanted"]), (True, 20000, {"temperature": 0.02}), "until")
     t.check(until["errors"]["temperature"] <= 0.02, f"error {until['errors']}")
     t.equal(found["observables"]["temperature"]["standard_error"], until["errors"]["temperature"], "its error")
-    t.equal(found["doubts"], [], "doubts")
+    t.check(not any("errors wanted" in doubt for doubt in found["doubts"]), f"doubts: {found['doubts']}")
     record = t.json("out/run.json")
     t.equal((record["until_reached"], record["steps_taken"]), (True, steps + MELT), "record")
     info = json.loads(t.run_well("info", "out", "--json").out)
@@ -50,7 +50,7 @@ def max_steps_come_first(t):
     found = t.json("out/results.json")
     t.equal((steps_of(found), found["stages"][-1]["until"]["reached"]), (300, False), "until")
     t.contains(result.err, "warning: stage 'production' ended at its max_steps, 300, before it reached the errors wanted: temperature ")
-    t.equal(len(found["doubts"]), 1, "doubts")
+    t.check(any("max_steps, 300" in doubt for doubt in found["doubts"]), f"doubts: {found['doubts']}")
     t.equal(t.json("out/run.json")["until_reached"], False, "record")
     t.contains(t.read("out/results.txt"), "ended at its max_steps")
     # More steps go on until the error is reached: a smaller one is out of reach, the same run is longer.
@@ -212,14 +212,15 @@ def replicas_that_were_killed(t):
     t.run_well("resume", "out", "--quiet")
     t.run_well("run", "deck.toml", "--out", "whole", "--replicas", "2", "--quiet")
     for k in (1, 2):
-        check_same_run(t.dir / f"out/points/replica-{k}", t.dir / f"whole/points/replica-{k}")
+        for name in ("thermo.csv", "final.xyz", "results.json"):
+            t.equal(t.read(f"out/points/replica-{k}/{name}"), t.read(f"whole/points/replica-{k}/{name}"), f"{name} of replica {k}")
     t.equal(t.json("out/results.json"), t.json("whole/results.json"), "merged results")
 
 
 def replicas_that_are_refused(t):
     t.deck()
     t.run_well("run", "deck.toml", "--out", "run", "--quiet")
-    t.contains(t.expect(2, t.run("run", "deck.toml", "--out", "run", "--replicas", "2")).err, "holds a run")
+    t.contains(t.expect(2, t.run("run", "deck.toml", "--out", "run", "--replicas", "2")).err, "is the directory of a run")
     text = (t.dir / "deck.toml").read_text(encoding="utf-8").replace('lattice = { type = "fcc", cells = 3 }\n', 'file = "run/final.xyz"\n')
     text = text.replace("density = 0.8442\n", "").replace('thermostat = { type = "rescale", every = 5 }\n', "")
     (t.dir / "same.toml").write_text(text, encoding="utf-8")
