@@ -272,8 +272,8 @@ int main(int argc, char** argv) {
     ljmd::EosOptions state;
     CLI::App& eos =
         *app.add_subcommand("eos",
-                            "equations of state of the Lennard-Jones fluid: a state from temperature and density or "
-                            "pressure; from one of temperature and pressure, coexistence; FROM:TO:COUNT gives a table");
+                            "equations of state of the Lennard-Jones fluid: a state from a temperature with a density "
+                            "or a pressure; coexistence from a temperature or a pressure alone; tables from ranges");
     eos.add_option("--temperature", state.temperature, "in epsilon/k_B: a number, FROM:TO:COUNT or A|B|C")
         ->type_name("T")
         ->check(each_reduced("epsilon/k_B", ljmd::Dimension::temperature));

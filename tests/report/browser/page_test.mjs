@@ -97,6 +97,9 @@ async function seenInLong() {
             if (kind === "sweep") check("sweep: failures come first", (await page.locator(".points li").first().getAttribute("class")) === "failed");
         });
     }
+    await visit("dots", made("dots", studies.dots(plan.hostile)), {}, async (page) => {
+        check("dots: only charts with more than a dot are put together", (await page.locator("main > section > .charts > .chart").count()) === 1);
+    });
     const large = made("large", studies.large(plan.hostile));
     await visit("large", large, {}, async (page) => {
         const stage = page.locator(".stage");

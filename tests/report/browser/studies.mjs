@@ -50,6 +50,18 @@ export function comparison(hostile) {
 }
 
 /** What is left of a run that was cut off: no whole frame, empty tables, names of tables that are not there. */
+/** Two runs of few bodies: each has a history, and one turning point, a single dot that is no chart. */
+export function dots(hostile) {
+    const run = (shift) => base("few-body", hostile, {
+        tables: [{ name: "history", title: "History", columns: [{ name: "time" }, { name: "energy" }], values: [[0, 1, 2], [shift, 1, 2]] },
+            { name: "turns", title: "Turns", columns: [{ name: "time" }, { name: "distance" }], values: [[1], [shift]] }],
+        charts: [
+            { id: "energy", title: "Energy", x: { label: "t" }, y: { label: "E" }, marks: [{ type: "line", table: "history", x: "time", y: "energy" }] },
+            { id: "turns", title: "Turns", x: { label: "t" }, y: { label: "r" }, marks: [{ type: "dots", table: "turns", x: "time", y: "distance" }] }],
+    });
+    return base("set", hostile, { members: [1, 2].map((shift) => ({ label: `run ${shift}`, payload: run(shift) })) });
+}
+
 export function damaged(hostile) {
     return base("run", hostile, {
         state: "damaged", quantities: [{ name: "pressure", value: null, error: null, text: "no value", mark: "[1]" }],
