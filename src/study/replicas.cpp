@@ -118,9 +118,9 @@ std::optional<Merged> merged(const Found& first, const std::vector<FoundRun>& ru
     const double larger = mean.standard_error / mean.within;
     const double counted = std::isfinite(larger) && larger > 0.0 ? independent / (larger * larger) : independent;
     const bool converged = runs.size() > 1 || means.front().converged;
-    ObservableAverage average{
-        first.name, symbol_of(first.name), first.unit,
-        Estimate{mean.mean, mean.standard_error, std::clamp(counted, 1.0, samples), static_cast<Index>(samples), converged}};
+    ObservableAverage average{first.name, symbol_of(first.name), first.unit,
+                              Estimate{mean.mean, mean.standard_error, std::clamp(counted, 1.0, samples),
+                                       static_cast<Index>(samples), converged}};
     if (!mean.agree) {
         average.remark = "the replicas differ by more than their errors let expect: its error is from their scatter";
     }

@@ -30,6 +30,16 @@ std::string only(const FluidSpec& spec) {
     return in_words(found.front());
 }
 
+/// The doubt that errors were not reached; empty if there is none.
+std::string doubt_about_errors(const RunResult& result) {
+    for (const std::string& doubt : result.doubts) {
+        if (doubt.find("errors wanted") != std::string::npos) {
+            return doubt;
+        }
+    }
+    return "";
+}
+
 }  // namespace
 
 TEST_CASE("every observable that a stage can wait for is an average of a run with an error") {
@@ -94,7 +104,7 @@ TEST_CASE("a stage ends at a look at which its error is reached, and the results
     CHECK(found.standard_error <= 0.02);
     CHECK(found.standard_error == stage.until->errors.front().error);
     CHECK(found.independent_samples >= 150.0);
-    CHECK(result.doubts.empty());
+    CHECK(doubt_about_errors(result).empty());
 
     SECTION("the error is enlarged, other errors are not") {
         FluidSpec fixed = simulation.spec();
@@ -113,9 +123,8 @@ TEST_CASE("a stage that takes all its steps says which errors it has not reached
     const RunResult result = simulation.run();
     CHECK(simulation.state().step == 520);
     CHECK_FALSE(result.stages.back().until->reached);
-    REQUIRE(result.doubts.size() == 1);
-    CHECK_THAT(result.doubts.front(), Contains("stage 'production' ended at its max_steps, 500"));
-    CHECK_THAT(result.doubts.front(), Contains("temperature") && Contains("(wanted 0.0001)"));
+    CHECK_THAT(doubt_about_errors(result), Contains("stage 'production' ended at its max_steps, 500") &&
+                                               Contains("temperature") && Contains("(wanted 0.0001)"));
 }
 
 TEST_CASE("a run in parts ends at the same step as in one, wherever it was restored") {

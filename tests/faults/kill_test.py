@@ -13,8 +13,10 @@ Prints one line for each kind, and "N passed, M failed". Exit code 1 when someth
 
 from __future__ import annotations
 
+import shutil
 import signal
 import sys
+import time
 from pathlib import Path
 
 from faulty_runs import (FORMATS, Case, Command, Failure, NumberOption, Runner, Tally, check_same_run, commands,
@@ -49,6 +51,38 @@ def kill_at_random(runner: Runner, case: Case, folder: Path, seconds: float) -> 
     check_same_run(directory, case.whole)
 
 
+def replicas(case: Case, folder: Path) -> tuple[list[str], Path]:
+    """The command that makes two replicas, in the same place each time: their records name it."""
+    out = folder / "replicas"
+    if out.exists():
+        shutil.rmtree(out)
+    return ["run", str(case.deck), "--replicas", "2", "--jobs", "2", "--out", str(out), "--quiet"], out
+
+
+def kill_replicas(runner: Runner, case: Case, folder: Path, whole: Path, seconds: float) -> None:
+    """The command is killed; its runs stop by themselves, and the same command resumes them and merges their results."""
+    arguments, out = replicas(case, folder)
+    runner.kill_after(runner.start(arguments), runner.random.uniform(0.0, seconds))
+    runner.finish(runner.start(arguments), (0,))
+    for replica in ("replica-1", "replica-2"):
+        check_same_run(out / "points" / replica, whole / "points" / replica)
+    for name in ("sweep.json", "results.json", "results.txt"):
+        if (out / name).read_bytes() != (whole / name).read_bytes():
+            raise Failure(f"{name} differs from that of replicas to which nothing happened")
+
+
+def kill_replicas_at_random(runner: Runner, case: Case, folder: Path, tally: Tally, kills: int) -> None:
+    arguments, out = replicas(case, folder)
+    begin = time.perf_counter()
+    runner.finish(runner.start(arguments), (0,))
+    seconds = time.perf_counter() - begin
+    whole = Path(shutil.copytree(out, folder / "whole-replicas"))
+    before = tally.failed
+    for number in range(kills):
+        tally.attempt(f"replicas, random kill {number}", lambda: kill_replicas(runner, case, folder, whole, seconds))
+    print(f"replicas: {kills} kills at random times: {tally.failed - before} failed", flush=True)
+
+
 def tests(runner: Runner, folder: Path, tally: Tally, all_kills: int) -> None:
     for form in FORMATS:
         short = make_case(runner, folder / f"short-{form}", form, 6, 12, 5)
@@ -61,6 +95,8 @@ def tests(runner: Runner, folder: Path, tally: Tally, all_kills: int) -> None:
         for number in range(kills):
             tally.attempt(f"{form}, random kill {number}", lambda: kill_at_random(runner, long, folder, seconds))
         print(f"{form}: {kills} kills at random times: {tally.failed - before} failed", flush=True)
+        if form == "xyz":
+            kill_replicas_at_random(runner, long, folder, tally, kills // 2)
 
 
 if __name__ == "__main__":
