@@ -52,6 +52,8 @@ std::optional<double> requested_temperature(const FluidSpec& spec) {
         }
         if (stage.thermostat) {
             latest = stage.temperature;
+        } else if (stage.total_energy) {
+            latest.reset();  // an energy is asked for, and no temperature
         }
         if (stage.sample) {
             if (requested && requested != latest) {

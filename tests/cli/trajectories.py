@@ -34,7 +34,9 @@ ALL = ("rdf", "structure_factor", "msd", "vacf", "viscosity", "chemical_potentia
        "configurational_temperature")
 TABLES = ("rdf", "sk_from_rdf", "sk", "msd", "vacf", "vibrational_spectrum", "stress_autocorrelation")
 OBSERVABLES = ("coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "excess_chemical_potential",
-               "temperature", "diffusion_infinite_system")
+               "temperature", "diffusion_infinite_system", "configurational_temperature", "isothermal_compressibility",
+               "thermal_expansion", "thermal_pressure_coefficient", "heat_capacity_cp", "adiabatic_compressibility",
+               "speed_of_sound", "joule_thomson_coefficient")
 SAMPLED = ("--from", "0.081")  # the first stage lasts 0.08 tau
 
 

@@ -7,6 +7,7 @@
 #include "engine/engine_fixtures.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/engine/mistakes.hpp"
+#include "ljmd/engine/requested_temperature.hpp"
 #include "ljmd/model/velocities.hpp"
 
 using namespace ljmd;
@@ -51,6 +52,13 @@ TEST_CASE("a stage begins at the total energy that was asked for, tail included,
     CHECK(stage.energy_start->velocity_factor ==
           Approx(std::sqrt((-3.25 - stage.energy_start->potential_energy) / stage.energy_start->kinetic_before)));
     CHECK(total_momentum(simulation.state()).norm() < 1e-11);
+}
+
+TEST_CASE("who asks for a total energy asks for no temperature") {
+    FluidSpec spec = spec_at(-3.25);
+    CHECK_FALSE(requested_temperature(spec).has_value());
+    spec.stages[1].total_energy.reset();
+    CHECK(requested_temperature(spec) == std::optional<double>(1.0));
 }
 
 TEST_CASE("an energy below the potential energy, and atoms at rest, are refused") {

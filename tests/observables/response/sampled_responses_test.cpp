@@ -4,6 +4,7 @@
 
 #include "ljmd/forces/pair_force_field.hpp"
 #include "ljmd/model/velocities.hpp"
+#include "ljmd/observables/thermodynamics.hpp"
 #include "neighbors/sample_states.hpp"
 #include "observables/analyses/made_analysis.hpp"
 
