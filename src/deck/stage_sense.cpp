@@ -51,6 +51,7 @@ void check_length(const Placed<FluidStageTable>& table, Diagnostics& diagnostics
     if (table.sound(&FluidStageTable::until) && table.until->section().all_sound() &&
         std::ranges::none_of(table.until->errors, [](const auto& error) { return error.has_value(); })) {
         std::vector<std::string> names;
+        names.reserve(until_observables().size());
         for (const UntilObservable& observable : until_observables()) {
             names.push_back(observable.name);
         }

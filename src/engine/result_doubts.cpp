@@ -44,6 +44,7 @@ std::string until_doubt(const StageResult& stage) {
         return "";
     }
     std::vector<std::string> errors;
+    errors.reserve(stage.until->errors.size());
     double longer = 1.0;
     for (const ErrorSoFar& found : stage.until->errors) {
         const double independent = std::isnan(found.independent) ? 1.0 : found.independent;

@@ -58,6 +58,7 @@ std::vector<Mistake> mistakes_of(const Stage& stage, std::size_t index, const st
         const auto& known = until_observables();
         if (std::ranges::find(known, wanted.observable, &UntilObservable::name) == known.end()) {
             std::vector<std::string> names;
+            names.reserve(known.size());
             for (const UntilObservable& each : known) {
                 names.push_back(each.name);
             }

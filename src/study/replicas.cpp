@@ -102,6 +102,7 @@ std::string symbol_of(const std::string& name) {
 /// Nothing if a run lacks it.
 std::optional<Merged> merged(const Found& first, const std::vector<FoundRun>& runs) {
     std::vector<ReplicaMean> means;
+    means.reserve(runs.size());
     double independent = 0.0;
     double samples = 0.0;
     for (const FoundRun& run : runs) {
@@ -150,6 +151,7 @@ SweepPlan replica_plan(const Deck& deck, const std::vector<std::string>& setting
     plan.replicas = replicas;
     const Stage& last = deck.stages.back();
     std::vector<std::string> errors;
+    errors.reserve(last.until.size());
     for (const WantedError& wanted : last.until) {
         plan.points.keys.push_back(fmt::format("stage.{}.until.{}", key_part(last.name), wanted.observable));
         errors.push_back(fmt::format("{}", wanted.error * std::sqrt(static_cast<double>(replicas))));
@@ -182,6 +184,7 @@ std::string why_all_the_same(const Deck& deck, const Start& start) {
 
 Document replicas_report(const Deck& deck, const std::vector<ChildRun>& children, const fs::path& directory) {
     std::vector<FoundRun> runs;
+    runs.reserve(children.size());
     for (const ChildRun& child : children) {
         runs.push_back(found_run(child));
     }

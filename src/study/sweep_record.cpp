@@ -28,6 +28,7 @@ std::vector<std::string> run_names(const SweepPlan& plan) {
         return point_names(plan.points);
     }
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(plan.replicas));
     const std::size_t digits = fmt::format("{}", plan.replicas).size();
     for (Index k = 1; k <= plan.replicas; ++k) {
         names.push_back(fmt::format("replica-{:0{}}", k, digits));

@@ -26,6 +26,7 @@ struct FinishedReplicas {
     /// The quantity of this name of each; null pointers where there is none.
     [[nodiscard]] std::vector<const Quantity*> all(const std::string& name) const {
         std::vector<const Quantity*> found;
+        found.reserve(quantities.size());
         for (const auto& each : quantities) {
             const auto at = std::ranges::find(each, name, &Quantity::name);
             found.push_back(at == each.end() ? nullptr : &*at);
@@ -111,6 +112,7 @@ PageContent replicas_page(const std::filesystem::path& directory) {
         return page;
     }
     std::vector<std::string> names;
+    names.reserve(finished.quantities.front().size());
     for (const Quantity& quantity : finished.quantities.front()) {
         names.push_back(quantity.name);
     }

@@ -12,13 +12,13 @@ using Catch::Matchers::Contains;
 TEST_CASE("replicas that are wrong touch nothing") {
     const DeckFolder folder;
     const std::string out = (folder / "out").string();
-    CHECK_THROWS_WITH(replicas_command({.deck = folder.deck_path().string() + "x"}, out, 2, 1),
+    CHECK_THROWS_WITH(replicas_command({.deck = folder.deck_path().string() + "x", .settings = {}}, out, 2, 1),
                       Contains("no such file"));
     CHECK_THROWS_WITH(
         replicas_command({.deck = folder.deck_path().string(), .settings = {"system.densty=1"}}, out, 2, 1),
         Contains("unknown key 'densty'"));
     const DeckFolder bodies(stars_deck);
-    CHECK_THROWS_WITH(replicas_command({.deck = bodies.deck_path().string()}, out, 2, 1),
+    CHECK_THROWS_WITH(replicas_command({.deck = bodies.deck_path().string(), .settings = {}}, out, 2, 1),
                       Contains("a motion of few bodies has none"));
     CHECK_FALSE(std::filesystem::exists(out));
     CHECK_FALSE(holds_replicas(out));
