@@ -84,7 +84,12 @@ std::vector<ObservableAverage> responses(const DataTable& table, const Deck& dec
     const std::vector<double> temperatures = column(table, "temperature");
     const std::vector<double> energies = column(table, "potential_energy");
     const std::vector<double> pressures = column(table, "pressure");
-    const std::vector<double> densities = column(table, "density");
+    // A column only where a barostat changes it.
+    const bool has_densities = std::ranges::find(table.columns, "density") != table.columns.end();
+    const std::vector<double> densities =
+        has_densities
+            ? column(table, "density")
+            : std::vector<double>(energies.size(), static_cast<double>(*atoms) / find_start(deck).box.volume());
     for (std::size_t k = 0; k < energies.size(); ++k) {
         const double t = temperatures[k];
         const double rho = densities[k];

@@ -174,6 +174,7 @@ TEST_CASE("rows of a canonical run have a pressure coefficient, those under a ba
     CHECK(names_of(SmallRun(isobaric).report()).size() == 8);
     std::vector<std::string> cut = isobaric;
     cut.emplace_back("potential.truncation=\"cut\"");
+    cut.emplace_back("potential.tail=true");
     CHECK(names_of(SmallRun(cut).report()).empty());
 }
 

@@ -13,7 +13,7 @@ using namespace ljmd;
 namespace {
 
 State with_forces(std::uint64_t seed, double shaken) {
-    State state = test::shaken_crystal(3, 0.9, shaken, seed);
+    State state = test::shaken_crystal(3, 0.8442, shaken, seed);
     PairForceField force_field(test::run_of(state).interaction->potential, make_pair_search("all-pairs", 0.0),
                                state.execution());
     force_field.evaluate(state, Request::forces_and_energy);
