@@ -89,6 +89,7 @@ struct AnisotropicCellRescalingOptions : BarostatOptions {
                                                           Vec3(is_free('x'), is_free('y'), is_free('z')), Every(every),
                                                           bath);
     }
+    [[nodiscard]] double held_pressure() const override { return pressure; }
 };
 
 }  // namespace
