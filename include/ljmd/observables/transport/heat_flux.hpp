@@ -19,7 +19,7 @@ namespace ljmd {
 /// copy: as long as eight steps with a Verlet list and AVX2 (864 atoms of liquid: 0.9 ms). The bits do not depend on
 /// the number of threads.
 /// @pre potential.cutoff().radius <= L/2  @throws ContractViolation
-/// Source: Irving and Kirkwood (1950), doi:10.1063/1.1747782; Allen and Tildesley, 2nd ed., eq. 2.131
+/// Source: Irving and Kirkwood (1950), doi:10.1063/1.1747782; Allen and Tildesley, 2nd ed., section 2.7
 [[nodiscard]] Vec3 heat_flux(const State& state, const PairPotential& potential);
 
 }  // namespace ljmd

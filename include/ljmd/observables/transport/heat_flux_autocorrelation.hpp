@@ -18,7 +18,7 @@ namespace ljmd {
 /// thermal_conductivity lambda(t) [k_B/(sigma tau)], its error. Observable: thermal_conductivity. It has no value if
 /// configurations are too far apart (see green_kubo.hpp), or if lambda(t) has not levelled out
 /// (GreenKuboAverages::has_levelled_out).
-/// Source: Green (1954), doi:10.1063/1.1740082; Allen and Tildesley, 2nd ed., eqs. 2.129 to 2.131
+/// Source: Green (1954), doi:10.1063/1.1740082; Allen and Tildesley, 2nd ed., section 2.7
 class HeatFluxAutocorrelation : public Analysis {
   public:
     /// @param window  configurations per window, greater than lags.count
