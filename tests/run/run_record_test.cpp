@@ -34,7 +34,7 @@ TEST_CASE("run.json says what is run by what, and whether it came to its end") {
     const DeckFolder folder(small_deck + argon_table);
     const Deck deck = folder.load({"title=\"Another title\""});
     prepare_directory(deck.directory);
-    const RunRecord record(deck, Execution());
+    RunRecord record(deck, Execution());
     const Data before = record_of(deck);
     CHECK(before.at("program") == "ljmd");
     CHECK(before.at("version") == build_info().version);

@@ -11,8 +11,8 @@ using namespace ljmd;
 
 namespace {
 
-std::unique_ptr<Barostat> made(const PressureBath& bath, const std::string& edges, double pressure,
-                               double compressibility, Index every) {
+std::unique_ptr<Barostat> made_for_edges(const PressureBath& bath, const std::string& edges, double pressure,
+                                         double compressibility, Index every) {
     const BarostatMethod method = find_barostat("anisotropic-cell-rescaling");
     const Table table{{"pressure", {}, {pressure, {}}},
                       {"edges", {}, {edges, {}}},
@@ -29,7 +29,7 @@ VirialPressure along(const Vec3& pressures) {
     return {pressures.mean(), pressures};
 }
 
-State gas(Index atoms) {
+State ideal_gas(Index atoms) {
     State state(atoms, Box(Vec3(4.0, 5.0, 6.0)));
     for (Index i = 0; i < atoms; ++i) {
         state.write_positions().col(i) = state.snapped(Vec3(0.1, 0.2, 0.25) * static_cast<double>(i));
@@ -45,11 +45,11 @@ Vec3 logarithms(const State& state) {
 }  // namespace
 
 TEST_CASE("each edge follows the pressure along it, and positions follow the edges") {
-    State state = gas(20);
+    State state = ideal_gas(20);
     state.mark_forces_current();
     const State before = state;
     // dx_a = (beta/3 tau_p) (p_aa - p_0) n dt, without noise at T = 0
-    made({1e-12, 0.005, 8, 1.0}, "xyz", 0.5, 0.06, 10)->apply(state, along({0.7, 0.5, 0.2}));
+    made_for_edges({1e-12, 0.005, 8, 1.0}, "xyz", 0.5, 0.06, 10)->apply(state, along({0.7, 0.5, 0.2}));
     const Vec3 change = logarithms(state) - logarithms(before);
     CHECK(change[0] == Approx(0.02 * 0.2 * 0.05).epsilon(1e-3));
     CHECK(std::abs(change[1]) < 1e-8);
@@ -63,9 +63,9 @@ TEST_CASE("each edge follows the pressure along it, and positions follow the edg
 
 TEST_CASE("edges that are not named keep their lengths, to the last bit") {
     const std::string edges = GENERATE("xyz", "xy", "xz", "yz", "x", "y", "z");
-    State state = gas(20);
+    State state = ideal_gas(20);
     const Vec3 before = state.box().edges();
-    made({1.3, 0.005, 8, 1.0}, edges, 0.5, 0.06, 10)->apply(state, along({0.7, 0.8, 0.9}));
+    made_for_edges({1.3, 0.005, 8, 1.0}, edges, 0.5, 0.06, 10)->apply(state, along({0.7, 0.8, 0.9}));
     for (const Index a : {0, 1, 2}) {
         CAPTURE(edges, a);
         CHECK((state.box().edges()[a] != before[a]) == (edges.find("xyz"[a]) != std::string::npos));
@@ -80,8 +80,8 @@ TEST_CASE("volume and shape of an elastic ideal gas take the distribution of the
     constexpr Index atoms = 40;
     constexpr double wanted = 1.5;
     const double stiffness = all ? 60.0 : 0.0;
-    State state = gas(atoms);
-    const auto barostat = made({1.3, 0.01, 8, 0.1}, all ? "xyz" : "y", wanted, all ? 0.3 : 0.9, 1);
+    State state = ideal_gas(atoms);
+    const auto barostat = made_for_edges({1.3, 0.01, 8, 0.1}, all ? "xyz" : "y", wanted, all ? 0.3 : 0.9, 1);
     const Vec3 at_first = logarithms(state);
     double sum = 0.0;
     double squares = 0.0;
@@ -107,14 +107,14 @@ TEST_CASE("volume and shape of an elastic ideal gas take the distribution of the
 }
 
 TEST_CASE("a pressure far from the wanted one, nonsense, and an edge that becomes too short end the run") {
-    State state = gas(20);
+    State state = ideal_gas(20);
     const Vec3 edges = state.box().edges();
-    const auto barostat = made({1.3, 0.005, 8, 1.0}, "xyz", 0.5, 0.05, 10);
+    const auto barostat = made_for_edges({1.3, 0.005, 8, 1.0}, "xyz", 0.5, 0.05, 10);
     for (const double pressure : {100.0, -100.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         CHECK_THROWS_AS(barostat->apply(state, along({0.5, pressure, 0.5})), PhysicsError);
     }
     CHECK_THROWS_WITH(barostat->apply(state, along({0.5, 100.0, 0.5})), Catch::Contains("0.716667, 100.217 and"));
-    CHECK_THROWS_WITH(made({1.3, 0.005, 8, 4.5}, "xyz", 0.5, 0.05, 10)->apply(state, along({0.5, 0.5, 0.5})),
+    CHECK_THROWS_WITH(made_for_edges({1.3, 0.005, 8, 4.5}, "xyz", 0.5, 0.05, 10)->apply(state, along({0.5, 0.5, 0.5})),
                       Catch::Contains("less than two cutoffs"));
     CHECK(state.box().edges() == edges);
 }
