@@ -65,7 +65,7 @@ def test_tables_that_are_not_there_have_none(tmp: Path) -> None:
     result = plot(run)
     assert result.returncode == 0, result.stderr
     made = [Path(line).stem for line in result.stdout.splitlines()]
-    assert made == ["thermo", "rdf", "sk", "vacf", "vibrational_spectrum"], made
+    assert made == ["thermo", "rdf", "sk", "vacf", "vibrational_spectrum", "film"], made
 
 
 def test_errors_that_are_not_known_are_no_obstacle(tmp: Path) -> None:
@@ -89,7 +89,7 @@ def test_what_has_no_value_has_no_picture(tmp: Path) -> None:
     result = plot(run)
     assert result.returncode == 0, result.stderr
     made = [Path(line).stem for line in result.stdout.splitlines()]
-    assert made == ["thermo", "sk", "msd", "pressure_autocorrelation", "heat_flux_autocorrelation"], result.stdout
+    assert made == ["thermo", "sk", "msd", "film", "pressure_autocorrelation", "heat_flux_autocorrelation"], result.stdout
     said = [line.partition(": ")[2] for line in result.stderr.splitlines()]
     assert said == [f"'{name}' has no value in this run, no picture of it"
                     for name in ("g", "vacf_normalized", "spectrum", "viscosity")], result.stderr

@@ -56,7 +56,7 @@ def main(ljmd):
         ("a key that does not exist", fluid, ("system", "densty"), 0.8),
         ("a table that does not exist", fluid, ("sytem",), {}),
         ("a missing table", fluid, ("potential",), None),
-        ("a missing key", fluid, ("stage", 0, "steps"), None),
+        ("a missing key", fluid, ("stage", 0, "time_step"), None),
         ("a text for an integer", fluid, ("stage", 0, "steps"), "many"),
         ("a number out of range", fluid, ("stage", 0, "steps"), -1),
         ("an unknown choice", fluid, ("potential", "truncation"), "cutt"),

@@ -69,7 +69,7 @@ TEST_CASE("densities of liquid and vapour are found where the film is") {
     const Estimate vapour = found.at("vapour_density").estimate.value();
     CHECK(liquid.mean == Approx(480.0 / 1200.0).epsilon(0.02));
     CHECK(vapour.mean == Approx(112.0 / 2800.0).epsilon(0.05));
-    CHECK(liquid.standard_error == Approx(0.001).epsilon(0.8));
+    CHECK(liquid.standard_error == Approx(0.003).epsilon(0.5));  // 240 of 480 atoms, binomial, in 64 samples
     const DataTable table = film.tables().at(0);
     REQUIRE(table.rows.size() == 80);
     CHECK(table.rows.front()[0] == Approx(-19.75));

@@ -109,10 +109,11 @@ TEST_CASE("of 10^4 correlated series that are ended when an error is reached 66 
 }
 
 TEST_CASE("so it is for white and more correlated series, and for all errors wanted") {
+    // Of white series 70.6 % are covered, a little more than of others; 2000 of them scatter by 1 %.
     for (const double phi : {0.0, 0.6, 0.8}) {
         for (const double independent : {50.0, 150.0, 300.0}) {
             INFO("phi " << phi << ", " << independent << " independent samples");
-            CHECK(covered(2000, phi, 2, by_looks(error_of(independent))) == Approx(0.68).margin(0.045));
+            CHECK(covered(2000, phi, 2, by_looks(error_of(independent))) == Approx(0.69).margin(0.05));
         }
     }
 }
