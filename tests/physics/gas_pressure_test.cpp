@@ -147,8 +147,10 @@ TEST_CASE("a barostat makes the isothermal-isobaric ensemble of an ideal gas, wi
     // tests/physics/gases.py.
     constexpr double p = 0.5;
     constexpr double t = 1.3;
-    const bool one_edge =
-        GENERATE(false, true);  // whose relative change is that of the volume: three times the mobility
+    // A single edge has the relative change of the volume, three times the mobility of each of three. It fluctuates by
+    // 17 %, and stays longer than two short cutoffs.
+    const bool one_edge = GENERATE(false, true);
+    const std::string potential = one_edge ? changed(ideal_gas, {{"cutoff = 1.0", "cutoff = 0.5"}}) : ideal_gas;
     const std::string type = one_edge ? "anisotropic-cell-rescaling\", edges = \"z\"" : "stochastic-cell-rescaling\"";
     for (const std::string& name : canonical_thermostats()) {
         if (one_edge && name != "langevin") {
@@ -156,7 +158,7 @@ TEST_CASE("a barostat makes the isothermal-isobaric ensemble of an ideal gas, wi
         }
         CAPTURE(name, type);
         const Sampled gas(
-            gas_deck(ideal_gas, p / t, t, 400000,
+            gas_deck(potential, p / t, t, 400000,
                      thermostat(name) + fmt::format("barostat = {{ type = \"{}, pressure = {}, time = 3.0, "
                                                     "compressibility = {}, every = 1 }}",
                                                     type, p, (one_edge ? 3.0 : 1.0) / p)),
