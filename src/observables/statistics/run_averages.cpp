@@ -31,7 +31,8 @@ RunAverages::RunAverages(Index atoms, Ensemble ensemble, bool external_energy)
       degrees_of_freedom_(static_cast<double>(degrees_of_freedom(atoms))),
       ensemble_(ensemble),
       external_energy_(external_energy),
-      series_(external_energy_column + (external_energy ? 1 : 0), Covariance::full) {}
+      series_(external_energy_column + (external_energy ? 1 : 0), Covariance::full),
+      blocks_(series_.width()) {}
 
 void RunAverages::add(const Thermodynamics& s) {
     const Mat3 p = s.pressure_tensor.value_or(Mat3::Zero());
@@ -44,6 +45,7 @@ void RunAverages::add(const Thermodynamics& s) {
         s.pressure.value_or(0.0), s.density, p(0, 0), p(1, 1), p(2, 2), p(0, 1), p(0, 2), p(1, 2), s.virial,
         t > 0.0 ? 1.0 / t : 0.0, s.potential_energy * s.potential_energy;
     series_.add(row);
+    blocks_.add(row);
 }
 
 Vec3 RunAverages::means_of_state() const {
@@ -97,7 +99,10 @@ std::optional<ObservableAverage> RunAverages::heat_capacity() const {
                                at_constant_energy ? "temperature" : "energy");
         return c;
     }
-    c.estimate->standard_error = std::hypot(c.estimate->standard_error,
+    const double by_jackknife = blocks_.errors([this](const Eigen::VectorXd& means) {
+        return Eigen::VectorXd(Eigen::VectorXd::Constant(1, heat_capacity_of(means)));
+    })[0];
+    c.estimate->standard_error = std::hypot(std::fmax(c.estimate->standard_error, by_jackknife),
                                             heat_capacity_missed(c.estimate->mean) / fluctuating.independent_samples);
     return c;
 }
@@ -110,6 +115,16 @@ double RunAverages::heat_capacity_missed(double c) const {
     return of_motion * std::abs(2.0 * atoms_ * of_motion / degrees_of_freedom_ - 1.0);
 }
 
+double RunAverages::heat_capacity_of(const Eigen::VectorXd& means) const {
+    const double t = means[temperature_column];
+    if (ensemble_ == Ensemble::canonical) {
+        const double u = means[potential_energy_column];
+        return atoms_ / (t * t) * (means[squared_energy_column] - u * u) + 1.5;
+    }
+    const double share = 1.0 - 2.0 / degrees_of_freedom_;
+    return 1.0 / (atoms_ * (1.0 - share * t * means[inverse_temperature_column])) + 1.5 / atoms_;
+}
+
 std::optional<Estimate> RunAverages::heat_capacity_at_constant_energy() const {
     const Eigen::VectorXd mean = series_.mean();
     const double t = mean[temperature_column];
@@ -119,12 +134,12 @@ std::optional<Estimate> RunAverages::heat_capacity_at_constant_energy() const {
     if (!(rest > 0.0)) {
         return std::nullopt;  // larger fluctuations than any heat capacity allows
     }
-    const double c = 1.0 / (atoms_ * rest);
-    const double slope = c * share / rest;  // dc/d(<T> <1/T>)
+    const double c = heat_capacity_of(mean);
+    const double slope = (c - 1.5 / atoms_) * share / rest;  // dc/d(<T> <1/T>)
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
     gradient[temperature_column] = slope * inverse;
     gradient[inverse_temperature_column] = slope * t;
-    return series_.estimate(c + 1.5 / atoms_, gradient);
+    return series_.estimate(c, gradient);
 }
 
 std::optional<Estimate> RunAverages::heat_capacity_at_constant_temperature() const {
@@ -132,12 +147,12 @@ std::optional<Estimate> RunAverages::heat_capacity_at_constant_temperature() con
     const double t = mean[temperature_column];
     const double u = mean[potential_energy_column];
     const double per_variance = atoms_ / (t * t);
-    const double c = per_variance * (mean[squared_energy_column] - u * u);
+    const double c = heat_capacity_of(mean);
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(series_.width());
     gradient[squared_energy_column] = per_variance;
     gradient[potential_energy_column] = -2.0 * per_variance * u;
-    gradient[temperature_column] = -2.0 * c / t;
-    return series_.estimate(c + 1.5, gradient);
+    gradient[temperature_column] = -2.0 * (c - 1.5) / t;
+    return series_.estimate(c, gradient);
 }
 
 std::vector<ObservableAverage> RunAverages::averages() const {

@@ -284,6 +284,34 @@ TEST_CASE("the error of the heat capacity is the scatter of many runs") {
     });
 }
 
+TEST_CASE("the error of the heat capacity knows slow fluctuations below fast ones, as a gas has") {
+    // White energies of variance 1 and slow ones of 0.1, which make the variance of the whole three times less certain.
+    constexpr Index atoms = 100;
+    constexpr int runs = 100;
+    double sum = 0.0;
+    double squares = 0.0;
+    double reported = 0.0;
+    for (int k = 0; k < runs; ++k) {
+        Wandering fast(0.0, k);
+        Wandering slow(0.995, runs + k);
+        RunAverages run(atoms, Ensemble::canonical);
+        for (int n = 0; n < 16384; ++n) {
+            Thermodynamics sample;
+            sample.temperature = 1.0;
+            sample.potential_energy = 0.1 * (fast.next() + std::sqrt(0.1) * slow.next());
+            run.add(sample);
+        }
+        const Estimate c = *find(run.averages(), "heat_capacity_cv").estimate;
+        sum += c.mean;
+        squares += c.mean * c.mean;
+        reported += c.standard_error * c.standard_error;
+    }
+    const double mean = sum / runs;
+    const double scatter = std::sqrt(squares / runs - mean * mean);
+    CHECK(mean == Approx(2.6).epsilon(0.02));
+    CHECK(std::sqrt(reported / runs) / scatter == Approx(1.0).margin(0.2));
+}
+
 TEST_CASE("the error of the heat capacity of a short run covers what it has not seen, or there is none") {
     // The variance of u is that of c_v = 2.5; runs hold 1 and 31 independent samples.
     const double energy_width = std::sqrt(1.0 * 0.49 / 100.0);
