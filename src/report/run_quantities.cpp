@@ -8,6 +8,7 @@
 
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/engine/requested_temperature.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/statistics/observable_average.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
 #include "ljmd/report/lenient_data.hpp"

@@ -16,6 +16,7 @@
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/io/tables/json_file.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/run/results.hpp"
 #include "ljmd/run/run_report.hpp"
 #include "ljmd/study/replica_merge.hpp"
@@ -88,16 +89,6 @@ struct Merged {
     ObservableAverage average;
     MergedMean mean;
 };
-
-/// Symbols stand in the text of a run only.
-std::string symbol_of(const std::string& name) {
-    static const std::vector<std::pair<std::string, std::string>> symbols{
-        {"temperature", "T"},        {"potential_energy", "U/N"}, {"kinetic_energy", "K/N"},
-        {"total_energy", "E/N"},     {"pressure", "p"},           {"compressibility_factor", "Z"},
-        {"heat_capacity_cv", "c_v"}, {"density", "rho"},          {"coordination_number", "n_c"}};
-    const auto found = std::ranges::find(symbols, name, &std::pair<std::string, std::string>::first);
-    return found != symbols.end() ? found->second : "";
-}
 
 /// Nothing if a run lacks it.
 std::optional<Merged> merged(const Found& first, const std::vector<FoundRun>& runs) {

@@ -9,9 +9,6 @@ namespace ljmd {
 /// A column of a CSV of ljmd with its symbol and its reduced unit; of an unknown one the name alone.
 [[nodiscard]] PageColumn described(const std::string& column);
 
-/// The symbol of an observable in results.json, "U/N"; empty for an unknown one.
-[[nodiscard]] std::string symbol_of(const std::string& observable);
-
 /// "p / (epsilon/sigma^3)": the label of an axis for a column.
 [[nodiscard]] std::string axis_label(const std::string& column);
 

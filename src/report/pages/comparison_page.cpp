@@ -5,6 +5,7 @@
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/report/lenient_data.hpp"
 #include "ljmd/report/pages/study_pages.hpp"
 #include "ljmd/report/quantity_names.hpp"
