@@ -10,8 +10,6 @@ TEST_CASE("columns have symbols and units, errors those of their quantity") {
     CHECK(described("pressure_standard_error").name == "pressure_standard_error");
     CHECK(described("pressure_standard_error").label == "error of p");
     CHECK(described("of_my_own").label == "of my own");
-    CHECK(symbol_of("temperature") == "T");
-    CHECK(symbol_of("of_my_own").empty());
     CHECK(as_title("potential_energy") == "Potential energy");
 }
 
