@@ -88,8 +88,9 @@ std::vector<DataTable> Film::tables() const {
                     {"z", "density", "density_standard_error", "normal_pressure", "normal_pressure_standard_error",
                      "tangential_pressure", "tangential_pressure_standard_error"},
                     {}};
+    const Index half = layers_ / 2;
     for (Index k = 0; k < layers_; ++k) {
-        std::vector<double> row{thickness() * (static_cast<double>(k - layers_ / 2) + 0.5)};
+        std::vector<double> row{thickness() * (static_cast<double>(k - half) + 0.5)};
         for (const Index column : {k, layers_ + k, 2 * layers_ + k}) {
             const Estimate found = means_.estimate(column);
             row.push_back(found.mean);
