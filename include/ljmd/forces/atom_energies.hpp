@@ -16,8 +16,8 @@ namespace ljmd {
 /// precision by its error. Each atom is summed by one thread in an order that the positions alone decide, so no bit
 /// depends on the number of threads or on the order of the atoms in memory. The state is not changed.
 ///
-/// Source: M. P. Allen and D. J. Tildesley, Computer Simulation of Liquids (2nd ed., 2017), section 2.4, where the
-/// energy density is made of these
+/// Source: M. P. Allen and D. J. Tildesley, Computer Simulation of Liquids (2nd ed., 2017), section 2.4, which
+/// builds the energy density from them
 /// @pre the state has a box, and the cutoff is at most half its shortest edge (checked: ContractViolation)
 [[nodiscard]] std::vector<double> atom_energies(const State& state, const PairPotential& potential);
 

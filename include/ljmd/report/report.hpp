@@ -10,7 +10,7 @@ namespace ljmd {
 
 /// The content of the page about a directory: a run of a fluid or of few bodies (finished or not), a sweep, a
 /// reproduced table, or a comparison. Its warnings name the files that could not be read.
-/// @throws DataError  if the directory is of none of these kinds
+/// @throws DataError  for a directory of another kind
 [[nodiscard]] PageContent report_on(const std::filesystem::path& directory);
 
 /// The content of one page about several directories. A single directory gives the page about that directory.

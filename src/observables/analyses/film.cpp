@@ -23,7 +23,7 @@ struct FilmOptions : AnalysisOptions {
         description.integer("layers", layers)
             .at_least(2)
             .at_most(1000)
-            .meaning("layers across the box, of which profiles are made; an even number");
+            .meaning("number of layers that the box is divided into for the profiles; even");
         description.integer("every", every)
             .at_least(1)
             .step_interval()

@@ -72,7 +72,8 @@ class TrajectoryWriter {
     virtual void close() = 0;
 
   protected:
-    /// For files with the contents of these options, of atoms like those of the first state.
+    /// @param first    has as many atoms as every frame, and a box if the frames have one
+    /// @param options  what the frames contain
     TrajectoryWriter(const State& first, const TrajectoryOptions& options)
         : count_(first.count()),
           has_box_(first.has_box()),

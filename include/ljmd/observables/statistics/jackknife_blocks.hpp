@@ -16,10 +16,10 @@ namespace ljmd {
 ///
 ///     e^2 = (B - 1)/B * sum over b of (f_b - mean of f_b)^2
 ///
-/// It holds for any smooth function, and as long as correlations are shorter than the blocks, of which there are 32 or
-/// more: a slow process counts that is hidden below fast noise, where the choice of a level by BlockingAccumulator
-/// takes too short blocks. It is known to 1/(2 (B - 1))^(1/2), 9 to 13 %.
-/// Source: Efron (1982), The Jackknife, the Bootstrap and Other Resampling Plans, chapter 3
+/// It is valid for smooth functions and for correlations shorter than the blocks, of which there are 32 or more in a
+/// long series. These blocks are long enough to include a slow process hidden below fast noise, for which
+/// BlockingAccumulator can choose blocks that are too short. It is known to 1/(2 (B - 1))^(1/2), 9 to 13 %. Source:
+/// Efron (1982), The Jackknife, the Bootstrap and Other Resampling Plans, chapter 3
 class JackknifeBlocks {
   public:
     explicit JackknifeBlocks(Index width) : width_(width), pending_(Eigen::VectorXd::Zero(width)) {}
