@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "cell_rescaling_options.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
 #include "ljmd/core/schedule.hpp"
-#include "ljmd/integrators/barostat.hpp"
 
 namespace ljmd {
 
@@ -58,30 +58,16 @@ class AnisotropicCellRescaling : public Barostat {
     Random random_;
 };
 
-struct AnisotropicCellRescalingOptions : BarostatOptions {
-    double pressure = 0.0;
+struct AnisotropicCellRescalingOptions : CellRescalingOptions {
     std::string edges = "xyz";
-    double time = 2.0;
-    double compressibility = 0.05;
-    Index every = 10;
 
     void describe(Description& description) override {
-        description.required_number("pressure", pressure)
-            .dimension(Dimension::pressure)
-            .unit("epsilon/sigma^3")
-            .meaning("to be held along each edge; rho T + W_aa/V, with tail where the deck has it");
+        describe_with(description,
+                      {.pressure = "to be held along each edge; rho T + W_aa/V, with tail where the deck has it",
+                       .time = "tau_p: relaxation time of the volume, if all edges change",
+                       .compressibility = "isothermal, about that of the crystal"});
         description.choice("edges", {"xyz", "xy", "xz", "yz", "x", "y", "z"}, edges)
             .meaning("the edges that change, each by itself; the others keep their lengths");
-        description.number("time", time)
-            .dimension(Dimension::time)
-            .unit("tau")
-            .above(0.0)
-            .meaning("tau_p: relaxation time of the volume, if all edges change");
-        description.number("compressibility", compressibility)
-            .unit("sigma^3/epsilon")
-            .above(0.0)
-            .meaning("isothermal, about that of the crystal");
-        description.integer("every", every).at_least(1).step_interval().meaning("steps between changes");
     }
     [[nodiscard]] std::unique_ptr<Barostat> make(const PressureBath& bath) const override {
         const auto is_free = [&](char axis) { return edges.find(axis) == std::string::npos ? 0.0 : 1.0; };
@@ -89,7 +75,6 @@ struct AnisotropicCellRescalingOptions : BarostatOptions {
                                                           Vec3(is_free('x'), is_free('y'), is_free('z')), Every(every),
                                                           bath);
     }
-    [[nodiscard]] double held_pressure() const override { return pressure; }
 };
 
 }  // namespace

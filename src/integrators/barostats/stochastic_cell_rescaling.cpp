@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "cell_rescaling_options.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/random.hpp"
 #include "ljmd/core/schedule.hpp"
-#include "ljmd/integrators/barostat.hpp"
 
 namespace ljmd {
 
@@ -60,30 +60,14 @@ class StochasticCellRescaling : public Barostat {
     Random random_;
 };
 
-struct StochasticCellRescalingOptions : BarostatOptions {
-    double pressure = 0.0;
-    double time = 2.0;
-    double compressibility = 0.05;
-    Index every = 10;
-
+struct StochasticCellRescalingOptions : CellRescalingOptions {
     void describe(Description& description) override {
-        description.required_number("pressure", pressure)
-            .dimension(Dimension::pressure)
-            .unit("epsilon/sigma^3")
-            .meaning("to be held; rho T + W/(3 V), with tail where the deck has it");
-        description.number("time", time)
-            .dimension(Dimension::time)
-            .unit("tau")
-            .above(0.0)
-            .meaning("tau_p: relaxation time of the volume");
-        description.number("compressibility", compressibility)
-            .unit("sigma^3/epsilon")
-            .above(0.0)
-            .meaning(
-                "isothermal, about that of the fluid; 0.05 is that of the liquid near its triple point, a gas has 1/p");
-        description.integer("every", every).at_least(1).step_interval().meaning("steps between changes");
+        describe_with(description,
+                      {.pressure = "to be held; rho T + W/(3 V), with tail where the deck has it",
+                       .time = "tau_p: relaxation time of the volume",
+                       .compressibility = "isothermal, about that of the fluid; 0.05 is that of the liquid near its "
+                                          "triple point, a gas has 1/p"});
     }
-    [[nodiscard]] double held_pressure() const override { return pressure; }
     [[nodiscard]] std::unique_ptr<Barostat> make(const PressureBath& bath) const override {
         return std::make_unique<StochasticCellRescaling>(pressure, compressibility / time, Every(every), bath);
     }

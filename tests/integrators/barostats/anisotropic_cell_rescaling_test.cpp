@@ -2,10 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "integrators/barostats/made_barostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/section.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/model/velocities.hpp"
 
 using namespace ljmd;
 
@@ -13,29 +11,16 @@ namespace {
 
 std::unique_ptr<Barostat> made_for_edges(const PressureBath& bath, const std::string& edges, double pressure,
                                          double compressibility, Index every) {
-    const BarostatMethod method = find_barostat("anisotropic-cell-rescaling");
-    const Table table{{"pressure", {}, {pressure, {}}},
-                      {"edges", {}, {edges, {}}},
-                      {"compressibility", {}, {compressibility, {}}},
-                      {"time", {}, {1.0, {}}},
-                      {"every", {}, {std::int64_t{every}, {}}}};
-    Diagnostics diagnostics;
-    const Section section = validate(table, {}, Schema("barostat", keys_of(method)), std::nullopt, diagnostics);
-    diagnostics.throw_if_errors();
-    return choose(method, section).options->make(bath);
+    return test::made_barostat("anisotropic-cell-rescaling", bath,
+                               {{"pressure", pressure},
+                                {"edges", edges},
+                                {"compressibility", compressibility},
+                                {"time", 1.0},
+                                {"every", std::int64_t{every}}});
 }
 
 VirialPressure along(const Vec3& pressures) {
     return {pressures.mean(), pressures};
-}
-
-State ideal_gas(Index atoms) {
-    State state(atoms, Box(Vec3(4.0, 5.0, 6.0)));
-    for (Index i = 0; i < atoms; ++i) {
-        state.write_positions().col(i) = state.snapped(Vec3(0.1, 0.2, 0.25) * static_cast<double>(i));
-    }
-    draw_velocities(state, 1.3, 2);
-    return state;
 }
 
 Vec3 logarithms(const State& state) {
@@ -45,7 +30,7 @@ Vec3 logarithms(const State& state) {
 }  // namespace
 
 TEST_CASE("each edge follows the pressure along it, and positions follow the edges") {
-    State state = ideal_gas(20);
+    State state = test::atoms_in_box(20);
     state.mark_forces_current();
     const State before = state;
     // dx_a = (beta/3 tau_p) (p_aa - p_0) n dt, without noise at T = 0
@@ -63,7 +48,7 @@ TEST_CASE("each edge follows the pressure along it, and positions follow the edg
 
 TEST_CASE("edges that are not named keep their lengths, to the last bit") {
     const std::string edges = GENERATE("xyz", "xy", "xz", "yz", "x", "y", "z");
-    State state = ideal_gas(20);
+    State state = test::atoms_in_box(20);
     const Vec3 before = state.box().edges();
     made_for_edges({1.3, 0.005, 8, 1.0}, edges, 0.5, 0.06, 10)->apply(state, along({0.7, 0.8, 0.9}));
     for (const Index a : {0, 1, 2}) {
@@ -80,7 +65,7 @@ TEST_CASE("volume and shape of an elastic ideal gas take the distribution of the
     constexpr Index atoms = 40;
     constexpr double wanted = 1.5;
     const double stiffness = all ? 60.0 : 0.0;
-    State state = ideal_gas(atoms);
+    State state = test::atoms_in_box(atoms);
     const auto barostat = made_for_edges({1.3, 0.01, 8, 0.1}, all ? "xyz" : "y", wanted, all ? 0.3 : 0.9, 1);
     const Vec3 at_first = logarithms(state);
     double sum = 0.0;
@@ -107,7 +92,7 @@ TEST_CASE("volume and shape of an elastic ideal gas take the distribution of the
 }
 
 TEST_CASE("a pressure far from the wanted one, nonsense, and an edge that becomes too short end the run") {
-    State state = ideal_gas(20);
+    State state = test::atoms_in_box(20);
     const Vec3 edges = state.box().edges();
     const auto barostat = made_for_edges({1.3, 0.005, 8, 1.0}, "xyz", 0.5, 0.05, 10);
     for (const double pressure : {200.0, -200.0, std::nan(""), std::numeric_limits<double>::infinity()}) {

@@ -2,44 +2,27 @@
 #include <cmath>
 #include <limits>
 
+#include "integrators/barostats/made_barostat.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/section.hpp"
-#include "ljmd/integrators/barostat.hpp"
-#include "ljmd/model/velocities.hpp"
 
 using namespace ljmd;
 
 namespace {
 
 std::unique_ptr<Barostat> made(const PressureBath& bath, double pressure, double compressibility, Index every) {
-    const BarostatMethod method = find_barostat("stochastic-cell-rescaling");
-    const Table table{{"pressure", {}, {pressure, {}}},
-                      {"compressibility", {}, {compressibility, {}}},
-                      {"time", {}, {1.0, {}}},
-                      {"every", {}, {std::int64_t{every}, {}}}};
-    Diagnostics diagnostics;
-    const Section section = validate(table, {}, Schema("barostat", keys_of(method)), std::nullopt, diagnostics);
-    diagnostics.throw_if_errors();
-    return choose(method, section).options->make(bath);
+    return test::made_barostat(
+        "stochastic-cell-rescaling", bath,
+        {{"pressure", pressure}, {"compressibility", compressibility}, {"time", 1.0}, {"every", std::int64_t{every}}});
 }
 
 VirialPressure evenly(double pressure) {
     return {pressure, Vec3::Constant(pressure)};
 }
 
-State gas(Index atoms) {
-    State state(atoms, Box(Vec3(4.0, 5.0, 6.0)));
-    for (Index i = 0; i < atoms; ++i) {
-        state.write_positions().col(i) = state.snapped(Vec3(0.1, 0.2, 0.25) * static_cast<double>(i));
-    }
-    draw_velocities(state, 1.3, 2);
-    return state;
-}
-
 }  // namespace
 
 TEST_CASE("positions are scaled as the box is, velocities stay, and forces become stale") {
-    State state = gas(20);
+    State state = test::atoms_in_box(20);
     state.mark_forces_current();
     const State before = state;
     const auto barostat = made({1.3, 0.005, 8, 1.0}, 0.5, 0.05, 10);
@@ -60,8 +43,8 @@ TEST_CASE("it acts at its schedule, and more strongly the rarer that is") {
     CHECK(rare->due(20));
     CHECK_FALSE(rare->due(10));
     CHECK(often->due(10));
-    State a = gas(20);
-    State b = gas(20);
+    State a = test::atoms_in_box(20);
+    State b = test::atoms_in_box(20);
     const double volume = a.box().volume();
     rare->apply(a, evenly(0.7));
     often->apply(b, evenly(0.7));
@@ -74,7 +57,7 @@ TEST_CASE("the volume of an ideal gas takes the distribution of the ensemble of 
     // V^N exp(-p_0 V/T): <V> = (N + 1) T/p_0, the variance is (N + 1) (T/p_0)^2, and <1/V> = p_0/(N T).
     constexpr Index atoms = 40;
     constexpr double wanted = 1.5;
-    State state = gas(atoms);
+    State state = test::atoms_in_box(atoms);
     const auto barostat = made({1.3, 0.01, 8, 0.1}, wanted, 0.3, 1);
     double sum = 0.0;
     double density = 0.0;
@@ -97,7 +80,7 @@ TEST_CASE("the volume of an ideal gas takes the distribution of the ensemble of 
 
 TEST_CASE("the noise is the same for the same seed and step, and another for others") {
     const auto volume_after = [](std::uint64_t seed, Index step) {
-        State state = gas(20);
+        State state = test::atoms_in_box(20);
         state.step = step;
         made({1.3, 0.005, seed, 1.0}, 0.5, 0.05, 10)->apply(state, evenly(0.5));
         return state.box().volume();
@@ -108,7 +91,7 @@ TEST_CASE("the noise is the same for the same seed and step, and another for oth
 }
 
 TEST_CASE("a pressure far from the wanted one, nonsense, and a box that becomes too small end the run") {
-    State state = gas(20);
+    State state = test::atoms_in_box(20);
     const Vec3 edges = state.box().edges();
     const auto barostat = made({1.3, 0.005, 8, 1.0}, 0.5, 0.05, 10);
     for (const double pressure : {100.0, -100.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
