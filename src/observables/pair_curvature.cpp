@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ljmd/execution/loops.hpp"
-#include "ljmd/neighbors/linked_cells.hpp"
+#include "ljmd/neighbors/pairs_within.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
@@ -25,9 +25,7 @@ class CurvatureOfPair {
           at_cutoff_(pair_term(pair, cutoff2_)),
           step_at_cutoff_(-cutoff2_ * cutoff * at_cutoff_.w) {}
 
-    [[nodiscard]] double cutoff2() const { return cutoff2_; }
-
-    /// @pre 0 < r2 < cutoff2()
+    /// @pre 0 < r2 < cutoff^2
     [[nodiscard]] PairCurvature operator()(double r2) const {
         const PairTerm<double> here = pair_term(pair_, r2);
         const double slope = virial_slope(r2) + delta_at_cutoff(r2);
@@ -73,36 +71,30 @@ PairCurvature& PairCurvature::operator+=(const PairCurvature& other) {
 }
 
 PairCurvature pair_curvature(const State& state, const PairPotential& potential) {
-    // The search sorts and wraps atoms, so it works on a copy of the state.
-    State scratch(state.count(), state.box(), state.execution());
-    scratch.write_positions() = state.positions();
-    LinkedCells cells;
-    cells.prepare(scratch, potential.cutoff().radius);
-    const State& sorted = scratch;
+    const double cutoff = potential.cutoff().radius;
+    const PairsWithin pairs(state, cutoff);
     return potential.visit([&](const auto& pair) {
-        const CurvatureOfPair of_pair(pair, potential.cutoff().radius);
-        const auto sum_of_parts = [&](Index first, Index last) {
+        const CurvatureOfPair of_pair(pair, cutoff);
+        const auto sum_of_part = [&](Index part, Index) {
             PairCurvature sum;
-            for (Index part = first; part < last; ++part) {
-                cells.for_each_candidate(sorted, part, [&](const PairVisit& visit) {
-                    const bool is_image = visit.j >= sorted.count();
-                    const double r2 = visit.dx * visit.dx + visit.dy * visit.dy + visit.dz * visit.dz;
-                    // A pair of two atoms in the box is met twice, and taken once; one with an image is met from both
-                    // sides, each time as a half.
-                    if (r2 < of_pair.cutoff2() && (is_image || visit.i < visit.j)) {
-                        PairCurvature term = of_pair(r2);
-                        if (is_image) {
-                            term.energy *= 0.5;
-                            term.hypervirial *= 0.5;
-                            term.laplacian *= 0.5;
-                        }
-                        sum += term;
-                    }
-                });
-            }
+            pairs.for_each(part, [&](const Neighbor& near) {
+                // A pair of two atoms in the box is met twice, and taken once; one with an image is met from both
+                // sides, each time as a half.
+                const bool is_image = near.j >= pairs.atoms().count();
+                if (!is_image && near.i > near.j) {
+                    return;
+                }
+                PairCurvature term = of_pair(near.r2);
+                if (is_image) {
+                    term.energy *= 0.5;
+                    term.hypervirial *= 0.5;
+                    term.laplacian *= 0.5;
+                }
+                sum += term;
+            });
             return sum;
         };
-        return join_blocks(sorted.execution(), cells.part_count(sorted), 1, PairCurvature{}, sum_of_parts,
+        return join_blocks(state.execution(), pairs.part_count(), 1, PairCurvature{}, sum_of_part,
                            [](PairCurvature& sum, const PairCurvature& part) { sum += part; });
     });
 }

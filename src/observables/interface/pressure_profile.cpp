@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/model/velocities.hpp"
-#include "ljmd/neighbors/linked_cells.hpp"
+#include "ljmd/neighbors/pairs_within.hpp"
 
 namespace ljmd {
 
@@ -54,25 +53,19 @@ class Layers {
 };
 
 template <class Pair>
-Virials pair_virials(const Pair& pair, const State& atoms, const LinkedCells& cells, double cutoff, Index axis,
-                     const Layers& layers, Index count) {
-    const Index parts = cells.part_count(atoms);
+Virials pair_virials(const Pair& pair, const PairsWithin& pairs, Index axis, const Layers& layers, Index count) {
+    const Index parts = pairs.part_count();
+    const State& atoms = pairs.atoms();
     const auto of_block = [&](Index first, Index last) {
         Virials found = Virials::Zero(count, 2);
-        const auto visit = [&](const PairVisit& visited) {
-            const Vec3 d(visited.dx, visited.dy, visited.dz);
-            const double r2 = d.squaredNorm();
-            if (!(r2 < cutoff * cutoff)) {
-                return;
-            }
-            const double w = (visited.once ? 1.0 : 0.5) * pair_term(pair, r2).w;  // else from both sides
-            const double normal = d[axis] * d[axis];
-            const double z = atoms.positions()(axis, visited.i);
-            layers.spread(found, layers.coordinate(z), layers.coordinate(z - d[axis]),
-                          {w * normal, 0.5 * w * (r2 - normal)});
-        };
         for (Index part = first; part < last; ++part) {
-            cells.for_each_candidate(atoms, part, visit);
+            pairs.for_each(part, [&](const Neighbor& near) {
+                const double dz = Vec3(near.dx, near.dy, near.dz)[axis];
+                const double w = 0.5 * pair_term(pair, near.r2).w;  // from both sides
+                const double z = atoms.positions()(axis, near.i);
+                layers.spread(found, layers.coordinate(z), layers.coordinate(z - dz),
+                              {w * dz * dz, 0.5 * w * (near.r2 - dz * dz)});
+            });
         }
         return found;
     };
@@ -95,17 +88,10 @@ double film_centre(const State& state, Index axis) {
 
 PressureProfile pressure_profile(const State& state, const PairPotential& potential, Index axis, double centre,
                                  Index layers) {
-    // The search sorts and wraps atoms, so it works on a copy of the state.
-    State scratch(state.count(), state.box(), state.execution());
-    scratch.write_positions() = state.positions();
-    const double cutoff = potential.cutoff().radius;
-    LinkedCells cells;
-    cells.prepare(scratch, cutoff);
-    const double edge = state.box().edges()[axis];
-    const Layers places(edge, centre, layers);
-    const Virials virials = potential.visit([&](const auto& pair) {
-        return pair_virials(pair, std::as_const(scratch), cells, cutoff, axis, places, layers);
-    });
+    const PairsWithin pairs(state, potential.cutoff().radius);
+    const Layers places(state.box().edges()[axis], centre, layers);
+    const Virials virials =
+        potential.visit([&](const auto& pair) { return pair_virials(pair, pairs, axis, places, layers); });
 
     PressureProfile profile{Eigen::VectorXd::Zero(layers), virials.col(0), virials.col(1)};
     const auto atoms = static_cast<double>(state.count());

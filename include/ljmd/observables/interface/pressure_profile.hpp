@@ -28,7 +28,7 @@ struct PressureProfile {
 /// @param axis    normal to the layers: 0, 1 or 2 for x, y or z
 /// @param centre  coordinate in the middle of the layers [sigma]: the first one begins half an edge below it
 /// @param layers  at least 1
-/// @pre the cutoff is at most half the shortest edge
+/// @pre the cutoff is at most half the shortest edge (checked: ContractViolation)
 [[nodiscard]] PressureProfile pressure_profile(const State& state, const PairPotential& potential, Index axis,
                                                double centre, Index layers);
 
