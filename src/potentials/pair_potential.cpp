@@ -187,7 +187,7 @@ TailIntegrals PairPotential::tail() const {
 
 TailIntegrals PairPotential::tail_by_quadrature() const {
     const TailIntegrals inside = switched_off();
-    const TailIntegrals outside = beyond_cutoff_by_quadrature();
+    const TailIntegrals outside = formula_beyond(cutoff_.radius);
     return {inside.energy + outside.energy, inside.virial + outside.virial};
 }
 
@@ -201,9 +201,9 @@ TailIntegrals PairPotential::switched_off() const {
             integrate(missing_virial, changes_from_, cutoff_.radius)};
 }
 
-TailIntegrals PairPotential::beyond_cutoff_by_quadrature() const {
-    return {integrate([this](double r) { return untruncated(r).u * r * r; }, cutoff_.radius, infinity),
-            integrate([this](double r) { return untruncated(r).w * r * r * r * r; }, cutoff_.radius, infinity)};
+TailIntegrals PairPotential::formula_beyond(double radius) const {
+    return {integrate([this](double r) { return untruncated(r).u * r * r; }, radius, infinity),
+            integrate([this](double r) { return untruncated(r).w * r * r * r * r; }, radius, infinity)};
 }
 
 }  // namespace ljmd

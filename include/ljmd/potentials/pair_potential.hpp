@@ -137,6 +137,9 @@ class PairPotential {
     /// The same, always by quadrature.
     [[nodiscard]] TailIntegrals tail_by_quadrature() const;
 
+    /// Integrals over the formula beyond a radius, for g(r) = 1 there, by quadrature. @pre radius > 0
+    [[nodiscard]] TailIntegrals formula_beyond(double radius) const;
+
   private:
     using Pair = decltype(detail::with_custom(std::declval<AnyPair>()));
 
@@ -149,7 +152,6 @@ class PairPotential {
 
     /// Integrals over what `switched` removes between switch_start and cutoff.
     [[nodiscard]] TailIntegrals switched_off() const;
-    [[nodiscard]] TailIntegrals beyond_cutoff_by_quadrature() const;
 
     std::string formula_;
     Parameters parameters_;

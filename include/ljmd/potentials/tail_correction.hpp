@@ -16,6 +16,7 @@ class TailCorrection {
   public:
     TailCorrection() = default;  ///< no correction: all zero
     explicit TailCorrection(const PairPotential& potential) : integrals_(potential.tail()) {}
+    explicit TailCorrection(const TailIntegrals& integrals) : integrals_(integrals) {}
 
     /// Energy per atom [epsilon] at number density rho [sigma^-3].
     [[nodiscard]] double energy(double density) const;

@@ -7,7 +7,7 @@ namespace ljmd {
 namespace {
 
 /// Columns and results that no sample of a fluid has.
-constexpr std::array<SampledQuantity, 48> others{
+constexpr std::array<SampledQuantity, 52> others{
     {{"time", "t", "tau"},
      {"conserved_energy", "E/N - Q/N", "epsilon"},
      {"external_energy", "U_ext/N", "epsilon"},
@@ -30,6 +30,10 @@ constexpr std::array<SampledQuantity, 48> others{
      {"configurational_temperature", "T_conf", "epsilon/k_B"},
      {"bulk_viscosity", "eta_v", "epsilon tau/sigma^3"},
      {"thermal_conductivity", "lambda", "k_B/(sigma tau)"},
+     {"cutoff_energy", "du_c", "epsilon"},
+     {"cutoff_pressure", "dp_c", "epsilon/sigma^3"},
+     {"cutoff_energy_response", "du_r", "epsilon"},
+     {"cutoff_pressure_response", "dp_r", "epsilon/sigma^3"},
      {"surface_tension", "gamma", "epsilon/sigma^2"},
      {"normal_pressure", "p_N", "epsilon/sigma^3"},
      {"tangential_pressure", "p_T", "epsilon/sigma^3"},
