@@ -11,6 +11,7 @@
 #include "ljmd/cli/own_commands.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
+#include "ljmd/cli/studies/reference_options.hpp"
 #include "ljmd/cli/studies/replicas_command.hpp"
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/build_info.hpp"
@@ -301,6 +302,7 @@ int main(int argc, char** argv) {
     reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
     reproduce.add_flag("--quiet", table.quiet, "no progress");
     reproduce.add_flag("--json", table.json, "print the table as JSON");
+    ljmd::ReferenceCommand reference(app);
     ljmd::SweepOptions swept;
     CLI::App& sweep =
         *app.add_subcommand("sweep", "run a deck at many settings, several at a time; an interrupted sweep is resumed");
@@ -370,6 +372,8 @@ int main(int argc, char** argv) {
             ljmd::eos_command(state);
         } else if (reproduce.parsed()) {
             ljmd::reproduce_command(table);
+        } else if (reference.parsed()) {
+            reference.run();
         } else if (sweep.parsed()) {
             ljmd::sweep_command(swept);
         } else if (analyze.parsed()) {

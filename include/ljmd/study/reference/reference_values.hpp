@@ -1,0 +1,70 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ljmd/study/reference/canonical_series.hpp"
+#include "ljmd/study/reference/reference_setup.hpp"
+
+namespace ljmd {
+
+/// A property of the full Lennard-Jones fluid without limit of size, with what it is uncertain by.
+struct ReferenceValue {
+    std::string name;
+    std::string symbol;
+    std::string unit;
+    std::optional<double> mean{};  ///< with both corrections; none: the remark says why
+    double statistical_error;      ///< one standard deviation; NaN if unknown
+    double systematic_error;       ///< of corrections and of what is not corrected, as a standard deviation; NaN where
+                                   ///< it is not assessed
+    double cutoff_correction = 0.0;  ///< was added for the cutoff
+    double size_correction = 0.0;    ///< was added for the number of atoms
+    double independent = 0.0;        ///< independent samples
+    bool converged = true;           ///< false: the statistical error is a guess
+    std::vector<std::pair<std::string, double>> by_equations{};  ///< names of equations of state, and their values
+    std::string remark{};
+
+    /// sqrt(statistical^2 + systematic^2); NaN if one is not known.
+    [[nodiscard]] double total_error() const;
+};
+
+/// Finished replicas of one deck.
+struct ReplicaFolder {
+    std::filesystem::path merged;             ///< directory with their merged results
+    std::vector<std::filesystem::path> runs;  ///< their own directories
+};
+
+/// What canonical replicas have found: energy, pressure, compressibility factor, and what else the request has.
+///
+/// Energy and pressure are means of canonical_series(), merged (merged_mean()), with cutoff_energy and cutoff_pressure
+/// added (CutoffCorrection), and less canonical_size_shift(). Statistical errors are those of until-error runs, e (1 +
+/// 2/nu). Systematic errors are the sum of squares of
+///
+/// - the cutoff: a tenth of the response of the structure, and as much of it as the potential beyond the counted radius
+///   has of that beyond the cutoff; and what oscillations of g(r) of the height that is found in the last sigma before
+///   the radius would add in the half period behind it;
+/// - the size: the difference between the shifts by two equations of state;
+/// - the time step, see time_step_bias().
+///
+/// Response functions have the shifts of c_v, (dp/dT)_V and K_T, from which all follow. Their systematic error is that of
+/// these three: what the cutoff does to the pressure, times ten for K_T and times 2/T for the other two, because g(r)
+/// oscillates with a phase that depends on the density; and the size as above.
+/// @throws DataError  files are missing or damaged
+[[nodiscard]] std::vector<ReferenceValue> canonical_values(const ReferenceSetup& setup, const ReplicaFolder& canonical);
+
+/// Diffusion without limit of size (Yeh and Hummer), viscosity, bulk viscosity and thermal conductivity, those that the
+/// request has. @throws DataError
+[[nodiscard]] std::vector<ReferenceValue> transport_values(const ReferenceSetup& setup, const ReplicaFolder& transport);
+
+/// Total energy per atom at the temperature of the request, as canonical replicas have found it: of the potential with
+/// cutoff and of N atoms at rest as a whole, for runs at constant energy.
+[[nodiscard]] double found_total_energy(const ReferenceSetup& setup, const ReplicaFolder& canonical);
+
+/// The density at the pressure of the request: that of the runs, plus (p_0 - p)/(dp/drho). The errors are those of p over
+/// dp/drho. @pre the request has a pressure, and `pressure` a mean
+[[nodiscard]] ReferenceValue density_at_pressure(const ReferenceSetup& setup, const ReferenceValue& pressure);
+
+}  // namespace ljmd

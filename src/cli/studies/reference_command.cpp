@@ -1,0 +1,279 @@
+#include "ljmd/cli/studies/reference_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "ljmd/cli/signals.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/cli/studies/replica_study.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_file.hpp"
+#include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/run/output_guard.hpp"
+#include "ljmd/run/run_directory.hpp"
+#include "ljmd/study/child_run.hpp"
+#include "ljmd/study/error_in_brackets.hpp"
+#include "ljmd/study/reference/reference_report.hpp"
+#include "ljmd/study/replicas.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Full names, without repetition; those that every reference has first.
+std::vector<std::string> full_names(const std::vector<std::string>& asked) {
+    std::vector<std::string> names{"potential_energy", "pressure", "compressibility_factor"};
+    const auto add = [&](const std::string& name) {
+        if (std::ranges::find(names, name) == names.end()) {
+            names.push_back(name);
+        }
+    };
+    for (const std::string& name : asked) {
+        if (name == "all") {
+            for (const ReferenceProperty& property : reference_properties()) {
+                add(property.name);
+            }
+        } else {
+            add(reference_property(name).name);
+        }
+    }
+    return names;
+}
+
+std::vector<WantedError> wanted_errors(const std::vector<std::string>& asked) {
+    std::vector<WantedError> wanted;
+    for (const std::string& one : asked) {
+        const std::size_t equals = one.find('=');
+        const auto number = to_number(std::string_view(one).substr(std::min(equals, one.size() - 1) + 1));
+        if (equals == std::string::npos || !number) {
+            throw InputError(fmt::format("--error: {} is not allowed: PROPERTY=NUMBER, as in energy=0.001",
+                                         in_quotes(one)));
+        }
+        wanted.push_back({reference_property(one.substr(0, equals)).name, *number});
+    }
+    return wanted;
+}
+
+/// Replicas of one deck in a folder of their own, which can be made longer.
+class ReferencePhase {
+  public:
+    /// @param first  steps of the sampled stage in the deck
+    ReferencePhase(std::string name, const fs::path& out, const std::string& deck, Index first, Index replicas,
+                   const ReferenceOptions& options)
+        : name_(std::move(name)), first_(first), options_(options), lock_(made(out / name_)) {
+        Diagnostics diagnostics;
+        deck_ = load_deck_text(name_ + ".toml", deck, {}, false, diagnostics);
+        diagnostics.throw_if_errors();
+        plan_ = replica_plan(*deck_, {}, replicas);
+        const fs::path folder = out / name_;
+        wait_for_runs(folder / "points", until_signal(), print_message);
+        if (const auto recorded = recorded_sweep(folder);
+            recorded && recorded->deck == plan_.deck && recorded->points == plan_.points) {
+            plan_.steps_added = recorded->steps_added;
+        }
+        prepare_sweep(plan_, lock_.directory(), options.force);
+    }
+
+    /// Run until all replicas have their lengths.
+    void complete() {
+        if (!options_.quiet) {
+            print_message(fmt::format("{}: {} runs of {} steps\n", name_, plan_.replicas, steps()));
+        }
+        const Document report = complete_replicas(plan_, lock_.directory(), *deck_, options_.jobs, true);
+        doubts_.clear();
+        for (const Data& doubt : report.data.at("doubts").items()) {
+            doubts_.push_back(fmt::format("{}, {}", name_, doubt.text()));
+        }
+    }
+
+    /// Give all replicas so many steps in their sampled stages.
+    void lengthen(Index steps) {
+        plan_.steps_added = steps - first_;
+        record_sweep(plan_, lock_.directory());
+        complete();
+    }
+
+    [[nodiscard]] Index steps() const { return first_ + plan_.steps_added; }
+    [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
+
+    [[nodiscard]] ReplicaFolder folder() const {
+        ReplicaFolder found{lock_.directory().path(), {}};
+        for (const ChildRun& run : sweep_runs(plan_, found.merged)) {
+            found.runs.push_back(run.directory);
+        }
+        return found;
+    }
+
+  private:
+    static const fs::path& made(const fs::path& folder) {
+        make_directory(folder);
+        return folder;
+    }
+
+    std::string name_;
+    Index first_;
+    const ReferenceOptions& options_;
+    DirectoryLock lock_;
+    std::optional<Deck> deck_;
+    SweepPlan plan_;
+    std::vector<std::string> doubts_;
+};
+
+/// Wait for errors that more steps can reach, and say how far they are.
+/// @param values  of the folder of the phase
+template <class Values>
+std::vector<ReferenceValue> reach_errors(ReferencePhase& phase, const ReferenceSetup& setup, const Values& values,
+                                         bool quiet) {
+    phase.complete();
+    for (;;) {
+        std::vector<ReferenceValue> found = values(phase.folder());
+        const std::vector<ReachedError> errors = reached_errors(setup.request.errors, found);
+        if (!quiet) {
+            for (const ReachedError& one : errors) {
+                const auto value = std::ranges::find(found, one.wanted.observable, &ReferenceValue::name);
+                print_message(fmt::format("  {} {}, wanted {:.3g}\n", one.wanted.observable,
+                                          value->mean ? with_error_in_brackets(*value->mean, one.error) : "no value",
+                                          one.wanted.error));
+            }
+        }
+        const auto next = next_length(errors, phase.steps(), setup.request.max_steps);
+        if (!next) {
+            return found;
+        }
+        phase.lengthen(*next);
+    }
+}
+
+/// Steps before sampling: twice what the slowest pilot run has taken, and at least 1000.
+Index equilibration_steps(const FoundEquilibration& pilot) {
+    constexpr Index least = 1000;
+    return std::max(least, 2 * pilot.rows * rows_every);
+}
+
+/// Pilot runs, until they have enough independent samples behind their equilibration to know it.
+FoundEquilibration run_pilot(ReferencePhase& pilot, const ReferenceSetup& setup) {
+    constexpr double enough = 20.0;
+    constexpr Index longest = 64 * pilot_steps;
+    pilot.complete();
+    for (;;) {
+        std::vector<CanonicalSeries> series;
+        for (const fs::path& run : pilot.folder().runs) {
+            series.push_back(canonical_series(run, setup.density, setup.request.temperature));
+        }
+        const FoundEquilibration found = found_equilibration(series);
+        if (found.independent >= enough || pilot.steps() >= longest) {
+            return found;
+        }
+        pilot.lengthen(2 * pilot.steps());
+    }
+}
+
+double halves_of(const ReferenceSetup& setup, const ReplicaFolder& folder) {
+    std::vector<std::vector<double>> energies;
+    for (const fs::path& run : folder.runs) {
+        energies.push_back(canonical_series(run, setup.density, setup.request.temperature).energy);
+    }
+    return difference_of_halves(energies);
+}
+
+/// The largest translational order with which a replica began to sample.
+std::optional<double> largest_order(const ReplicaFolder& folder) {
+    std::optional<double> largest;
+    for (const fs::path& run : folder.runs) {
+        read_json(run / "results.json", "the results of a run", [&](const Data& results) {
+            const Data* order = results.find("translational_order_at_sampling");
+            if (order != nullptr && order->is_number()) {
+                largest = std::max(largest.value_or(order->number()), order->number());
+            }
+            return 0;
+        });
+    }
+    return largest;
+}
+
+/// Put the tables that were asked for beside the results.
+void copy_tables(const ReferenceSetup& setup, const ReplicaFolder& canonical, const OpenDirectory& out) {
+    for (const auto& [property, table] : {std::pair{"rdf", "rdf.csv"}, std::pair{"structure_factor", "sk.csv"}}) {
+        const auto& asked = setup.request.properties;
+        if (std::ranges::find(asked, property) != asked.end() && files::exists(canonical.merged / table)) {
+            write_file_atomically(out / table, to_csv(read_csv(canonical.merged / table)));
+        }
+    }
+}
+
+}  // namespace
+
+void reference_command(const ReferenceOptions& options) {
+    install_stop_handlers();
+    ReferenceRequest request = options.request;
+    request.properties = full_names(options.properties);
+    request.errors = wanted_errors(options.errors);
+    const ReferenceSetup setup = reference_setup(request);
+    const fs::path out = options.out.empty() ? fmt::format("runs/reference-T{}-{}", request.temperature,
+                                                           request.density ? fmt::format("rho{}", *request.density)
+                                                                           : fmt::format("p{}", *request.pressure))
+                                             : options.out;
+    require_no_run(out, "Nothing was run");
+    make_directory(out);
+    const DirectoryLock lock(out);
+    if (!options.quiet) {
+        print_message(fmt::format("{} at T = {}, rho = {:.6g}: {} atoms, cutoff {}\n", name_of(setup.phase.phase),
+                                  request.temperature, setup.density, setup.atoms, setup.potential.cutoff().radius));
+    }
+
+    ReferencePhase pilot("pilot", out, pilot_deck(setup), pilot_steps, request.replicas, options);
+    ReferenceFindings findings{.equilibration = 0,
+                               .pilot = run_pilot(pilot, setup),
+                               .canonical = {},
+                               .order = std::nullopt,
+                               .halves = 0.0,
+                               .values = {},
+                               .errors = {}};
+    findings.equilibration = equilibration_steps(findings.pilot);
+
+    ReferencePhase canonical("canonical", out, canonical_deck(setup, findings.equilibration),
+                             first_steps(setup, false), request.replicas, options);
+    findings.values = reach_errors(
+        canonical, setup, [&](const ReplicaFolder& folder) { return canonical_values(setup, folder); }, options.quiet);
+    findings.canonical = {canonical.steps(), setup.time_step};
+    findings.order = largest_order(canonical.folder());
+    findings.halves = halves_of(setup, canonical.folder());
+    findings.warnings = canonical.doubts();
+    if (request.pressure && findings.values.at(1).mean) {
+        findings.density = density_at_pressure(setup, findings.values.at(1));
+    }
+    if (request.needs(MeasuredBy::transport)) {
+        const double energy = found_total_energy(setup, canonical.folder());
+        ReferencePhase transport("transport", out, transport_deck(setup, findings.equilibration, energy),
+                                 first_steps(setup, true), request.replicas, options);
+        const std::vector<ReferenceValue> values = reach_errors(
+            transport, setup, [&](const ReplicaFolder& folder) { return transport_values(setup, folder); },
+            options.quiet);
+        findings.values.insert(findings.values.end(), values.begin(), values.end());
+        findings.transport = {transport.steps(), transport_time_step(setup)};
+        findings.warnings.insert(findings.warnings.end(), transport.doubts().begin(), transport.doubts().end());
+    }
+    findings.errors = reached_errors(setup.request.errors, findings.values);
+
+    lock.directory().require_at_its_path();
+    copy_tables(setup, canonical.folder(), lock.directory());
+    const Document whole = reference_report(setup, findings, std::nullopt);
+    write_file_atomically(lock.directory() / "results.json", to_json(whole.data) + "\n");
+    write_file_atomically(lock.directory() / "results.txt", whole.text);
+    Document shown = reference_report(setup, findings, result_columns());
+    shown.text += fmt::format("\nfiles: {}\n", out.string());
+    print_document(shown, options.json);
+}
+
+}  // namespace ljmd

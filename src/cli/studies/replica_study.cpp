@@ -1,0 +1,95 @@
+#include "ljmd/cli/studies/replica_study.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ljmd/cli/signals.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/run/recorded_run.hpp"
+#include "ljmd/study/child_run.hpp"
+#include "ljmd/study/replicas.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// A replica being computed, by one run and by what steps that were added later need.
+class ReplicaRun {
+  public:
+    ReplicaRun(ChildRun run, Index steps_added) : run_(std::move(run)), steps_added_(steps_added) {}
+
+    [[nodiscard]] const ChildRun& run() const { return run_; }
+    [[nodiscard]] const std::string& failure() const { return failure_; }
+
+    std::optional<Job> begin() {
+        auto job = next_job(run_);
+        return job ? job : lengthening();
+    }
+
+    std::optional<Job> after(int exit_status) {
+        if (exit_status != 0) {
+            failure_ = failure_of(run_, exit_status);
+            return std::nullopt;
+        }
+        return lengthening();
+    }
+
+  private:
+    /// The job that adds the steps that this run does not have yet.
+    [[nodiscard]] std::optional<Job> lengthening() const {
+        const Index missing = steps_added_ - recorded_run(run_.directory).earlier.steps_added;
+        return missing > 0 ? std::optional(longer(run_, missing)) : std::nullopt;
+    }
+
+    ChildRun run_;
+    Index steps_added_;
+    std::string failure_;
+};
+
+}  // namespace
+
+Deck deck_of_replicas(const SweepPlan& plan) {
+    Diagnostics diagnostics;
+    auto deck = load_deck_text(plan.deck_file, plan.deck, plan.settings, true, diagnostics);
+    diagnostics.throw_if_errors();
+    return std::move(*deck);
+}
+
+Document complete_replicas(const SweepPlan& plan, const OpenDirectory& directory, const Deck& deck, int jobs,
+                           bool quiet) {
+    std::vector<ReplicaRun> runs;
+    for (ChildRun& run : sweep_runs(plan, directory.path())) {
+        runs.emplace_back(std::move(run), plan.steps_added);
+    }
+    std::string failures;
+    std::size_t failed = 0;
+    run_lines(runs, jobs, until_signal(), [&](const ReplicaRun& run, std::size_t done) {
+        directory.require_at_its_path();  // runs are started by path
+        if (!run.failure().empty()) {
+            warn(run.failure());
+            failures += "\n  " + run.failure();
+            ++failed;
+        } else if (!quiet) {
+            print_message(fmt::format("[{}/{}] {}: finished\n", done, runs.size(), run.run().name));
+        }
+    });
+    directory.require_at_its_path();
+    if (failed > 0) {
+        throw PhysicsError(fmt::format("{} of {} replicas failed; to try them again: ljmd resume {}{}", failed,
+                                       runs.size(), directory.path().string(), failures));
+    }
+    std::vector<ChildRun> children;
+    children.reserve(runs.size());
+    for (const ReplicaRun& run : runs) {
+        children.push_back(run.run());
+    }
+    Document report = replicas_report(deck, children, directory.path());
+    write_replicas(report, children, directory);
+    return report;
+}
+
+}  // namespace ljmd

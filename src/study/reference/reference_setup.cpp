@@ -1,0 +1,346 @@
+#include "ljmd/study/reference/reference_setup.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/reference/pressure_states.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double longest_cutoff = 4.0;
+constexpr double shortest_cutoff = 2.5;
+constexpr double switching_width = 0.5;
+constexpr double counted_at_most = 6.0;
+constexpr double usual_time_step = 0.005;
+constexpr double temperature_of_time_step = 2.0;  // above it the step shrinks as 1/sqrt(T)
+
+/// Cells of the lattice for S(0) up to a limit.
+struct SizeChoice {
+    double structure_factor;
+    Index cells;
+};
+constexpr std::array<SizeChoice, 4> size_choices{
+    {{2.0, 6}, {5.0, 8}, {10.0, 9}, {max_structure_factor_at_zero, 10}}};
+
+double time_step_at(double temperature) {
+    return usual_time_step * std::min(1.0, std::sqrt(temperature_of_time_step / temperature));
+}
+
+/// c of p_tail = c rho^2.
+double tail_coefficient(const PairPotential& potential) {
+    return TailCorrection(potential).pressure(1.0);
+}
+
+double checked_number(const std::string& name, double value) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+        throw InputError(fmt::format("{} {} is not allowed: a finite number > 0", name, value));
+    }
+    return value;
+}
+
+double density_of(const ReferenceRequest& request, const EquationOfState& equation) {
+    if (request.density.has_value() == request.pressure.has_value()) {
+        throw InputError("a state has a density or a pressure: give one of them");
+    }
+    if (request.density) {
+        return checked_number("density", *request.density);
+    }
+    const auto states =
+        states_at_pressure(equation, request.temperature, checked_number("pressure", *request.pressure));
+    return states.front().state.density;
+}
+
+/// Why a state is refused; empty if it is not.
+std::string refusal(const PhaseOfState& phase, bool metastable) {
+    const std::string lines = phase.lines();
+    switch (phase.phase) {
+        case FluidPhase::two_phases:
+            return fmt::format(
+                "the fluid separates into vapour and liquid there ({}): give the density of one of them, or `ljmd eos` "
+                "has both",
+                lines);
+        case FluidPhase::solid:
+            return fmt::format(
+                "the crystal is the stable phase there ({}), and values of crystals are not vouched for: their cutoff "
+                "is not corrected, and they have no vacancies",
+                lines);
+        case FluidPhase::metastable_gas:
+        case FluidPhase::metastable_liquid:
+        case FluidPhase::supercooled_liquid:
+            return metastable ? ""
+                              : fmt::format("the state is a {} ({}): --metastable accepts it, as long as it lasts",
+                                            name_of(phase.phase), lines);
+        default:
+            return "";
+    }
+}
+
+Index cells_of(Index atoms) {
+    const auto cells = static_cast<Index>(std::lround(std::cbrt(static_cast<double>(atoms) / 4.0)));
+    if (cells < 3 || 4 * cells * cells * cells != atoms) {
+        throw InputError(fmt::format("{} atoms do not fill an fcc lattice of cubic cells: 108, 256, 500, 864, ...",
+                                     atoms));
+    }
+    return cells;
+}
+
+PairPotential switched(double edge) {
+    const double cutoff = std::min(longest_cutoff, std::floor(50.0 * edge) / 100.0);
+    if (cutoff < shortest_cutoff) {
+        throw InputError(fmt::format("half the box is {:.4g} sigma, and the shortest cutoff is {}: take more atoms",
+                                     0.5 * edge, shortest_cutoff));
+    }
+    return PairPotential::lennard_jones("switched", {cutoff, cutoff - switching_width});
+}
+
+Index cells_for(const EquationOfState& equation, double temperature, double density) {
+    const double tail =
+        tail_coefficient(PairPotential::lennard_jones("switched", {longest_cutoff, longest_cutoff - switching_width}));
+    const double s0 = structure_factor_at_zero(equation, temperature, density, tail);
+    const auto* const found =
+        std::ranges::find_if(size_choices, [&](const SizeChoice& choice) { return s0 <= choice.structure_factor; });
+    if (found == size_choices.end()) {
+        throw PhysicsError(
+            fmt::format("the state is too near the critical point: S(0) = {:.3g}, and boxes of a few thousand atoms "
+                        "are large enough up to {}",
+                        s0, max_structure_factor_at_zero));
+    }
+    return found->cells;
+}
+
+void check_errors(const ReferenceRequest& request) {
+    for (const WantedError& wanted : request.errors) {
+        checked_number(fmt::format("the error of {}", wanted.observable), wanted.error);
+        const auto& measured = reference_property(wanted.observable).measured;
+        if (measured == MeasuredBy::structure) {
+            throw InputError(fmt::format("{} is a table: it has no single error to wait for", wanted.observable));
+        }
+        if (std::ranges::find(request.properties, wanted.observable) == request.properties.end()) {
+            throw InputError(
+                fmt::format("an error of {} is wanted, but it is not among the properties", wanted.observable));
+        }
+        if (std::ranges::count(request.errors, wanted.observable, &WantedError::observable) > 1) {
+            throw InputError(fmt::format("the error of {} is given twice", wanted.observable));
+        }
+    }
+    if (request.replicas < 2) {
+        throw InputError(fmt::format("{} replicas are not allowed: 2 or more", request.replicas));
+    }
+}
+
+/// Errors that are always waited for, where none is asked for.
+void add_default_errors(ReferenceRequest& request, const FluidProperties& expected) {
+    if (!request.errors.empty()) {
+        return;
+    }
+    request.errors = {{"potential_energy", 1e-3 * std::abs(expected.potential_energy)},
+                      {"pressure", 1e-2 * expected.density * expected.temperature}};
+}
+
+/// System, potential and the stages that all decks have.
+std::string deck_head(const ReferenceSetup& setup, const std::string& title, Index equilibration) {
+    const ReferenceRequest& request = setup.request;
+    return fmt::format(R"(title = "{title}"
+
+[system]
+lattice = {{ type = "fcc", cells = {cells} }}
+density = {density}
+temperature = {temperature}
+seed = {seed}
+
+[potential]
+type = "lennard-jones"
+cutoff = {cutoff}
+truncation = "switched"
+switch_start = {start}
+tail = true
+
+[[stage]]
+name = "melt"
+time_step = {melt_step}
+steps = 1500
+temperature = {melt}
+thermostat = {{ type = "langevin", time = 0.2 }}
+
+[[stage]]
+name = "equilibrate"
+time_step = {step}
+steps = {equilibration}
+thermostat = {{ type = "langevin" }}
+
+)",
+                       fmt::arg("title", title), fmt::arg("cells", setup.cells), fmt::arg("density", setup.density),
+                       fmt::arg("temperature", request.temperature), fmt::arg("seed", request.seed),
+                       fmt::arg("cutoff", setup.potential.cutoff().radius),
+                       fmt::arg("start", setup.potential.cutoff().switch_start),
+                       fmt::arg("melt_step", time_step_at(setup.temperature_of_melt)),
+                       fmt::arg("melt", setup.temperature_of_melt), fmt::arg("step", setup.time_step),
+                       fmt::arg("equilibration", equilibration));
+}
+
+std::string state_words(const ReferenceSetup& setup) {
+    return fmt::format("T = {}, rho = {}", setup.request.temperature, setup.density);
+}
+
+/// Relaxation times of a thin gas by the first approximation of Chapman and Enskog [tau]: D/T of velocities, eta/(rho T)
+/// of stress; below those of a liquid at liquid densities.
+double relaxation_time(const ReferenceSetup& setup) {
+    const double t = setup.request.temperature;
+    // Neufeld, Janzen and Aziz (1972), doi:10.1063/1.1678363: the collision integral of viscosity
+    const double omega = 1.16145 * std::pow(t, -0.14874) + 0.52487 * std::exp(-0.77320 * t) +
+                         2.16178 * std::exp(-2.43787 * t);
+    const double viscosity = 5.0 / 16.0 * std::sqrt(t / std::numbers::pi) / omega;
+    return 1.2 * viscosity / (setup.density * t);
+}
+
+Index rounded_up(double steps) {
+    constexpr double multiple = 1000.0;
+    return static_cast<Index>(std::ceil(steps / multiple) * multiple);
+}
+
+double longest_lag(const ReferenceSetup& setup) {
+    return std::max(5.0, 8.0 * relaxation_time(setup));
+}
+
+}  // namespace
+
+bool ReferenceRequest::needs(MeasuredBy measured) const {
+    return std::ranges::any_of(properties, [&](const std::string& name) {
+        return reference_property(name).measured == measured;
+    });
+}
+
+double ReferenceSetup::edge() const {
+    return std::cbrt(static_cast<double>(atoms) / density);
+}
+
+double ReferenceSetup::counted_radius() const {
+    return std::min(counted_at_most, std::floor(500.0 * edge()) / 1000.0);
+}
+
+ReferenceSetup reference_setup(const ReferenceRequest& asked) {
+    checked_number("temperature", asked.temperature);
+    check_errors(asked);
+    const EquationOfState thol = equation_of_state("thol2016");
+    const EquationOfState other = equation_of_state("kolafa-nezbeda1994");
+    const double t = asked.temperature;
+    const double density = density_of(asked, thol);
+    const FluidProperties expected = properties(thol, t, density);
+    if (const std::string outside = outside_of_range(thol, expected); !outside.empty()) {
+        throw PhysicsError(fmt::format("{}: what is not measured there cannot be corrected", outside));
+    }
+    PhaseOfState phase = phase_of_state(thol, t, density);
+    if (const std::string why = refusal(phase, asked.metastable); !why.empty()) {
+        throw PhysicsError(why);
+    }
+    const Index cells = asked.atoms > 0 ? cells_of(asked.atoms) : cells_for(thol, t, density);
+    const Index atoms = 4 * cells * cells * cells;
+    PairPotential potential = switched(std::cbrt(static_cast<double>(atoms) / density));
+    const double tail = tail_coefficient(potential);
+    ReferenceSetup setup{.request = asked,
+                         .density = density,
+                         .phase = std::move(phase),
+                         .expected = expected,
+                         .cells = cells,
+                         .atoms = atoms,
+                         .potential = std::move(potential),
+                         .time_step = time_step_at(t),
+                         .temperature_of_melt = std::max(3.0, 1.5 * t),
+                         .size = canonical_size_shift(thol, t, density, atoms, tail),
+                         .size_by_other = canonical_size_shift(other, t, density, atoms, tail),
+                         .remarks = {}};
+    add_default_errors(setup.request, expected);
+    return setup;
+}
+
+std::string pilot_deck(const ReferenceSetup& setup) {
+    return deck_head(setup, "Pilot run: " + state_words(setup), 0) + fmt::format(R"([[stage]]
+name = "settle"
+time_step = {}
+steps = {}
+thermostat = {{ type = "langevin" }}
+sample = true
+
+[output]
+thermo = {{ every = {} }}
+)",
+                                                                                  setup.time_step, pilot_steps,
+                                                                                  rows_every);
+}
+
+std::string canonical_deck(const ReferenceSetup& setup, Index equilibration) {
+    const ReferenceRequest& request = setup.request;
+    std::string deck = deck_head(setup, "Reference: " + state_words(setup), equilibration);
+    deck += fmt::format(R"([[stage]]
+name = "production"
+time_step = {}
+steps = {}
+thermostat = {{ type = "langevin" }}
+sample = true
+
+[output]
+thermo = {{ every = {} }}
+
+[analysis]
+cutoff_correction = {{ radius = {}, every = 200 }}
+rdf = {{ bins = 250, radius = {}, every = 200 }}
+)",
+                        setup.time_step, first_steps(setup, false), rows_every, setup.counted_radius(),
+                        setup.counted_radius());
+    if (request.needs(MeasuredBy::responses)) {
+        deck += "response_functions = { every = 50 }\n";
+    }
+    if (request.needs(MeasuredBy::insertion)) {
+        deck += fmt::format("chemical_potential = {{ every = 100, insertions = {} }}\n", 4 * setup.atoms);
+    }
+    if (std::ranges::find(request.properties, "structure_factor") != request.properties.end()) {
+        deck += "structure_factor = { every = 500 }\n";
+    }
+    return deck;
+}
+
+std::string transport_deck(const ReferenceSetup& setup, Index equilibration, double total_energy) {
+    const double lag = longest_lag(setup);
+    return deck_head(setup, "Reference, transport: " + state_words(setup), equilibration) +
+           fmt::format(R"([[stage]]
+name = "production"
+time_step = {step}
+steps = {steps}
+total_energy = {energy}
+sample = true
+
+[output]
+thermo = {{ every = {rows} }}
+
+[analysis]
+msd = {{ every = 50, max_time = {displacement}, fit_start = {start} }}
+viscosity = {{ every = 5, max_time = {lag} }}
+bulk_viscosity = {{ every = 5, max_time = {lag} }}
+thermal_conductivity = {{ every = 10, max_time = {lag} }}
+)",
+                       fmt::arg("step", transport_time_step(setup)), fmt::arg("steps", first_steps(setup, true)),
+                       fmt::arg("energy", total_energy), fmt::arg("rows", rows_every),
+                       fmt::arg("displacement", 2.0 * lag), fmt::arg("start", 0.4 * lag), fmt::arg("lag", lag));
+}
+
+double transport_time_step(const ReferenceSetup& setup) {
+    return 0.8 * setup.time_step;
+}
+
+Index first_steps(const ReferenceSetup& setup, bool transport) {
+    if (transport) {
+        return rounded_up(40.0 * longest_lag(setup) / transport_time_step(setup));
+    }
+    return setup.request.needs(MeasuredBy::responses) || setup.request.needs(MeasuredBy::insertion) ? 40'000 : 10'000;
+}
+
+}  // namespace ljmd
