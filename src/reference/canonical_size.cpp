@@ -17,9 +17,10 @@ constexpr double relative_step = 1e-3;  // of central differences: their error i
 double structure_factor_at_zero(const EquationOfState& equation, double temperature, double density, double tail) {
     const double slope = properties(equation, temperature, density).pressure_density_slope - 2.0 * tail * density;
     if (!(slope > 0.0)) {
-        throw PhysicsError(fmt::format("no phase is stable at temperature {} and density {}: the pressure does not "
-                                       "rise with the density",
-                                       temperature, density));
+        throw PhysicsError(
+            fmt::format("no phase is stable at temperature {} and density {}: the pressure does not "
+                        "rise with the density",
+                        temperature, density));
     }
     return temperature / slope;
 }

@@ -39,7 +39,8 @@ struct SizeShift {
 [[nodiscard]] SizeShift canonical_size_shift(const EquationOfState& equation, double temperature, double density,
                                              Index atoms, double tail);
 
-/// S_0 = T/(dp/drho)_T = rho T kappa_T: the structure factor at k = 0; 1 in an ideal gas, large near the critical point.
+/// S_0 = T/(dp/drho)_T = rho T kappa_T: the structure factor at k = 0; 1 in an ideal gas, large near the critical
+/// point.
 /// @param tail  as above  @throws PhysicsError  as above
 [[nodiscard]] double structure_factor_at_zero(const EquationOfState& equation, double temperature, double density,
                                               double tail);

@@ -27,8 +27,8 @@ enum class FluidPhase {
 /// A phase, with the lines of the phase diagram that it was found from.
 struct PhaseOfState {
     FluidPhase phase;
-    std::optional<Coexistence> saturation;     ///< at its temperature; empty at and above the critical one
-    std::optional<Spinodals> spinodals;        ///< as saturation
+    std::optional<Coexistence> saturation;      ///< at its temperature; empty at and above the critical one
+    std::optional<Spinodals> spinodals;         ///< as saturation
     std::optional<FreezingDensities> freezing;  ///< of the full Lennard-Jones potential; empty where they are unknown
 
     /// The lines around the state in words: "saturated vapour 0.0057, saturated liquid 0.8051, freezing 0.855".

@@ -57,8 +57,8 @@ std::vector<WantedError> wanted_errors(const std::vector<std::string>& asked) {
         const std::size_t equals = one.find('=');
         const auto number = to_number(std::string_view(one).substr(std::min(equals, one.size() - 1) + 1));
         if (equals == std::string::npos || !number) {
-            throw InputError(fmt::format("--error: {} is not allowed: PROPERTY=NUMBER, as in energy=0.001",
-                                         in_quotes(one)));
+            throw InputError(
+                fmt::format("--error: {} is not allowed: PROPERTY=NUMBER, as in energy=0.001", in_quotes(one)));
         }
         wanted.push_back({reference_property(one.substr(0, equals)).name, *number});
     }
@@ -142,9 +142,10 @@ std::vector<ReferenceValue> reach_errors(ReferencePhase& phase, const ReferenceS
         if (!quiet) {
             for (const ReachedError& one : errors) {
                 const auto value = std::ranges::find(found, one.wanted.observable, &ReferenceValue::name);
-                print_message(fmt::format("  {} {}, wanted {:.3g}\n", one.wanted.observable,
-                                          value->mean ? with_error_in_brackets(*value->mean, one.error) : "no value",
-                                          one.wanted.error));
+                print_message(value->mean
+                                  ? fmt::format("  {} {}, wanted {:.2g}\n", value->name,
+                                                with_error_in_brackets(*value->mean, one.error), one.wanted.error)
+                                  : fmt::format("  {}: no value yet\n", value->name));
             }
         }
         const auto next = next_length(errors, phase.steps(), setup.request.max_steps);
@@ -242,8 +243,8 @@ void reference_command(const ReferenceOptions& options) {
                                .errors = {}};
     findings.equilibration = equilibration_steps(findings.pilot);
 
-    ReferencePhase canonical("canonical", out, canonical_deck(setup, findings.equilibration),
-                             first_steps(setup, false), request.replicas, options);
+    ReferencePhase canonical("canonical", out, canonical_deck(setup, findings.equilibration), first_steps(setup, false),
+                             request.replicas, options);
     findings.values = reach_errors(
         canonical, setup, [&](const ReplicaFolder& folder) { return canonical_values(setup, folder); }, options.quiet);
     findings.canonical = {canonical.steps(), setup.time_step};

@@ -26,8 +26,8 @@ struct CutoffCorrectionOptions : AnalysisOptions {
     [[nodiscard]] Misfits check(const SampledRun& run) const override {
         const double most = 0.5 * run.box.shortest_edge();
         if (radius && *radius > most) {
-            return {{"radius",
-                     fmt::format("'radius' in cutoff_correction is {}, but half the box is {}", *radius, most)}};
+            return {
+                {"radius", fmt::format("'radius' in cutoff_correction is {}, but half the box is {}", *radius, most)}};
         }
         return {};
     }
@@ -36,8 +36,7 @@ struct CutoffCorrectionOptions : AnalysisOptions {
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         constexpr double of_copy = 2000.0;  // of an atom in the sorted copy, with its images of half a box
-        return {.kept =
-                    BlockingAccumulator::bytes(CutoffCorrection::columns, Covariance::full, run.steps / every + 1),
+        return {.kept = BlockingAccumulator::bytes(CutoffCorrection::columns, Covariance::full, run.steps / every + 1),
                 .passing = of_copy * static_cast<double>(run.atoms)};
     }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ljmd {
@@ -19,12 +20,15 @@ std::vector<ReachedError> reached_errors(const std::vector<WantedError>& wanted,
     std::vector<ReachedError> errors;
     for (const ReferenceValue& value : values) {
         const auto found = std::ranges::find(wanted, value.name, &WantedError::observable);
-        if (found == wanted.end()) {
+        const double part = reference_property(value.name).default_error;
+        if (found == wanted.end() && part == 0.0) {
             continue;
         }
+        const double unknown = std::numeric_limits<double>::quiet_NaN();
+        const double error = found != wanted.end() ? found->error : part * std::abs(value.mean.value_or(unknown));
         const Estimate estimate{value.mean.value_or(0.0), value.statistical_error, value.independent, 0,
                                 value.converged && value.mean.has_value()};
-        errors.push_back({*found, value.statistical_error, is_reached(estimate, found->error)});
+        errors.push_back({{value.name, error}, value.statistical_error, is_reached(estimate, error)});
     }
     return errors;
 }

@@ -13,27 +13,28 @@ const std::vector<ReferenceProperty>& reference_properties() {
     using State = const FluidProperties&;
     using Number = std::optional<double>;
     static const std::vector<ReferenceProperty> all{
-        {"potential_energy", "energy", MeasuredBy::averages, [](State s) { return Number(s.potential_energy); }},
-        {"pressure", "p", MeasuredBy::averages, [](State s) { return Number(s.pressure); }},
-        {"compressibility_factor", "Z", MeasuredBy::averages, [](State s) { return Number(s.compressibility_factor); }},
-        {"heat_capacity_cv", "c_v", MeasuredBy::responses, [](State s) { return Number(s.heat_capacity_cv); }},
-        {"heat_capacity_cp", "c_p", MeasuredBy::responses, [](State s) { return s.heat_capacity_cp(); }},
-        {"isothermal_compressibility", "kappa_T", MeasuredBy::responses,
+        {"potential_energy", "energy", MeasuredBy::averages, 0.0, [](State s) { return Number(s.potential_energy); }},
+        {"pressure", "p", MeasuredBy::averages, 0.0, [](State s) { return Number(s.pressure); }},
+        {"compressibility_factor", "Z", MeasuredBy::averages, 0.0,
+         [](State s) { return Number(s.compressibility_factor); }},
+        {"heat_capacity_cv", "c_v", MeasuredBy::responses, 0.05, [](State s) { return Number(s.heat_capacity_cv); }},
+        {"heat_capacity_cp", "c_p", MeasuredBy::responses, 0.05, [](State s) { return s.heat_capacity_cp(); }},
+        {"isothermal_compressibility", "kappa_T", MeasuredBy::responses, 0.05,
          [](State s) { return s.isothermal_compressibility(); }},
-        {"thermal_expansion", "alpha_p", MeasuredBy::responses, [](State s) { return s.thermal_expansion(); }},
-        {"thermal_pressure_coefficient", "gamma_V", MeasuredBy::responses,
+        {"thermal_expansion", "alpha_p", MeasuredBy::responses, 0.05, [](State s) { return s.thermal_expansion(); }},
+        {"thermal_pressure_coefficient", "gamma_V", MeasuredBy::responses, 0.05,
          [](State s) { return Number(s.pressure_temperature_slope); }},
-        {"speed_of_sound", "w", MeasuredBy::responses, [](State s) { return s.speed_of_sound(); }},
-        {"joule_thomson_coefficient", "mu_JT", MeasuredBy::responses,
+        {"speed_of_sound", "w", MeasuredBy::responses, 0.05, [](State s) { return s.speed_of_sound(); }},
+        {"joule_thomson_coefficient", "mu_JT", MeasuredBy::responses, 0.0,
          [](State s) { return s.joule_thomson_coefficient(); }},
-        {"excess_chemical_potential", "mu_ex", MeasuredBy::insertion,
+        {"excess_chemical_potential", "mu_ex", MeasuredBy::insertion, 0.0,
          [](State s) { return Number(s.excess_chemical_potential); }},
-        {"rdf", "g", MeasuredBy::structure, nullptr},
-        {"structure_factor", "S", MeasuredBy::structure, nullptr},
-        {"diffusion", "D", MeasuredBy::transport, nullptr},
-        {"viscosity", "eta", MeasuredBy::transport, nullptr},
-        {"bulk_viscosity", "eta_v", MeasuredBy::transport, nullptr},
-        {"thermal_conductivity", "lambda", MeasuredBy::transport, nullptr}};
+        {"rdf", "g", MeasuredBy::structure, 0.0, nullptr},
+        {"structure_factor", "S", MeasuredBy::structure, 0.0, nullptr},
+        {"diffusion", "D", MeasuredBy::transport, 0.1, nullptr},
+        {"viscosity", "eta", MeasuredBy::transport, 0.1, nullptr},
+        {"bulk_viscosity", "eta_v", MeasuredBy::transport, 0.15, nullptr},
+        {"thermal_conductivity", "lambda", MeasuredBy::transport, 0.1, nullptr}};
     return all;
 }
 

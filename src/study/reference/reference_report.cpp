@@ -23,18 +23,18 @@ Data data_of(const ReferenceValue& value) {
         equations[name] = number;
     }
     const auto thol = std::ranges::find(value.by_equations, "thol2016", &std::pair<std::string, double>::first);
-    Data data = {{"mean", value.mean},
-                 {"statistical_error", value.statistical_error},
-                 {"systematic_error", value.systematic_error},
-                 {"total_error", value.total_error()},
-                 {"cutoff_correction", value.cutoff_correction},
-                 {"size_correction", value.size_correction},
-                 {"independent_samples", value.independent},
-                 {"error_is_converged", value.converged},
-                 {"equation_of_state",
-                  thol == value.by_equations.end() ? std::optional<double>() : std::optional(thol->second)},
-                 {"equations_of_state", equations},
-                 {"unit", value.unit}};
+    Data data = {
+        {"mean", value.mean},
+        {"statistical_error", value.statistical_error},
+        {"systematic_error", value.systematic_error},
+        {"total_error", value.total_error()},
+        {"cutoff_correction", value.cutoff_correction},
+        {"size_correction", value.size_correction},
+        {"independent_samples", value.independent},
+        {"error_is_converged", value.converged},
+        {"equation_of_state", thol == value.by_equations.end() ? std::optional<double>() : std::optional(thol->second)},
+        {"equations_of_state", equations},
+        {"unit", value.unit}};
     if (!value.remark.empty()) {
         data["remark"] = value.remark;
     }
@@ -46,10 +46,8 @@ Data data_of(const ReferenceRuns& runs) {
 }
 
 Data data_of(const PhaseOfState& phase) {
-    Data data = {{"saturated_vapour", nullptr},
-                 {"saturated_liquid", nullptr},
-                 {"freezing", nullptr},
-                 {"melting", nullptr}};
+    Data data = {
+        {"saturated_vapour", nullptr}, {"saturated_liquid", nullptr}, {"freezing", nullptr}, {"melting", nullptr}};
     if (phase.saturation) {
         data["saturated_vapour"] = phase.saturation->vapour.density;
         data["saturated_liquid"] = phase.saturation->liquid.density;
@@ -65,20 +63,26 @@ Data data_of(const PhaseOfState& phase) {
 std::vector<std::string> warnings_of(const ReferenceSetup& setup, const ReferenceFindings& findings) {
     std::vector<std::string> warnings = setup.remarks;
     for (const ReachedError& one : findings.errors) {
-        if (!one.reached) {
-            warnings.push_back(fmt::format("the statistical error of {} is {:.2g}, not {:.4g}: --max-steps ended the "
-                                           "runs before it was reached",
-                                           one.wanted.observable, one.error, one.wanted.error));
+        if (!one.reached && std::isnan(one.wanted.error)) {
+            warnings.push_back(
+                fmt::format("there is no value of {}: --max-steps ended the runs before they were long "
+                            "enough",
+                            one.wanted.observable));
+        } else if (!one.reached) {
+            warnings.push_back(
+                fmt::format("the statistical error of {} is {:.2g}, not {:.2g}: --max-steps ended the "
+                            "runs before it was reached",
+                            one.wanted.observable, one.error, one.wanted.error));
         }
     }
     for (const ReferenceValue& value : findings.values) {
-        const auto wanted = std::ranges::find_if(findings.errors, [&](const ReachedError& one) {
-            return one.wanted.observable == value.name;
-        });
+        const auto wanted = std::ranges::find_if(
+            findings.errors, [&](const ReachedError& one) { return one.wanted.observable == value.name; });
         if (wanted != findings.errors.end() && value.systematic_error > wanted->wanted.error) {
-            warnings.push_back(fmt::format("the systematic error of {}, {:.2g}, is larger than the error wanted: longer "
-                                           "runs do not make it smaller, more atoms may",
-                                           value.name, value.systematic_error));
+            warnings.push_back(
+                fmt::format("the systematic error of {}, {:.2g}, is larger than the error wanted: longer "
+                            "runs do not make it smaller, more atoms may",
+                            value.name, value.systematic_error));
         }
         if (value.mean && !value.converged) {
             warnings.push_back(
@@ -103,23 +107,25 @@ std::string citation(const ReferenceSetup& setup, const ReferenceFindings& findi
     const ReferenceRequest& request = setup.request;
     std::string text = fmt::format(
         "Values of the Lennard-Jones fluid, u = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] without cutoff, at T = {} "
-        "epsilon/k_B and rho = {:.10g} sigma^-3 ({}), computed with ljmd {} ({}): {} independent runs of {} atoms in the "
+        "epsilon/k_B and rho = {:.10g} sigma^-3 ({}), computed with ljmd {} ({}): {} independent runs of {} atoms in "
+        "the "
         "canonical ensemble (Langevin thermostat BAOAB, time step {:.4g} tau), {} steps each after {} of "
         "equilibration; seed {}. ",
         request.temperature, setup.density, name_of(setup.phase.phase), build_info().version,
         build_info().commit.substr(0, 10), request.replicas, setup.atoms, findings.canonical.time_step,
         findings.canonical.steps, findings.equilibration, request.seed);
     if (findings.transport) {
-        text += fmt::format("Transport from {} runs at constant energy, {} steps of {:.4g} tau each (Green and Kubo; "
-                            "diffusion by Einstein's relation, corrected for the box after Yeh and Hummer 2004). ",
-                            request.replicas, findings.transport->steps, findings.transport->time_step);
+        text += fmt::format(
+            "Transport from {} runs at constant energy, {} steps of {:.4g} tau each (Green and Kubo; "
+            "diffusion by Einstein's relation, corrected for the box after Yeh and Hummer 2004). ",
+            request.replicas, findings.transport->steps, findings.transport->time_step);
     }
-    text += fmt::format("The potential was switched off from {} to {} sigma; energy and pressure are corrected to no "
-                        "cutoff by pairs up to {:.4g} sigma and a tail with g = 1 beyond, to first order with the "
-                        "response of the structure, and to infinite size by terms of order 1/N from the equation of "
-                        "state of Thol et al. 2016. Errors are one standard deviation.",
-                        setup.potential.cutoff().switch_start, setup.potential.cutoff().radius,
-                        setup.counted_radius());
+    text += fmt::format(
+        "The potential was switched off from {} to {} sigma; energy and pressure are corrected to no "
+        "cutoff by pairs up to {:.4g} sigma and a tail with g = 1 beyond, to first order with the "
+        "response of the structure, and to infinite size by terms of order 1/N from the equation of "
+        "state of Thol et al. 2016. Errors are one standard deviation.",
+        setup.potential.cutoff().switch_start, setup.potential.cutoff().radius, setup.counted_radius());
     return text;
 }
 
@@ -175,8 +181,7 @@ Document reference_report(const ReferenceSetup& setup, const ReferenceFindings& 
     }
     Data errors = Data::object();
     for (const ReachedError& one : findings.errors) {
-        errors[one.wanted.observable] = {
-            {"wanted", one.wanted.error}, {"error", one.error}, {"reached", one.reached}};
+        errors[one.wanted.observable] = {{"wanted", one.wanted.error}, {"error", one.error}, {"reached", one.reached}};
     }
     data["errors"] = errors;
     data["runs"] = {{"atoms", setup.atoms},
@@ -197,16 +202,16 @@ Document reference_report(const ReferenceSetup& setup, const ReferenceFindings& 
     const std::size_t columns = screen.value_or(screen_columns);
     const TextTable table = table_of(findings);
     const std::string lines = setup.phase.lines();
-    std::string text = wrapped(
-        fmt::format("Lennard-Jones fluid at T = {}, {}: {}{}", setup.request.temperature,
-                    setup.request.pressure ? fmt::format("p = {} (runs at rho = {:.6g})", *setup.request.pressure,
-                                                         setup.density)
-                                           : fmt::format("rho = {}", setup.density),
-                    name_of(setup.phase.phase), lines.empty() ? "" : fmt::format(" ({})", lines)),
-        columns, 2);
+    std::string text =
+        wrapped(fmt::format("Lennard-Jones fluid at T = {}, {}: {}{}", setup.request.temperature,
+                            setup.request.pressure
+                                ? fmt::format("p = {} (runs at rho = {:.6g})", *setup.request.pressure, setup.density)
+                                : fmt::format("rho = {}", setup.density),
+                            name_of(setup.phase.phase), lines.empty() ? "" : fmt::format(" ({})", lines)),
+                columns, 2);
     text += "\n\n" + (screen ? table.text_within(*screen) : table.text());
-    text += wrapped(
-        "  in brackets both errors together, in the last digits, as far as they are known; ?: not assessed", columns, 4);
+    text += wrapped("  in brackets both errors together, in the last digits, as far as they are known; ?: not assessed",
+                    columns, 4);
     text += '\n';
     for (const ReferenceValue& value : findings.values) {
         if (!value.remark.empty()) {

@@ -16,20 +16,22 @@ namespace ljmd {
 
 namespace {
 
-constexpr double longest_cutoff = 4.0;
 constexpr double shortest_cutoff = 2.5;
 constexpr double switching_width = 0.5;
-constexpr double counted_at_most = 6.0;
+constexpr double counted_beyond_cutoff = 2.0;
 constexpr double usual_time_step = 0.005;
 constexpr double temperature_of_time_step = 2.0;  // above it the step shrinks as 1/sqrt(T)
 
-/// Cells of the lattice for S(0) up to a limit.
+/// Cells of the lattice and cutoff for S(0) up to a limit. Where the density fluctuates the structure responds to what
+/// the cutoff leaves out, and first order is not enough for a short one: the response is a part of some 2 |c| rho
+/// S(0)/T.
 struct SizeChoice {
     double structure_factor;
     Index cells;
+    double cutoff;
 };
 constexpr std::array<SizeChoice, 4> size_choices{
-    {{2.0, 6}, {5.0, 8}, {10.0, 9}, {max_structure_factor_at_zero, 10}}};
+    {{1.5, 6, 4.0}, {3.0, 7, 5.0}, {6.0, 9, 6.0}, {max_structure_factor_at_zero, 10, 7.0}}};
 
 double time_step_at(double temperature) {
     return usual_time_step * std::min(1.0, std::sqrt(temperature_of_time_step / temperature));
@@ -87,14 +89,14 @@ std::string refusal(const PhaseOfState& phase, bool metastable) {
 Index cells_of(Index atoms) {
     const auto cells = static_cast<Index>(std::lround(std::cbrt(static_cast<double>(atoms) / 4.0)));
     if (cells < 3 || 4 * cells * cells * cells != atoms) {
-        throw InputError(fmt::format("{} atoms do not fill an fcc lattice of cubic cells: 108, 256, 500, 864, ...",
-                                     atoms));
+        throw InputError(
+            fmt::format("{} atoms do not fill an fcc lattice of cubic cells: 108, 256, 500, 864, ...", atoms));
     }
     return cells;
 }
 
-PairPotential switched(double edge) {
-    const double cutoff = std::min(longest_cutoff, std::floor(50.0 * edge) / 100.0);
+PairPotential switched(double longest, double edge) {
+    const double cutoff = std::min(longest, std::floor(50.0 * edge) / 100.0);
     if (cutoff < shortest_cutoff) {
         throw InputError(fmt::format("half the box is {:.4g} sigma, and the shortest cutoff is {}: take more atoms",
                                      0.5 * edge, shortest_cutoff));
@@ -102,10 +104,8 @@ PairPotential switched(double edge) {
     return PairPotential::lennard_jones("switched", {cutoff, cutoff - switching_width});
 }
 
-Index cells_for(const EquationOfState& equation, double temperature, double density) {
-    const double tail =
-        tail_coefficient(PairPotential::lennard_jones("switched", {longest_cutoff, longest_cutoff - switching_width}));
-    const double s0 = structure_factor_at_zero(equation, temperature, density, tail);
+const SizeChoice& size_for(const EquationOfState& equation, double temperature, double density) {
+    const double s0 = structure_factor_at_zero(equation, temperature, density, 0.0);
     const auto* const found =
         std::ranges::find_if(size_choices, [&](const SizeChoice& choice) { return s0 <= choice.structure_factor; });
     if (found == size_choices.end()) {
@@ -114,7 +114,7 @@ Index cells_for(const EquationOfState& equation, double temperature, double dens
                         "are large enough up to {}",
                         s0, max_structure_factor_at_zero));
     }
-    return found->cells;
+    return *found;
 }
 
 void check_errors(const ReferenceRequest& request) {
@@ -149,7 +149,8 @@ void add_default_errors(ReferenceRequest& request, const FluidProperties& expect
 /// System, potential and the stages that all decks have.
 std::string deck_head(const ReferenceSetup& setup, const std::string& title, Index equilibration) {
     const ReferenceRequest& request = setup.request;
-    return fmt::format(R"(title = "{title}"
+    return fmt::format(
+        R"(title = "{title}"
 
 [system]
 lattice = {{ type = "fcc", cells = {cells} }}
@@ -178,26 +179,24 @@ steps = {equilibration}
 thermostat = {{ type = "langevin" }}
 
 )",
-                       fmt::arg("title", title), fmt::arg("cells", setup.cells), fmt::arg("density", setup.density),
-                       fmt::arg("temperature", request.temperature), fmt::arg("seed", request.seed),
-                       fmt::arg("cutoff", setup.potential.cutoff().radius),
-                       fmt::arg("start", setup.potential.cutoff().switch_start),
-                       fmt::arg("melt_step", time_step_at(setup.temperature_of_melt)),
-                       fmt::arg("melt", setup.temperature_of_melt), fmt::arg("step", setup.time_step),
-                       fmt::arg("equilibration", equilibration));
+        fmt::arg("title", title), fmt::arg("cells", setup.cells), fmt::arg("density", setup.density),
+        fmt::arg("temperature", request.temperature), fmt::arg("seed", request.seed),
+        fmt::arg("cutoff", setup.potential.cutoff().radius), fmt::arg("start", setup.potential.cutoff().switch_start),
+        fmt::arg("melt_step", time_step_at(setup.temperature_of_melt)), fmt::arg("melt", setup.temperature_of_melt),
+        fmt::arg("step", setup.time_step), fmt::arg("equilibration", equilibration));
 }
 
 std::string state_words(const ReferenceSetup& setup) {
     return fmt::format("T = {}, rho = {}", setup.request.temperature, setup.density);
 }
 
-/// Relaxation times of a thin gas by the first approximation of Chapman and Enskog [tau]: D/T of velocities, eta/(rho T)
-/// of stress; below those of a liquid at liquid densities.
+/// Relaxation times of a thin gas by the first approximation of Chapman and Enskog [tau]: D/T of velocities, eta/(rho
+/// T) of stress; below those of a liquid at liquid densities.
 double relaxation_time(const ReferenceSetup& setup) {
     const double t = setup.request.temperature;
     // Neufeld, Janzen and Aziz (1972), doi:10.1063/1.1678363: the collision integral of viscosity
-    const double omega = 1.16145 * std::pow(t, -0.14874) + 0.52487 * std::exp(-0.77320 * t) +
-                         2.16178 * std::exp(-2.43787 * t);
+    const double omega =
+        1.16145 * std::pow(t, -0.14874) + 0.52487 * std::exp(-0.77320 * t) + 2.16178 * std::exp(-2.43787 * t);
     const double viscosity = 5.0 / 16.0 * std::sqrt(t / std::numbers::pi) / omega;
     return 1.2 * viscosity / (setup.density * t);
 }
@@ -214,9 +213,8 @@ double longest_lag(const ReferenceSetup& setup) {
 }  // namespace
 
 bool ReferenceRequest::needs(MeasuredBy measured) const {
-    return std::ranges::any_of(properties, [&](const std::string& name) {
-        return reference_property(name).measured == measured;
-    });
+    return std::ranges::any_of(properties,
+                               [&](const std::string& name) { return reference_property(name).measured == measured; });
 }
 
 double ReferenceSetup::edge() const {
@@ -224,7 +222,7 @@ double ReferenceSetup::edge() const {
 }
 
 double ReferenceSetup::counted_radius() const {
-    return std::min(counted_at_most, std::floor(500.0 * edge()) / 1000.0);
+    return std::min(potential.cutoff().radius + counted_beyond_cutoff, std::floor(500.0 * edge()) / 1000.0);
 }
 
 ReferenceSetup reference_setup(const ReferenceRequest& asked) {
@@ -242,9 +240,10 @@ ReferenceSetup reference_setup(const ReferenceRequest& asked) {
     if (const std::string why = refusal(phase, asked.metastable); !why.empty()) {
         throw PhysicsError(why);
     }
-    const Index cells = asked.atoms > 0 ? cells_of(asked.atoms) : cells_for(thol, t, density);
+    const SizeChoice& size = size_for(thol, t, density);
+    const Index cells = asked.atoms > 0 ? cells_of(asked.atoms) : size.cells;
     const Index atoms = 4 * cells * cells * cells;
-    PairPotential potential = switched(std::cbrt(static_cast<double>(atoms) / density));
+    PairPotential potential = switched(size.cutoff, std::cbrt(static_cast<double>(atoms) / density));
     const double tail = tail_coefficient(potential);
     ReferenceSetup setup{.request = asked,
                          .density = density,
@@ -273,8 +272,8 @@ sample = true
 [output]
 thermo = {{ every = {} }}
 )",
-                                                                                  setup.time_step, pilot_steps,
-                                                                                  rows_every);
+                                                                                 setup.time_step, pilot_steps,
+                                                                                 rows_every);
 }
 
 std::string canonical_deck(const ReferenceSetup& setup, Index equilibration) {

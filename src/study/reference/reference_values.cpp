@@ -23,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double second_order = 0.1;       // of the first-order response, left out
-constexpr double last_shell = 1.0;         // [sigma] before the counted radius
-constexpr double half_period = 0.5;        // [sigma] of the oscillations of g(r)
-constexpr double density_derivative = 10;  // of what the cutoff does to the pressure, in K_T
-constexpr Index blocks_of_replica = 16;    // of its error, at least
+constexpr double least_second_order = 0.05;  // of the first-order response, left out
+constexpr double last_shell = 1.0;           // [sigma] before the counted radius
+constexpr double half_period = 0.5;          // [sigma] of the oscillations of g(r)
+constexpr double density_derivative = 10;    // of what the cutoff does to the pressure, in K_T
+constexpr Index blocks_of_replica = 16;      // of its error, at least
 
 double squared(double x) {
     return x * x;
@@ -131,17 +131,16 @@ CutoffUncertainty cutoff_uncertainty(const ReferenceSetup& setup, const ReplicaF
     const double left_out = beyond.energy / all.energy;
     const double energy_response = response("cutoff_energy_response");
     const double pressure_response = response("cutoff_pressure_response");
-    const double s0 =
-        structure_factor_at_zero(equation_of_state("thol2016"), setup.request.temperature, rho, 0.0);
+    const double s0 = structure_factor_at_zero(equation_of_state("thol2016"), setup.request.temperature, rho, 0.0);
     const double height = oscillation(canonical.merged / "rdf.csv", radius, s0 / static_cast<double>(setup.atoms));
     const TailIntegrals behind = setup.potential.formula_beyond(radius + half_period);
     const double pi = std::numbers::pi;
     const double more_energy = 2.0 * pi * rho * height * (beyond.energy - behind.energy);
     const double more_pressure = 2.0 / 3.0 * pi * rho * rho * height * (beyond.virial - behind.virial);
-    return {std::sqrt(squared(second_order * energy_response) + squared(left_out * energy_response) +
-                      squared(more_energy)),
-            std::sqrt(squared(second_order * pressure_response) + squared(left_out * pressure_response) +
-                      squared(more_pressure))};
+    return {
+        std::sqrt(squared(second_order * energy_response) + squared(left_out * energy_response) + squared(more_energy)),
+        std::sqrt(squared(second_order * pressure_response) + squared(left_out * pressure_response) +
+                  squared(more_pressure))};
 }
 
 void add_equations(ReferenceValue& value, const ReferenceSetup& setup) {
@@ -194,13 +193,14 @@ std::optional<double> response_from(const std::string& name, const ThreeResponse
     const double alpha = r.thermal_pressure / r.bulk_modulus;
     const double cp = r.heat_capacity_cv + t * squared(r.thermal_pressure) / (rho * r.bulk_modulus);
     const double adiabatic = r.bulk_modulus + t * squared(r.thermal_pressure) / (rho * r.heat_capacity_cv);
-    const std::array<std::pair<const char*, double>, 7> all{{{"heat_capacity_cv", r.heat_capacity_cv},
-                                                             {"heat_capacity_cp", cp},
-                                                             {"isothermal_compressibility", 1.0 / r.bulk_modulus},
-                                                             {"thermal_expansion", alpha},
-                                                             {"thermal_pressure_coefficient", r.thermal_pressure},
-                                                             {"speed_of_sound", std::sqrt(adiabatic / rho)},
-                                                             {"joule_thomson_coefficient", (t * alpha - 1.0) / (rho * cp)}}};
+    const std::array<std::pair<const char*, double>, 7> all{
+        {{"heat_capacity_cv", r.heat_capacity_cv},
+         {"heat_capacity_cp", cp},
+         {"isothermal_compressibility", 1.0 / r.bulk_modulus},
+         {"thermal_expansion", alpha},
+         {"thermal_pressure_coefficient", r.thermal_pressure},
+         {"speed_of_sound", std::sqrt(adiabatic / rho)},
+         {"joule_thomson_coefficient", (t * alpha - 1.0) / (rho * cp)}}};
     const auto* const found = std::ranges::find_if(all, [&](const auto& one) { return name == one.first; });
     return found == all.end() ? std::nullopt : std::optional(found->second);
 }
@@ -229,10 +229,10 @@ ReferenceValue response_value(const ReferenceSetup& setup, const MergedObservabl
     const double shift = shift_by(setup.size);
     value.size_correction = -shift;
     value.mean = found.mean - shift;
-    value.systematic_error = std::sqrt(squared(shift - shift_by(setup.size_by_other)) +
-                                       squared(change(2.0 / t * cutoff.energy, 0.0, 0.0)) +
-                                       squared(change(0.0, 2.0 / t * cutoff.pressure, 0.0)) +
-                                       squared(change(0.0, 0.0, density_derivative * cutoff.pressure)));
+    value.systematic_error =
+        std::sqrt(squared(shift - shift_by(setup.size_by_other)) + squared(change(2.0 / t * cutoff.energy, 0.0, 0.0)) +
+                  squared(change(0.0, 2.0 / t * cutoff.pressure, 0.0)) +
+                  squared(change(0.0, 0.0, density_derivative * cutoff.pressure)));
     return value;
 }
 
@@ -256,10 +256,9 @@ ReferenceValue insertion_value(const ReferenceSetup& setup, const MergedObservab
     const auto* energy = find_merged(all, "cutoff_energy");
     value.cutoff_correction = energy == nullptr ? 0.0 : 2.0 * energy->mean;
     value.mean = found->mean + value.cutoff_correction + value.size_correction;
-    value.systematic_error =
-        std::sqrt(squared(value.cutoff_correction) +
-                  squared(2.0 * cutoff.energy) + squared(cutoff.pressure / setup.density) +
-                  squared(setup.size.excess_chemical_potential - setup.size_by_other.excess_chemical_potential));
+    value.systematic_error = std::sqrt(
+        squared(value.cutoff_correction) + squared(2.0 * cutoff.energy) + squared(cutoff.pressure / setup.density) +
+        squared(setup.size.excess_chemical_potential - setup.size_by_other.excess_chemical_potential));
     return value;
 }
 
@@ -284,8 +283,9 @@ std::vector<ReferenceValue> canonical_values(const ReferenceSetup& setup, const 
     const CutoffUncertainty cutoff = cutoff_uncertainty(setup, canonical, found);
     const std::size_t replicas = canonical.runs.size();
 
-    ReferenceValue energy = corrected_mean("potential_energy", "epsilon", merged_series(series, &CanonicalSeries::energy),
-                                           find_merged(found, "cutoff_energy"), replicas);
+    ReferenceValue energy =
+        corrected_mean("potential_energy", "epsilon", merged_series(series, &CanonicalSeries::energy),
+                       find_merged(found, "cutoff_energy"), replicas);
     ReferenceValue pressure =
         corrected_mean("pressure", "epsilon/sigma^3", merged_series(series, &CanonicalSeries::pressure),
                        find_merged(found, "cutoff_pressure"), replicas);
@@ -358,8 +358,8 @@ std::vector<ReferenceValue> transport_values(const ReferenceSetup& setup, const 
             std::vector<ObservableAverage> averages;
             for (const char* needed : {"diffusion", "viscosity", "temperature"}) {
                 if (const auto* one = find_merged(found, needed)) {
-                    averages.push_back({needed, "", one->unit, Estimate{one->mean, one->standard_error,
-                                                                        one->independent, 1, one->converged}});
+                    averages.push_back({needed, "", one->unit,
+                                        Estimate{one->mean, one->standard_error, one->independent, 1, one->converged}});
                 }
             }
             const auto infinite = diffusion_in_infinite_system(averages, Box(Vec3::Constant(setup.edge())));

@@ -10,7 +10,7 @@ namespace ljmd {
 
 /// Options of `ljmd reference`.
 struct ReferenceOptions {
-    ReferenceRequest request{};          ///< without properties and errors
+    ReferenceRequest request{};             ///< without properties and errors
     std::vector<std::string> properties{};  ///< names, aliases, "all"; empty: energy and pressure
     std::vector<std::string> errors{};      ///< "NAME=NUMBER"
     std::string out{};                      ///< directory; empty: runs/reference-T...

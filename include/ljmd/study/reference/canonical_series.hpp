@@ -10,8 +10,8 @@ namespace ljmd {
 /// Energies and pressures of the sampled stage of a canonical run, from its thermo.csv.
 struct CanonicalSeries {
     std::vector<double> energy;    ///< U/N
-    std::vector<double> pressure;  ///< rho T_0 + W/(3 V) + p_tail: at the temperature that is held, without the noise of
-                                   ///< the velocities, and without the error that the time step gives them
+    std::vector<double> pressure;  ///< rho T_0 + W/(3 V) + p_tail: at the temperature that is held, without the noise
+                                   ///< of the velocities, and without the error that the time step gives them
 };
 
 /// @param temperature  T_0, held by the thermostat
@@ -20,9 +20,9 @@ struct CanonicalSeries {
 
 /// When runs have come to equilibrium.
 struct FoundEquilibration {
-    Index rows;          ///< before it, in the run that takes longest
-    double inefficiency; ///< rows that count as one independent sample, the largest of all series; NaN if unknown
-    double independent;  ///< independent samples of a run after it, in the run that has fewest
+    Index rows;           ///< before it, in the run that takes longest
+    double inefficiency;  ///< rows that count as one independent sample, the largest of all series; NaN if unknown
+    double independent;   ///< independent samples of a run after it, in the run that has fewest
 };
 
 /// By detect_equilibration() of energy and pressure of each run. @pre there is a run

@@ -22,7 +22,10 @@ struct ReferenceProperty {
     const char* name;     ///< as in results.json; of `structure` that of the analysis
     const char* alias;    ///< a short name for the command line
     MeasuredBy measured;  ///< how
-    std::optional<double> (*by_equation)(const FluidProperties&);  ///< the same by an equation of state; null: it has none
+    double
+        default_error;  ///< relative statistical error that is reached where none is asked for; 0: it is not waited for
+    std::optional<double> (*by_equation)(
+        const FluidProperties&);  ///< the same by an equation of state; null: it has none
 };
 
 /// All of them, those that every reference has first: energy, pressure, compressibility factor.

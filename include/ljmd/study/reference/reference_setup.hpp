@@ -17,7 +17,7 @@ namespace ljmd {
 /// What `ljmd reference` is asked for.
 struct ReferenceRequest {
     double temperature = 0.0;
-    std::optional<double> density{};   ///< one of these two
+    std::optional<double> density{};  ///< one of these two
     std::optional<double> pressure{};
     std::vector<std::string> properties{};  ///< names of reference_properties()
     std::vector<WantedError> errors{};      ///< of some of them
@@ -51,15 +51,15 @@ struct ReferenceSetup {
     [[nodiscard]] double counted_radius() const;
 };
 
-/// Largest S(0) of a state that is accepted: nearer to the critical point a box of a few thousand atoms is too small for
-/// its correlations.
-inline constexpr double max_structure_factor_at_zero = 15.0;
+/// Largest S(0) of a state that is accepted: nearer to the critical point a box of a few thousand atoms is too small
+/// for its correlations.
+inline constexpr double max_structure_factor_at_zero = 8.0;
 
 /// Choose the runs for a request.
 ///
-/// The potential is Lennard-Jones, switched off from 3.5 to 4 sigma (less in a box that is too small), with tail
-/// corrections; 864 atoms, up to 4000 where the fluid is compressible. Time step 0.005 tau, shorter above T = 2.
-/// Errors that are not asked for: 0.1 % of the energy, 1 % of rho T for the pressure.
+/// The potential is Lennard-Jones, switched off from 3.5 to 4 sigma (less in a box that is too small) with tail
+/// corrections, for 864 atoms; where the fluid is compressible up to 4000 atoms and 7 sigma. Time step 0.005 tau,
+/// shorter above T = 2. If no errors are asked for, 0.1 % of the energy, and 1 % of rho T for the pressure.
 /// @throws InputError    no density or pressure, or both; a value out of its range; errors of properties that are not
 /// asked for; fewer than 108 atoms or not 4 n^3 of them, or too few for a cutoff of 2.5
 /// @throws PhysicsError  the state is refused: outside the range of the equation of state, two phases, a solid, too

@@ -20,10 +20,10 @@ struct ReferenceValue {
     double statistical_error;      ///< one standard deviation; NaN if unknown
     double systematic_error;       ///< of corrections and of what is not corrected, as a standard deviation; NaN where
                                    ///< it is not assessed
-    double cutoff_correction = 0.0;  ///< was added for the cutoff
-    double size_correction = 0.0;    ///< was added for the number of atoms
-    double independent = 0.0;        ///< independent samples
-    bool converged = true;           ///< false: the statistical error is a guess
+    double cutoff_correction = 0.0;                              ///< was added for the cutoff
+    double size_correction = 0.0;                                ///< was added for the number of atoms
+    double independent = 0.0;                                    ///< independent samples
+    bool converged = true;                                       ///< false: the statistical error is a guess
     std::vector<std::pair<std::string, double>> by_equations{};  ///< names of equations of state, and their values
     std::string remark{};
 
@@ -43,15 +43,15 @@ struct ReplicaFolder {
 /// added (CutoffCorrection), and less canonical_size_shift(). Statistical errors are those of until-error runs, e (1 +
 /// 2/nu). Systematic errors are the sum of squares of
 ///
-/// - the cutoff: a tenth of the response of the structure, and as much of it as the potential beyond the counted radius
+/// - the cutoff: the second order of the response of the structure, which is a part 2 |c| rho S(0)/T of the first one
+///   (p_tail = c rho^2; at least 0.05 is taken), and as much of the response as the potential beyond the counted radius
 ///   has of that beyond the cutoff; and what oscillations of g(r) of the height that is found in the last sigma before
 ///   the radius would add in the half period behind it;
-/// - the size: the difference between the shifts by two equations of state;
-/// - the time step, see time_step_bias().
+/// - the size: the difference between the shifts by two equations of state.
 ///
-/// Response functions have the shifts of c_v, (dp/dT)_V and K_T, from which all follow. Their systematic error is that of
-/// these three: what the cutoff does to the pressure, times ten for K_T and times 2/T for the other two, because g(r)
-/// oscillates with a phase that depends on the density; and the size as above.
+/// Response functions have the shifts of c_v, (dp/dT)_V and K_T, from which all follow. Their systematic error is that
+/// of these three: what the cutoff does to the pressure, times ten for K_T and times 2/T for the other two, because
+/// g(r) oscillates with a phase that depends on the density; and the size as above.
 /// @throws DataError  files are missing or damaged
 [[nodiscard]] std::vector<ReferenceValue> canonical_values(const ReferenceSetup& setup, const ReplicaFolder& canonical);
 
@@ -63,8 +63,8 @@ struct ReplicaFolder {
 /// cutoff and of N atoms at rest as a whole, for runs at constant energy.
 [[nodiscard]] double found_total_energy(const ReferenceSetup& setup, const ReplicaFolder& canonical);
 
-/// The density at the pressure of the request: that of the runs, plus (p_0 - p)/(dp/drho). The errors are those of p over
-/// dp/drho. @pre the request has a pressure, and `pressure` a mean
+/// The density at the pressure of the request: that of the runs, plus (p_0 - p)/(dp/drho). The errors are those of p
+/// over dp/drho. @pre the request has a pressure, and `pressure` a mean
 [[nodiscard]] ReferenceValue density_at_pressure(const ReferenceSetup& setup, const ReferenceValue& pressure);
 
 }  // namespace ljmd
