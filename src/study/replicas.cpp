@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<const char*, 1> merged_tables{"rdf"};  // those whose rows are averages at fixed places
+constexpr std::array<const char*, 2> merged_tables{"rdf", "sk"};  // those whose rows are averages at fixed places
 constexpr const char* seed_key = "system.seed";
 
 /// A stage name as a part of a key.

@@ -131,7 +131,13 @@ CutoffUncertainty cutoff_uncertainty(const ReferenceSetup& setup, const ReplicaF
     const double left_out = beyond.energy / all.energy;
     const double energy_response = response("cutoff_energy_response");
     const double pressure_response = response("cutoff_pressure_response");
-    const double s0 = structure_factor_at_zero(equation_of_state("thol2016"), setup.request.temperature, rho, 0.0);
+    const EquationOfState thol = equation_of_state("thol2016");
+    const double t = setup.request.temperature;
+    const double s0 = structure_factor_at_zero(thol, t, rho, 0.0);
+    const double tail = TailCorrection(setup.potential).pressure(1.0);
+    // The tail changes 1/S(0) by this part of it.
+    const double second_order =
+        std::max(least_second_order, 2.0 * std::abs(tail) * rho * structure_factor_at_zero(thol, t, rho, tail) / t);
     const double height = oscillation(canonical.merged / "rdf.csv", radius, s0 / static_cast<double>(setup.atoms));
     const TailIntegrals behind = setup.potential.formula_beyond(radius + half_period);
     const double pi = std::numbers::pi;
