@@ -15,11 +15,11 @@ BESIDE = Path(__file__).resolve().parents[1] / "python"
 if (BESIDE / "ljmd").is_dir():  # not another version that this Python has
     sys.path.insert(0, str(BESIDE))
 try:
-    import ljmd.reading
+    import ljmd.reading  # noqa: F401  (one of an earlier version has none)
     from ljmd.errors import DataError, Error, FileError, InputError
-except ImportError:
-    print(f"error: the files are read by the Python package ljmd, which is not in {BESIDE}: `cmake --install` puts it there "
-          "(component python)", file=sys.stderr)
+except ImportError as missing:
+    print(f"error: files are read by the Python package ljmd, which is not in {BESIDE} ({missing}): `cmake --install` puts it there",
+          file=sys.stderr)
     sys.exit(2)
 
 EXIT_CODES = {InputError: 2, DataError: 3, FileError: 4}  # as of ljmd

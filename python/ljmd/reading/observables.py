@@ -57,9 +57,10 @@ def observable(path: Path, name: str, data: Any) -> Observable:
     def number(record: Any, key: str) -> float:
         return float(field(path, record, key, float, default=math.nan))
 
+    mean = number(data, "value" if isinstance(data, dict) and "mean" not in data else "mean")
     si = field(path, data, "si", dict, default=None)
     return Observable(
-        mean=number(data, "mean" if "mean" in data else "value"),
+        mean=mean,
         error=number(data, "standard_error"),
         unit=field(path, data, "unit", str, default=""),
         name=name,
