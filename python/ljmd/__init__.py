@@ -69,18 +69,19 @@ _MODULES = (*(place for place in _PLACES if place.isidentifier()), "ase", "readi
 __all__ = sorted(_PLACE_OF)
 
 
-def __getattr__(name: str):
-    if name == "__version__":
-        found = {name: _loaded("_core").build()["version"]}
-    elif name in _PLACE_OF:
-        module = _loaded(_PLACE_OF[name])
-        found = {each: getattr(module, each) for each in _PLACES[_PLACE_OF[name]]}
-    elif name in _MODULES:
-        found = {name: _loaded(name)}
-    else:
-        raise AttributeError(f"module 'ljmd' has no attribute {name!r}")
-    globals().update(found)
-    return found[name]
+if not TYPE_CHECKING:  # checkers would take any name for one of the package
+    def __getattr__(name: str):
+        if name == "__version__":
+            found = {name: _loaded("_core").build()["version"]}
+        elif name in _PLACE_OF:
+            module = _loaded(_PLACE_OF[name])
+            found = {each: getattr(module, each) for each in _PLACES[_PLACE_OF[name]]}
+        elif name in _MODULES:
+            found = {name: _loaded(name)}
+        else:
+            raise AttributeError(f"module 'ljmd' has no attribute {name!r}")
+        globals().update(found)
+        return found[name]
 
 
 def __dir__() -> list[str]:

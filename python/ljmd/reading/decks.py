@@ -14,9 +14,9 @@ try:
     import tomllib
 except ModuleNotFoundError:
     try:
-        import tomli as tomllib
+        import tomli as tomllib  # type: ignore
     except ModuleNotFoundError:
-        tomllib = None
+        tomllib = None  # type: ignore[assignment]
 
 KEY_PART = re.compile(r'"([^"]*)"|([^."]+)')
 
