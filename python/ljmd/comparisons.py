@@ -30,6 +30,7 @@ class Comparison:
 
     @property
     def passed(self) -> bool:
+        """Whether all checks have passed."""
         return bool(self.data["passed"])
 
     def __bool__(self):
