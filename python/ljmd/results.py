@@ -179,6 +179,8 @@ class Run(Results):
 
     def frames(self) -> Frames:
         """The frames that the deck's `output.trajectory` asks for, as arrays. Raises DataError if there are none."""
+        if "trajectory" in self._tables:
+            raise DataError("few bodies have no box: their trajectory is a table, trajectory()")
         if self.directory is not None:
             return self.trajectory().arrays()
         if self._frames is None:
