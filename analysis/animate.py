@@ -20,12 +20,14 @@ from pathlib import Path
 from typing import Optional, Sequence, Union
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import few_body_run  # noqa: E402
-import run_directory  # noqa: E402
+from script import reports_errors  # noqa: E402  (it finds the package ljmd)
+import few_body_points  # noqa: E402
 import style  # noqa: E402
 from animation_scenes import BoxScene, PathScene  # noqa: E402
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter  # noqa: E402
-from checked_files import RunDirectoryError, damaged, reports_errors  # noqa: E402
+from ljmd.errors import FileError, InputError  # noqa: E402
+from ljmd.reading import few_bodies, records  # noqa: E402
+from ljmd.reading.files import damaged  # noqa: E402
 
 FORMATS = ("gif", "mp4")  # in the order in which they are made
 DPI = 100
@@ -33,14 +35,14 @@ DPI = 100
 
 def make_scene(directory: Path, most: int, relative_to: Optional[int]) -> Union[PathScene, BoxScene]:
     """What is to be seen of a run."""
-    if run_directory.kind_of(directory) == "fluid":
+    if records.read(directory).kind == "fluid":
         if relative_to is not None:
-            raise RunDirectoryError("--relative-to is for runs of few bodies", exit_code=2)
+            raise InputError("--relative-to is for runs of few bodies")
         return BoxScene(directory, most)
-    run = few_body_run.load(directory)
+    run = few_bodies.load(directory)
     if run.trajectory is None:
         raise damaged(directory, "no trajectory: ask the deck for one with [output] trajectory")
-    return PathScene(run, most, None if relative_to is None else few_body_run.body_index(run, relative_to))
+    return PathScene(run, most, None if relative_to is None else few_body_points.body_index(run, relative_to))
 
 
 def make_writer(kind: str, fps: float) -> AbstractMovieWriter:
@@ -49,7 +51,7 @@ def make_writer(kind: str, fps: float) -> AbstractMovieWriter:
         return PillowWriter(fps=fps)
     if not FFMpegWriter.isAvailable():
         message = "mp4: the program ffmpeg was not found; install it, or ask for --formats gif"
-        raise RunDirectoryError(message, exit_code=4)
+        raise FileError(message)
     return FFMpegWriter(fps=fps, codec="h264", extra_args=["-pix_fmt", "yuv420p"])
 
 
@@ -68,7 +70,7 @@ def write_film(scene: Union[PathScene, BoxScene], writer: AbstractMovieWriter, p
             half.unlink(missing_ok=True)
     except (OSError, subprocess.CalledProcessError) as error:
         reason = getattr(error, "strerror", None) or str(error).splitlines()[0]
-        raise RunDirectoryError(f"{path}: cannot be written: {reason}", exit_code=4) from None
+        raise FileError(f"{path}: cannot be written: {reason}") from None
     print(path)
 
 

@@ -6,15 +6,15 @@ from pathlib import Path
 from typing import Optional
 
 import atoms_picture
-import checked_files
-import few_body_run
+import few_body_points
 import matplotlib.colors
 import numpy as np
 import style
-import trajectory
 from atoms_picture import Atoms, AtomsView
-from checked_files import RunDirectoryError, damaged
-from few_body_run import FewBodyRun
+from ljmd.errors import InputError
+from ljmd.reading import records, trajectories
+from ljmd.reading.few_bodies import FewBodyRun
+from ljmd.reading.files import damaged
 from matplotlib.collections import LineCollection
 from style import plt
 
@@ -29,19 +29,19 @@ class PathScene:
 
     def __init__(self, run: FewBodyRun, most: int, relative_to: Optional[int]):
         if relative_to is not None and run.bodies == 1:
-            raise RunDirectoryError(f"{run.path}: has one body, nothing moves relative to it", exit_code=2)
-        points = few_body_run.plane_points(run)
+            raise InputError(f"{run.path}: has one body, nothing moves relative to it")
+        points = few_body_points.plane_points(run)
         in_plane = points is not None
-        points = points if in_plane else few_body_run.phase_points(run)
+        points = points if in_plane else few_body_points.phase_points(run)
         if points is None:
             raise damaged(run.path, "the trajectory has no velocities: a phase portrait needs them")
         if relative_to is not None:
-            points = few_body_run.relative(points, relative_to)
+            points = few_body_points.relative(points, relative_to)
         self.points, self.time = points, run.trajectory.time
-        self.rows = trajectory.spread(len(points), most)
+        self.rows = trajectories.spread(len(points), most)
         self.figure, self.axes = plt.subplots(figsize=(INCHES, INCHES), constrained_layout=True)
         seen_from = "" if relative_to is None else f" from {style.plain(run.name(relative_to))}"
-        symbols = ("$x$", "$y$") if in_plane else run.coordinate
+        symbols = ("$x$", "$y$") if in_plane else few_body_points.coordinate(run)
         set_limits(self.axes, points, equal=in_plane)
         self.axes.set_xlabel(symbols[0] + seen_from)
         self.axes.set_ylabel(symbols[1] + seen_from)
@@ -61,7 +61,7 @@ class PathScene:
         """Show the bodies at one of the frames 0 ... len(rows) - 1."""
         row = self.rows[frame]
         start = max(0, row - max(1, round(TRAIL * len(self.points))))
-        behind = start + trajectory.spread(row - start + 1, TRAIL_POINTS)
+        behind = start + trajectories.spread(row - start + 1, TRAIL_POINTS)
         for body, (trail, dot) in enumerate(zip(self.trails, self.dots)):
             path = self.points[behind, body]
             colours = np.tile(matplotlib.colors.to_rgba(style.colour(body)), (max(len(path) - 1, 0), 1))
@@ -78,16 +78,16 @@ class BoxScene:
     """Atoms of a fluid in their box as shaded spheres, coloured by speed where the trajectory has velocities."""
 
     def __init__(self, directory: Path, most: int):
-        frames = trajectory.read(directory, most)
+        frames = trajectories.read(directory, most)
         if frames is None:
             raise damaged(directory, "no trajectory: ask the deck for one with [output] trajectory")
-        record = checked_files.read_json(directory / "run.json")
-        diameter = atoms_picture.atom_diameter(directory / "run.json", record, frames.length_unit)
+        record = records.read(directory)
+        diameter = atoms_picture.atom_diameter(record, frames.length_unit)
         self.frames = frames
         self.view = AtomsView(Atoms.of(frames, diameter), PIXELS)
         self.figure, self.axes = self.view.figure, self.view.axes
         self.rows = np.arange(len(frames.positions))
-        self.title = checked_files.field(directory / "run.json", record, "title", str, default="")
+        self.title = record.title
 
     def draw(self, frame: int) -> None:
         """Show the atoms of one of the frames."""

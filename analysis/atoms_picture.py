@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional
 
-import checked_files
 import numpy as np
 import spheres
 import style
-import trajectory
-from checked_files import damaged
+from ljmd.reading import records, trajectories
+from ljmd.reading.files import damaged, field
+from ljmd.reading.records import Record
+from ljmd.reading.trajectories import Trajectory
 from matplotlib.collections import LineCollection
 from style import plt
-from trajectory import Trajectory
 
 MOST_ATOMS = 200_000
 INCHES = 6.0
@@ -25,11 +25,11 @@ LENGTHS = {"": "", "sigma": r"$\sigma$", "nm": "nm", "angstrom": r"$\mathrm{\AA}
 SPEED_UNITS = {"": "", "sigma": r" / ($\sigma/\tau$)", "nm": " / (nm/ps)", "angstrom": r" / ($\mathrm{\AA}$/ps)"}
 
 
-def atom_diameter(path: Path, record: dict, unit: str) -> float:
+def atom_diameter(record: Record, unit: str) -> float:
     """One sigma in the unit of length of the trajectory."""
     if unit not in ("nm", "angstrom"):
         return 1.0
-    sigma = checked_files.field(path, checked_files.field(path, record, "argon", dict), "sigma_nm", float)
+    sigma = field(record.file, field(record.file, record.data, "argon", dict), "sigma_nm", float)
     return sigma * (ANGSTROM if unit == "angstrom" else 1.0)
 
 
@@ -100,17 +100,16 @@ def last_configuration(directory: Path) -> Optional[Path]:
 
 def plot_atoms(directory: Path, path: Path) -> plt.Figure:
     """The atoms of a configuration that a run has left."""
-    frames = trajectory.read_xyz(path)
+    frames = trajectories.read_xyz(path)
     if frames.positions.shape[1] > MOST_ATOMS:
         raise damaged(path, f"has {frames.positions.shape[1]} atoms, more than {MOST_ATOMS} are not drawn")
     if not np.all(np.isfinite(frames.positions)):
         raise damaged(path, "has positions that are no numbers: there is nothing to draw")
-    record = checked_files.read_json(directory / "run.json")
-    diameter = atom_diameter(directory / "run.json", record, frames.length_unit)
+    record = records.read(directory)
+    diameter = atom_diameter(record, frames.length_unit)
     view = AtomsView(Atoms.of(frames, diameter))
     view.show(0)
     what = "where the run failed" if path.name == "failed.xyz" else "last configuration"
     edges = "" if frames.edges is None else "; box " + r" $\times$ ".join(f"{edge:.4g}" for edge in frames.edges[0]) + f" {LENGTHS[frames.length_unit]}$^3$"
-    style.head(view.figure, checked_files.field(directory / "run.json", record, "title", str, default=""),
-               f"{what}: {frames.positions.shape[1]} atoms{edges}")
+    style.head(view.figure, record.title, f"{what}: {frames.positions.shape[1]} atoms{edges}")
     return view.figure

@@ -12,70 +12,19 @@ import re
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Callable, Optional
 
 import numpy as np
 import style
-from checked_files import RunDirectoryError, Table, damaged, field, read_json, read_table
+from ljmd.reading import comparisons
+from ljmd.reading.comparisons import RDF_COLUMNS, Check, FluidComparison
+from ljmd.reading.tables import Table
 from style import plt
 
 PROGRAMS = {"openmm": "OpenMM", "lammps": "LAMMPS"}
-RDF_COLUMNS = ("r", "g_ljmd", "g_ljmd_standard_error", "g_peer", "g_peer_standard_error")
-BESIDE_PAIRINGS = ("step", "time", "potential_energy_difference", "kinetic_energy_difference")
 GSL_ERRORS = {"position_error": "position", "velocity_error": "velocity", "energy_error": "energy",
               "angular_momentum_error": "angular momentum"}
 FITTED = (1e-12, 1e-2)  # distances that ljmd fits the growth to [sigma]
-
-
-@dataclass(frozen=True)
-class Check:
-    """A number that tells how far two programs are apart, and how far they may be; NaN where ljmd had no number."""
-
-    name: str
-    value: float
-    tolerance: float
-    passed: bool
-
-
-@dataclass(frozen=True)
-class Average:
-    """Means of one observable in both programs, with their standard errors."""
-
-    name: str
-    ours: tuple[float, float]
-    theirs: tuple[float, float]
-
-    @property
-    def error(self) -> float:
-        """Standard error of the difference."""
-        return math.hypot(self.ours[1], self.theirs[1])
-
-    @property
-    def difference(self) -> float:
-        return self.ours[0] - self.theirs[0]
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """What one comparison left behind; None and empty where it did not compare that."""
-
-    program: str  # of PROGRAMS
-    deck: str
-    peer: str  # name and version
-    peer_of_long_runs: str
-    checks: list[Check]
-    time_step: float
-    rate: Optional[float]  # lambda of exp(lambda t) [1/tau], of the first pairing
-    trajectory: Optional[Table]
-    averages: list[Average]
-    rdf: Optional[Table]
-
-    @property
-    def pairings(self) -> list[str]:
-        return [name for name in self.trajectory or {} if name not in BESIDE_PAIRINGS]
-
-    def check(self, name: str) -> Optional[Check]:
-        return next((check for check in self.checks if check.name == name), None)
 
 
 @dataclass(frozen=True)
@@ -91,68 +40,6 @@ class Growth:
         return self.factor * np.exp(self.rate * time)
 
 
-def wrong(message: str) -> RunDirectoryError:
-    return RunDirectoryError(message, exit_code=2)
-
-
-def load(directory: Path, program: str) -> Comparison:
-    """Read and check one comparison. The JSON says what was compared: a table of another time is not read."""
-    path = directory / f"compare-{program}.json"
-    record = read_json(path)
-    trajectory = field(path, record, "trajectory", dict, default={})
-    averages = field(path, record, "averages", dict, default={})
-    peer = field(path, record, "peer", str)
-    frames = field(path, averages, "rdf_configurations", int, default=0)
-    rdf = directory / f"compare-{program}-rdf.csv"
-    comparison = Comparison(
-        program=program,
-        deck=field(path, record, "deck", str),
-        peer=peer,
-        peer_of_long_runs=field(path, record, "peer_of_long_runs", str, default=peer),
-        checks=[read_check(path, entry) for entry in field(path, record, "checks", list)],
-        time_step=float(field(path, trajectory, "time_step", float, default=math.nan)),
-        rate=field(path, trajectory, "divergence_rate", float, default=None),
-        trajectory=read_trajectory(directory / f"compare-{program}-trajectory.csv") if trajectory else None,
-        averages=read_averages(path, averages) if averages else [],
-        rdf=read_table(rdf, RDF_COLUMNS, increasing=("r",)) if frames > 0 else None,
-    )
-    if comparison.trajectory is None and not comparison.averages:
-        raise wrong(f"{path}: neither trajectories nor averages were compared, there is nothing to draw")
-    return comparison
-
-
-def read_check(path: Path, entry: Any) -> Check:
-    return Check(
-        name=field(path, entry, "name", str),
-        value=float(field(path, entry, "value", float, default=math.nan)),
-        tolerance=float(field(path, entry, "tolerance", float)),
-        passed=field(path, entry, "passed", bool),
-    )
-
-
-def read_trajectory(path: Path) -> Table:
-    table = read_table(path, BESIDE_PAIRINGS, increasing=("step", "time"))
-    pairings = [name for name in table if name not in BESIDE_PAIRINGS]
-    if not pairings:
-        raise damaged(path, "line 1: no column with distances")
-    nameless = [name for name in pairings if " - " not in name]
-    if nameless:
-        raise damaged(path, f"line 1: column '{nameless[0]}' is no pair 'OURS - THEIRS'")
-    return table
-
-
-def read_averages(path: Path, record: dict[str, Any]) -> list[Average]:
-    return [
-        Average(name, *(read_estimate(path, field(path, entry, side, dict)) for side in ("ljmd", "peer")))
-        for name, entry in field(path, record, "observables", dict).items()
-    ]
-
-
-def read_estimate(path: Path, entry: dict[str, Any]) -> tuple[float, float]:
-    mean, error = (float(field(path, entry, name, float, default=math.nan)) for name in ("mean", "standard_error"))
-    return mean, error
-
-
 def growth(time: np.ndarray, distance: np.ndarray, rate: Optional[float]) -> Optional[Growth]:
     """The fitted exponential of that rate: through the middle of the rows that ljmd fitted it to."""
     fitted = (distance > FITTED[0]) & (distance < FITTED[1])
@@ -162,7 +49,7 @@ def growth(time: np.ndarray, distance: np.ndarray, rate: Optional[float]) -> Opt
     return Growth(rate, math.exp(offset), float(time[fitted][0]), float(time[fitted][-1]))
 
 
-def allowed(comparison: Comparison, pairing: str) -> list[tuple[float, Check]]:
+def allowed(comparison: FluidComparison, pairing: str) -> list[tuple[float, Check]]:
     """The checks of one pairing, each with its time."""
     ours, theirs = pairing.split(" - ", 1)
     found = []
@@ -173,7 +60,7 @@ def allowed(comparison: Comparison, pairing: str) -> list[tuple[float, Check]]:
     return found
 
 
-def draw_trajectory(axes: plt.Axes, comparison: Comparison) -> None:
+def draw_trajectory(axes: plt.Axes, comparison: FluidComparison) -> None:
     """Distance of the furthest atom; in the colour of its pairing what is allowed, filled where it was exceeded."""
     time = comparison.trajectory["time"]
     for k, pairing in enumerate(comparison.pairings):
@@ -204,7 +91,7 @@ def draw_trajectory(axes: plt.Axes, comparison: Comparison) -> None:
     axes.legend(loc="lower right", title=f"ljmd, {PROGRAMS[comparison.program]}", title_fontsize=9)
 
 
-def draw_rdf(axes: plt.Axes, below: plt.Axes, comparison: Comparison) -> None:
+def draw_rdf(axes: plt.Axes, below: plt.Axes, comparison: FluidComparison) -> None:
     """g(r) of both programs, and below their difference with a band of its standard error."""
     r, ours, our_error, theirs, their_error = (comparison.rdf[name] for name in RDF_COLUMNS)
     axes.plot(r, ours, color=style.BLUE, linewidth=2.6, label="ljmd")
@@ -225,7 +112,7 @@ def draw_rdf(axes: plt.Axes, below: plt.Axes, comparison: Comparison) -> None:
     below.legend(loc="upper right")
 
 
-def draw_averages(axes: plt.Axes, comparison: Comparison) -> None:
+def draw_averages(axes: plt.Axes, comparison: FluidComparison) -> None:
     """Differences of averages in units of their standard error, with the numbers; grey is what is allowed."""
     peer = PROGRAMS[comparison.program]
     labels, reach = [], 0.0
@@ -250,7 +137,7 @@ def draw_averages(axes: plt.Axes, comparison: Comparison) -> None:
     axes.set_xlabel("averages without tail: difference / its standard error")
 
 
-def plot(comparison: Comparison) -> plt.Figure:
+def plot(comparison: FluidComparison) -> plt.Figure:
     """One picture with a panel for all that was compared."""
     columns = [["trajectory", "trajectory"]] if comparison.trajectory is not None else []
     columns += [["g", "difference"]] if comparison.rdf is not None else []
@@ -273,7 +160,7 @@ def plot(comparison: Comparison) -> plt.Figure:
     return figure
 
 
-def caption(comparison: Comparison) -> tuple[str, str]:
+def caption(comparison: FluidComparison) -> tuple[str, str]:
     """Deck, program, its version where the long runs are another's; and whether all is well."""
     peers = dict.fromkeys([
         *([comparison.peer] if comparison.trajectory is not None else []),
@@ -307,11 +194,7 @@ def plot_errors(deck: str, table: Table) -> plt.Figure:
 
 
 def draw_gsl(directory: Path) -> plt.Figure:
-    path = directory / "compare-gsl.json"
-    deck = field(path, read_json(path), "deck", str)
-    columns = ("time", *GSL_ERRORS, "reference_error")
-    table = read_table(directory / "compare-gsl.csv", columns, increasing=("time",))
-    return plot_errors(deck, table)
+    return plot_errors(*comparisons.load_gsl(directory))
 
 
 def pictures(directory: Path) -> dict[str, Callable[[], plt.Figure]]:
@@ -319,7 +202,7 @@ def pictures(directory: Path) -> dict[str, Callable[[], plt.Figure]]:
     figures: dict[str, Callable[[], plt.Figure]] = {}
     for name in PROGRAMS:
         if (directory / f"compare-{name}.json").exists():
-            figures[f"compare-{name}"] = partial(lambda name: plot(load(directory, name)), name)
+            figures[f"compare-{name}"] = partial(lambda name: plot(comparisons.load(directory, name)), name)
     if (directory / "compare-gsl.json").exists():
         figures["compare-gsl"] = partial(draw_gsl, directory)
     return figures

@@ -28,12 +28,13 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import deck  # noqa: E402
+from script import reports_errors  # noqa: E402  (it finds the package ljmd)
 import fitting  # noqa: E402
 import program  # noqa: E402
 import style  # noqa: E402
 from fitting import PowerLaw  # noqa: E402
-from checked_files import RunDirectoryError, reports_errors  # noqa: E402
+from ljmd.errors import FileError, InputError  # noqa: E402
+from ljmd.reading import decks  # noqa: E402
 from style import plt  # noqa: E402
 
 ROUND_OFF = 1e-11
@@ -73,19 +74,15 @@ class Series:
     fits: dict[str, PowerLaw]
 
 
-def wrong(message: str) -> RunDirectoryError:
-    return RunDirectoryError(message, exit_code=2)
-
-
 def read_study(path: Path, settings: Sequence[str]) -> Study:
     """What is needed of a deck that ljmd has found good."""
-    table = deck.read(path, settings)
+    table = decks.read(path, settings)
     stages = table.get("stage", [])
     if len(stages) != 1:
-        raise wrong(f"{path}: has {len(stages)} stages, must have one")
+        raise InputError(f"{path}: has {len(stages)} stages, must have one")
     stage = stages[0]
     if stage["steps"] < 1:
-        raise wrong(f"{path}: steps must be above 0")
+        raise InputError(f"{path}: steps must be above 0")
     return Study(
         path=path,
         settings=tuple(text for setting in settings for text in ("--set", setting)),
@@ -109,15 +106,15 @@ def run_ljmd(ljmd: Path, *arguments: Any) -> Optional[dict[str, Any]]:
     try:
         done = subprocess.run([str(ljmd), *map(str, arguments)], capture_output=True, text=True, check=False)
     except OSError as error:
-        raise wrong(f"{ljmd}: cannot be run: {error.strerror}; say where ljmd is with --ljmd") from None
+        raise InputError(f"{ljmd}: cannot be run: {error.strerror}; say where ljmd is with --ljmd") from None
     if done.returncode == BLOWN_UP:
         return None
     if done.returncode != 0:
-        raise wrong(f"ljmd {' '.join(map(str, arguments))}: {(done.stderr.strip() or 'failed').splitlines()[0]}")
+        raise InputError(f"ljmd {' '.join(map(str, arguments))}: {(done.stderr.strip() or 'failed').splitlines()[0]}")
     try:
         return json.loads(done.stdout)
     except json.JSONDecodeError as error:
-        raise wrong(f"ljmd {' '.join(map(str, arguments))}: did not print JSON: {error}") from None
+        raise InputError(f"ljmd {' '.join(map(str, arguments))}: did not print JSON: {error}") from None
 
 
 def measure(study: Study, ljmd: Path, integrator: str, order: Optional[int], time_steps: Sequence[float]) -> Series:
@@ -178,7 +175,7 @@ def save_table(series: Sequence[Series], path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     except OSError as error:
-        raise RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
+        raise FileError(f"{path}: cannot be written: {error.strerror}") from None
     print(path)
 
 
@@ -220,7 +217,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     names = options.integrators.split(",") if options.integrators else fixed
     unknown = [name for name in names if name not in known]
     if unknown:
-        raise wrong(f"there is no integrator '{unknown[0]}', only {', '.join(known)}")
+        raise InputError(f"there is no integrator '{unknown[0]}', only {', '.join(known)}")
     time_steps = options.time_steps or [factor * study.time_step for factor in FACTORS]
     series = [measure(study, ljmd, name, known[name], time_steps) for name in names]
     print_slopes(series)

@@ -26,12 +26,14 @@ from typing import Optional, Sequence
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import few_body_run  # noqa: E402
+from script import reports_errors  # noqa: E402  (it finds the package ljmd)
 import fitting  # noqa: E402
 import style  # noqa: E402
-from few_body_run import FewBodyRun  # noqa: E402
 from fitting import PowerLaw  # noqa: E402
-from checked_files import RunDirectoryError, damaged, reports_errors  # noqa: E402
+from ljmd.errors import InputError  # noqa: E402
+from ljmd.reading import few_bodies  # noqa: E402
+from ljmd.reading.few_bodies import FewBodyRun  # noqa: E402
+from ljmd.reading.files import damaged  # noqa: E402
 from style import plt  # noqa: E402
 
 ROUND_OFF = 2.2e-16
@@ -66,7 +68,7 @@ def columns(run: FewBodyRun) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]
     frames = run.trajectory
     path = run.path / "trajectory.csv"
     if run.bodies != 1:
-        raise RunDirectoryError(f"{run.path}: has {run.bodies} bodies, one is needed", exit_code=2)
+        raise InputError(f"{run.path}: has {run.bodies} bodies, one is needed")
     if frames is None or frames.velocities is None or frames.accelerations is None:
         raise damaged(path, "positions, velocities and accelerations are needed: set accelerations = true in the deck")
     if len(frames.time) < 8:
@@ -119,7 +121,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--format", choices=("png", "pdf", "svg"), default="png")
     options = parser.parse_args(arguments)
     style.use()
-    run = few_body_run.load(options.rundir)
+    run = few_bodies.load(options.rundir)
     steps, found = measure(run)
     for kind, (_, law) in found.items():
         print(f"slope {kind} {law.slope:.3f}")

@@ -8,11 +8,12 @@ from functools import partial
 from pathlib import Path
 from typing import Callable
 
-import few_body_run
+import few_body_points
 import numpy as np
 import style
-import trajectory
-from few_body_run import FewBodyRun
+from ljmd.reading import few_bodies
+from ljmd.reading.few_bodies import FewBodyRun
+from ljmd.reading.trajectories import spread
 from style import plt
 
 MOST_PANELS = 16
@@ -22,19 +23,19 @@ CONSERVED = {"momentum": "$P$", "angular_momentum": "$L$"}  # prefix of the colu
 
 def pictures(path: Path, relative_to: int = 1) -> dict[str, Callable[[], plt.Figure]]:
     """What draws the pictures that suit a run, by name; `relative_to` is a body, counted from 1."""
-    run = few_body_run.load(path)
+    run = few_bodies.load(path)
     if run.trajectory is None:
         print(f"{run.path / 'trajectory.csv'}: not there, no pictures of orbits", file=sys.stderr)
-    return pictures_of(run, few_body_run.body_index(run, relative_to))
+    return pictures_of(run, few_body_points.body_index(run, relative_to))
 
 
 def pictures_of(run: FewBodyRun, relative_to: int) -> dict[str, Callable[[], plt.Figure]]:
     """As pictures(); the body is counted from 0."""
     made: dict[str, Callable[[], plt.Figure]] = {"energy": partial(plot_energy, run)}
-    points = few_body_run.plane_points(run)
+    points = few_body_points.plane_points(run)
     if points is not None and run.force != "pendulum":  # which only ever draws its circle
         made["orbit"] = partial(plot_orbit, run, points)
-    if few_body_run.phase_points(run) is not None:
+    if few_body_points.phase_points(run) is not None:
         made["phase"] = partial(plot_phase, run)
     if momentum_columns(run):
         made["momentum"] = partial(plot_momentum, run)
@@ -48,7 +49,7 @@ def coincide(one: np.ndarray, other: np.ndarray) -> bool:
     size = float(np.ptp(other, axis=0).max())
     if size == 0.0:
         return False
-    some, other = one[trajectory.spread(len(one), 100)], other[trajectory.spread(len(other), 4000)]
+    some, other = one[spread(len(one), 100)], other[spread(len(other), 4000)]
     start, step = other[:-1], np.diff(other, axis=0)
     length = np.maximum((step**2).sum(axis=1), 1e-300)
     along = np.clip(((some[:, np.newaxis] - start) * step).sum(axis=2) / length, 0.0, 1.0)
@@ -113,14 +114,14 @@ def plot_orbit(run: FewBodyRun, points: np.ndarray) -> plt.Figure:
 
 def plot_relative(run: FewBodyRun, reference: int) -> plt.Figure:
     """The paths as seen from one body; against time where there is but one dimension."""
-    points = few_body_run.relative(run.trajectory.positions, reference)
+    points = few_body_points.relative(run.trajectory.positions, reference)
     seen_from = f"from {style.plain(run.name(reference))}"
     if points.shape[2] == 1:
         figure, axes = plt.subplots(figsize=(7.0, 4.5), constrained_layout=True)
         for body in range(run.bodies):
             axes.plot(run.trajectory.time, points[:, body, 0], color=style.colour(body), label=run.name(body))
         axes.set_xlabel("$t$")
-        axes.set_ylabel(f"{run.coordinate[0]} {seen_from}")
+        axes.set_ylabel(f"{few_body_points.coordinate(run)[0]} {seen_from}")
         style.legend_beside(axes, ncol=math.ceil(run.bodies / 20))
     else:
         figure, axes = plane_panel(points[:, :, :2])
@@ -134,7 +135,7 @@ def plot_relative(run: FewBodyRun, reference: int) -> plt.Figure:
 
 def plot_phase(run: FewBodyRun) -> plt.Figure:
     """Velocity against the first coordinate, a panel for each body."""
-    points = few_body_run.phase_points(run)
+    points = few_body_points.phase_points(run)
     panels = min(run.bodies, MOST_PANELS)
     columns = panels if panels <= 3 else math.ceil(math.sqrt(panels))
     rows = math.ceil(panels / columns)
@@ -148,15 +149,15 @@ def plot_phase(run: FewBodyRun) -> plt.Figure:
         colour = style.colour(body)
         axes.plot(position, velocity, color=colour, linewidth=0.9)
         draw_ends(axes, position, velocity, colour)
-        axes.set_xlabel(run.coordinate[0])
-        axes.set_ylabel(run.coordinate[1])
+        axes.set_xlabel(few_body_points.coordinate(run)[0])
+        axes.set_ylabel(few_body_points.coordinate(run)[1])
         axes.margins(0.08)
         if run.bodies > 1:
             axes.set_title(style.plain(run.name(body)), fontsize=10)
     legend_of_paths(grid[0, -1], 1)
     style.head(figure, run.title, run.status if run.bodies == 1 else "")
     if panels < run.bodies:
-        grid[-1, 0].set_xlabel(f"{run.coordinate[0]}\nbodies 1 to {panels} of {run.bodies}")
+        grid[-1, 0].set_xlabel(f"{few_body_points.coordinate(run)[0]}\nbodies 1 to {panels} of {run.bodies}")
     return figure
 
 

@@ -7,21 +7,23 @@ stress_autocorrelation (viscosity).
 
 from __future__ import annotations
 
+import math
 from functools import partial
 from pathlib import Path
 from typing import Callable, Optional
 
 import atoms_picture
-import checked_files
 import numpy as np
-import run_directory
 import structure_pictures
 import style
-from checked_files import Table
-from run_directory import RunDirectory
-from stage import Stage
+from ljmd.reading import fluids
+from ljmd.reading.files import damaged
+from ljmd.reading.fluids import FluidRun
+from ljmd.reading.stages import Stage
+from ljmd.reading.tables import Table
 from style import plt
 
+RDF_COLUMNS = ("r", "g", "g_standard_error")
 BLOCKS = 20
 PANELS = {
     "temperature": style.VERMILION,
@@ -123,7 +125,7 @@ def value_range(values: np.ndarray, sampled: np.ndarray) -> tuple[float, float]:
     return low - 0.08 * span, high + 0.35 * span
 
 
-def draw_stage(axes: plt.Axes, run: RunDirectory, stage: Stage, name: str, colour: str) -> None:
+def draw_stage(axes: plt.Axes, run: FluidRun, stage: Stage, name: str, colour: str) -> None:
     """Shade a sampled stage; on it the block averages, and the mean of the run as a band of one standard error."""
     rows = run.rows_of(stage)
     time = run.thermo["time"][rows]
@@ -131,8 +133,8 @@ def draw_stage(axes: plt.Axes, run: RunDirectory, stage: Stage, name: str, colou
         return
     axes.axvspan(time[0], time[-1], color="#EEEEEE", zorder=0, linewidth=0, label="sampled stage")
     observable = run.observables.get(name)
-    if observable is not None and observable.mean is not None:
-        error = observable.standard_error or 0.0
+    if observable is not None and math.isfinite(observable.mean):
+        error = np.nan_to_num(observable.error)
         band = ([observable.mean - error] * 2, [observable.mean + error] * 2)
         axes.fill_between(time[[0, -1]], *band, color=style.ORANGE, alpha=0.45, linewidth=0, zorder=3)
         label = r"mean $\pm$ standard error"
@@ -145,13 +147,13 @@ def draw_stage(axes: plt.Axes, run: RunDirectory, stage: Stage, name: str, colou
         )
 
 
-def panel_caption(run: RunDirectory, name: str) -> str:
+def panel_caption(run: FluidRun, name: str) -> str:
     """The mean with its standard error and, for the total energy, the drift of the sampled stages."""
     parts = []
     observable = run.observables.get(name)
-    if observable is not None and observable.mean is not None:
+    if observable is not None and math.isfinite(observable.mean):
         symbol = style.LABELS[name].split(" / ")[0].strip("$")
-        mean = style.with_uncertainty(observable.mean, observable.standard_error or 0.0)
+        mean = style.with_uncertainty(observable.mean, observable.error)
         parts.append(rf"$\langle {symbol} \rangle$ = {mean}")
     if name == "total_energy":
         drifts = [stage.energy_drift for stage in run.stages if stage.sampled and stage.energy_drift is not None]
@@ -159,11 +161,11 @@ def panel_caption(run: RunDirectory, name: str) -> str:
     return ",  ".join(parts)
 
 
-def plot_thermo(run: RunDirectory) -> plt.Figure:
+def plot_thermo(run: FluidRun) -> plt.Figure:
     """Temperature, energies per atom and pressure against time, one panel each."""
     names = [name for name in PANELS if np.isfinite(run.thermo[name]).any()]
     if not names:
-        raise checked_files.damaged(run.path / "thermo.csv", f"no numbers in {', '.join(PANELS)}")
+        raise damaged(run.path / "thermo.csv", f"no numbers in {', '.join(PANELS)}")
     time = run.thermo["time"]
     sampled_stages = [stage for stage in run.stages if stage.sampled]
     sampled = np.zeros(time.size, dtype=bool)
@@ -198,9 +200,14 @@ def plot_thermo(run: RunDirectory) -> plt.Figure:
     return figure
 
 
-def plot_rdf(run: RunDirectory, table: Table) -> plt.Figure:
+def read_rdf(path: Path) -> Optional[Table]:
+    """g(r) with its errors; None when it has no value."""
+    return structure_pictures.read(path, RDF_COLUMNS[0], RDF_COLUMNS[1:])
+
+
+def plot_rdf(run: FluidRun, table: Table) -> plt.Figure:
     """g(r) with a band of one standard error; its peaks carry their place and height."""
-    r, g, error = (table[name] for name in run_directory.RDF_COLUMNS)
+    r, g, error = (table[name] for name in RDF_COLUMNS)
     figure, axes = plt.subplots(figsize=(7.0, 4.5), constrained_layout=True)
     band = rf"$\pm$ standard error (at most {np.nanmax(error, initial=0.0):.2g})"
     axes.axhline(1.0, color=style.GREY, linewidth=0.8, linestyle="--")
@@ -224,7 +231,7 @@ def plot_rdf(run: RunDirectory, table: Table) -> plt.Figure:
 
 def pictures(path: Path) -> dict[str, Callable[[], plt.Figure]]:
     """What draws the pictures of a run, by name."""
-    run = run_directory.load(path)
+    run = fluids.load(path)
     figures: dict[str, Callable[[], plt.Figure]] = {"thermo": partial(plot_thermo, run)}
     configuration = atoms_picture.last_configuration(path)
     if configuration is not None:
@@ -232,7 +239,9 @@ def pictures(path: Path) -> dict[str, Callable[[], plt.Figure]]:
     return figures | pictures_of_tables(run)
 
 
-def pictures_of_tables(run: RunDirectory) -> dict[str, Callable[[], plt.Figure]]:
+def pictures_of_tables(run: FluidRun) -> dict[str, Callable[[], plt.Figure]]:
     """What draws the tables of a run, or of `ljmd analyze`, by name."""
-    figures = {} if run.rdf is None else {"rdf": partial(plot_rdf, run, run.rdf)}
+    path = run.path / "rdf.csv"
+    table = read_rdf(path) if path.exists() else None
+    figures = {} if table is None else {"rdf": partial(plot_rdf, run, table)}
     return figures | structure_pictures.pictures(run)

@@ -33,9 +33,10 @@ if absent:
           f"{sys.executable} -m pip install {' '.join(absent)}", file=sys.stderr)
     sys.exit(2)
 
+from script import reports_errors  # noqa: E402  (it finds the package ljmd)
 import sources  # noqa: E402
 import style  # noqa: E402
-from checked_files import RunDirectoryError, reports_errors  # noqa: E402
+from ljmd.errors import InputError  # noqa: E402
 from sources import Choice, Source  # noqa: E402
 
 
@@ -45,8 +46,7 @@ def chosen(source: Source, path: Path, names: Sequence[str]) -> list[str]:
         if name not in source.pictures:
             near = difflib.get_close_matches(name, source.pictures, 1)
             advice = f"; did you mean '{near[0]}'?" if near else ""
-            raise RunDirectoryError(f"{path}: no picture '{name}' (there are: {', '.join(source.pictures)}){advice}",
-                                    exit_code=2)
+            raise InputError(f"{path}: no picture '{name}' (there are: {', '.join(source.pictures)}){advice}")
     return list(dict.fromkeys(names)) or source.usual
 
 
@@ -55,7 +55,7 @@ def places(source: Source, names: Sequence[str], out: Optional[Path]) -> dict[st
     if out is None or (out.suffix not in style.FORMATS and (out.is_dir() or not out.suffix)):
         return {name: (out or source.folder) / f"{name}.png" for name in names}
     if out.suffix not in style.FORMATS:
-        raise RunDirectoryError(f"{out}: must end in {', '.join(style.FORMATS)}, or be a directory", exit_code=2)
+        raise InputError(f"{out}: must end in {', '.join(style.FORMATS)}, or be a directory")
     if len(names) == 1:
         return {names[0]: out}
     return {name: out.with_name(f"{out.stem}-{name}{out.suffix}") for name in names}

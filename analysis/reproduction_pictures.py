@@ -7,59 +7,19 @@ differ by from Thol's at each row.
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, Callable
+from typing import Callable
 
 import numpy as np
 import style
-from checked_files import Table, damaged, field, read_json, read_table
+from ljmd.reading import reproductions
+from ljmd.reading.reproductions import Row
+from ljmd.reading.tables import Table
 from matplotlib.colors import LogNorm
 from style import plt
 
-ISOTHERM_COLUMNS = ("T", "rho", "Z_thol2016", "Z_kolafa_nezbeda1994")
 COLOURS = "viridis_r"
-
-
-@dataclass(frozen=True)
-class Row:
-    """Compressibility factors at one density and temperature; NaN where Verlet has none."""
-
-    rho: float
-    temperature: float
-    found: float
-    error: float
-    beyond_cutoff: float
-    verlet: float
-    sound: bool
-    thol: float
-    kolafa: float
-
-
-def read_row(path: Path, entry: Any) -> Row:
-    if not isinstance(entry, dict):
-        raise damaged(path, "a row is not an object")
-
-    def number(name: str) -> float:
-        return float(field(path, entry, name, float))
-
-    verlet = field(path, entry, "Z_verlet", dict, default={}) or {}
-    return Row(
-        rho=number("rho"), temperature=number("T"), found=number("Z"), error=number("Z_standard_error"),
-        beyond_cutoff=number("Z_beyond_cutoff"), verlet=float(verlet.get("value", math.nan)),
-        sound=verlet.get("soundness") == "sound", thol=number("Z_thol2016"), kolafa=number("Z_kolafa_nezbeda1994"),
-    )
-
-
-def load(directory: Path) -> tuple[list[Row], Table]:
-    """The rows of the table, and the isotherms."""
-    path = directory / "results.json"
-    rows = [read_row(path, entry) for entry in field(path, read_json(path), "rows", list)]
-    if not rows:
-        raise damaged(path, "no rows")
-    return rows, read_table(directory / "isotherms.csv", ISOTHERM_COLUMNS, increasing=())
 
 
 def plot(rows: list[Row], isotherms: Table) -> plt.Figure:
@@ -119,6 +79,4 @@ def draw_differences(axes: plt.Axes, rows: list[Row], rho: np.ndarray) -> None:
 
 def pictures(directory: Path) -> dict[str, Callable[[], plt.Figure]]:
     """What draws the picture, by its name."""
-    if not (directory / "results.json").exists():
-        raise damaged(directory, "the table has not come to its end: `ljmd reproduce` resumes it")
-    return {"isotherms": partial(plot, *load(directory))}
+    return {"isotherms": partial(plot, *reproductions.load(directory))}

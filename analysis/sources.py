@@ -12,11 +12,13 @@ import comparison_pictures
 import few_body_pictures
 import fluid_pictures
 import reproduction_pictures
-import run_directory
 import structure_pictures
 import sweep_pictures
 import table_pictures
-from checked_files import RunDirectoryError, damaged
+from ljmd.errors import InputError
+from ljmd.reading import fluids, records
+from ljmd.reading.files import damaged
+from ljmd.reading.tables import header_of
 from style import plt
 
 COMPARISONS = re.compile(r"compare-(\w+?)(-trajectory|-rdf)?\.(json|csv)")
@@ -46,16 +48,15 @@ class Source:
 def recognize(path: Path, choice: Choice) -> Source:
     """The pictures of a directory or file.
 
-    Raises RunDirectoryError, with exit code 2 when there is nothing at `path` or an option does not suit it, 3 when
-    nothing there is of ljmd, or a file is missing or damaged.
+    Raises InputError when there is nothing at `path` or an option does not suit it, DataError when nothing there is of
+    ljmd, or a file is missing or damaged.
     """
     if not path.exists():
-        raise RunDirectoryError(f"{path}: no such file or directory", exit_code=2)
+        raise InputError(f"{path}: no such file or directory")
     source = of_directory(path, choice) if path.is_dir() else of_file(path, choice)
     for option, value, kind in (("--against", choice.against, "sweep"), ("--relative-to", choice.relative_to, "few-body")):
         if value is not None and source.kind != kind:
-            raise RunDirectoryError(f"{path}: {option} is for a {'run of few bodies' if kind == 'few-body' else kind}",
-                                    exit_code=2)
+            raise InputError(f"{path}: {option} is for a {'run of few bodies' if kind == 'few-body' else kind}")
     if not source.pictures:
         raise damaged(path, "there is nothing to draw")
     return source
@@ -66,7 +67,7 @@ def of_directory(path: Path, choice: Choice) -> Source:
         pictures = sweep_pictures.pictures(path, choice.against)
         return Source("sweep", pictures, sweep_pictures.usual(list(pictures)), path)
     if (path / "run.json").exists():
-        kind = run_directory.kind_of(path)
+        kind = records.read(path).kind
         pictures = (fluid_pictures.pictures(path) if kind == "fluid" else
                     few_body_pictures.pictures(path, choice.relative_to or 1))
     elif any(path.glob("compare-*.json")):
@@ -74,7 +75,7 @@ def of_directory(path: Path, choice: Choice) -> Source:
     elif (path / "isotherms.csv").exists() or (path / "rows").is_dir():
         kind, pictures = "reproduction", reproduction_pictures.pictures(path)
     elif any((path / f"{name}.csv").exists() for name in ("rdf", *structure_pictures.PICTURES)):
-        kind, pictures = "analysis", fluid_pictures.pictures_of_tables(run_directory.tables_of_analysis(path))
+        kind, pictures = "analysis", fluid_pictures.pictures_of_tables(fluids.tables_of_analysis(path))
     else:
         tables = sorted(path.glob("*.csv"))
         if not tables:
@@ -97,7 +98,7 @@ def of_file(path: Path, choice: Choice) -> Source:
     if path.suffix != ".csv":
         raise damaged(path, "is no table of ljmd (.csv), nor part of a run, a sweep, a reproduced table or a comparison")
     if (folder / "run.json").exists():
-        names = OF_RUN[run_directory.kind_of(folder)].get(path.stem)
+        names = OF_RUN[records.read(folder).kind].get(path.stem)
         if names:
             return narrowed(of_directory(folder, choice), names)
     return of_table(path)
@@ -117,11 +118,11 @@ def narrowed(source: Source, names: list[str]) -> Source:
 def of_table(path: Path) -> Source:
     """A table with the columns of g(r), S(k) and so on, whatever its name is; else each column."""
     folder = path.parent
-    in_run = (folder / "run.json").exists() and run_directory.kind_of(folder) == "fluid"
-    run = run_directory.load(folder) if in_run else run_directory.tables_of_analysis(folder, path.stem)
-    header = table_pictures.header(path)
-    if set(run_directory.RDF_COLUMNS) <= set(header):
-        table = run_directory.read_rdf(path)
+    in_run = (folder / "run.json").exists() and records.read(folder).kind == "fluid"
+    run = fluids.load(folder) if in_run else fluids.tables_of_analysis(folder, path.stem)
+    header = header_of(path)
+    if set(fluid_pictures.RDF_COLUMNS) <= set(header):
+        table = fluid_pictures.read_rdf(path)
         draw = partial(fluid_pictures.plot_rdf, run, table) if table is not None else None
     else:
         draw = structure_pictures.of_table(run, path, header)

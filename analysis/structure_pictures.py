@@ -5,15 +5,17 @@ Each function draws one table of a run of a fluid; `pictures` draws those that t
 
 from __future__ import annotations
 
+import math
+import sys
 from functools import partial
 from pathlib import Path
 from typing import Callable, Optional, Sequence
 
 import numpy as np
-import checked_files
 import style
-from checked_files import Table
-from run_directory import RunDirectory
+from ljmd.reading.files import damaged
+from ljmd.reading.fluids import FluidRun
+from ljmd.reading.tables import Table, read_table
 from style import plt
 
 SIZE = (7.0, 4.5)
@@ -26,27 +28,27 @@ def draw_band(axes: plt.Axes, x: np.ndarray, y: np.ndarray, error: np.ndarray, c
     axes.plot(x, y, color=colour, linewidth=1.3, label=label or None)
 
 
-def caption(run: RunDirectory, name: str, symbol: str, unit: str) -> str:
+def caption(run: FluidRun, name: str, symbol: str, unit: str) -> str:
     """A mean of the run with its standard error, for a legend."""
     observable = run.observables.get(name)
-    if observable is None or observable.mean is None:
+    if observable is None or math.isnan(observable.mean):
         return symbol
-    return rf"{symbol} = {style.with_uncertainty(observable.mean, observable.standard_error or 0.0)} {unit}"
+    return rf"{symbol} = {style.with_uncertainty(observable.mean, observable.error)} {unit}"
 
 
-def finish(figure: plt.Figure, run: RunDirectory) -> plt.Figure:
+def finish(figure: plt.Figure, run: FluidRun) -> plt.Figure:
     style.head(figure, run.title)
     return figure
 
 
-def structure_factor(run: RunDirectory, table: Table) -> plt.Figure:
+def structure_factor(run: FluidRun, table: Table) -> plt.Figure:
     """S(k) with the transform of g(r) beside it, where that is there."""
     figure, axes = plt.subplots(figsize=SIZE, constrained_layout=True)
     axes.axhline(1.0, color=style.GREY, linewidth=0.8, linestyle="--")
     k, s = table["k"], table["S"]
     path = run.path / "sk_from_rdf.csv"
     if path.exists():
-        other = checked_files.read_table(path, ("k", "S"), increasing=("k",))
+        other = read_table(path, ("k", "S"), increasing=("k",))
         near = other["k"] <= k[-1]
         axes.plot(other["k"][near], other["S"][near], color=style.ORANGE, linewidth=1.0, label="from g(r)")
     draw_band(axes, k, s, table["S_standard_error"], style.BLUE, "from the density")
@@ -61,13 +63,13 @@ def structure_factor(run: RunDirectory, table: Table) -> plt.Figure:
     return finish(figure, run)
 
 
-def displacement(run: RunDirectory, table: Table) -> plt.Figure:
+def displacement(run: FluidRun, table: Table) -> plt.Figure:
     """The mean-square displacement, and a line with the slope of the diffusion found."""
     figure, axes = plt.subplots(figsize=SIZE, constrained_layout=True)
     time, msd = table["time"], table["msd"]
     draw_band(axes, time, msd, table["msd_standard_error"], style.BLUE, "mean-square displacement")
     diffusion = run.observables.get("diffusion")
-    if diffusion is not None and diffusion.mean is not None:
+    if diffusion is not None and math.isfinite(diffusion.mean):
         line = msd[-1] + 6.0 * diffusion.mean * (time - time[-1])  # through the last point
         label = caption(run, "diffusion", r"slope $6D$, $D$", r"$\sigma^2/\tau$")
         axes.plot(time[line > 0.0], line[line > 0.0], color=style.ORANGE, linewidth=1.0, linestyle="--", label=label)
@@ -79,7 +81,7 @@ def displacement(run: RunDirectory, table: Table) -> plt.Figure:
     return finish(figure, run)
 
 
-def integral_pair(run: RunDirectory, time: np.ndarray, above: tuple[np.ndarray, np.ndarray, str],
+def integral_pair(run: FluidRun, time: np.ndarray, above: tuple[np.ndarray, np.ndarray, str],
                   below: tuple[np.ndarray, np.ndarray, str], label: str) -> plt.Figure:
     """A correlation function and, below, the integral of it up to each time."""
     figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(7.0, 6.0), constrained_layout=True)
@@ -94,7 +96,7 @@ def integral_pair(run: RunDirectory, time: np.ndarray, above: tuple[np.ndarray, 
     return finish(figure, run)
 
 
-def velocity_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
+def velocity_autocorrelation(run: FluidRun, table: Table) -> plt.Figure:
     """The normalised velocity autocorrelation, and the diffusion that it adds up to."""
     scale = table["vacf"][0]
     above = (table["vacf"] / scale, table["vacf_standard_error"] / scale, r"$\langle v(0) v(t) \rangle / \langle v^2 \rangle$")
@@ -103,7 +105,7 @@ def velocity_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
                          caption(run, "diffusion_green_kubo", r"$D$", r"$\sigma^2/\tau$"))
 
 
-def vibrational_spectrum(run: RunDirectory, table: Table) -> plt.Figure:
+def vibrational_spectrum(run: FluidRun, table: Table) -> plt.Figure:
     """The spectrum of the velocities, as far as there is anything in it."""
     figure, axes = plt.subplots(figsize=SIZE, constrained_layout=True)
     frequency, spectrum = table["angular_frequency"], table["spectrum"]
@@ -116,7 +118,7 @@ def vibrational_spectrum(run: RunDirectory, table: Table) -> plt.Figure:
     return finish(figure, run)
 
 
-def stress_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
+def stress_autocorrelation(run: FluidRun, table: Table) -> plt.Figure:
     """The stress autocorrelation, and the viscosity that it adds up to."""
     name = "stress_autocorrelation"
     above = (table[name], table[f"{name}_standard_error"], r"$\langle P_{xy}(0) P_{xy}(t) \rangle$ / ($\epsilon^2/\sigma^6$)")
@@ -125,7 +127,7 @@ def stress_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
                          caption(run, "viscosity", r"$\eta$", r"$\epsilon \tau/\sigma^3$"))
 
 
-def film(run: RunDirectory, table: Table) -> plt.Figure:
+def film(run: FluidRun, table: Table) -> plt.Figure:
     """The density and the two pressures across a film of liquid."""
     figure, (upper, lower) = plt.subplots(2, 1, sharex=True, figsize=(7.0, 6.0), constrained_layout=True)
     z = table["z"]
@@ -144,7 +146,7 @@ def film(run: RunDirectory, table: Table) -> plt.Figure:
     return finish(figure, run)
 
 
-def pressure_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
+def pressure_autocorrelation(run: FluidRun, table: Table) -> plt.Figure:
     """The autocorrelation of the pressure, and the bulk viscosity that it adds up to."""
     name = "pressure_autocorrelation"
     above = (table[name], table[f"{name}_standard_error"], r"$\langle \delta p(0) \delta p(t) \rangle$ / ($\epsilon^2/\sigma^6$)")
@@ -153,7 +155,7 @@ def pressure_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
                          caption(run, "bulk_viscosity", r"$\eta_v$", r"$\epsilon \tau/\sigma^3$"))
 
 
-def heat_flux_autocorrelation(run: RunDirectory, table: Table) -> plt.Figure:
+def heat_flux_autocorrelation(run: FluidRun, table: Table) -> plt.Figure:
     """The autocorrelation of the heat flux, and the thermal conductivity that it adds up to."""
     name = "heat_flux_autocorrelation"
     above = (table[name], table[f"{name}_standard_error"],
@@ -186,12 +188,28 @@ PICTURES = {
 def read(path: Path, first: str, others: tuple[str, ...]) -> Optional[Table]:
     """A table whose first column increases, and whose other columns have a number in every row, errors excepted; None
     when one of them has no value at all."""
-    table = checked_files.read_table(path, (first, *others), increasing=(first,))
+    table = read_table(path, (first, *others), increasing=(first,))
     drawn = [name for name in others if not name.endswith("_standard_error")]
-    return table if checked_files.has_values(path, table, drawn) else None
+    return table if has_values(path, table, drawn) else None
 
 
-def of_table(run: RunDirectory, path: Path, header: Sequence[str]) -> Optional[Callable[[], plt.Figure]]:
+def has_values(path: Path, table: Table, names: Sequence[str]) -> bool:
+    """Whether the columns `names` of a table have a number in every row. One without any is of a quantity that has no value
+    in this run (g(r) of a single atom, viscosity at zero temperature): there is nothing to draw then, which is said.
+
+    Raises DataError for a column with some numbers.
+    """
+    for name in names:
+        gaps = np.flatnonzero(~np.isfinite(table[name]))
+        if gaps.size == table[name].size:
+            print(f"{path}: '{name}' has no value in this run, no picture of it", file=sys.stderr)
+            return False
+        if gaps.size:
+            raise damaged(path, f"line {gaps[0] + 2}: column '{name}' has no number")
+    return True
+
+
+def of_table(run: FluidRun, path: Path, header: Sequence[str]) -> Optional[Callable[[], plt.Figure]]:
     """What draws a table that has the columns of one of PICTURES, whatever its name is; None for another table."""
     for first, others, draw in PICTURES.values():
         if {first, *others} <= set(header):
@@ -200,7 +218,7 @@ def of_table(run: RunDirectory, path: Path, header: Sequence[str]) -> Optional[C
     return None
 
 
-def pictures(run: RunDirectory) -> dict[str, Callable[[], plt.Figure]]:
+def pictures(run: FluidRun) -> dict[str, Callable[[], plt.Figure]]:
     """What draws the tables that a run has, by their names."""
     figures: dict[str, Callable[[], plt.Figure]] = {}
     for name, (first, others, draw) in PICTURES.items():

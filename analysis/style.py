@@ -10,7 +10,7 @@ import matplotlib
 matplotlib.use("Agg")
 import fonts  # noqa: E402  (the backend must be chosen first)
 import matplotlib.pyplot as plt  # noqa: E402
-from checked_files import RunDirectoryError  # noqa: E402
+from ljmd.errors import FileError  # noqa: E402
 from plain_text import lines, plain  # noqa: E402
 
 FORMATS = (".png", ".pdf", ".svg")
@@ -93,7 +93,7 @@ def save(figure: plt.Figure, path: Path) -> None:
         finally:
             half.unlink(missing_ok=True)
     except OSError as error:
-        raise RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
+        raise FileError(f"{path}: cannot be written: {error.strerror}") from None
     plt.close(figure)
     print(path, flush=True)
 

@@ -10,10 +10,9 @@ three errors has what was found beside it.
 
 from __future__ import annotations
 
-import csv
 import math
 import re
-from dataclasses import dataclass, field as member
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, Callable, Optional, Sequence
@@ -21,126 +20,24 @@ from typing import Any, Callable, Optional, Sequence
 import equation_of_state
 import numpy as np
 import style
-from checked_files import RunDirectoryError, damaged, field, read_json, read_text
+from ljmd.errors import InputError
+from ljmd.reading import sweeps
+from ljmd.reading.sweeps import ERROR, SweepTable
 from style import plt
 
 USUAL = ("pressure", "total_energy")
-ERROR = "_standard_error"
-REMARKS = "remarks"  # the column that is no number
 MOST_STATES = 120  # at which an equation of state is asked, of all lines together
 MOST_COLOURS = len(style.CYCLE) - 1  # beyond them lines get the colours of a scale
 BESIDE = 4  # lines beyond which the legend stands beside the panel
 
 
-@dataclass(frozen=True)
-class Sweep:
-    """A sweep by columns: of the varied keys their values as texts, of the observables numbers, NaN where there are none."""
-
-    keys: dict[str, list[str]]
-    observables: dict[str, np.ndarray]
-    title: str = ""
-    status: str = ""  # how far a sweep has come that has not ended
-    equations: list[Optional[str]] = member(default_factory=list)  # of the fluid of each point; None: there is none
-    densities: np.ndarray = member(default_factory=lambda: np.empty(0))  # of each point
-
-
-def load(directory: Path) -> Sweep:
-    """Read and check what a sweep has left: its table or, where it has not come to its end, the points that have."""
-    record = directory / "sweep.json"
-    request = read_json(record)
-    keys = field(record, request, "keys", list)
-    results = results_of_points(directory, request)
-    if (directory / "sweep.csv").exists():
-        columns, observables = read_csv(directory / "sweep.csv", keys)
-        status = ""
-    else:
-        columns, observables = columns_of(record, request, results)
-        done = sum(one is not None for one in results)
-        status = "" if done == len(results) else f"the sweep has not come to its end: {done} of {len(results)} points"
-        if done == 0:
-            raise damaged(directory, "no point has come to its end yet")
-    if "replicas" in request:  # their seeds are no axis
-        columns = {"replica": [field(record, point, "name", str) for point in field(record, request, "points", list)]}
-    fitting = len(results) == len(next(iter(columns.values()), []))  # else the table is of another sweep
-    return Sweep(
-        columns, observables, title_of(results) or directory.resolve().name, status,
-        [one.get("equation_of_state") if one else None for one in results] if fitting else [],
-        np.array([density_of(one) for one in results]) if fitting else np.empty(0),
-    )
-
-
-def results_of_points(directory: Path, request: dict[str, Any]) -> list[Optional[dict[str, Any]]]:
-    """results.json of each point that has come to its end."""
-    found: list[Optional[dict[str, Any]]] = []
-    for point in field(directory / "sweep.json", request, "points", list, default=[]):
-        path = directory / "points" / field(directory / "sweep.json", point, "name", str) / "results.json"
-        found.append(read_json(path) if path.exists() else None)
-    return found
-
-
-def title_of(results: Sequence[Optional[dict[str, Any]]]) -> str:
-    """That of the deck, which all points have."""
-    title = next((one.get("title") for one in results if one), "")
-    return title if isinstance(title, str) else ""
-
-
-def density_of(results: Optional[dict[str, Any]]) -> float:
-    """The density of a run: measured under a barostat, else that of its box; NaN of few bodies."""
-    if results is None:
-        return math.nan
-    measured = results.get("observables", {}).get("density", {}).get("mean")
-    value = results.get("system", {}).get("density") if measured is None else measured
-    return float(value) if isinstance(value, (int, float)) else math.nan
-
-
-def columns_of(record: Path, request: dict[str, Any], results: Sequence[Optional[dict[str, Any]]]) -> tuple[
-        dict[str, list[str]], dict[str, np.ndarray]]:
-    """The columns that sweep.csv will have."""
-    values = [field(record, point, "values", list) for point in field(record, request, "points", list)]
-    keys = {key: [str(row[k]) for row in values] for k, key in enumerate(field(record, request, "keys", list))}
-    observables: dict[str, np.ndarray] = {}
-    for row, one in enumerate(results):
-        found = dict((one or {}).get("observables", {}))
-        for analysis, entries in (one or {}).get("analysis", {}).items():  # of few bodies
-            found |= {f"{analysis}_{name}": entry for name, entry in entries.items()}
-        for name, entry in found.items():
-            for column, number in ((name, entry.get("mean", entry.get("value"))), (name + ERROR, entry.get("standard_error"))):
-                if isinstance(number, (int, float)):
-                    observables.setdefault(column, np.full(len(results), math.nan))[row] = number
-    return keys, observables
-
-
-def read_csv(path: Path, keys: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, np.ndarray]]:
-    """sweep.csv."""
-    try:
-        rows = list(csv.reader(read_text(path).splitlines()))
-    except csv.Error as error:
-        raise damaged(path, str(error)) from None
-    if not rows or rows[0][: len(keys)] != list(keys):
-        raise damaged(path, f"does not begin with the keys of sweep.json, {', '.join(map(str, keys))}")
-    header, body = rows[0], rows[1:]
-    if not body:
-        raise damaged(path, "no rows below the header")
-    for number, row in enumerate(body, 2):
-        if len(row) != len(header):
-            raise damaged(path, f"line {number}: {len(row)} fields, the header has {len(header)}")
-    columns = {name: [row[k] for row in body] for k, name in enumerate(header)}
-    try:
-        observables = {name: np.array([float(text or "nan") for text in columns[name]]) for name in header[len(keys):]
-                       if name != REMARKS}
-    except ValueError as error:
-        raise damaged(path, str(error)) from None
-    return {key: columns[key] for key in keys}, observables
-
-
-def choose_key(sweep: Sweep, wanted: Optional[str]) -> str:
+def choose_key(sweep: SweepTable, wanted: Optional[str]) -> str:
     keys = list(sweep.keys)
     if wanted is None:
         return keys[-1]
     found = [key for key in keys if wanted in (key, key.rpartition(".")[2])]
     if len(found) != 1:
-        raise RunDirectoryError(f"{'more than one' if found else 'no'} key '{wanted}' is varied (found: {', '.join(keys)})",
-                                exit_code=2)
+        raise InputError(f"{'more than one' if found else 'no'} key '{wanted}' is varied (found: {', '.join(keys)})")
     return found[0]
 
 
@@ -168,7 +65,7 @@ def missed(asked: np.ndarray, found: np.ndarray, error: np.ndarray) -> np.ndarra
     return np.isfinite(found) & (np.abs(found - asked) > 3.0 * np.nan_to_num(error))
 
 
-def label_of(key: str, value: str, rows: Sequence[int], sweep: Sweep) -> str:
+def label_of(key: str, value: str, rows: Sequence[int], sweep: SweepTable) -> str:
     """What a line has of one of the keys that are not on the axis."""
     label = f"{key.rpartition('.')[2]} = {shortened(value)}"
     asked, unit = split_unit(value)
@@ -193,7 +90,7 @@ class Axis:
     categories: tuple[str, ...] = ()  # what stands at 0, 1, ...: texts have no order and no distance
 
 
-def axis_of(sweep: Sweep, observable: str, against: str) -> Axis:
+def axis_of(sweep: SweepTable, observable: str, against: str) -> Axis:
     texts = sweep.keys[against]
     values, units = zip(*map(split_unit, texts))
     name = against.rpartition(".")[2]
@@ -211,7 +108,7 @@ def axis_of(sweep: Sweep, observable: str, against: str) -> Axis:
     return Axis(f"{style.plain(name.replace('_', ' '))} / {style.plain(units[0])}" if units[0] else usual, np.array(values))
 
 
-def lines_of(sweep: Sweep, axis: Axis, y: np.ndarray, others: Sequence[str]) -> dict[tuple[str, ...], np.ndarray]:
+def lines_of(sweep: SweepTable, axis: Axis, y: np.ndarray, others: Sequence[str]) -> dict[tuple[str, ...], np.ndarray]:
     """The rows of each line, from left to right, by the values of the other keys."""
     found: dict[tuple[str, ...], list[int]] = {}
     for row in np.flatnonzero(np.isfinite(y) & np.isfinite(axis.places)):
@@ -228,7 +125,7 @@ def colours_of(lines: dict[tuple[str, ...], np.ndarray]) -> list[Any]:
     return list(plt.get_cmap("viridis")(0.92 * rank / (len(lines) - 1)))
 
 
-def equation_beside(sweep: Sweep, axis: Axis, observable: str, rows: np.ndarray, count: int) -> Optional[
+def equation_beside(sweep: SweepTable, axis: Axis, observable: str, rows: np.ndarray, count: int) -> Optional[
         tuple[np.ndarray, np.ndarray]]:
     """The equation of state along a line: at `count` places from the first to the last point, with temperature and density
     between those of the points. None where there is none, or the line mixes fluids."""
@@ -245,7 +142,7 @@ def equation_beside(sweep: Sweep, axis: Axis, observable: str, rows: np.ndarray,
     return None if found is None or np.isnan(found).all() else (x, found)
 
 
-def plot(sweep: Sweep, observable: str, against: str) -> plt.Figure:
+def plot(sweep: SweepTable, observable: str, against: str) -> plt.Figure:
     """The points with their error bars and, where there is one, the equation of state."""
     axis = axis_of(sweep, observable, against)
     y = sweep.observables[observable]
@@ -283,7 +180,7 @@ def plot(sweep: Sweep, observable: str, against: str) -> plt.Figure:
     return figure
 
 
-def draw_legend(axes: plt.Axes, sweep: Sweep, axis: Axis, named: bool, curves: int, beside: bool) -> None:
+def draw_legend(axes: plt.Axes, sweep: SweepTable, axis: Axis, named: bool, curves: int, beside: bool) -> None:
     """The lines, where there are other keys, and what filled and open circles and curves mean."""
     handles = axes.get_legend_handles_labels()[0] if named else []
     if axis.asked is not None:
@@ -301,7 +198,7 @@ def draw_legend(axes: plt.Axes, sweep: Sweep, axis: Axis, named: bool, curves: i
 
 def pictures(directory: Path, against: Optional[str]) -> dict[str, Callable[[], plt.Figure]]:
     """What draws each observable that has a value at some point, by its name."""
-    sweep = load(directory)
+    sweep = sweeps.load(directory)
     key = choose_key(sweep, against)
     names = [name for name, values in sweep.observables.items() if not name.endswith(ERROR) and np.isfinite(values).any()]
     return {name: partial(plot, sweep, name, key) for name in names}

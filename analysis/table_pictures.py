@@ -2,50 +2,19 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from pathlib import Path
 
 import numpy as np
 import style
-from checked_files import Table, damaged, read_text
+from ljmd.reading.files import damaged
+from ljmd.reading.tables import read_mixed
 from style import plt
 
 ERROR = "_standard_error"
 ALONG = ("time", "r", "k", "angular_frequency", "time_step", "rho", "step")  # what a table goes along, if it is there
 MOST_PANELS = 12
 STEEP = 1e3  # what is above 0 and spans more is drawn on a logarithmic scale
-
-
-def read(path: Path) -> tuple[Table, dict[str, list[str]]]:
-    """Columns of numbers, NaN where a field is empty, and columns of texts."""
-    try:
-        rows = list(csv.reader(read_text(path).splitlines()))
-    except csv.Error as error:
-        raise damaged(path, str(error)) from None
-    if len(rows) < 2:
-        raise damaged(path, "no rows below the header")
-    header, body = rows[0], rows[1:]
-    if body and len(body[-1]) != len(header):  # being written
-        body = body[:-1]
-    for number, row in enumerate(body, 2):
-        if len(row) != len(header):
-            raise damaged(path, f"line {number}: {len(row)} fields, the header has {len(header)}")
-    numbers, texts = {}, {}
-    for k, name in enumerate(header):
-        column = [row[k] for row in body]
-        try:
-            numbers[name] = np.array([float(text) if text else math.nan for text in column])
-        except ValueError:
-            texts[name] = column
-    if len(numbers) < 2:
-        raise damaged(path, "has fewer than two columns of numbers, there is nothing to draw")
-    return numbers, texts
-
-
-def header(path: Path) -> list[str]:
-    """The names of a table's columns."""
-    return next(csv.reader(read_text(path).splitlines()[:1]), [])
 
 
 def series(texts: dict[str, list[str]], rows: int) -> dict[str, np.ndarray]:
@@ -65,7 +34,9 @@ def is_steep(values: np.ndarray) -> bool:
 
 def plot_table(path: Path, title: str) -> plt.Figure:
     """A panel for each column, against time, distance or what else the table goes along."""
-    table, texts = read(path)
+    table, texts = read_mixed(path)
+    if len(table) < 2:
+        raise damaged(path, "has fewer than two columns of numbers, there is nothing to draw")
     along = next((name for name in ALONG if name in table), next(iter(table)))
     drawn = [name for name in table if name not in (along, "step") and not name.endswith(ERROR)
              and np.isfinite(table[name]).any()]

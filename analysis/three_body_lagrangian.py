@@ -27,10 +27,11 @@ import numpy as np
 import sympy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import deck  # noqa: E402
-import few_body_run  # noqa: E402
-from few_body_run import FewBodyRun  # noqa: E402
-from checked_files import RunDirectoryError, damaged, reports_errors  # noqa: E402
+from script import reports_errors  # noqa: E402  (it finds the package ljmd)
+from ljmd.errors import InputError  # noqa: E402
+from ljmd.reading import decks, few_bodies, records  # noqa: E402
+from ljmd.reading.few_bodies import FewBodyRun  # noqa: E402
+from ljmd.reading.files import damaged  # noqa: E402
 
 TOLERANCE = 1e-12
 BODIES = 3
@@ -111,7 +112,7 @@ def number(run: FewBodyRun, table: Any, key: str, default: Optional[float] = Non
 
 def constants(run: FewBodyRun) -> dict[Any, float]:
     """G, softening, central mass and masses of a run, by their symbols."""
-    used = deck.of_run(run.path)
+    used = decks.of_run(records.read(run.path))
     force, bodies = used.get("force", {}), used.get("body", [])
     if len(bodies) != BODIES:
         raise damaged(run.path / "run.json", f"the deck has {len(bodies)} [[body]] tables, must have {BODIES}")
@@ -127,7 +128,7 @@ def largest_difference(run: FewBodyRun) -> float:
     """Between the program's accelerations and the derived ones, relative to the size of the terms."""
     if run.bodies != BODIES or run.force != "newtonian-gravity" or run.dimensions < 2:
         what = f"{run.bodies} bodies with force {run.force} in {run.dimensions} dimensions"
-        raise RunDirectoryError(f"{run.path}: {what}; three with newtonian-gravity in 2 or 3 are needed", exit_code=2)
+        raise InputError(f"{run.path}: {what}; three with newtonian-gravity in 2 or 3 are needed")
     if run.trajectory is None or run.trajectory.accelerations is None:
         raise damaged(run.path / "trajectory.csv", "no accelerations: set accelerations = true in the deck")
     values = constants(run)
@@ -157,7 +158,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         print(show(options.print))
     failed = False
     for path in options.rundirs:
-        difference = largest_difference(few_body_run.load(path))
+        difference = largest_difference(few_bodies.load(path))
         verdict = "ok" if difference <= TOLERANCE else f"FAILED, above {TOLERANCE:g}"
         failed |= verdict != "ok"
         print(f"{path}: largest relative difference {difference:.3g} {verdict}")

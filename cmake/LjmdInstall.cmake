@@ -27,6 +27,7 @@ while(found)
     install(FILES ${folder}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${place})
 endwhile()
 install(DIRECTORY inputs analysis DESTINATION ${CMAKE_INSTALL_DATADIR}/ljmd PATTERN "__pycache__" EXCLUDE)
+ljmd_install_python_sources()
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

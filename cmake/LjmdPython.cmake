@@ -1,5 +1,6 @@
 # The Python package `ljmd`: the extension ljmd/_core and the sources in python/ljmd, put together in
-# <build>/python/ljmd, so that it can be imported without being installed (tools/python).
+# <build>/python/ljmd, so that it can be imported without being installed (tools/python). Its part that reads results is
+# Python alone. The scripts in analysis/ use it, and it is installed for them also without the extension.
 #
 # LJMD_BUILD_PYTHON: AUTO builds it where Python's and pybind11's headers are found, but not under a sanitizer or for
 # coverage, whose run-time library an ordinary Python does not have.
@@ -70,18 +71,50 @@ function(ljmd_add_python_package)
     endif()
 
     # Sources are links, so that a change of one takes effect at once.
-    file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/ljmd/*.py ${PROJECT_SOURCE_DIR}/python/ljmd/*.pyi
-                                        ${PROJECT_SOURCE_DIR}/python/ljmd/py.typed)
-    file(MAKE_DIRECTORY ${package})
+    ljmd_python_sources(modules)
     foreach(module IN LISTS modules)
-        get_filename_component(name ${module} NAME)
-        file(CREATE_LINK ${module} ${package}/${name} COPY_ON_ERROR SYMBOLIC)
+        get_filename_component(folder ${package}/${module} DIRECTORY)
+        file(MAKE_DIRECTORY ${folder})
+        file(CREATE_LINK ${PROJECT_SOURCE_DIR}/python/ljmd/${module} ${package}/${module} COPY_ON_ERROR SYMBOLIC)
     endforeach()
 
     if(LJMD_INSTALL)
         install(TARGETS ljmd_python DESTINATION ${LJMD_PYTHON_SITE}/ljmd COMPONENT python)
-        install(FILES ${modules} DESTINATION ${LJMD_PYTHON_SITE}/ljmd COMPONENT python)
     endif()
+endfunction()
+
+# The files of the package but for the extension, relative to its folder.
+function(ljmd_python_sources variable)
+    set(package ${PROJECT_SOURCE_DIR}/python/ljmd)
+    file(GLOB_RECURSE modules CONFIGURE_DEPENDS RELATIVE ${package} ${package}/*.py ${package}/*.pyi ${package}/py.typed)
+    set(${variable} ${modules} PARENT_SCOPE)
+endfunction()
+
+# The sources of the package, once: where Python looks for packages; without the extension beside analysis/, whose scripts
+# look for the package in ../python. With it they find a link there, which holds when the installed tree is moved.
+function(ljmd_install_python_sources)
+    set(beside ${CMAKE_INSTALL_DATADIR}/ljmd/python)
+    set(place ${beside})
+    set(component "")
+    # What an earlier installation has put there may be the other of link and folder.
+    install(CODE "set(beside \"${beside}/ljmd\")
+cmake_path(ABSOLUTE_PATH beside BASE_DIRECTORY \"\${CMAKE_INSTALL_PREFIX}\")
+file(REMOVE_RECURSE \"\$ENV{DESTDIR}\${beside}\")")
+    if(ljmd_build_python)
+        set(component COMPONENT python)
+        set(place ${LJMD_PYTHON_SITE})
+        cmake_path(ABSOLUTE_PATH place BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX} OUTPUT_VARIABLE site)
+        file(RELATIVE_PATH target ${CMAKE_INSTALL_FULL_DATADIR}/ljmd/python ${site}/ljmd)
+        set(link ${PROJECT_BINARY_DIR}/generated/installed/ljmd)
+        file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/generated/installed)
+        file(CREATE_LINK ${target} ${link} SYMBOLIC)
+        install(FILES ${link} DESTINATION ${beside})
+    endif()
+    ljmd_python_sources(modules)
+    foreach(module IN LISTS modules)
+        get_filename_component(folder ${module} DIRECTORY)
+        install(FILES ${PROJECT_SOURCE_DIR}/python/ljmd/${module} DESTINATION ${place}/ljmd/${folder} ${component})
+    endforeach()
 endfunction()
 
 # Where Python looks for packages, below the prefix: lib/python3.11/site-packages, on Debian .../dist-packages.

@@ -12,30 +12,102 @@
     run.table("rdf")
 
 All numbers are in reduced units, sigma = epsilon = m = k_B = 1, energies per atom. docs/python.md is the tutorial.
+
+Names are loaded when they are first used. What reads results (`ljmd.open`, `ljmd.open_sweep`, `ljmd.reading`) is Python alone;
+all else takes the compiled part, ljmd._core, and raises ImportError where that is missing.
 """
 
-from ._core import build
-from .comparisons import Comparison
-from .deck import ARGON, Check, Deck, Stage, Table
-from .equations import Properties, eos, equations
-from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
-                     PhysicsError, RunWarning, ThreadsError)
-from .evaluation import Evaluation, Evaluator, evaluate
-from .external import external_force
-from .frames import Frames
-from .observables import observable
-from .potentials import Pair, pair
-from .replicas import Replicas
-from .results import Observable, Quantity, Results, Run, resume
-from .results import open_run as open  # noqa: A001, ljmd.open
-from .simulation import Arrays, Simulation
-from .sweeps import Point, Sweep, open_sweep
-from .trajectories import Trajectory, trajectory
+from __future__ import annotations
 
-__version__ = build()["version"]
+import importlib
+import sys
+from typing import TYPE_CHECKING
 
-__all__ = ["ARGON", "Arrays", "Check", "CheckpointError", "Comparison", "DataError", "Deck", "Error", "Evaluation", "Evaluator",
-           "FileError", "Frames", "InUseError", "InputError", "InternalError", "Interrupted", "Observable", "Pair",
-           "PhysicsError", "Point", "Properties", "Quantity", "Replicas", "Results", "Run", "RunWarning", "Simulation", "Stage", "Sweep", "Table",
-           "ThreadsError", "Trajectory", "build", "eos", "equations", "evaluate", "external_force", "observable", "open",
-           "open_sweep", "pair", "resume", "trajectory"]
+if TYPE_CHECKING:  # what type checkers see; tests/python/lazy_test.py holds it against _PLACES
+    from ._core import build
+    from .comparisons import Comparison
+    from .deck import ARGON, Check, Deck, Stage, Table
+    from .equation_of_state import Properties, eos, equations
+    from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, Interrupted, InUseError,
+                         PhysicsError, RunWarning, ThreadsError)
+    from .evaluation import Evaluation, Evaluator, evaluate
+    from .external import external_force
+    from .frames import Frames
+    from .observables import observable
+    from .potentials import Pair, pair
+    from .reading.observables import Observable, Quantity
+    from .replicas import Replicas
+    from .results import Results, Run, open, resume  # noqa: A004, ljmd.open
+    from .simulation import Arrays, Simulation
+    from .sweeps import Point, Sweep, open_sweep
+    from .trajectories import Trajectory, trajectory
+
+    __version__: str
+
+_PLACES = {
+    "_core": ("build",),
+    "comparisons": ("Comparison",),
+    "deck": ("ARGON", "Check", "Deck", "Stage", "Table"),
+    "equation_of_state": ("Properties", "eos", "equations"),
+    "errors": ("CheckpointError", "DataError", "Error", "FileError", "InputError", "InternalError", "Interrupted", "InUseError",
+               "PhysicsError", "RunWarning", "ThreadsError"),
+    "evaluation": ("Evaluation", "Evaluator", "evaluate"),
+    "external": ("external_force",),
+    "frames": ("Frames",),
+    "observables": ("observable",),
+    "potentials": ("Pair", "pair"),
+    "reading.observables": ("Observable", "Quantity"),
+    "replicas": ("Replicas",),
+    "results": ("Results", "Run", "open", "resume"),
+    "simulation": ("Arrays", "Simulation"),
+    "sweeps": ("Point", "Sweep", "open_sweep"),
+    "trajectories": ("Trajectory", "trajectory"),
+}
+_PLACE_OF = {name: place for place, names in _PLACES.items() for name in names}
+_MODULES = (*(place for place in _PLACES if place.isidentifier()), "ase", "reading")
+
+__all__ = sorted(_PLACE_OF)
+
+
+if not TYPE_CHECKING:  # checkers would take any name for one of the package
+    def __getattr__(name: str):
+        if name == "__version__":
+            found = {name: _loaded("_core").build()["version"]}
+        elif name in _PLACE_OF:
+            module = _loaded(_PLACE_OF[name])
+            found = {each: getattr(module, each) for each in _PLACES[_PLACE_OF[name]]}
+        elif name in _MODULES:
+            found = {name: _loaded(name)}
+        else:
+            raise AttributeError(f"module 'ljmd' has no attribute {name!r}")
+        globals().update(found)
+        return found[name]
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__, *_MODULES, "__version__"})
+
+
+def _loaded(place: str):
+    """A module of the package. One that takes the compiled part imports it from here, so that there is one message without it."""
+    try:
+        return importlib.import_module(f"{__name__}.{place}")
+    except ImportError as error:
+        if place != "_core":
+            raise
+        raise ImportError(_what_is_missing(error), name=f"{__name__}._core") from None
+
+
+def _what_is_missing(error: ImportError) -> str:
+    import pathlib
+
+    folder = pathlib.Path(__file__).parent
+    this = f"Python {sys.version_info.major}.{sys.version_info.minor} ({sys.executable})"
+    built = [path.name for path in sorted(folder.glob("_core.*")) if path.suffix in (".so", ".pyd")]
+    if not built:
+        found = f"{folder} has no _core: this is the package without it, for reading results; build it for {this}"
+    elif isinstance(error, ModuleNotFoundError):
+        found = f"this is {this}, and {folder} has {', '.join(built)}: take the Python that it was built for, or build it for this one"
+    else:
+        found = f"{folder / built[0]} cannot be loaded by {this}: {error}"
+    return f"the compiled part of ljmd is missing: {found}"

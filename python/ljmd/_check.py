@@ -7,7 +7,6 @@ import os
 import pathlib
 import warnings
 
-from . import _core
 from .errors import InputError, RunWarning
 
 
@@ -39,6 +38,7 @@ def seconds_of(walltime):
     if walltime is None:
         return None
     if isinstance(walltime, str):
+        from . import _core
         return _core.seconds_of(walltime)
     if not (isinstance(walltime, (int, float)) and 0 < walltime < 1e9):
         raise InputError(f"walltime: {walltime!r} is not allowed: seconds above 0, or a text as \"90s\" or \"2h\"")

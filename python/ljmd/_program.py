@@ -12,7 +12,7 @@ import subprocess
 import sys
 import threading
 
-from . import _check, _core
+from . import _check
 from .errors import (CheckpointError, DataError, Error, FileError, InputError, InternalError, InUseError, PhysicsError,
                      ThreadsError)
 
@@ -25,6 +25,7 @@ def _candidates():
     if os.environ.get("LJMD_PROGRAM"):
         yield os.environ["LJMD_PROGRAM"]
         return
+    from . import _core
     package = pathlib.Path(_core.__file__).resolve().parent
     yield package.parents[1] / "ljmd"  # of the build tree
     yield from (folder / "bin" / "ljmd" for folder in package.parents[1:6])  # of an installation
@@ -34,6 +35,7 @@ def _candidates():
 
 @functools.lru_cache(maxsize=8)
 def _is_ours(path: str) -> bool:
+    from . import _core
     found = subprocess.run([path, "info", "--json"], capture_output=True, text=True, check=False)
     try:
         about = json.loads(found.stdout)

@@ -11,7 +11,7 @@ import numpy as np
 from . import _check, _program
 from ._text import as_table, html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
-from .results import read_csv
+from .reading.tables import read_numbers
 
 PROGRAMS = ("openmm", "lammps", "gsl")
 _NAMES = {"": "errors", "trajectory": "trajectory", "rdf": "rdf"}
@@ -30,6 +30,7 @@ class Comparison:
 
     @property
     def passed(self) -> bool:
+        """Whether all checks have passed."""
         return bool(self.data["passed"])
 
     def __bool__(self):
@@ -139,7 +140,7 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
         for ending, name in _NAMES.items():
             path = out / f"compare-{program}{'-' if ending else ''}{ending}.csv"
             if path.exists():
-                tables[name] = read_csv(path)
+                tables[name] = read_numbers(path)
     data = json.loads(text)
     data.update(deck=deck.title, **{"with": program})
     return Comparison(data, tables, None if directory is None else out)

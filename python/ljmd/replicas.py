@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import pathlib
 import re
 import tempfile
 
 from . import _check, _program, _progress
 from .errors import DataError, Error, InputError
+from .reading.files import read_json
+from .reading.sweeps import Request, read_request
 from .results import Results, Run, _Files
 
 
@@ -18,9 +19,9 @@ class Replicas(Results):
     directory: where they are
     """
 
-    def __init__(self, data: dict, tables, directory: pathlib.Path, folders):
+    def __init__(self, data: dict, tables, request: Request):
         super().__init__(data, tables)
-        self.directory, self._folders = directory, list(folders)
+        self.directory, self._folders = request.directory, [request.folder(name) for name in request.names]
 
     @classmethod
     def open(cls, directory) -> "Replicas":
@@ -29,16 +30,16 @@ class Replicas(Results):
         Raises DataError if there are none.
         """
         directory = _check.directory_of(directory)
-        try:
-            about = json.loads((directory / "sweep.json").read_text(encoding="utf-8"))
-            if "replicas" not in about:
-                raise ValueError("it is that of a sweep")
-            folders = [directory / "points" / each["name"] for each in about["points"]]
-        except (OSError, ValueError, KeyError, TypeError) as error:
-            raise DataError(f"{directory} holds no replicas, or its sweep.json is damaged: {error}") from None
+        request = read_request(directory)
+        if not request.replicas:
+            raise DataError(f"{directory} holds no replicas: it is that of a sweep")
         path = directory / "results.json"
-        data = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-        return cls(data, _Files(directory, [each for each in ("rdf",) if (directory / f"{each}.csv").exists()]), directory, folders)
+        data = read_json(path) if path.exists() else {}
+        return cls(data, _Files(directory, [each for each in ("rdf",) if (directory / f"{each}.csv").exists()]), request)
+
+    @property
+    def _file(self) -> pathlib.Path:
+        return self.directory / "results.json"
 
     @property
     def runs(self) -> list:
@@ -47,14 +48,6 @@ class Replicas(Results):
 
     def _heading(self) -> str:
         return f"{super()._heading()}: {len(self._folders)} replicas in {self.directory}"
-
-
-def holds_replicas(directory: pathlib.Path) -> bool:
-    """Whether the sweep in a directory consists of replicas of one deck; False if its record is damaged."""
-    try:
-        return "replicas" in json.loads((directory / "sweep.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return False
 
 
 def run_replicas(deck, directory, replicas: int, *, jobs=None, progress=True, replace: bool = False, force: bool = False) -> Replicas:

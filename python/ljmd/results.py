@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 import difflib
-import io
-import json
-import math
 import pathlib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
-import numpy as np
-
-from . import _check, _core, _progress
+from . import _check, _progress
 from ._text import as_table, html_lines, html_table, with_error
 from .errors import DataError
 from .external import described_force
 from .frames import Frames
 from .observables import described
-
-
-def _number(value) -> float:
-    return math.nan if value is None else float(value)
+from .reading import observables as entries
+from .reading import records
+from .reading.files import read_json
+from .reading.observables import Observable
+from .reading.sweeps import read_request
+from .reading.tables import read_numbers
 
 
 def _is_component(name: str, data: dict) -> bool:
@@ -29,60 +25,16 @@ def _is_component(name: str, data: dict) -> bool:
     return name.startswith(("pressure_", "virial")) and not data.get("own")
 
 
-@dataclass(frozen=True)
-class Quantity:
-    """A mean with its standard error and its unit. NaN stands for what is not known."""
-
-    mean: float
-    error: float
-    unit: str
-
-    def __float__(self) -> float:
-        return self.mean
-
-    def __str__(self) -> str:
-        return f"{with_error(self.mean, self.error)} {self.unit}".rstrip()
-
-
-@dataclass(frozen=True)
-class Observable(Quantity):
-    """An observable of a run, in reduced units; `si` has it in SI units where the deck has a substance.
-
-    samples: of the series
-    independent_samples: its variance over the squared error
-    converged: False: the series is too short for its correlations, and the error is a guess
-    remark: why there is no value, or why to doubt it
-    own: measured by an observable of your own
-    data: all of it, as in results.json
-    """
-
-    name: str = ""
-    samples: int = 0
-    independent_samples: float = math.nan
-    converged: bool = True
-    remark: str = ""
-    own: bool = False
-    si: Quantity | None = None
-    data: dict = field(default_factory=dict, repr=False, compare=False)
-
-    def __repr__(self) -> str:
-        return f"<{self.name} = {self}{f' = {self.si}' if self.si else ''}>"
-
-    @classmethod
-    def of(cls, name: str, data: dict) -> "Observable":
-        si = data.get("si")
-        return cls(mean=_number(data.get("mean", data.get("value"))), error=_number(data.get("standard_error")),
-                   unit=data.get("unit", ""), name=name, samples=data.get("samples", 0),
-                   independent_samples=_number(data.get("independent_samples")),
-                   converged=data.get("error_is_converged", True), remark=data.get("remark", ""), own=data.get("own", False),
-                   si=Quantity(_number(si["mean"]), _number(si["standard_error"]), si["unit"]) if si else None, data=data)
-
-
 class Results(Mapping):
     """Observables by name, `results["pressure"].mean`, and tables, `results.table("rdf")`."""
 
     def __init__(self, data: dict, tables: Mapping, main: str = ""):
         self._data, self._tables, self._main = data, tables, main
+
+    @property
+    def _file(self) -> pathlib.Path:
+        """What holds the numbers, for messages."""
+        return pathlib.Path("results")
 
     @property
     def data(self) -> dict:
@@ -100,7 +52,7 @@ class Results(Mapping):
             near = difflib.get_close_matches(str(name), observables, 1)
             raise KeyError(f"no observable {name!r}; " + (f"did you mean {near[0]!r}?" if near else
                                                           f"there are {', '.join(observables) or 'none'}"))
-        return Observable.of(name, observables[name])
+        return entries.observable(self._file, name, observables[name])
 
     def __iter__(self):
         return iter(self.data.get("observables", {}))
@@ -161,33 +113,13 @@ class _Files(Mapping):
     def __getitem__(self, name):
         if name not in self.names:
             raise KeyError(name)
-        return read_csv(self.directory / f"{name}.csv")
+        return read_numbers(self.directory / f"{name}.csv", growing=True)
 
     def __iter__(self):
         return iter(self.names)
 
     def __len__(self) -> int:
         return len(self.names)
-
-
-def read_csv(path) -> tuple:
-    """(columns, array) of a table of ljmd; empty fields are NaN. A last line without an end is still being written, and left out."""
-    try:
-        text = pathlib.Path(path).read_text(encoding="utf-8")
-        text = text[:text.rfind("\n") + 1]
-        if not text:
-            raise ValueError("it has no header row")
-        header, _, body = text.partition("\n")
-        columns = header.split(",")
-        while ",," in body:
-            body = body.replace(",,", ",nan,")
-        body = body.replace(",\n", ",nan\n")
-        numbers = np.loadtxt(io.StringIO(body), delimiter=",", ndmin=2) if body.strip() else np.empty((0, len(columns)))
-    except (OSError, ValueError) as error:
-        raise DataError(f"{path} cannot be read: {error}") from None
-    if numbers.shape[1] != len(columns):
-        raise DataError(f"{path} cannot be read: rows of {numbers.shape[1]} numbers below {len(columns)} names")
-    return columns, numbers
 
 
 class Run(Results):
@@ -203,9 +135,13 @@ class Run(Results):
         self._given: dict = {}  # as in run.json
 
     @property
+    def _file(self) -> pathlib.Path:
+        return super()._file if self.directory is None else self.directory / "results.json"
+
+    @property
     def thermo(self):
         """Energies, temperature and pressure of all samples: a row each, with the columns of thermo.csv (docs/files.md)."""
-        return as_table(*(self._thermo if self._thermo is not None else read_csv(self.directory / "thermo.csv")))
+        return as_table(*(self._thermo if self._thermo is not None else read_numbers(self.directory / "thermo.csv", growing=True)))
 
     @property
     def potential(self):
@@ -225,8 +161,11 @@ class Run(Results):
     @property
     def findings(self) -> dict:
         """Of few bodies: what each analysis found, by its name."""
-        return {analysis: {name: Observable.of(name, each) for name, each in found.items()}
-                for analysis, found in self.data.get("analysis", {}).items()}
+        return entries.findings(self._file, self.data)
+
+    def all_observables(self) -> dict:
+        """Observables and findings by the names of the columns of sweep.csv: those of analyses of few bodies as "orbit_period"."""
+        return entries.all_of(self._file, self.data)
 
     def trajectory(self, *, start: float | None = None, positions: str | None = None):
         """Of a fluid with a directory: its trajectory, for `ljmd.Trajectory`'s analyses. Of few bodies: the table of it."""
@@ -240,6 +179,8 @@ class Run(Results):
 
     def frames(self) -> Frames:
         """The frames that the deck's `output.trajectory` asks for, as arrays. Raises DataError if there are none."""
+        if "trajectory" in self._tables:
+            raise DataError("few bodies have no box: their trajectory is a table, trajectory()")
         if self.directory is not None:
             return self.trajectory().arrays()
         if self._frames is None:
@@ -260,6 +201,7 @@ class Run(Results):
         """
         if self.directory is None:
             raise DataError("a page is made from the files of a run: give it a directory")
+        from . import _core
         page = self.directory / "report.html" if page is None else pathlib.Path(page)
         for text in _core.write_report([self.directory], page):
             _check.warn(text)
@@ -285,19 +227,20 @@ class Run(Results):
     def open(cls, directory) -> "Run":
         """See `ljmd.open`."""
         directory = _check.directory_of(directory)
-        about, _ = _core.describe(directory)
-        data = {"title": about["title"]}
-        if about["finished"] and (directory / "results.json").exists():
-            data = json.loads((directory / "results.json").read_text(encoding="utf-8"))
-        names = [file["name"] for file in about["files"]]
-        tables = [name[:-4] for name in names if name.endswith(".csv") and name != "thermo.csv"]
-        run = cls(data, _Files(directory, tables), None, directory, about["finished"])
-        run._given = about["given"] or {}
+        if not (directory / "run.json").exists():
+            raise DataError(f"{directory} is not the directory of a run: it has no run.json")
+        record = records.read(directory)
+        results = directory / "results.json"
+        data = read_json(results) if record.finished and results.exists() else {"title": record.title}
+        tables = [path.stem for path in sorted(directory.glob("*.csv")) if path.stem != "thermo" and path.is_file()]
+        run = cls(data, _Files(directory, tables), None, directory, record.finished)
+        run._given = record.given
         return run
 
     @classmethod
     def in_directory(cls, deck, directory, *, observables, external, threads, simd, progress, replace, walltime) -> "Run":
         """See `Deck.run`."""
+        from . import _core
         directory = _check.directory_of(directory)
         options = (_check.threads_of(threads), simd or "", replace, _check.seconds_of(walltime), described(observables),
                    described_force(external))
@@ -313,12 +256,13 @@ def open_run(directory):
     Raises DataError when it is not the directory of a run.
     """
     if (_check.directory_of(directory) / "sweep.json").exists():
-        from .replicas import Replicas, holds_replicas
-        if holds_replicas(_check.directory_of(directory)):
-            return Replicas.open(directory)
+        from .replicas import Replicas
         from .sweeps import Sweep
-        return Sweep.open(directory)
+        return Replicas.open(directory) if read_request(_check.directory_of(directory)).replicas else Sweep.open(directory)
     return Run.open(directory)
+
+
+open = open_run  # noqa: A001, ljmd.open
 
 
 def resume(directory, *, steps: int = 0, observables=(), external=None, threads: int | None = None, progress=True, walltime=None) -> Run:
@@ -331,6 +275,7 @@ def resume(directory, *, steps: int = 0, observables=(), external=None, threads:
 
     Raises DataError, CheckpointError, InUseError; Interrupted and KeyboardInterrupt as `Deck.run`.
     """
+    from . import _core
     directory = _check.directory_of(directory)
     about, _ = _core.describe(directory)
     steps = _check.whole(steps, "steps", 0)

@@ -12,9 +12,10 @@ import re
 import tempfile
 from collections.abc import Mapping, Sequence
 
-from . import _check, _core, _program, _progress, _toml
+from . import _check, _program, _progress, _toml
 from ._text import html_lines, html_table, mixed_table, with_error
-from .errors import DataError, Error, InputError
+from .errors import Error, InputError
+from .reading.sweeps import read_request
 from .results import Run
 
 _PLAIN = re.compile(r"(?!(?:true|false|inf|nan)$)[A-Za-z][A-Za-z0-9_.-]*$")
@@ -41,12 +42,7 @@ class Point:
 
     def observables(self) -> dict:
         """By name; analyses of few bodies as "orbit_period". Empty without results."""
-        if not self.begun:
-            return {}
-        run = self.run
-        found = dict(run) if run.finished else {}
-        found.update({f"{analysis}_{name}": each for analysis, all_of in run.findings.items() for name, each in all_of.items()})
-        return found
+        return self.run.all_observables() if self.begun else {}
 
     def __repr__(self) -> str:
         state = f"failed: {self.failure}" if self.failure else "not begun" if not self.begun else \
@@ -68,14 +64,10 @@ class Sweep(Sequence):
     def open(cls, directory, failures: Mapping | None = None, temporary=None) -> "Sweep":
         """See `ljmd.open_sweep`."""
         directory = _check.directory_of(directory)
-        try:
-            about = json.loads((directory / "sweep.json").read_text(encoding="utf-8"))
-            keys = about["keys"]
-            points = [Point(each["name"], dict(zip(keys, map(_value, each["values"]))), directory / "points" / each["name"],
-                            (failures or {}).get(each["name"], "")) for each in about["points"]]
-        except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-            raise DataError(f"{directory} holds no sweep, or its sweep.json is damaged: {error}") from None
-        return cls(directory, keys, points, temporary)
+        request = read_request(directory)
+        points = [Point(name, dict(zip(request.keys, map(_value, values))), request.folder(name), (failures or {}).get(name, ""))
+                  for name, values in zip(request.names, request.values)]
+        return cls(directory, request.keys, points, temporary)
 
     def __getitem__(self, k):
         return self._points[k]

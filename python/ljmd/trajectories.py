@@ -21,11 +21,11 @@ class Trajectory:
         self._frames = open_again()
         self._about = self._frames.summary()
 
-    path = property(lambda self: self._about["path"])
+    path = property(lambda self: self._about["path"], doc="Of the file.")
     frames = property(lambda self: self._about["frames"], doc="Number of frames.")
     atoms = property(lambda self: self._about["atoms"], doc="Number of atoms, N.")
     edges = property(lambda self: self._about["edges"], doc="Of the box of the first frame [sigma].")
-    has_velocities = property(lambda self: self._about["has_velocities"])
+    has_velocities = property(lambda self: self._about["has_velocities"], doc="Whether all frames have velocities.")
     spacing = property(lambda self: self._about["spacing"], doc="Time between frames, if it is the same for all [tau].")
     times = property(lambda self: self._frames.times(), doc="Of the frames, shape (F,) [tau]; empty if the file has none.")
 

@@ -8,9 +8,9 @@ import sys
 from pathlib import Path
 
 import fixtures  # noqa: I001  (it says where the modules of analysis/ are)
-import few_body_run
 import numpy as np
 import spheres
+from ljmd.reading import few_bodies
 from animation_scenes import BoxScene, PathScene
 from fixtures import EIGHT, edit, refused, write_few_body, write_fluid, write_gravity
 
@@ -23,7 +23,7 @@ def dots(scene: PathScene) -> np.ndarray:
 
 
 def test_bodies_and_their_trails(tmp: Path) -> None:
-    run = few_body_run.load(write_gravity(tmp / "run", **EIGHT, masses=[1, 1, 1], steps=80))
+    run = few_bodies.load(write_gravity(tmp / "run", **EIGHT, masses=[1, 1, 1], steps=80))
     scene = PathScene(run, 5, None)
     assert scene.rows.tolist() == [0, 20, 40, 60, 80], scene.rows
     scene.draw(0)
@@ -40,32 +40,32 @@ def test_bodies_and_their_trails(tmp: Path) -> None:
 
 
 def test_seen_from_a_body(tmp: Path) -> None:
-    run = few_body_run.load(write_gravity(tmp / "run", **EIGHT, masses=[1, 1, 1], steps=10))
+    run = few_bodies.load(write_gravity(tmp / "run", **EIGHT, masses=[1, 1, 1], steps=10))
     scene = PathScene(run, 5, 2)
     scene.draw(4)
     r = run.trajectory.positions[10]
     assert np.array_equal(dots(scene), r - r[2]) and "body 3" in scene.axes.get_xlabel()
-    one = few_body_run.load(write_few_body(tmp / "one", TIME, WAVE, WAVE, force="pendulum"))
+    one = few_bodies.load(write_few_body(tmp / "one", TIME, WAVE, WAVE, force="pendulum"))
     refused(lambda: PathScene(one, 5, 0), "one body", exit_code=2)
 
 
 def test_limits_hold_all_points(tmp: Path) -> None:
-    run = few_body_run.load(write_gravity(tmp / "run", **EIGHT, masses=[1, 1, 1]))
+    run = few_bodies.load(write_gravity(tmp / "run", **EIGHT, masses=[1, 1, 1]))
     scene = PathScene(run, 5, None)
     for k, (low, high) in enumerate((scene.axes.get_xlim(), scene.axes.get_ylim())):
         assert low < scene.points[:, :, k].min() and high > scene.points[:, :, k].max()
-    still = few_body_run.load(write_few_body(tmp / "still", TIME, 0.0 * WAVE, 0.0 * WAVE, force="pendulum"))
+    still = few_bodies.load(write_few_body(tmp / "still", TIME, 0.0 * WAVE, 0.0 * WAVE, force="pendulum"))
     scene = PathScene(still, 3, None)
     scene.draw(1)
     assert np.all(np.isfinite(scene.axes.get_xlim()))
 
 
 def test_one_dimension(tmp: Path) -> None:
-    scene = PathScene(few_body_run.load(write_few_body(tmp / "line", TIME, WAVE, -WAVE, force="harmonic")), 40, None)
+    scene = PathScene(few_bodies.load(write_few_body(tmp / "line", TIME, WAVE, -WAVE, force="harmonic")), 40, None)
     scene.draw(7)
     assert np.array_equal(dots(scene), [[WAVE[7, 0, 0], -WAVE[7, 0, 0]]]) and not scene.rods
     assert scene.axes.get_ylabel() == "$v_x$"
-    scene = PathScene(few_body_run.load(write_few_body(tmp / "rod", TIME, WAVE, WAVE, force="pendulum")), 40, None)
+    scene = PathScene(few_bodies.load(write_few_body(tmp / "rod", TIME, WAVE, WAVE, force="pendulum")), 40, None)
     scene.draw(7)
     angle = WAVE[7, 0, 0]
     rod = scene.rods[0].get_xydata()

@@ -13,6 +13,7 @@ import fixtures
 import numpy as np
 import comparison_pictures
 import style
+from ljmd.reading import comparisons
 from fixtures import check_error, edit, png_size, refused, plot
 
 TIME_STEP = 0.005
@@ -67,7 +68,7 @@ def write_comparison(directory: Path, program: str = "openmm", parts: tuple[str,
 
 def draw(directory: Path, program: str = "openmm") -> dict[str, Any]:
     """The panels, by their vertical labels or, of averages, the horizontal one."""
-    figure = comparison_pictures.plot(comparison_pictures.load(directory, program))
+    figure = comparison_pictures.plot(comparisons.load(directory, program))
     figure.canvas.draw()
     panels = {axes.get_ylabel() or axes.get_xlabel(): axes for axes in figure.axes}
     assert len(panels) == len(figure.axes), [axes.get_ylabel() for axes in figure.axes]
@@ -228,7 +229,7 @@ def test_few_bodies_against_the_adaptive_solution(tmp: Path) -> None:
 
 def test_damaged_files(tmp: Path) -> None:
     def load() -> None:
-        comparison_pictures.load(tmp, "openmm")
+        comparisons.load(tmp, "openmm")
 
     for name in ("compare-openmm-trajectory.csv", "compare-openmm-rdf.csv"):
         (write_comparison(tmp) / name).unlink()

@@ -9,9 +9,9 @@ from typing import Any
 
 import fixtures  # noqa: I001  (it says where the modules of analysis/ are)
 import few_body_pictures
-import few_body_run
 import numpy as np
 from fixtures import EIGHT, edit, png_size, plot, write_few_body, write_gravity
+from ljmd.reading import few_bodies
 from style import plt
 
 TIME = np.linspace(0.0, 6.0, 40)
@@ -60,7 +60,7 @@ def test_what_suits_a_run(tmp: Path) -> None:
 
 def test_what_the_pictures_show(tmp: Path) -> None:
     path = write_gravity(tmp / "run", **EIGHT, masses=[1, 1, 1], steps=50)
-    run = few_body_run.load(path)
+    run = few_bodies.load(path)
     made = pictures(path, relative_to=1)
     frames = run.trajectory
     for body in range(3):

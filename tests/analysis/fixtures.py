@@ -19,7 +19,8 @@ ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
 sys.path.insert(0, str(ANALYSIS))
 
 import numpy as np  # noqa: E402
-from checked_files import RunDirectoryError  # noqa: E402
+import script  # noqa: E402  (it finds the package ljmd)
+from ljmd.errors import Error  # noqa: E402
 
 EIGHT = {  # Chenciner and Montgomery's figure eight: three equal masses with G = 1, positions and velocities
     "positions": [[0.97000436, -0.24308753], [-0.97000436, 0.24308753], [0.0, 0.0]],
@@ -66,8 +67,8 @@ def refused(action: Callable[[], Any], *words: str, exit_code: int = 3) -> None:
     """The action raises that error, with all words in its message."""
     try:
         action()
-    except RunDirectoryError as error:
-        assert error.exit_code == exit_code, error.exit_code
+    except Error as error:
+        assert script.EXIT_CODES[type(error)] == exit_code, repr(error)
         assert all(word in str(error) for word in words), error
     else:
         raise AssertionError(f"accepted; {words} expected")

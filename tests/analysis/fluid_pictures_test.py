@@ -11,10 +11,9 @@ from typing import Any
 
 import fixtures
 import numpy as np
-import checked_files
 import fluid_pictures
-import run_directory
 import style
+from ljmd.reading import fluids
 from fixtures import edit, plot, png_size
 
 HEADER = "step,time,temperature,potential_energy,kinetic_energy,total_energy,pressure"
@@ -111,7 +110,7 @@ def test_block_averages(tmp: Path) -> None:
 
 
 def test_rows_of_a_stage(tmp: Path) -> None:
-    run = run_directory.load(write_run(tmp / "run"))
+    run = fluids.load(write_run(tmp / "run"))
     steps = run.thermo["step"][run.rows_of(run.stages[1])]
     assert (steps[0], steps[-1], steps.size) == (1000, 3000, 201), steps
 
@@ -219,11 +218,11 @@ def test_runs_that_have_not_ended(tmp: Path) -> None:
     result = plot(run)
     assert result.returncode == 0 and result.stdout.splitlines() == [str(run / "thermo.png")], result
     assert result.stderr == "", result.stderr
-    found = run_directory.load(run)
+    found = fluids.load(run)
     assert found.thermo["step"].size == 300 and found.observables == {}
     assert found.status == "the run has not come to its end: drawn up to step 2990 of 3500", found.status
     (run / "failed.xyz").write_text("")
-    assert "blew up" in run_directory.load(run).status
+    assert "blew up" in fluids.load(run).status
     assert [(one.name, one.first_step, one.last_step, one.sampled) for one in found.stages] == [
         ("equilibrate", 0, 1000, False), ("production", 1000, 3500, True)]
 
@@ -237,14 +236,14 @@ def test_tables_of_analyze(tmp: Path) -> None:
     result = plot(tables)
     assert result.returncode == 0 and result.stderr == "", result
     assert result.stdout.splitlines() == [str(tables / "rdf.png"), str(tables / "msd.png")], result.stdout
-    assert run_directory.tables_of_analysis(tables).title == "run"
+    assert fluids.tables_of_analysis(tables).title == "run"
 
 
 def test_line_ends_and_byte_order_mark(tmp: Path) -> None:
     run = write_run(tmp / "run")
     text = (run / "thermo.csv").read_text()
     (run / "thermo.csv").write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").rstrip().encode())
-    assert run_directory.load(run).thermo["step"].size == 301
+    assert fluids.load(run).thermo["step"].size == 301
 
 
 def test_missing_files(tmp: Path) -> None:
@@ -282,12 +281,7 @@ def test_damaged_rdf(tmp: Path) -> None:
     run = write_run(tmp / "gap")
     lines = (run / "rdf.csv").read_text().splitlines()
     (run / "rdf.csv").write_text("\n".join([*lines[:5], "0.09,,0.01", *lines[6:]]))
-    try:
-        run_directory.load(run)
-    except checked_files.RunDirectoryError as error:
-        assert error.exit_code == 3 and "rdf.csv: line 6: column 'g'" in str(error), error
-    else:
-        raise AssertionError("a gap in g was accepted")
+    check_error(run, 3, "rdf.csv: line 6: column 'g'")
 
 
 def test_damaged_results(tmp: Path) -> None:

@@ -162,7 +162,7 @@ def test_any_table(tmp: Path) -> None:
     path.write_text("apocentre,time,distance\n1,0.5,2\n0,1.5,1\n1,2")  # the last line is being written
     figure = table_pictures.plot_table(path, "orbit")
     assert [axes.get_ylabel() for axes in figure.axes] == ["apocentre", "distance"]
-    for text, words in (("", "no rows"), ("a\n1\n", "fewer than two columns"), ("a,b\n1,2\n1\n1,3\n", "line 3: 1 fields"),
+    for text, words in (("", "empty"), ("a,b\n", "no rows"), ("a\n1\n", "fewer than two columns"), ("a,b\n1,2\n1\n1,3\n", "line 3: 1 fields"),
                         ("a,b\n1,\n", "no numbers")):
         path.write_text(text)
         refused(lambda: table_pictures.plot_table(path, ""), "convergence.csv", words)

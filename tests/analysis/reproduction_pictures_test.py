@@ -12,6 +12,7 @@ import fixtures
 import numpy as np
 import reproduction_pictures
 import style
+from ljmd.reading import reproductions
 from fixtures import check_error, edit, png_size, refused, plot
 
 VERLET = [{"value": 3.5, "soundness": "sound"}, {"value": 2.0, "soundness": "suspect"}, None]
@@ -43,7 +44,7 @@ def test_picture(tmp: Path) -> None:
 
 def test_what_is_drawn(tmp: Path) -> None:
     style.use()
-    rows, isotherms = reproduction_pictures.load(write_table(tmp))
+    rows, isotherms = reproductions.load(write_table(tmp))
     above, below = reproduction_pictures.plot(rows, isotherms).axes[:2]
     assert len([line for line in above.lines if len(line.get_xdata()) == 5]) == 4  # two equations, two temperatures
     found, verlet = above.collections[:2]
@@ -58,7 +59,7 @@ def test_what_is_drawn(tmp: Path) -> None:
 
 
 def test_a_single_row(tmp: Path) -> None:
-    rows, isotherms = reproduction_pictures.load(write_table(tmp, rows=1))
+    rows, isotherms = reproductions.load(write_table(tmp, rows=1))
     reproduction_pictures.plot(rows, isotherms)
 
 
@@ -67,12 +68,12 @@ def test_what_cannot_be_drawn(tmp: Path) -> None:
     check_error(plot(tmp / "begun"), 3, "not come to its end")
     check_error(plot(write_table(tmp), "--out", tmp / "x.txt"), 2, "must end in .png")
     edit(tmp / "results.json", '"Z_thol2016": 0.9, ', "")
-    refused(lambda: reproduction_pictures.load(tmp), "Z_thol2016")
-    refused(lambda: reproduction_pictures.load(write_table(tmp, rows=0)), "no rows")
+    refused(lambda: reproductions.load(tmp), "Z_thol2016")
+    refused(lambda: reproductions.load(write_table(tmp, rows=0)), "no rows")
     (write_table(tmp) / "results.json").write_text('{"rows": [1]}')
-    refused(lambda: reproduction_pictures.load(tmp), "not an object")
+    refused(lambda: reproductions.load(tmp), "not an object")
     edit(write_table(tmp) / "isotherms.csv", "rho", "r")
-    refused(lambda: reproduction_pictures.load(tmp), "no column 'rho'")
+    refused(lambda: reproductions.load(tmp), "no column 'rho'")
 
 
 if __name__ == "__main__":

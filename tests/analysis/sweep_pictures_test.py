@@ -13,6 +13,7 @@ import numpy as np
 import program
 import sweep_pictures
 import style
+from ljmd.reading import sweeps
 from fixtures import check_error, edit, png_size, refused, plot
 
 HEADER = "system.temperature,system.density,pressure,pressure_standard_error,temperature,temperature_standard_error,remarks"
@@ -23,12 +24,12 @@ ROWS = ["1,0.1,0.5,0.01,1.1,0.02,", "1,0.9,5.5,0.11,1.2,,pressure: its error bar
 def write_sweep(directory: Path, header: str = HEADER, rows: list[str] = ROWS) -> Path:
     directory.mkdir(exist_ok=True)
     keys = [name for name in header.split(",") if "." in name]
-    (directory / "sweep.json").write_text(json.dumps({"keys": keys}))
+    (directory / "sweep.json").write_text(json.dumps({"keys": keys, "points": []}))
     (directory / "sweep.csv").write_text("\n".join([header, *rows]) + "\n")
     return directory
 
 
-def drawn(sweep: sweep_pictures.Sweep, observable: str, against: str) -> dict[str, np.ndarray]:
+def drawn(sweep: sweeps.SweepTable, observable: str, against: str) -> dict[str, np.ndarray]:
     """Label -> (x, y, error) of each line."""
     axes = sweep_pictures.plot(sweep, observable, against).axes[0]
     lines = {}
@@ -50,7 +51,7 @@ def test_picture(tmp: Path) -> None:
 
 def test_a_line_for_each_value_of_the_other_key(tmp: Path) -> None:
     style.use()
-    sweep = sweep_pictures.load(write_sweep(tmp))
+    sweep = sweeps.load(write_sweep(tmp))
     lines = drawn(sweep, "pressure", "system.density")
     cold, hot = "temperature = 1 (found 1.1 to 1.2)", "temperature = 2 (found 2.1 to 2.3)"
     assert list(lines) == [cold, hot], lines
@@ -64,7 +65,7 @@ def test_a_line_for_each_value_of_the_other_key(tmp: Path) -> None:
 def test_temperatures_are_those_that_were_measured(tmp: Path) -> None:
     """Against a temperature points stand where it was measured, open circles where it was asked."""
     style.use()
-    sweep = sweep_pictures.load(write_sweep(tmp))
+    sweep = sweeps.load(write_sweep(tmp))
     axes = sweep_pictures.plot(sweep, "pressure", "system.temperature").axes[0]
     assert axes.get_xlabel().endswith("measured"), axes.get_xlabel()
     _, _, (across, _) = axes.containers[0].lines
@@ -78,22 +79,22 @@ def test_temperatures_are_those_that_were_measured(tmp: Path) -> None:
     assert np.allclose(axes.containers[0].lines[0].get_xydata(), [(1.0, 1.1), (2.0, 2.1)])
     # One that was hit has nothing beside it.
     hit = [row.replace("1.1,0.02", "1.04,0.02").replace("1.2,", "1.03,0.02").replace("1.15,", "0.97,") for row in ROWS[:3]]
-    assert list(drawn(sweep_pictures.load(write_sweep(tmp / "hit", rows=hit)), "pressure", "system.density")) == ["temperature = 1"]
+    assert list(drawn(sweeps.load(write_sweep(tmp / "hit", rows=hit)), "pressure", "system.density")) == ["temperature = 1"]
 
 
 def test_one_key_has_one_line(tmp: Path) -> None:
-    sweep = sweep_pictures.load(write_sweep(tmp, "system.density,pressure", ["0.5,1", "0.1,2"]))
+    sweep = sweeps.load(write_sweep(tmp, "system.density,pressure", ["0.5,1", "0.1,2"]))
     axes = sweep_pictures.plot(sweep, "pressure", "system.density").axes[0]
     assert len(axes.containers) == 1 and axes.get_legend() is None
     assert np.allclose(axes.containers[0].lines[0].get_xydata(), [(0.1, 2.0), (0.5, 1.0)])
 
 
 def test_quantities_and_texts_on_the_axis(tmp: Path) -> None:
-    sweep = sweep_pictures.load(write_sweep(tmp, "system.temperature,pressure", ["90 K,1", '"""86.5 K""",2']))
+    sweep = sweeps.load(write_sweep(tmp, "system.temperature,pressure", ["90 K,1", '"""86.5 K""",2']))
     axes = sweep_pictures.plot(sweep, "pressure", "system.temperature").axes[0]
     assert axes.get_xlabel() == "temperature / K" and np.allclose(axes.containers[0].lines[0].get_xdata(), [86.5, 90.0])
     for rows, ticks in ((["cut,1", "$x$,2"], ["cut", r"\$x\$"]), (["90 K,1", "90,2"], ["90 K", "90"])):
-        sweep = sweep_pictures.load(write_sweep(tmp, "potential.truncation,pressure", rows))
+        sweep = sweeps.load(write_sweep(tmp, "potential.truncation,pressure", rows))
         axes = sweep_pictures.plot(sweep, "pressure", "potential.truncation").axes[0]
         assert [tick.get_text() for tick in axes.get_xticklabels()] == ticks
         assert not [line for line in axes.get_lines() if line.get_linestyle() != "None" and len(line.get_xdata()) > 1]
@@ -131,7 +132,7 @@ def write_points(directory: Path, equation: str = "thol2016", ended: int = 3) ->
 
 def test_a_sweep_that_goes_on_is_drawn_as_far_as_it_got(tmp: Path) -> None:
     style.use()
-    sweep = sweep_pictures.load(write_points(tmp / "sweep", ended=2))
+    sweep = sweeps.load(write_points(tmp / "sweep", ended=2))
     assert sweep.title == "gas" and sweep.status == "the sweep has not come to its end: 2 of 3 points", sweep
     assert np.allclose(drawn(sweep, "pressure", "system.density")[""], [(0.1, 0.2, 0.02), (0.2, 0.4, 0.02)])
     assert plot(tmp / "sweep").stdout.splitlines() == [str(tmp / "sweep" / "pressure.png")]
@@ -151,7 +152,7 @@ def test_the_equation_of_state_stands_beside_the_points(tmp: Path) -> None:
 
     original, program.answer = program.answer, answer
     try:
-        axes = sweep_pictures.plot(sweep_pictures.load(write_points(tmp / "sweep")), "pressure", "system.density").axes[0]
+        axes = sweep_pictures.plot(sweeps.load(write_points(tmp / "sweep")), "pressure", "system.density").axes[0]
     finally:
         program.answer = original
     assert np.allclose([T for T, _ in asked], [1.0 + rho for _, rho in asked]), asked
@@ -163,7 +164,7 @@ def test_the_equation_of_state_stands_beside_the_points(tmp: Path) -> None:
     for directory in (write_points(tmp / "soft", equation=None), tmp / "sweep"):
         program.answer = lambda *_: None
         try:
-            axes = sweep_pictures.plot(sweep_pictures.load(directory), "pressure", "system.density").axes[0]
+            axes = sweep_pictures.plot(sweeps.load(directory), "pressure", "system.density").axes[0]
         finally:
             program.answer = original
         assert axes.get_legend() is None and len(axes.get_lines()[0].get_xdata()) == 3
@@ -171,11 +172,11 @@ def test_the_equation_of_state_stands_beside_the_points(tmp: Path) -> None:
 
 def test_many_lines(tmp: Path) -> None:
     rows = [f"{t},{x},{t + x}" for t in range(30) for x in range(2)]
-    sweep_pictures.plot(sweep_pictures.load(write_sweep(tmp, "a.t,a.x,pressure", rows)), "pressure", "a.x").savefig(tmp / "x.png")
+    sweep_pictures.plot(sweeps.load(write_sweep(tmp, "a.t,a.x,pressure", rows)), "pressure", "a.x").savefig(tmp / "x.png")
 
 
 def test_few_bodies(tmp: Path) -> None:
-    sweep = sweep_pictures.load(write_sweep(tmp, "stage.orbits.time_step,potential_energy,total_energy", ["0.1,1,2"]))
+    sweep = sweeps.load(write_sweep(tmp, "stage.orbits.time_step,potential_energy,total_energy", ["0.1,1,2"]))
     assert sweep_pictures.usual(list(sweep.observables)) == ["total_energy"]
 
 
@@ -187,15 +188,17 @@ def test_what_cannot_be_drawn(tmp: Path) -> None:
     none = write_sweep(tmp / "none", "system.density,pressure,total_energy", ["0.1,,1"])  # a single atom has no pressure
     check_error(plot(none, "pressure"), 2, "no picture 'pressure' (there are: total_energy)")
     check_error(plot(sweep, "--against", "seed"), 2, "no key 'seed'", "system.density")
-    both = sweep_pictures.load(write_sweep(tmp / "both", "stage.a.steps,stage.b.steps,pressure", ["1,2,3"]))
+    both = sweeps.load(write_sweep(tmp / "both", "stage.a.steps,stage.b.steps,pressure", ["1,2,3"]))
     refused(lambda: sweep_pictures.choose_key(both, "steps"), "more than one", exit_code=2)
-    refused(lambda: sweep_pictures.load(write_sweep(tmp / "empty", rows=[])), "no rows")
-    refused(lambda: sweep_pictures.load(write_sweep(tmp / "short", rows=["1,2"])), "line 2", "2 fields")
-    refused(lambda: sweep_pictures.load(write_sweep(tmp / "word", rows=["1,0.1,x,0.1,1,1,"])), "'x'")
+    refused(lambda: sweeps.load(write_sweep(tmp / "empty", rows=[])), "no rows")
+    refused(lambda: sweeps.load(write_sweep(tmp / "short", rows=["1,2"])), "line 2", "2 fields")
+    refused(lambda: sweeps.load(write_sweep(tmp / "word", rows=["1,0.1,x,0.1,1,1,"])), "'x'")
     edit(sweep / "sweep.csv", "system.density", "density")
-    refused(lambda: sweep_pictures.load(sweep), "does not begin with the keys")
+    refused(lambda: sweeps.load(sweep), "does not begin with the keys")
     (sweep / "sweep.csv").unlink()
-    refused(lambda: sweep_pictures.load(sweep), "sweep.json", "'points'")
+    refused(lambda: sweeps.load(sweep), "no point has come to its end")
+    edit(sweep / "sweep.json", "points", "places")
+    refused(lambda: sweeps.load(sweep), "sweep.json", "'points'")
 
 
 if __name__ == "__main__":

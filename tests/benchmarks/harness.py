@@ -28,6 +28,7 @@ from typing import Any, Callable, Optional, Sequence
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
+from script import reports_errors  # noqa: E402  (it finds the package ljmd)
 import command_line  # noqa: E402
 import figures  # noqa: E402
 import machine  # noqa: E402
@@ -41,7 +42,7 @@ from ljmd_program import Ljmd, Variant  # noqa: E402
 from openmm_program import OpenMM  # noqa: E402
 from programs import Measurement, Program, ProgramFailed  # noqa: E402
 from report import Record  # noqa: E402
-from checked_files import RunDirectoryError, reports_errors  # noqa: E402
+from ljmd.errors import Error, FileError, InputError  # noqa: E402
 from workload import Case  # noqa: E402
 
 PEERS: dict[str, Callable[[], Program]] = {
@@ -107,7 +108,7 @@ class Benchmark:
         self.programs: list[Program] = [*own, *(PEERS[name]() for name in options.peers)]
         identities = {program.name: program.identify() for program in self.programs}
         if identities[own[0].name] is None:
-            raise RunDirectoryError(f"{options.ljmd}: cannot be run; say where ljmd is with --ljmd", exit_code=2)
+            raise InputError(f"{options.ljmd}: cannot be run; say where ljmd is with --ljmd")
         for name, identity in identities.items():
             if identity is None:
                 say(f"{name}: absent")
@@ -185,7 +186,7 @@ def publish(record: Record, out: Path) -> None:
     try:
         (out / "benchmark.md").write_text(report.markdown(record))
     except OSError as error:
-        raise RunDirectoryError(f"{out / 'benchmark.md'}: cannot be written: {error.strerror}", exit_code=4) from None
+        raise FileError(f"{out / 'benchmark.md'}: cannot be written: {error.strerror}") from None
     print(out / "benchmark.md")
     for name, figure in figures.draw(record).items():
         style.save(figure, out / f"{name}.png")
@@ -204,7 +205,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     try:
         benchmark = Benchmark(options)
     except ProgramFailed as error:
-        raise RunDirectoryError(str(error), exit_code=1) from None
+        raise Error(str(error)) from None
     report.write(benchmark.record, options.out / "benchmark.json")  # a folder that cannot be written is found out now
     benchmark.run()
     publish(benchmark.record, options.out)

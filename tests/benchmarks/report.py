@@ -21,7 +21,8 @@ from pathlib import Path
 from typing import Any, Iterable, Sequence
 
 import ratios
-import checked_files
+from ljmd.errors import FileError
+from ljmd.reading.files import damaged, read_json
 import workload
 
 SCHEMA = "ljmd-benchmark"
@@ -63,14 +64,14 @@ def write(record: Record, path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(record, indent=1) + "\n")
     except OSError as error:
-        raise checked_files.RunDirectoryError(f"{path}: cannot be written: {error.strerror}", exit_code=4) from None
+        raise FileError(f"{path}: cannot be written: {error.strerror}") from None
 
 
 def read(path: Path) -> Record:
-    """A record that `write` wrote. Raises RunDirectoryError for anything else."""
-    record = checked_files.read_json(path)
+    """A record that `write` wrote. Raises DataError for anything else."""
+    record = read_json(path)
     if record.get("schema") != SCHEMA or record.get("version") != VERSION:
-        raise checked_files.damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
+        raise damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
     return record
 
 

@@ -33,17 +33,18 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
+from script import reports_errors  # noqa: E402  (it finds the package ljmd)
 import command_line  # noqa: E402
 import ljmd_program  # noqa: E402
 import machine  # noqa: E402
 import report  # noqa: E402
-import checked_files  # noqa: E402
 import scaling_cases  # noqa: E402
 import style  # noqa: E402
 import workload  # noqa: E402
 from ljmd_program import Ljmd, Variant  # noqa: E402
 from programs import ProgramFailed  # noqa: E402
-from checked_files import RunDirectoryError, reports_errors  # noqa: E402
+from ljmd.errors import FileError, InputError  # noqa: E402
+from ljmd.reading.files import damaged, read_json  # noqa: E402
 from scaling_cases import System  # noqa: E402
 from style import plt  # noqa: E402
 
@@ -83,7 +84,7 @@ def measure(options: argparse.Namespace, systems: Sequence[System], folder: Path
     variant = Variant(options.precision, options.simd)
     identity = Ljmd(options.ljmd, variant).identify()
     if identity is None:
-        raise RunDirectoryError(f"{options.ljmd}: cannot be run; say where ljmd is with --ljmd", exit_code=2)
+        raise InputError(f"{options.ljmd}: cannot be run; say where ljmd is with --ljmd")
     record: dict[str, Any] = {
         "schema": SCHEMA,
         "version": VERSION,
@@ -221,9 +222,9 @@ def say(line: str) -> None:
 
 
 def read(path: Path) -> dict[str, Any]:
-    record = checked_files.read_json(path)
+    record = read_json(path)
     if record.get("schema") != SCHEMA or record.get("version") != VERSION:
-        raise checked_files.damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
+        raise damaged(path, f"not a record of schema {SCHEMA}, version {VERSION}")
     return record
 
 
@@ -237,7 +238,7 @@ def publish(record: dict[str, Any], out: Path) -> None:
             out.mkdir(parents=True, exist_ok=True)
             (out / name).write_text(text)
         except OSError as error:
-            raise RunDirectoryError(f"{out / name}: cannot be written: {error.strerror}", exit_code=4) from None
+            raise FileError(f"{out / name}: cannot be written: {error.strerror}") from None
         print(out / name)
     if record["systems"]:
         style.save(draw(record), out / "scaling.png")

@@ -62,7 +62,9 @@ class Runs(Case):
         self.assertEqual(len(run.thermo), 0)
         for text in ("", whole[:header]):
             thermo.write_text(text)
-            self.assertRaisesText(ljmd.DataError, "no header row", of=lambda: run.thermo)
+            self.assertRaisesText(ljmd.DataError, "without even a header row", of=lambda: run.thermo)
+        thermo.write_text(whole.replace("\n10,", "\nten,"))
+        self.assertRaisesText(ljmd.DataError, "thermo.csv: line 3: 'ten' in column 'step' is not a number", of=lambda: run.thermo)
 
     def test_a_directory_is_opened_again(self):
         run = self.run_of()

@@ -9,7 +9,7 @@ import numpy as np
 
 import ljmd
 from cases import Case, INPUTS, ROOT, command_line
-from ljmd.results import read_csv
+from ljmd.reading.tables import read_numbers
 
 sys.path.insert(0, str(ROOT / "tests/cli"))
 import decks  # noqa: E402, the settings that make a deck short
@@ -42,14 +42,14 @@ class SameBits(Case):
                 deck.run(self.folder / "python", threads=threads, progress=False)]
         for run in runs:
             self.assertEqual(without_times(run.data), without_times(expected))
-            columns, numbers = read_csv(there / "thermo.csv")
+            columns, numbers = read_numbers(there / "thermo.csv")
             self.same_table(run.thermo, columns, numbers)
             for table in there.glob("*.csv"):
                 if table.name not in ("thermo.csv", "trajectory.csv"):
-                    self.same_table(run.table(table.stem), *read_csv(table))
+                    self.same_table(run.table(table.stem), *read_numbers(table))
         trajectory = there / "trajectory.csv"
         if trajectory.exists():
-            self.same_table(runs[0].trajectory(), *read_csv(trajectory))
+            self.same_table(runs[0].trajectory(), *read_numbers(trajectory))
         for name in ("thermo.csv", "final.xyz"):
             self.assertEqual((there / name).read_bytes(), (self.folder / "python" / name).read_bytes(), name)
 

@@ -55,7 +55,8 @@ class Frames(Case):
 
     def test_what_has_no_frames_says_so(self):
         self.assertRaisesText(ljmd.DataError, "output.trajectory", of=small_deck().run(progress=False).frames)
-        self.assertRaises(ljmd.DataError, comet(20).run(progress=False).universe)
+        for run in (comet(20).run(progress=False), comet(20).run(self.folder / "comet", progress=False)):
+            self.assertRaisesText(ljmd.DataError, "no box", of=run.universe)
         self.assertRaises(ljmd.DataError, small_deck().run(self.folder / "run", progress=False).universe)
 
 

@@ -1,4 +1,9 @@
-"""Reading the trajectories of a run: trajectory.csv of few bodies, trajectory.h5md and trajectory.xyz of any system."""
+"""The trajectory of a run in the units of its file: trajectory.csv of few bodies, trajectory.h5md and trajectory.xyz of any
+system.
+
+The analyses of fluids, `ljmd.Trajectory`, take a periodic box and reduced units, and read by the compiled part. Few bodies
+have no box.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +13,9 @@ from pathlib import Path
 from typing import Iterator, Optional
 
 import numpy as np
-from checked_files import Table, damaged, read_table
+
+from .files import damaged
+from .tables import Table, read_table
 
 H5MD_GROUP = "particles/trajectory"
 LATTICE = re.compile(r'\bLattice="([^"]*)"')
@@ -33,7 +40,7 @@ def read(directory: Path, most: Optional[int] = None, growing: bool = False) -> 
     """The trajectory of a run, None without one; `most` takes only so many frames, evenly spread. Of a `growing` text
     file, which was being written, a last frame that is cut off does not count.
 
-    Raises RunDirectoryError with exit code 3 when the file is damaged.
+    Raises DataError when the file is damaged.
     """
     if (directory / "trajectory.csv").exists():
         return read_csv(directory / "trajectory.csv", most, growing)
@@ -80,14 +87,16 @@ def columns_of(path: Path, table: Table, names: list[str], bodies: int) -> np.nd
 
 def read_h5md(path: Path, most: Optional[int] = None) -> Trajectory:
     """H5MD as ljmd writes it: one particle group, with the box as edges of a cuboid."""
-    import h5py  # here, so that runs without such a file need no h5py
-
+    try:
+        import h5py  # type: ignore  # here, so that runs without such a file need no h5py
+    except ImportError:
+        raise damaged(path, "is HDF5, which takes h5py: this Python does not have it") from None
     try:
         with h5py.File(path) as file:
             group = file[H5MD_GROUP]
             frames = spread(len(group["position/step"]), most)
             if not frames.size:
-                raise damaged(path, "no frames")
+                raise ValueError("no frames")
             has_box = "edges" in group["box"]
             return Trajectory(
                 step=group["position/step"][frames],

@@ -6,21 +6,23 @@ import re
 from pathlib import Path
 from typing import Any, Sequence
 
-from checked_files import RunDirectoryError, damaged, field, read_json, read_text
+from ..errors import DataError, InputError
+from .files import damaged, field, read_text
+from .records import Record
 
 try:
     import tomllib
 except ModuleNotFoundError:
     try:
-        import tomli as tomllib
+        import tomli as tomllib  # type: ignore
     except ModuleNotFoundError:
-        tomllib = None
+        tomllib = None  # type: ignore[assignment]
 
 KEY_PART = re.compile(r'"([^"]*)"|([^."]+)')
 
 
 def parse(where: Path, text: str, settings: Sequence[str] = ()) -> dict[str, Any]:
-    """The tables of a deck; `settings` are applied in their order. Errors name `where`, with exit code 3."""
+    """The tables of a deck; `settings` are applied in their order. Raises DataError, which names `where`."""
     if tomllib is None:
         raise damaged(where, "its deck cannot be read without Python 3.11 or the package tomli")
     try:
@@ -33,18 +35,16 @@ def parse(where: Path, text: str, settings: Sequence[str] = ()) -> dict[str, Any
 
 
 def read(path: Path, settings: Sequence[str] = ()) -> dict[str, Any]:
-    """The tables of a deck file. A deck that is missing or is no TOML is an error with exit code 2."""
+    """The tables of a deck file. Raises InputError for a deck that is missing or is no TOML."""
     try:
         return parse(path, read_text(path), settings)
-    except RunDirectoryError as error:
-        raise RunDirectoryError(str(error), exit_code=2) from None
+    except DataError as error:
+        raise InputError(str(error)) from None
 
 
-def of_run(directory: Path) -> dict[str, Any]:
+def of_run(record: Record) -> dict[str, Any]:
     """The deck of a run, as it was used."""
-    path = directory / "run.json"
-    record = read_json(path)
-    return parse(path, field(path, record, "deck", str), field(path, record, "settings", list, default=[]))
+    return parse(record.file, field(record.file, record.data, "deck", str), field(record.file, record.data, "settings", list, default=[]))
 
 
 def apply(where: Path, deck: dict[str, Any], setting: str) -> None:
