@@ -36,6 +36,7 @@ if TYPE_CHECKING:  # what type checkers see; tests/python/lazy_test.py holds it 
     from .observables import observable
     from .potentials import Pair, pair
     from .reading.observables import Observable, Quantity
+    from .reference_values import Reference, ReferenceValue, reference
     from .replicas import Replicas
     from .results import Results, Run, open, resume  # noqa: A004, ljmd.open
     from .simulation import Arrays, Simulation
@@ -57,6 +58,7 @@ _PLACES = {
     "observables": ("observable",),
     "potentials": ("Pair", "pair"),
     "reading.observables": ("Observable", "Quantity"),
+    "reference_values": ("Reference", "ReferenceValue", "reference"),
     "replicas": ("Replicas",),
     "results": ("Results", "Run", "open", "resume"),
     "simulation": ("Arrays", "Simulation"),

@@ -35,7 +35,7 @@ class Replicas(Results):
             raise DataError(f"{directory} holds no replicas: it is that of a sweep")
         path = directory / "results.json"
         data = read_json(path) if path.exists() else {}
-        return cls(data, _Files(directory, [each for each in ("rdf",) if (directory / f"{each}.csv").exists()]), request)
+        return cls(data, _Files(directory, [each for each in ("rdf", "sk") if (directory / f"{each}.csv").exists()]), request)
 
     @property
     def _file(self) -> pathlib.Path:

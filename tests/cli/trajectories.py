@@ -26,12 +26,13 @@ viscosity = { every = 5, max_time = 0.1 }
 chemical_potential = { every = 20, insertions = 200 }
 response_functions = { every = 20 }
 configurational_temperature = { every = 20 }
+cutoff_correction = { every = 20 }
 """
 TRAJECTORY = ("thermo = { every = 5 }",
               'thermo = { every = 5 }\ntrajectory = { format = "xyz", every = 5, velocities = true }')
 LONG = ("steps = 40", "steps = 400")
 ALL = ("rdf", "structure_factor", "msd", "vacf", "viscosity", "chemical_potential", "response_functions",
-       "configurational_temperature")
+       "configurational_temperature", "cutoff_correction")
 TABLES = ("rdf", "sk_from_rdf", "sk", "msd", "vacf", "vibrational_spectrum", "stress_autocorrelation")
 OBSERVABLES = ("coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "excess_chemical_potential",
                "temperature", "diffusion_infinite_system", "configurational_temperature", "isothermal_compressibility",

@@ -31,6 +31,7 @@ chemical_potential = { every = 2, insertions = 2 }
 film = { every = 2, layers = 4 }
 response_functions = { every = 2 }
 configurational_temperature = { every = 2 }
+cutoff_correction = { every = 2 }
 )",
     {"system.lattice.cells=1", "system.density=0.1", "potential.cutoff=1.5", "neighbors.skin=0.15",
      "output.thermo.every=1", "stage.equilibrate.steps=4", "stage.equilibrate.thermostat.every=2",

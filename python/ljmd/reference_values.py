@@ -1,0 +1,136 @@
+"""Values of the Lennard-Jones fluid to a wanted error, as `ljmd reference` finds them."""
+
+from __future__ import annotations
+
+import json
+import pathlib
+import re
+import tempfile
+
+from . import _check, _program
+from ._text import as_table, html_lines, html_table, mixed_table, with_error
+from .errors import Error, InputError
+from .reading.tables import read_numbers
+
+
+class ReferenceValue:
+    """A property: mean with its errors, one standard deviation each; None where there is none, and remark says why.
+
+    mean, statistical_error, systematic_error, total_error: in reduced units
+    equation_of_state: the same by thol2016; equations: by all equations, by name
+    unit, remark
+    """
+
+    def __init__(self, name: str, data: dict):
+        self.name, self.data = name, data
+        self.mean, self.unit, self.remark = data["mean"], data["unit"], data.get("remark", "")
+        self.statistical_error, self.systematic_error = data["statistical_error"], data["systematic_error"]
+        self.total_error, self.equation_of_state = data["total_error"], data["equation_of_state"]
+        self.equations = data["equations_of_state"]
+
+    def __repr__(self) -> str:
+        if self.mean is None:
+            return f"{self.name}: no value ({self.remark})"
+        error = self.total_error if self.total_error is not None else self.statistical_error
+        return f"{self.name} = {with_error(self.mean, error)} {self.unit}".rstrip(" 1")
+
+
+class Reference:
+    """What `reference()` found: `found["pressure"].mean`, `.total_error`; `found.table("rdf")`; `found.values` as a table.
+
+    phase: "gas", "liquid", "supercritical fluid", ...
+    warnings: what a reader must know
+    citation: a paragraph to cite
+    data: all numbers, as in results.json (docs/reference.md)
+    directory: where the runs are; None: nowhere any more
+    """
+
+    def __init__(self, data: dict, tables: dict, directory):
+        self.data, self._tables, self.directory = data, tables, directory
+        self.phase, self.warnings, self.citation = data["phase"], list(data["warnings"]), data["citation"]
+        self._values = {name: ReferenceValue(name, value) for name, value in data.items()
+                        if isinstance(value, dict) and "statistical_error" in value}
+
+    def __getitem__(self, name: str) -> ReferenceValue:
+        if name not in self._values:
+            raise KeyError(f"no {name!r}; there are {', '.join(self._values)}")
+        return self._values[name]
+
+    def keys(self):
+        """Names of the values."""
+        return self._values.keys()
+
+    @property
+    def values(self):
+        """A row for each value: name, mean, errors, equation of state, unit."""
+        rows = list(self._values.values())
+        numbers = ("mean", "statistical_error", "systematic_error", "total_error", "equation_of_state")
+        return mixed_table({"name": [row.name for row in rows],
+                            **{each: [float("nan") if getattr(row, each) is None else getattr(row, each) for row in rows] for each in numbers},
+                            "unit": [row.unit for row in rows]})
+
+    @property
+    def tables(self) -> list:
+        """Names of the tables."""
+        return list(self._tables)
+
+    def table(self, name: str):
+        """"rdf" or "sk", if it was asked for. Raises KeyError naming all."""
+        if name not in self._tables:
+            raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
+        return as_table(*self._tables[name])
+
+    def _heading(self) -> str:
+        density = self.data["density"]
+        rho = density["mean"] if isinstance(density, dict) else density
+        return f"Lennard-Jones fluid at T = {self.data['temperature']}, rho = {rho:.6g}: {self.phase}"
+
+    def __repr__(self) -> str:
+        return "\n".join([self._heading(), *(f"  {value!r}" for value in self._values.values()),
+                          *(f"  warning: {each}" for each in self.warnings)])
+
+    def _repr_html_(self) -> str:
+        rows = [(row.name, "" if row.mean is None else f"{row.mean:.6g}",
+                 *("" if each is None else f"{each:.2g}" for each in (row.statistical_error, row.systematic_error)),
+                 "" if row.equation_of_state is None else f"{row.equation_of_state:.5g}", row.unit) for row in self._values.values()]
+        return html_table(("", "value", "statistical", "systematic", "thol2016", "unit"), rows, self._heading()) + html_lines(self.warnings)
+
+
+def reference(temperature: float, density: float | None = None, *, pressure: float | None = None, properties=(), errors=None, atoms=None,
+              replicas=None, max_steps=None, seed=None, metastable: bool = False, jobs=None, directory=None, progress=print,
+              force: bool = False) -> Reference:
+    """Energy, pressure and other properties of the full Lennard-Jones fluid at a temperature and a density or a pressure.
+
+        found = ljmd.reference(1.2, 0.7, properties=["c_v", "D"], errors={"energy": 0.002}, directory="runs/liquid")
+        found["pressure"].mean, found["pressure"].total_error
+
+    properties: names of docs/reference.md beside energy, pressure and Z, which are always found; "all"
+    errors: statistical errors to reach, by name
+    directory: where the runs go; the same call resumes them, with smaller errors makes them longer. None: they are removed
+    progress: called with each line that tells how far it is; None: nothing
+
+    Raises InputError for what makes no sense, PhysicsError for states that cannot be vouched for.
+    """
+    options = ["--temperature", repr(float(temperature))]
+    for name, value in (("--density", density), ("--pressure", pressure)):
+        options += [] if value is None else [name, repr(float(value))]
+    options += ["--properties", ",".join([properties] if isinstance(properties, str) else properties)] if properties else []
+    if errors:
+        options += ["--error", ",".join(f"{name}={float(error)!r}" for name, error in errors.items())]
+    for name, number in (("atoms", atoms), ("replicas", replicas), ("max_steps", max_steps), ("seed", seed), ("jobs", jobs)):
+        options += [] if number is None else [f"--{name.replace('_', '-')}", str(_check.whole(number, name, 0))]
+    options += [*(["--metastable"] if metastable else []), *(["--force"] if force else [])]
+    if progress is not None and not callable(progress):
+        raise InputError(f"progress: {progress!r} cannot be called")
+    with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
+        out = pathlib.Path(folder) / "reference" if directory is None else _check.directory_of(directory)
+        try:
+            _, text, _ = _program.call(["reference", *options, "--out", out, "--json"], told=progress,
+                                       note="runs that had begun have checkpoints: the same call resumes them" if directory else "")
+        except Error as error:
+            raise type(error)(re.sub(r"--([a-z]+)", r"\1", str(error))) from None
+        tables = {name: read_numbers(out / f"{name}.csv") for name in ("rdf", "sk") if (out / f"{name}.csv").exists()}
+    found = Reference(json.loads(text), tables, None if directory is None else out)
+    for warning in found.warnings:
+        _check.warn(warning)
+    return found

@@ -1,0 +1,105 @@
+"""ljmd reference against published simulations and equations of state, and the scatter of its values over their errors.
+
+Usage: reference_states.py --ljmd PROGRAM [--folder DIR] [--jobs N] [--scatter SEEDS]
+
+By hand. Without --scatter (a quarter of an hour of two cores): twelve states with their default errors. Six have Monte Carlo values of 500
+atoms with a cutoff of 3 and tail corrections: energies of FEASST (with its errors), pressures of the NIST Standard Reference Simulation
+Website (https://mmlapps.nist.gov/srs/LJ_PURE/mc.htm; errors where they are known, else 1 % of the pressure and at least 0.005). The other
+six have equations of state, Thol et al. (2016), doi:10.1063/1.4945000, and Kolafa and Nezbeda (1994), doi:10.1016/0378-3812(94)80001-4: their
+difference counts as the error of both, and at least what Thol et al. state for theirs. Each value must lie within 3 errors, those of both
+sides together.
+
+--scatter 200 (an hour of one core): so many references of 108 atoms at each of three states, which differ in their seed. The scatter of energy
+and pressure over the statistical error stated must lie between 0.83 and 1.17.
+
+--folder keeps the runs: the same command goes on with what is there.
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from figures import check, exit_code  # noqa: E402
+
+# T, rho: energy with error, pressure with error, of Monte Carlo simulations.
+PUBLISHED = {
+    (0.85, 0.005): (-0.051854, 2.0e-5, 0.0041003, 5.05e-7),
+    (0.85, 0.82): (-5.795079, 3.55e-4, 0.55355, None),
+    (0.85, 0.86): (-6.03003, 5.49e-4, 1.266, 0.0136),
+    (0.9, 0.009): (-0.089971, 3.9e-5, 0.0076363, None),
+    (0.9, 0.776): (-5.468437, 3.0e-4, 0.24056, 0.00274),
+    (0.9, 0.86): (-5.975214, 5.05e-4, 1.5781, None),
+}
+EQUATIONS = ((1.2, 0.7), (1.5, 0.1), (1.5, 0.6), (2.5, 0.4), (4.0, 0.8), (6.0, 0.3))
+OF_ENERGY, OF_PRESSURE = 0.001, 0.005  # relative, of rho T for the pressure: what the authors of the equation state
+SCATTERED = ((1.2, 0.7), (2.5, 0.4), (2.0, 0.1))
+LARGEST_DIFFERENCE = 0.17
+
+
+def reference(options, temperature, density, out, *arguments):
+    command = [options.ljmd, "reference", "--temperature", str(temperature), "--density", str(density), "--out", str(out), "--json", "--quiet",
+               "--jobs", str(options.jobs), *arguments]
+    return json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+
+
+def judge(state, name, value, other, error):
+    mean, total = value["mean"], value["total_error"]
+    off = (mean - other) / math.hypot(total, error)
+    print(f"  T {state[0]:<5} rho {state[1]:<6} {name:<17} {mean:12.6f}  statistical {value['statistical_error']:.2g}"
+          f"  systematic {value['systematic_error']:.2g}  other {other:.6f} +- {error:.2g}: {off:+.2f}", flush=True)
+    check(f"{name} at T {state[0]}, rho {state[1]}, in errors", abs(off), 0.0, 3.0)
+
+
+def states(options, folder):
+    for state in (*PUBLISHED, *EQUATIONS):
+        found = reference(options, *state, folder / f"T{state[0]}-rho{state[1]}")
+        energy, pressure = found["potential_energy"], found["pressure"]
+        if state in PUBLISHED:
+            u, u_error, p, p_error = PUBLISHED[state]
+            judge(state, "energy", energy, u, u_error)
+            judge(state, "pressure", pressure, p, p_error if p_error is not None else max(0.01 * p, 0.005 * state[0] * state[1]))
+            continue
+        for name, value, least in (("energy", energy, OF_ENERGY * abs(energy["equation_of_state"])),
+                                   ("pressure", pressure, OF_PRESSURE * state[0] * state[1])):
+            thol, kolafa = (value["equations_of_state"][each] for each in ("thol2016", "kolafa-nezbeda1994"))
+            judge(state, name, value, thol, max(abs(thol - kolafa), least))
+
+
+def scatter(options, folder):
+    for state in SCATTERED:
+        errors = {"potential_energy": [], "pressure": []}
+        for seed in range(1, options.scatter + 1):
+            found = reference(options, *state, folder / f"scatter-T{state[0]}-rho{state[1]}-{seed}", "--atoms", "108", "--replicas", "2",
+                              "--seed", str(seed), "--error", f"energy={0.004 * abs(-6 * state[1]):g}")
+            for name, values in errors.items():
+                values.append((found[name]["mean"], found[name]["statistical_error"]))
+        for name, values in errors.items():
+            mean = sum(value for value, _ in values) / len(values)
+            variance = sum((value - mean) ** 2 for value, _ in values) / (len(values) - 1)
+            stated = sum(error ** 2 for _, error in values) / len(values)
+            check(f"scatter over error of {name} at T {state[0]}, rho {state[1]}", math.sqrt(variance / stated), 1.0, LARGEST_DIFFERENCE)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--ljmd", required=True)
+    parser.add_argument("--folder", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--scatter", type=int, default=0, metavar="SEEDS")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = options.folder or pathlib.Path(temporary)
+        if options.scatter > 0:
+            scatter(options, folder)
+        else:
+            states(options, folder)
+    return exit_code()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
