@@ -16,11 +16,14 @@ namespace ljmd {
 PageContent report_on(const std::filesystem::path& directory) {
     if (!input_is_directory(directory)) {
         throw DataError(
-            fmt::format("{} is no directory; a report is about that of a run, a sweep, a reproduced table or "
-                        "a comparison",
+            fmt::format("{} is no directory; a report is about that of a run, a sweep, a reference, a reproduced "
+                        "table or a comparison",
                         directory.string()));
     }
     if (holds_study(directory)) {
+        if (input_is_there(directory / reference_file)) {
+            return reference_page(directory);
+        }
         const auto sweep = recorded_sweep(directory);
         return !sweep                ? reproduction_page(directory)
                : sweep->replicas > 0 ? replicas_page(directory)

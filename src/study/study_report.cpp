@@ -36,12 +36,13 @@ struct RunState {
     std::string words;          ///< from the log, if it failed
 };
 
+enum class StudyKind { sweep, replicas, reference, reproduction };
+
 struct Study {
-    bool is_sweep;
-    std::string deck;  ///< of a sweep
-    bool replicas;     ///< its points are replicas of one deck
-    bool running;      ///< whether the command is running
-    std::vector<RunState> runs;
+    StudyKind kind = StudyKind::reproduction;
+    std::string deck = {};  ///< of a sweep and of replicas
+    bool running = false;   ///< whether the command is running
+    std::vector<RunState> runs = {};
 
     [[nodiscard]] auto count(const std::string& state) const {
         return std::ranges::count(runs, state, &RunState::state);
@@ -76,11 +77,21 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
 }
 
 Study study_in(const fs::path& directory) {
-    Study study{false, "", false, DirectoryLock::is_held(directory), {}};
+    Study study{.running = DirectoryLock::is_held(directory)};
+    if (files::exists(directory / reference_file)) {
+        study.kind = StudyKind::reference;
+        for (const char* phase : reference_phases) {
+            if (const auto plan = recorded_sweep(directory / phase)) {
+                for (const ChildRun& run : sweep_runs(*plan, directory / phase)) {
+                    study.runs.push_back(state_of(fmt::format("{}/{}", phase, run.name), run.directory, run.log));
+                }
+            }
+        }
+        return study;
+    }
     if (const auto plan = recorded_sweep(directory)) {
-        study.is_sweep = true;
+        study.kind = plan->replicas > 0 ? StudyKind::replicas : StudyKind::sweep;
         study.deck = plan->deck_file;
-        study.replicas = plan->replicas > 0;
         for (const ChildRun& run : sweep_runs(*plan, directory)) {
             study.runs.push_back(state_of(run.name, run.directory, run.log));
         }
@@ -126,11 +137,13 @@ std::string table_of(const std::vector<RunState>& runs, std::optional<std::size_
 }
 
 std::string text_of(const Study& study, const fs::path& directory, std::optional<std::size_t> screen) {
-    const std::string what = study.replicas   ? fmt::format("{} replicas of one deck", study.runs.size())
-                             : study.is_sweep ? fmt::format("a sweep of {} runs", study.runs.size())
-                                              : fmt::format("a reproduced table of {} runs", study.runs.size());
+    const std::string what =
+        study.kind == StudyKind::replicas    ? fmt::format("{} replicas of one deck", study.runs.size())
+        : study.kind == StudyKind::sweep     ? fmt::format("a sweep of {} runs", study.runs.size())
+        : study.kind == StudyKind::reference ? fmt::format("a reference of {} runs", study.runs.size())
+                                             : fmt::format("a reproduced table of {} runs", study.runs.size());
     std::string text = fmt::format("{}: {}{}\n", directory.string(), what, study.running ? ", under way" : "");
-    if (study.is_sweep) {
+    if (!study.deck.empty()) {
         text += fmt::format("deck          {}\n", printable(study.deck, longest_foreign_text));
     }
     for (const char* state : states) {
@@ -140,17 +153,18 @@ std::string text_of(const Study& study, const fs::path& directory, std::optional
     }
     text += table_of(study.runs, screen);
     const bool whole = study.count("finished") == std::ssize(study.runs);
-    const std::string how =
-        study.replicas ? fmt::format("ljmd resume {}", directory.string()) : "the command that began it";
+    const std::string how = study.kind == StudyKind::replicas ? fmt::format("ljmd resume {}", directory.string())
+                                                              : "the command that began it";
     return text + (whole || study.running ? "" : fmt::format("to go on: {}\n", how));
 }
 
 Data data_of(const Study& study) {
-    Data json = {{"kind", study.replicas   ? "replicas"
-                          : study.is_sweep ? "sweep"
-                                           : "reproduction"},
+    Data json = {{"kind", study.kind == StudyKind::replicas    ? "replicas"
+                          : study.kind == StudyKind::sweep     ? "sweep"
+                          : study.kind == StudyKind::reference ? "reference"
+                                                               : "reproduction"},
                  {"running", study.running}};
-    if (study.is_sweep) {
+    if (!study.deck.empty()) {
         json["deck"] = study.deck;
     }
     for (const char* state : states) {
@@ -171,7 +185,7 @@ Data data_of(const Study& study) {
 }  // namespace
 
 bool holds_study(const fs::path& directory) {
-    return files::exists(directory / "sweep.json") ||
+    return files::exists(directory / "sweep.json") || files::exists(directory / reference_file) ||
            (input_is_directory(directory / "rows") && !files::exists(directory / "run.json"));
 }
 

@@ -24,6 +24,7 @@
 #include "ljmd/study/error_in_brackets.hpp"
 #include "ljmd/study/reference/reference_report.hpp"
 #include "ljmd/study/replicas.hpp"
+#include "ljmd/study/study_report.hpp"
 
 namespace ljmd {
 
@@ -203,6 +204,26 @@ std::optional<double> largest_order(const ReplicaFolder& folder) {
     return largest;
 }
 
+/// The request, for whoever finds the directory.
+Data request_data(const ReferenceRequest& request) {
+    Data errors = Data::object();
+    for (const WantedError& wanted : request.errors) {
+        errors[wanted.observable] = wanted.error;
+    }
+    return {{"program", "ljmd"},
+            {"kind", "reference"},
+            {"temperature", request.temperature},
+            {"density", request.density},
+            {"pressure", request.pressure},
+            {"properties", request.properties},
+            {"errors", errors},
+            {"atoms", request.atoms},
+            {"replicas", request.replicas},
+            {"max_steps", request.max_steps},
+            {"seed", request.seed},
+            {"metastable", request.metastable}};
+}
+
 /// Put the tables that were asked for beside the results.
 void copy_tables(const ReferenceSetup& setup, const ReplicaFolder& canonical, const OpenDirectory& out) {
     for (const auto& [property, table] : {std::pair{"rdf", "rdf.csv"}, std::pair{"structure_factor", "sk.csv"}}) {
@@ -233,6 +254,7 @@ void reference_command(const ReferenceOptions& options) {
                                   request.temperature, setup.density, setup.atoms, setup.potential.cutoff().radius));
     }
 
+    write_file_atomically(lock.directory() / reference_file, to_json(request_data(request)) + "\n");
     ReferencePhase pilot("pilot", out, pilot_deck(setup), pilot_steps, request.replicas, options);
     ReferenceFindings findings{.equilibration = 0,
                                .pilot = run_pilot(pilot, setup),

@@ -14,6 +14,9 @@ namespace ljmd {
 /// @throws DataError  its sweep.json is damaged
 [[nodiscard]] PageContent replicas_page(const std::filesystem::path& directory);
 
+/// The page of reference values: value, errors and equation of state of each property, g(r) if it was asked for.
+[[nodiscard]] PageContent reference_page(const std::filesystem::path& directory);
+
 /// The page of a reproduced table: z-scores, isotherms, the rows, from those rows that are finished.
 [[nodiscard]] PageContent reproduction_page(const std::filesystem::path& directory);
 

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/observables/statistics/known_quantities.hpp"
+#include "ljmd/report/lenient_data.hpp"
+#include "ljmd/report/pages/study_pages.hpp"
+#include "ljmd/report/quantity_names.hpp"
+#include "ljmd/report/run_charts.hpp"
+#include "ljmd/study/study_report.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double far = 3.0;  // errors from an equation of state
+
+/// A property with both errors together; the statistical one where the other is not assessed.
+Quantity reference_quantity(const std::string& name, const Data& entry) {
+    const auto total = number_in(entry, {"total_error"});
+    Quantity quantity{.name = name,
+                      .symbol = symbol_of(name),
+                      .value = number_in(entry, {"mean"}).value_or(std::nan("")),
+                      .error = total ? total : number_in(entry, {"statistical_error"}),
+                      .unit = text_in(entry, {"unit"}),
+                      .samples = number_in(entry, {"independent_samples"}),
+                      .remark = text_in(entry, {"remark"}),
+                      .reference = number_in(entry, {"equation_of_state"}),
+                      .reference_label = "thol2016"};
+    if (quantity.unit == "1") {
+        quantity.unit.clear();
+    }
+    return quantity;
+}
+
+/// How far a value is from the equations of state, whose difference counts as the error of both.
+std::optional<double> errors_apart(const Data& entry) {
+    const auto mean = number_in(entry, {"mean"});
+    const auto error = number_in(entry, {"total_error"});
+    const auto thol = number_in(entry, {"equations_of_state", "thol2016"});
+    const auto other = number_in(entry, {"equations_of_state", "kolafa-nezbeda1994"});
+    if (!mean || !error || !thol || !other) {
+        return std::nullopt;
+    }
+    return (*mean - *thol) / std::hypot(*error, *thol - *other);
+}
+
+PageTable errors_table(const std::vector<std::pair<std::string, const Data*>>& values) {
+    PageTable table{.name = "values", .title = "Values and what they are uncertain by", .lead = true};
+    std::vector<std::string> names;
+    std::vector<std::string> units;
+    names.reserve(values.size());
+    units.reserve(values.size());
+    for (const auto& [name, entry] : values) {
+        names.push_back(name);
+        units.push_back(text_in(*entry, {"unit"}));
+    }
+    table.add({"property"}, names);
+    const auto numbers = [&](const char* column, const char* label) {
+        std::vector<double> found;
+        found.reserve(values.size());
+        for (const auto& value : values) {
+            found.push_back(number_in(*value.second, {column}).value_or(std::nan("")));
+        }
+        table.add({column, label}, found);
+    };
+    numbers("mean", "value");
+    numbers("statistical_error", "statistical error");
+    numbers("systematic_error", "systematic error");
+    numbers("cutoff_correction", "corrected for the cutoff");
+    numbers("size_correction", "corrected for the size");
+    numbers("equation_of_state", "thol2016");
+    std::vector<double> apart;
+    apart.reserve(values.size());
+    for (const auto& value : values) {
+        apart.push_back(errors_apart(*value.second).value_or(std::nan("")));
+    }
+    table.add({"apart", "errors apart"}, apart);
+    table.add({"unit"}, units);
+    return table;
+}
+
+Verdict agreement(const std::vector<std::pair<std::string, const Data*>>& values) {
+    std::size_t compared = 0;
+    std::string far_ones;
+    for (const auto& [name, entry] : values) {
+        const auto apart = errors_apart(*entry);
+        compared += apart ? 1 : 0;
+        if (apart && std::abs(*apart) > far) {
+            far_ones += fmt::format("{}{} ({:.1f} errors)", far_ones.empty() ? "" : ", ", name, *apart);
+        }
+    }
+    return {
+        "agreement", far_ones.empty() ? "good" : "doubt",
+        far_ones.empty()
+            ? fmt::format("All {} values that an equation of state has agree with it within three errors.", compared)
+            : fmt::format("Farther than three errors from the equations of state: {}.", far_ones)};
+}
+
+}  // namespace
+
+PageContent reference_page(const fs::path& directory) {
+    PageContent page{.kind = "sweep", .title = "Reference values", .source = directory.string()};
+    const Data study = study_report(directory).data;
+    add_study_state(page, study);
+    page.points = study_points(study["runs"], directory);
+    if (!input_is_there(directory / "results.json")) {
+        return page;
+    }
+    add_if_readable(page.warnings, [&] {
+        const Data results = read_any_json(directory / "results.json");
+        page.title =
+            fmt::format("Lennard-Jones fluid at T = {}, rho = {:.6g}: {}", text_in(results, {"temperature"}),
+                        number_in(results, {"density_of_runs"}).value_or(std::nan("")), text_in(results, {"phase"}));
+        std::vector<std::pair<std::string, const Data*>> values;
+        for (const auto& [name, entry] : results.members()) {
+            if (entry.is_object() && entry.contains("statistical_error")) {
+                values.emplace_back(name, &entry);
+                page.quantities.push_back(reference_quantity(name, entry));
+            }
+        }
+        page.verdicts.push_back(agreement(values));
+        page.tables.push_back(errors_table(values));
+        for (const Data& warning : results.at("warnings").items()) {
+            page.warnings.push_back(warning.text());
+        }
+        page.downloads.emplace_back("methods", results.at("citation").text());
+    });
+    if (input_is_there(directory / "rdf.csv")) {
+        add_if_readable(page.warnings, [&] {
+            page.tables.push_back(
+                page_table(read_csv(directory / "rdf.csv"), "Radial distribution function", "rdf.csv"));
+            page.charts.push_back({.id = "rdf",
+                                   .title = "Radial distribution function",
+                                   .caption = "g(r) of all replicas together.",
+                                   .lead = true,
+                                   .x = {axis_label("r")},
+                                   .y = {axis_label("g")},
+                                   .marks = {{.type = "rule-y", .label = "", .value = 1.0, .colour = 7},
+                                             {.type = "line", .label = "g(r)", .table = "rdf", .x = "r", .y = "g"}}});
+        });
+    }
+    return page;
+}
+
+}  // namespace ljmd
