@@ -32,7 +32,8 @@ ReferenceCommand::ReferenceCommand(CLI::App& app)
         ->excludes(density);
     command_
         .add_option("--error", options_.errors,
-                    "statistical errors to reach; by default 0.1 % of the energy, and 1 % of rho T for the pressure")
+                    "statistical errors to reach; by default 0.1 % of the energy (at least 0.0005 T), and 1 % of rho T "
+                    "for the pressure")
         ->type_name("PROPERTY=E,...")
         ->delimiter(',');
     command_
