@@ -29,6 +29,9 @@ PANELS = {
     "kinetic_energy": style.PURPLE,
     "total_energy": style.BLACK,
     "pressure": style.GREEN,
+    "edge_x": style.SKY,  # these three where a barostat changes each edge by itself
+    "edge_y": style.SKY,
+    "edge_z": style.SKY,
 }
 SI_COLUMNS = {"time": "time_ps", "temperature": "temperature_K", "pressure": "pressure_bar", "r": "r_nm"}
 
@@ -161,7 +164,7 @@ def panel_caption(run: RunDirectory, name: str) -> str:
 
 def plot_thermo(run: RunDirectory) -> plt.Figure:
     """Temperature, energies per atom and pressure against time, one panel each."""
-    names = [name for name in PANELS if np.isfinite(run.thermo[name]).any()]
+    names = [name for name in PANELS if name in run.thermo and np.isfinite(run.thermo[name]).any()]
     if not names:
         raise checked_files.damaged(run.path / "thermo.csv", f"no numbers in {', '.join(PANELS)}")
     time = run.thermo["time"]
