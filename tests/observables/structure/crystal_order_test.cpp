@@ -82,7 +82,8 @@ TEST_CASE("of independent Gaussian displacements both mean squares and all Debye
     const double d = lattice == Lattice::fcc ? 1.6 / std::numbers::sqrt2 : 1.6;
     check(found.at("lindemann_ratio").estimate.value(), std::sqrt(u2) / d);
     CHECK(found.at("vacant_sites").estimate.value().mean == 0.0);
-    for (const auto& row : order.tables().at(0).rows) {
+    const DataTable table = order.tables().at(0);
+    for (const auto& row : table.rows) {
         const double factor = std::exp(-row[0] * row[0] * u2 / 3.0);
         CAPTURE(row[1], row[2], row[3]);
         CHECK(std::abs(row[7] - factor) < 5.0 * row[8]);
