@@ -59,4 +59,5 @@ BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy",
             "thermal_conductivity", "diffusion_infinite_system", "excess_chemical_potential",
             "configurational_temperature", "isothermal_compressibility", "adiabatic_compressibility",
             "thermal_expansion", "thermal_pressure_coefficient", "heat_capacity_cp", "speed_of_sound",
-            "joule_thomson_coefficient", "surface_tension", "normal_pressure", "liquid_density", "vapour_density"}
+            "joule_thomson_coefficient", "surface_tension", "normal_pressure", "liquid_density", "vapour_density",
+            "site_displacement", "site_displacement_debye_waller", "lindemann_ratio", "bragg_peak", "vacant_sites"}
