@@ -31,6 +31,9 @@ PANELS = {
     "kinetic_energy": style.PURPLE,
     "total_energy": style.BLACK,
     "pressure": style.GREEN,
+    "edge_x": style.SKY,  # these three where a barostat changes each edge by itself
+    "edge_y": style.SKY,
+    "edge_z": style.SKY,
 }
 SI_COLUMNS = {"time": "time_ps", "temperature": "temperature_K", "pressure": "pressure_bar", "r": "r_nm"}
 
@@ -163,7 +166,7 @@ def panel_caption(run: FluidRun, name: str) -> str:
 
 def plot_thermo(run: FluidRun) -> plt.Figure:
     """Temperature, energies per atom and pressure against time, one panel each."""
-    names = [name for name in PANELS if np.isfinite(run.thermo[name]).any()]
+    names = [name for name in PANELS if name in run.thermo and np.isfinite(run.thermo[name]).any()]
     if not names:
         raise damaged(run.path / "thermo.csv", f"no numbers in {', '.join(PANELS)}")
     time = run.thermo["time"]

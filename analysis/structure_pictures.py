@@ -166,6 +166,28 @@ def heat_flux_autocorrelation(run: FluidRun, table: Table) -> plt.Figure:
                          caption(run, "thermal_conductivity", r"$\lambda$", r"$k_\mathrm{B}/\sigma\tau$"))
 
 
+def bragg(run: RunDirectory, table: Table) -> plt.Figure:
+    """The Debye-Waller factors of a crystal, and those of Gaussian displacements with the same mean square."""
+    figure, axes = plt.subplots(figsize=(7.0, 4.5), constrained_layout=True)
+    k, factor = table["k"], table["debye_waller_factor"]
+    fine = np.linspace(0.0, 1.05 * k[-1], 200)
+    # exp(-k^2 <u^2>/3) of the last family, which is that of all
+    mean_square = -np.log(table["debye_waller_gaussian"][-1]) / k[-1] ** 2
+    axes.plot(fine, np.exp(-mean_square * fine**2), color=style.ORANGE, label=r"$\exp(-k^2 \langle u^2 \rangle/3)$")
+    axes.errorbar(k, factor, yerr=table["debye_waller_factor_standard_error"], fmt="o", color=style.BLUE, capsize=2.0,
+                  label=r"$\langle \cos \mathbf{k} \cdot \mathbf{u} \rangle^2$")
+    for number, height, *indices in zip(k, factor, table["miller_h"], table["miller_k"], table["miller_l"]):
+        axes.annotate("".join(f"{index:.0f}" for index in indices), (number, height), textcoords="offset points", xytext=(6, 5),
+                      fontsize=9)
+    axes.set_xlim(0.0, fine[-1])
+    axes.set_ylim(0.0, 1.05)
+    axes.set_xlabel(r"$k \sigma$")
+    axes.set_ylabel(r"$\exp(-2W)$")
+    title = caption(run, "lindemann_ratio", r"$\langle u^2 \rangle^{1/2}/d$", "")
+    axes.legend(loc="upper right", title=title if "=" in title else None)
+    return finish(figure, run)
+
+
 # table -> its first column, the others that are drawn, how
 PICTURES = {
     "sk": ("k", ("S", "S_standard_error"), structure_factor),
@@ -177,6 +199,8 @@ PICTURES = {
                                         "viscosity_standard_error"), stress_autocorrelation),
     "film": ("z", ("density", "density_standard_error", "normal_pressure", "normal_pressure_standard_error",
                    "tangential_pressure", "tangential_pressure_standard_error"), film),
+    "bragg": ("k", ("miller_h", "miller_k", "miller_l", "debye_waller_factor", "debye_waller_factor_standard_error",
+                    "debye_waller_gaussian"), bragg),
     "pressure_autocorrelation": ("time", ("pressure_autocorrelation", "pressure_autocorrelation_standard_error",
                                           "bulk_viscosity", "bulk_viscosity_standard_error"), pressure_autocorrelation),
     "heat_flux_autocorrelation": ("time", ("heat_flux_autocorrelation", "heat_flux_autocorrelation_standard_error",
@@ -187,8 +211,8 @@ PICTURES = {
 
 def read(path: Path, first: str, others: tuple[str, ...]) -> Optional[Table]:
     """A table whose first column increases, and whose other columns have a number in every row, errors excepted; None
-    when one of them has no value at all."""
-    table = read_table(path, (first, *others), increasing=(first,))
+    when one of them has no value at all. Two families of reciprocal lattice vectors can be equally long."""
+    table = read_table(path, (first, *others), increasing=() if "miller_h" in others else (first,))
     drawn = [name for name in others if not name.endswith("_standard_error")]
     return table if has_values(path, table, drawn) else None
 

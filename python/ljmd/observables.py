@@ -60,4 +60,5 @@ BUILT_IN = {"temperature", "potential_energy", "kinetic_energy", "total_energy",
             "configurational_temperature", "isothermal_compressibility", "adiabatic_compressibility",
             "thermal_expansion", "thermal_pressure_coefficient", "heat_capacity_cp", "speed_of_sound",
             "joule_thomson_coefficient", "surface_tension", "normal_pressure", "liquid_density", "vapour_density",
-            "cutoff_energy", "cutoff_pressure", "cutoff_energy_response", "cutoff_pressure_response"}
+            "cutoff_energy", "cutoff_pressure", "cutoff_energy_response", "cutoff_pressure_response",
+            "site_displacement", "site_displacement_debye_waller", "lindemann_ratio", "bragg_peak", "vacant_sites"}

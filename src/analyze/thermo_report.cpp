@@ -24,7 +24,9 @@ namespace {
 using Align = TextTable::Align;
 
 constexpr Index max_starts = 100;  // candidate start rows of a series
-constexpr std::array<const char*, 4> reported{"temperature", "potential_energy", "total_energy", "pressure"};
+/// The edges where a barostat changes each by itself.
+constexpr std::array<const char*, 7> reported{"temperature", "potential_energy", "total_energy", "pressure",
+                                              "edge_x",      "edge_y",           "edge_z"};
 
 Estimate blocking(const std::vector<double>& series) {
     BlockingAccumulator blocks(1, Covariance::diagonal);
@@ -195,6 +197,10 @@ ThermoReport thermo_report(const RecordedRun& run, std::optional<double> from) {
     }
     std::ranges::move(responses(table, run.deck), std::back_inserter(report.of_fluctuations));
     for (const char* name : reported) {
+        const bool is_edge = std::string_view(name).starts_with("edge_");
+        if (is_edge && std::ranges::find(table.columns, name) == table.columns.end()) {
+            continue;
+        }
         const std::vector<double> series = column(table, name);
         report.columns.push_back(
             {name, detect_equilibration(series, report.stride), statistical_inefficiency(series), blocking(series)});

@@ -16,13 +16,19 @@ void check_phase(const Deck& deck, double density, Diagnostics& diagnostics) {
     if (box_changes || deck.given.potential || deck.potential().type != LennardJones::name) {
         return;
     }
-    const auto temperature = requested_temperature(fluid_spec(deck));
+    const FluidSpec spec = fluid_spec(deck);
+    const auto temperature = requested_temperature(spec);
     if (!temperature) {
         return;
     }
     const auto densities = freezing_densities(*temperature);
     if (!densities || density <= densities->freezing) {
         return;
+    }
+    const bool of_crystal = std::ranges::any_of(
+        spec.analyses, [](const ChosenAnalysis& analysis) { return analysis.plugin.name == "crystal"; });
+    if (of_crystal && density >= densities->melting) {
+        return;  // the deck wants the crystal, which is stable
     }
     const Placed<SystemTable>& system = deck.system();
     diagnostics.warning(

@@ -69,7 +69,10 @@ std::vector<std::string> doubts_about(const RunResult& result, Index steps) {
     if (std::ranges::all_of(result.averages, &ObservableAverage::own)) {
         doubts.emplace_back("no sample was taken: set sample = true in a stage longer than the thermo interval");
     }
-    if (result.order_at_sampling && *result.order_at_sampling > crystal_left) {
+    // Who measures a crystal wants it there.
+    const bool of_crystal =
+        std::ranges::find(result.averages, "bragg_peak", &ObservableAverage::name) != result.averages.end();
+    if (result.order_at_sampling && *result.order_at_sampling > crystal_left && !of_crystal) {
         doubts.push_back(
             fmt::format("sampling began with {:.0f} % of the crystal left (translational order {:.3f}): "
                         "equilibrate longer, or melt above the target temperature first",

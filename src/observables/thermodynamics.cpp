@@ -49,6 +49,7 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
         result.pressure = result.pressure_tensor->trace() / 3.0;
     }
     result.density = density;
+    result.edges = state.box().edges();
     result.virial = evaluation.virial.trace();
     return result;
 }

@@ -47,7 +47,7 @@ PageTable block_means(const DataTable& sampled) {
         return found;
     };
     table.add(described("time"), means("time"));
-    for (const char* name : {"temperature", "potential_energy", "pressure", "density"}) {
+    for (const char* name : {"temperature", "potential_energy", "pressure", "density", "edge_x", "edge_y", "edge_z"}) {
         if (has_column(sampled, name)) {
             table.add(described(name), means(name));
         }
@@ -121,16 +121,18 @@ void add_history(PageContent& page, const RunFacts& facts) {
         return;
     }
     const std::string conserved = has_column(table, "conserved_energy") ? "conserved_energy" : "total_energy";
-    page.tables.push_back(page_table(table, "Time series", "thermo.csv",
-                                     {"step", "time", "temperature", "potential_energy", "kinetic_energy",
-                                      "total_energy", "conserved_energy", "pressure", "density", "order_parameter"},
-                                     most_rows));
+    page.tables.push_back(
+        page_table(table, "Time series", "thermo.csv",
+                   {"step", "time", "temperature", "potential_energy", "kinetic_energy", "total_energy",
+                    "conserved_energy", "pressure", "density", "edge_x", "edge_y", "edge_z", "order_parameter"},
+                   most_rows));
     const DataTable sampled = sampled_rows(table, facts, path);
     const bool has_blocks = sampled.rows.size() > 1;
     if (has_blocks) {
         page.tables.push_back(block_means(sampled));
     }
-    for (const char* name : {"temperature", "potential_energy", "pressure", "density", "order_parameter"}) {
+    for (const char* name :
+         {"temperature", "potential_energy", "pressure", "density", "edge_x", "edge_y", "edge_z", "order_parameter"}) {
         if (!has_column(table, name)) {
             continue;
         }

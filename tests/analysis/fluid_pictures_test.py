@@ -95,6 +95,18 @@ def test_other_directory_and_formats(tmp: Path) -> None:
     fixtures.check_error(plot(run, "--out", tmp / "x.gif"), 2, "must end in .png")
 
 
+def test_edges_that_change_have_panels(tmp: Path) -> None:
+    run = write_run(tmp / "run")
+    assert plot(run, "thermo").returncode == 0
+    height = png_size(run / "thermo.png")[1]
+    lines = (run / "thermo.csv").read_text().splitlines()
+    edges = [",edge_x,edge_y,edge_z"] + [f",{8 + 0.01 * math.sin(k)},8.1,{8.2 - 0.001 * k}" for k in range(len(lines) - 1)]
+    (run / "thermo.csv").write_text("".join(line + end + "\n" for line, end in zip(lines, edges)))
+    result = plot(run, "thermo")
+    assert result.returncode == 0, result
+    assert png_size(run / "thermo.png")[1] > 1.4 * height, height  # eight panels in place of five
+
+
 def test_block_averages(tmp: Path) -> None:
     time = np.arange(43.0)
     values = np.where(time < 3, 1e6, np.floor((time - 3) / 2))  # the odd rows at the start are left out

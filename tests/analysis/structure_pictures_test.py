@@ -40,6 +40,14 @@ def write_tables(run: Path) -> Path:
                        {"z": z, "density": 0.8 / (1.0 + np.exp(np.abs(z) - 6.0)), "density_standard_error": error,
                         "normal_pressure": 0.0 * z, "normal_pressure_standard_error": error,
                         "tangential_pressure": -0.3 * surfaces, "tangential_pressure_standard_error": error})
+    k = np.array([6.8, 7.8, 11.1, 11.1])  # two families of one length
+    factor = np.exp(-0.006 * k**2)
+    fixtures.write_csv(run / "bragg.csv",
+                       {"k": k, "miller_h": np.array([1, 2, 2, 3]), "miller_k": np.array([1, 0, 2, 1]), "miller_l": np.array([1, 0, 0, 1]),
+                        "vectors": np.array([4, 3, 6, 12]),
+                        "S": 500.0 * factor, "S_standard_error": factor, "debye_waller_factor": factor,
+                        "debye_waller_factor_standard_error": 0.01 * factor, "debye_waller_gaussian": factor,
+                        "debye_waller_gaussian_standard_error": 0.01 * factor})
     for flux, coefficient in (("pressure", "bulk_viscosity"), ("heat_flux", "thermal_conductivity")):
         fixtures.write_csv(run / f"{flux}_autocorrelation.csv",
                            {"time": TIME, f"{flux}_autocorrelation": decay, f"{flux}_autocorrelation_standard_error": error,
@@ -65,7 +73,7 @@ def test_tables_that_are_not_there_have_none(tmp: Path) -> None:
     result = plot(run)
     assert result.returncode == 0, result.stderr
     made = [Path(line).stem for line in result.stdout.splitlines()]
-    assert made == ["thermo", "rdf", "sk", "vacf", "vibrational_spectrum", "film"], made
+    assert made == ["thermo", "rdf", "sk", "vacf", "vibrational_spectrum", "film", "bragg"], made
 
 
 def test_errors_that_are_not_known_are_no_obstacle(tmp: Path) -> None:
@@ -89,7 +97,7 @@ def test_what_has_no_value_has_no_picture(tmp: Path) -> None:
     result = plot(run)
     assert result.returncode == 0, result.stderr
     made = [Path(line).stem for line in result.stdout.splitlines()]
-    assert made == ["thermo", "sk", "msd", "film", "pressure_autocorrelation", "heat_flux_autocorrelation"], result.stdout
+    assert made == ["thermo", "sk", "msd", "film", "bragg", "pressure_autocorrelation", "heat_flux_autocorrelation"], result.stdout
     said = [line.partition(": ")[2] for line in result.stderr.splitlines()]
     assert said == [f"'{name}' has no value in this run, no picture of it"
                     for name in ("g", "vacf_normalized", "spectrum", "viscosity")], result.stderr

@@ -18,7 +18,9 @@ def decks():
 
 def shortened(text):
     """The --set that make a deck quick: few steps, few atoms, and still every output that it asks for."""
-    settings = [f"stage.{name}.steps={STEPS}" for name in re.findall(r"^\[\[stage\]\][^\[]*?^name = \"([^\"]+)\"", text, flags=re.M)]
+    stages = re.findall(r"^\[\[stage\]\][^\[]*?^name = \"([^\"]+)\"([^\[]*)", text, flags=re.M)
+    # A stage that runs until an error is reached has its largest number of steps instead.
+    settings = [f"stage.{name}.{'until.max_steps' if re.search(r'^until = ', rest, flags=re.M) else 'steps'}={STEPS}" for name, rest in stages]
     cells = re.search(r"cells = (\d+)", text)
     if cells and int(cells.group(1)) > MOST_CELLS:
         settings.append(f"system.lattice.cells={MOST_CELLS}")

@@ -26,6 +26,13 @@ TEST_CASE("the history of a fluid has the columns that its stages, its start and
     }
     CHECK(has(names(small_deck, true), "order_parameter"));
     CHECK(has(names(small_deck + argon_table, false), "time_ps"));
+    const auto held = [](const std::string& barostat) {
+        return small_deck + "thermostat = { type = \"langevin\" }\nbarostat = { type = \"" + barostat +
+               "\", pressure = 0.1 }\n";
+    };
+    CHECK(has(names(held("anisotropic-cell-rescaling"), false), "edge_z"));
+    CHECK_FALSE(has(names(held("stochastic-cell-rescaling"), false), "edge_z"));
+    CHECK(has(names(held("stochastic-cell-rescaling"), false), "density"));
 }
 
 TEST_CASE("trajectories of few bodies have accelerations where the deck asks for them") {

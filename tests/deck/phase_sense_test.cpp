@@ -36,6 +36,8 @@ TEST_CASE("a deck whose fluid is beyond its freezing density is warned of") {
     const auto above = said_at(1.0, 0.722);
     REQUIRE(above.size() == 1);
     CHECK_THAT(above[0].hint, Contains("the crystal is stable here"));
+    CHECK(said_at(1.0, 0.722, {"analysis.crystal.every=10"}).empty());  // the crystal is wanted
+    CHECK(said_at(0.9, 0.722, {"analysis.crystal.every=10"}).size() == 1);
     CHECK(said_at(1.0, 3.0).empty());
 }
 

@@ -76,4 +76,9 @@ TEST_CASE("what makes results doubtful is said once, for the run as a whole") {
     CHECK_THAT(result.warnings[2], Contains("the energy drifts in stage 'there'"));
     CHECK_THAT(result.warnings[3], Contains("error bars of kinetic_energy"));
     CHECK_THAT(result.averages[0].remark, Contains("asked 1, found 1.2"));
+
+    result.averages.push_back({"bragg_peak", "S(k_1)/N", "1", Estimate{0.8, 0.01, 100.0, 100, true}});
+    result.warnings.clear();
+    add_remarks(result, small_spec());
+    CHECK_THAT(result.warnings.at(0), Contains("3 of 10 neighbor lists"));  // a crystal that is measured is wanted
 }

@@ -29,6 +29,7 @@ bulk_viscosity = { every = 1 }
 thermal_conductivity = { every = 1 }
 chemical_potential = { every = 2, insertions = 2 }
 film = { every = 2, layers = 4 }
+crystal = { every = 2, families = 2 }
 response_functions = { every = 2 }
 configurational_temperature = { every = 2 }
 cutoff_correction = { every = 2 }

@@ -95,7 +95,7 @@ std::vector<std::string> canonical_thermostats() {
     return names;
 }
 
-std::string thermostat(const std::string& name) {
+std::string thermostat_line(const std::string& name) {
     return fmt::format("thermostat = {{ type = \"{}\", time = 0.1 }}\n", name);
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("a gas has the pressure of its second virial coefficient and of the te
     REQUIRE(canonical_thermostats().size() == 4);
     for (const std::string& name : canonical_thermostats()) {
         CAPTURE(name);
-        const Sampled gas(gas_deck(lennard_jones_gas, rho, t, 200000, thermostat(name)), 5);
+        const Sampled gas(gas_deck(lennard_jones_gas, rho, t, 200000, thermostat_line(name)), 5);
         const Estimate p = gas(Sampled::pressure);
         CAPTURE(p.mean / (rho * t), p.standard_error / (rho * t), expected, gas(Sampled::temperature).mean);
         CHECK(std::abs(p.mean / (rho * t) - expected) < 0.01);
@@ -134,7 +134,7 @@ TEST_CASE("at constant energy a gas has the pressure of its second virial coeffi
 TEST_CASE("NIST's gas has NIST's compressibility factor, less what is due to N - 1 neighbours", "[ensembles]") {
     // Force-shifted at 2.5, density 0.01, temperature 0.75: Z = 0.9424. Of pairs there are N (N - 1)/2, not N^2/2.
     constexpr double expected = 1.0 + (0.9424 - 1.0) * (atoms - 1) / atoms;
-    const Sampled gas(gas_deck(lennard_jones_gas, 0.01, 0.75, 400000, thermostat("stochastic-rescaling")), 10);
+    const Sampled gas(gas_deck(lennard_jones_gas, 0.01, 0.75, 400000, thermostat_line("stochastic-rescaling")), 10);
     const Estimate z = gas.compressibility_factor();
     CAPTURE(z.mean, z.standard_error, expected);
     CHECK(std::abs(z.mean - expected) < 0.01);
@@ -159,9 +159,9 @@ TEST_CASE("a barostat makes the isothermal-isobaric ensemble of an ideal gas, wi
         CAPTURE(name, type);
         const Sampled gas(
             gas_deck(potential, p / t, t, 400000,
-                     thermostat(name) + fmt::format("barostat = {{ type = \"{}, pressure = {}, time = 3.0, "
-                                                    "compressibility = {}, every = 1 }}",
-                                                    type, p, (one_edge ? 3.0 : 1.0) / p)),
+                     thermostat_line(name) + fmt::format("barostat = {{ type = \"{}, pressure = {}, time = 3.0, "
+                                                         "compressibility = {}, every = 1 }}",
+                                                         type, p, (one_edge ? 3.0 : 1.0) / p)),
             1);
         const Estimate density = gas(Sampled::density);
         const Estimate volume = gas(Sampled::volume);

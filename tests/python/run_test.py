@@ -42,6 +42,20 @@ class Runs(Case):
             self.assertIn("pressure", run)
             self.assertEqual([stage["steps"] for stage in run.stages], [20, 40])
 
+    def test_a_crystal_under_the_barostat_of_each_edge_has_its_structure_and_its_edges(self):
+        deck = ljmd.Deck.fluid(atoms=256, density=1.0, temperature=0.1, cutoff=2.5, truncation="shifted", seed=3)
+        hold = {"type": "anisotropic-cell-rescaling", "pressure": 0.0, "time": 5.0, "compressibility": 0.02}
+        deck.stages = [ljmd.Stage("production", 100, sample=True, thermostat="langevin", barostat=hold)]
+        deck.analysis.crystal(every=10, families=3)
+        for run in (deck.run(progress=False), self.run_of(deck=deck)):
+            self.assertEqual(len(run.table("bragg")), 3)
+            self.assertGreater(run["bragg_peak"].mean, 0.9)
+            self.assertAlmostEqual(run["site_displacement_debye_waller"].mean / run["site_displacement"].mean, 1.0, 2)
+            nearest = (4 / run["density"].mean) ** (1 / 3) / 2**0.5
+            self.assertAlmostEqual(run["lindemann_ratio"].mean * nearest / run["site_displacement"].mean ** 0.5, 1.0, 2)
+            edges = [run.thermo[f"edge_{a}"] for a in "xyz"]
+            np.testing.assert_allclose(edges[0] * edges[1] * edges[2] * run.thermo["density"], 256, rtol=1e-12)
+
     def test_without_pandas_tables_are_structured_arrays(self):
         run = small_deck().run(progress=False)
         with mock.patch.dict(sys.modules, pandas=None):

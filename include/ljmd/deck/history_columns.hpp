@@ -7,7 +7,8 @@
 
 namespace ljmd {
 
-/// Columns of the history of a fluid: the density if a stage has a barostat, the conserved energy if one has a
+/// Columns of the history of a fluid: the density if a stage has a barostat, the edges if it changes
+/// each by itself, the conserved energy if one has a
 /// thermostat that knows it, SI columns for a substance.
 /// @param order_parameter  the run starts from a lattice
 [[nodiscard]] ThermoColumns thermo_columns(const Deck& deck, bool order_parameter,

@@ -64,6 +64,7 @@ class BarostatOptions {
 struct BarostatMethod {
     std::string name;
     std::string meaning;
+    bool changes_shape = false;                                 ///< changes the ratios of the edges
     std::function<std::unique_ptr<BarostatOptions>()> options;  ///< at their defaults
 };
 

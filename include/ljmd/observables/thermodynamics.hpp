@@ -26,12 +26,13 @@ struct Thermodynamics {
     std::optional<double> pressure;       ///< rho T + W/(3 V) + p_tail [epsilon/sigma^3]; empty for one atom
     std::optional<Mat3> pressure_tensor;  ///< N/(N - 1) (sum m v v - P P/M)/V + W_ab/V + p_tail delta_ab; trace/3 = p
     double density = 0.0;                 ///< N/V [sigma^-3]
+    Vec3 edges = Vec3::Zero();            ///< of the box [sigma]
     double virial = 0.0;                  ///< W = sum over pairs of r . f [epsilon], of the whole system, without tail
     std::optional<double> external_energy = {};  ///< U_ext/N of an external force that has one [epsilon]
 
     void archive(Archive& a) {
-        a(temperature, potential_energy, kinetic_energy, total_energy, pressure, pressure_tensor, density, virial,
-          external_energy);
+        a(temperature, potential_energy, kinetic_energy, total_energy, pressure, pressure_tensor, density, edges,
+          virial, external_energy);
     }
 };
 

@@ -100,6 +100,7 @@ BarostatMethod anisotropic_cell_rescaling() {
             .meaning =
                 "scale each edge of the box by itself, for crystals (Bernetti and Bussi 2020, Del Tatto et al. 2022); "
                 "isothermal-isobaric with a canonical thermostat",
+            .changes_shape = true,
             .options = [] { return std::make_unique<AnisotropicCellRescalingOptions>(); }};
 }
 

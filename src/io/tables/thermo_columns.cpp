@@ -18,6 +18,9 @@ std::vector<std::string> ThermoColumns::names() const {
     if (extra_.density) {
         names.emplace_back("density");
     }
+    if (extra_.edges) {
+        names.insert(names.end(), {"edge_x", "edge_y", "edge_z"});
+    }
     if (extra_.external_energy) {
         names.emplace_back("external_energy");
     }
@@ -46,6 +49,9 @@ std::vector<double> ThermoColumns::row(Index step, double time, const Thermodyna
     }
     if (extra_.density) {
         row.push_back(sample.density);
+    }
+    if (extra_.edges) {
+        row.insert(row.end(), sample.edges.begin(), sample.edges.end());
     }
     if (extra_.external_energy) {
         row.push_back(number(sample.external_energy));

@@ -7,7 +7,7 @@ namespace ljmd {
 namespace {
 
 /// Columns and results that no sample of a fluid has.
-constexpr std::array<SampledQuantity, 52> others{
+constexpr std::array<SampledQuantity, 63> others{
     {{"time", "t", "tau"},
      {"conserved_energy", "E/N - Q/N", "epsilon"},
      {"external_energy", "U_ext/N", "epsilon"},
@@ -40,6 +40,17 @@ constexpr std::array<SampledQuantity, 52> others{
      {"liquid_density", "rho_l", "sigma^-3"},
      {"vapour_density", "rho_v", "sigma^-3"},
      {"z", "z", "sigma"},
+     {"edge_x", "L_x", "sigma"},
+     {"edge_y", "L_y", "sigma"},
+     {"edge_z", "L_z", "sigma"},
+     {"site_displacement", "<u^2>", "sigma^2"},
+     {"site_displacement_debye_waller", "<u^2>_DW", "sigma^2"},
+     {"lindemann_ratio", "<u^2>^(1/2)/d", ""},
+     {"debye_waller_factor", "exp(-2 W)", ""},
+     {"debye_waller_gaussian", "exp(-k^2 <u^2>/3)", ""},
+     {"vacant_sites", "vacant", ""},
+     {"bragg_peak", "S(k_1)/N", ""},
+     {"vectors", "vectors", ""},
      {"pressure_autocorrelation", "<dp(0) dp(t)>", "epsilon^2/sigma^6"},
      {"heat_flux_autocorrelation", "<J(0) J(t)>", "epsilon^2/(sigma^4 tau^2)"},
      {"r", "r", "sigma"},

@@ -24,6 +24,12 @@ constexpr auto inverse_temperature_column = static_cast<Index>(sampled_quantitie
 constexpr Index squared_energy_column = inverse_temperature_column + 1;
 constexpr Index external_energy_column = squared_energy_column + 1;
 
+/// As many encounters as independent samples are asked for elsewhere: the error is then known to 18 %.
+constexpr Index enough_encounters = 16;
+
+constexpr const char* never_met =
+    "no two atoms were within the cutoff in any sample: the run is too short for so dilute a gas";
+
 }  // namespace
 
 RunAverages::RunAverages(Index atoms, Ensemble ensemble, bool external_energy)
@@ -46,6 +52,14 @@ void RunAverages::add(const Thermodynamics& s) {
         t > 0.0 ? 1.0 / t : 0.0, s.potential_energy * s.potential_energy;
     series_.add(row);
     blocks_.add(row);
+    const bool meet = s.virial != 0.0;
+    apart_ += meet ? 0 : 1;
+    encounters_ += meet && !met_before_ ? 1 : 0;
+    met_before_ = meet;
+}
+
+bool RunAverages::met_rarely() const {
+    return degrees_of_freedom_ > 0.0 && apart_ > 0 && encounters_ < enough_encounters;
 }
 
 Vec3 RunAverages::means_of_state() const {
@@ -173,12 +187,23 @@ std::vector<ObservableAverage> RunAverages::averages() const {
             average.estimate = series_.estimate(k);
         }
         result.push_back(average);
+        if (met_rarely() && (k == potential_energy_column || k == virial_column)) {
+            result.back().estimate->converged = false;
+        }
         if (k == total_energy_column && external_energy_) {
             result.push_back({"external_energy", "U_ext/N", "epsilon", series_.estimate(external_energy_column)});
         }
         if (k == pressure_column) {
-            const auto z = compressibility_factor();
-            result.push_back({"compressibility_factor", "Z", "1", z, z ? "" : no_temperature});
+            ObservableAverage z{"compressibility_factor", "Z", "1", compressibility_factor()};
+            if (!z.estimate) {
+                z.remark = no_temperature;
+            } else if (met_rarely() && encounters_ == 0) {
+                z.estimate.reset();
+                z.remark = never_met;
+            } else if (met_rarely()) {
+                z.estimate->converged = false;
+            }
+            result.push_back(z);
             if (const auto c = heat_capacity()) {
                 result.push_back(*c);
             }

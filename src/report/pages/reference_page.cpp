@@ -90,7 +90,7 @@ Verdict agreement(const std::vector<std::pair<std::string, const Data*>>& values
     std::string far_ones;
     for (const auto& [name, entry] : values) {
         const auto apart = errors_apart(*entry);
-        compared += apart ? 1 : 0;
+        compared += apart ? 1U : 0U;
         if (apart && std::abs(*apart) > far) {
             far_ones += fmt::format("{}{} ({:.1f} errors)", far_ones.empty() ? "" : ", ", name, *apart);
         }

@@ -203,7 +203,8 @@ thermostat = {{ type = "langevin", time = {friction} }}
         fmt::arg("temperature", request.temperature), fmt::arg("seed", request.seed),
         fmt::arg("cutoff", setup.potential.cutoff().radius), fmt::arg("start", setup.potential.cutoff().switch_start),
         fmt::arg("melt_step", time_step_at(setup.temperature_of_melt)), fmt::arg("melt", setup.temperature_of_melt),
-        fmt::arg("step", setup.time_step), fmt::arg("equilibration", equilibration));
+        fmt::arg("step", setup.time_step), fmt::arg("friction", friction_time(setup)),
+        fmt::arg("equilibration", equilibration));
 }
 
 std::string state_words(const ReferenceSetup& setup) {

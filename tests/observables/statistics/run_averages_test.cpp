@@ -49,6 +49,7 @@ class CorrelatedRun {
         sample.pressure = 4.0 + 0.7 * shared_ + 0.1 * own_;
         sample.pressure_tensor = *sample.pressure * Mat3::Identity();
         sample.density = density;
+        sample.virial = 1.0;
         return sample;
     }
 
@@ -134,6 +135,29 @@ TEST_CASE(
 TEST_CASE("without samples there are no averages") {
     CHECK(RunAverages(10, Ensemble::none).averages().empty());
     CHECK(RunAverages(10, Ensemble::none).samples() == 0);
+}
+
+TEST_CASE("a gas whose atoms meet rarely has errors that are guesses, and no compressibility factor if none have met") {
+    const auto found = [](Index encounters) {
+        RunAverages averages(32, Ensemble::canonical);
+        for (Index k = 0; k < 4000; ++k) {
+            const bool meet = k % 100 < 3 && k / 100 < encounters;  // three samples each
+            Thermodynamics sample = numbered(0.1 * std::sin(static_cast<double>(k)));
+            sample.virial = meet ? 1.0 : 0.0;
+            averages.add(sample);
+        }
+        return averages.averages();
+    };
+    for (const std::string name : {"potential_energy", "virial", "compressibility_factor"}) {
+        CAPTURE(name);
+        CHECK(find(found(16), name).estimate.value().converged);
+        CHECK_FALSE(find(found(15), name).estimate.value().converged);
+        CHECK_FALSE(find(found(1), name).estimate.value().converged);
+    }
+    CHECK(find(found(1), "temperature").estimate.value().converged);
+    const ObservableAverage none = find(found(0), "compressibility_factor");
+    CHECK_FALSE(none.estimate.has_value());
+    CHECK_THAT(none.remark, Catch::Contains("no two atoms were within the cutoff"));
 }
 
 TEST_CASE("one atom has neither temperature nor pressure, but the other averages, and it says why") {

@@ -20,12 +20,13 @@ class ThermoColumns {
     /// Columns that only some runs have.
     struct Extra {
         bool density = false;           ///< when a barostat changes it
+        bool edges = false;             ///< edge_x, edge_y, edge_z, when a barostat changes each by itself
         bool external_energy = false;   ///< when an external force has an energy
         bool conserved_energy = false;  ///< when a thermostat has a conserved energy
         bool order_parameter = false;   ///< when the run started from a lattice
     };
 
-    /// Values of these columns, except the density.
+    /// Values of these columns, except those of a sample.
     struct Values {
         std::optional<double> conserved_energy;  ///< per atom [epsilon]
         std::optional<double> order_parameter;

@@ -27,6 +27,10 @@ namespace ljmd {
 /// fluctuations are hidden below those of collisions, and only the second one sees them. A run that is not long
 /// compared with the correlation times underestimates variances by about 1/n, with n the number of independent samples.
 /// This is part of the error. If there are too few independent samples, or if the error is a guess, there is no value.
+///
+/// In a very dilute gas most samples have no two atoms within the cutoff. U, W and Z - 1 then come from few encounters,
+/// consecutive samples with a virial. Block averages cannot tell few encounters, each of some samples, from many: with
+/// fewer than 16 the errors of these are guesses, and with none there is no Z.
 /// Source of the first formula: Pearson, Halicioglu and Tiller (1985), doi:10.1103/PhysRevA.32.3030
 class RunAverages {
   public:
@@ -48,10 +52,12 @@ class RunAverages {
     /// Estimate of a value computed from these three. @param gradient  of the value with respect to them
     [[nodiscard]] Estimate estimate(double value, const Vec3& gradient) const;
 
-    void archive(Archive& a) { a(series_, blocks_); }
+    void archive(Archive& a) { a(series_, blocks_, encounters_, apart_, met_before_); }
 
   private:
     [[nodiscard]] std::optional<Estimate> compressibility_factor() const;
+    /// Whether so few encounters were sampled that errors of what only they contribute to are not known.
+    [[nodiscard]] bool met_rarely() const;
     /// Nothing in ensembles whose fluctuations do not determine it; without estimate but with a remark if it has no
     /// value.
     [[nodiscard]] std::optional<ObservableAverage> heat_capacity() const;
@@ -68,6 +74,9 @@ class RunAverages {
     bool external_energy_;
     BlockingAccumulator series_;
     JackknifeBlocks blocks_;
+    Index encounters_ = 0;     ///< runs of consecutive samples with a virial
+    Index apart_ = 0;          ///< samples without: no two atoms within the cutoff
+    bool met_before_ = false;  ///< the last sample had a virial
 };
 
 }  // namespace ljmd
