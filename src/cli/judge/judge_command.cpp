@@ -29,6 +29,7 @@ namespace fs = std::filesystem;
 
 const std::string by_command = "command:";
 const std::string by_files = "files:";
+constexpr const char* exchange_folder = "exchange";
 constexpr const char* problem_folder = "problem";
 constexpr const char* answer_folder = "answer";
 constexpr const char* log_name = "engine.log";
@@ -58,11 +59,12 @@ class Session {
 
     void by_command_line(const std::string& command) {
         std::optional<ScratchDirectory> scratch;
-        const fs::path place = out_.empty() ? scratch.emplace().path() : files::absolute(out_) / "exchange";
+        const fs::path place = out_.empty() ? scratch.emplace().path() : files::absolute(out_) / exchange_folder;
         const fs::path input = place / problem_folder;
         const fs::path output = place / answer_folder;
         const std::string line = engine_command(command, input, output);
         const Problem problem = problem_of(deck_, moment(), compared_);
+        files::try_to_remove_all(place / answer_folder);  // with --force: of an earlier engine
         make_directory(input);
         make_directory(output);
         write_problem(problem, input);
@@ -200,7 +202,7 @@ void check_engine_options(const CrosscheckOptions& compared) {
 void judge_engine(const Deck& deck, CheckedRun fluid, const DeckOptions& options, const CrosscheckOptions& compared,
                   const std::string& out) {
     if (!out.empty()) {
-        require_no_outputs(out, {judgement_file}, options.force, "Nothing was judged");
+        require_no_outputs(out, {judgement_file, std::string(exchange_folder) + "/" + log_name}, options.force, "Nothing was judged");
     }
     Session session(deck, std::move(fluid), options, compared, out);
     if (compared.with.starts_with(by_command)) {

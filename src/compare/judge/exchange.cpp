@@ -112,16 +112,12 @@ std::string problem_json(const Problem& problem) {
                  {"steps_before", problem.steps_before},
                  {"degrees_of_freedom", degrees_of_freedom(atoms)},
                  {"potential", potential_data(problem)}};
-    if (problem.wants("trajectory")) {
-        json["trajectory"] = {{"ensemble", "NVE"},
-                              {"integrator", "velocity Verlet, or leapfrog with v(-dt/2) = v(0) - a(0) dt/2"},
-                              {"time_step", problem.stage.time_step},
-                              {"steps", problem.trajectory_steps},
-                              {"frames", problem.frames}};
-    }
-    if (problem.wants("averages")) {
-        json["run"] = run_data(problem);
-    }
+    json["trajectory"] = {{"ensemble", "NVE"},
+                          {"integrator", "velocity Verlet, or leapfrog with v(-dt/2) = v(0) - a(0) dt/2"},
+                          {"time_step", problem.stage.time_step},
+                          {"steps", problem.trajectory_steps},
+                          {"frames", problem.frames}};
+    json["run"] = run_data(problem);
     json["wanted"] = wanted(problem);
     return to_json(json) + "\n";
 }

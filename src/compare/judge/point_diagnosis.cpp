@@ -18,6 +18,7 @@ constexpr double unexplained = 1e-3;
 
 /// Cutoffs and scales of length are looked for up to this factor.
 constexpr double farthest = 1.3;
+constexpr double largest_scale = 1.2;
 
 double squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     double sum = 0.0;
@@ -160,7 +161,8 @@ class Case {
                 return moves ? fluid_.potential : with_cutoff(fluid_.potential, cutoff / s);
             };
             const auto sums = [&](double s) { return pairs_.sums(potential(s), {.sigma = s}); };
-            const double s = best_scale([&](double scale) { return distance(sums(scale)); });
+            const double s = best_scale([&](double scale) { return distance(sums(scale)); },
+                                        moves ? std::min(largest_scale, range_ / cutoff) : largest_scale);
             if (explain(sums(s))) {
                 return fmt::format(
                     "sigma off: energy, virial and forces are those of a sigma of {:.10g}, where it is 1{}", s,
@@ -172,10 +174,9 @@ class Case {
 
     /// The scale of length with the smallest distance: by a grid, then by golden section.
     template <class Distance>
-    [[nodiscard]] double best_scale(const Distance& off) const {
+    [[nodiscard]] static double best_scale(const Distance& off, double highest) {
         constexpr int steps = 40;
         constexpr double lowest = 0.8;
-        const double highest = std::min(1.2, range_ / fluid_.potential.cutoff().radius);
         const double width = (highest - lowest) / steps;
         double best = 1.0;
         double smallest = off(1.0);
