@@ -2,9 +2,11 @@
 found and called by its name; engines that fail in other ways get one message each."""
 
 import random
+import shutil
 import sys
 from pathlib import Path
 
+from compares import needs
 from harness import DECK, STARS, Case, compare_refused, same_bits_environment
 
 ENGINE = Path(__file__).resolve().parents[2] / "docs/examples/engine.py"
@@ -211,7 +213,7 @@ def samples(t, deck, rows, columns="step,kinetic_energy"):
     return result, t.json("found.json")
 
 
-CANONICAL = [("steps = 40\nsample = true", 'steps = 4000\nsample = true\ntemperature = 1.0\nthermostat = { type = "langevin", time = 0.1 }')]
+CANONICAL = [("steps = 40\nsample = true", 'steps = 4000\nsample = true\ntemperature = 1.0\nthermostat = { type = "stochastic-rescaling" }')]
 
 
 def gamma_rows(freedom, temperature, narrow=1.0, rows=4000, correlation=0.0):
@@ -241,6 +243,99 @@ def canonical(freedom, temperature, words, **how):
     return test
 
 
+def openmm(t):
+    """OpenMM's Reference platform, driven from Python."""
+    here = t.command([sys.executable, "-c", "import openmm"]).code == 0
+    needs(here, "OpenMM in this Python")
+    t.deck(("steps = 40", "steps = 400"))
+    program = ENGINE.parents[2] / "tests/cli/openmm_engine.py"
+    result = t.run_well("compare", "deck.toml", *STEPS, "--with", f"command:'{sys.executable}' '{program}' {{input}} {{output}}")
+    for words in ("against OpenMM 7", "virial", "step 100: forces at the engine's positions", "checks passed"):
+        t.contains(result.out, words)
+    t.check("diagnosis" not in result.out, result.out)
+
+
+LAMMPS = """\
+units lj
+atom_style atomic
+read_data start.data
+pair_style lj/cut {cutoff!r}
+pair_coeff 1 1 1.0 1.0
+pair_modify tail yes
+neighbor 0.3 bin
+neigh_modify every 1 delay 0 check yes
+timestep {time_step!r}
+compute virial all pressure NULL virial
+compute kinetic all ke
+variable u equal pe
+variable k equal c_kinetic
+variable p equal press
+variable t equal temp
+variable tail equal {tail!r}
+variable w equal 3*vol*(c_virial-v_tail)
+thermo_style custom step pe press temp c_virial c_kinetic
+thermo_modify norm no
+fix move all nve
+run 0
+print '{{"engine": "LAMMPS", "potential_energy": $(v_u:%.17g), "kinetic_energy": $(v_k:%.17g), "temperature": $(v_t:%.17g), "pressure": $(v_p:%.17g), "virial": $(v_w:%.17g)}}' file point.json screen no
+"""
+DUMP = "write_dump all custom frames.dump id x y z vx vy vz fx fy fz modify sort id format float %.17g append yes\n"
+ROW = "print '$(step),$(v_u:%.17g),$(v_k:%.17g),$(v_t:%.17g),$(v_p:%.17g)' append thermo.csv screen no\n"
+
+
+def lammps_through_files(t):
+    """A user runs LAMMPS by hand with the data file, and puts dumps, a table and a few numbers beside it."""
+    needs(shutil.which("lmp"), "program 'lmp'")
+    t.deck()
+    command = ("compare", "deck.toml", "--quiet", "--steps", "40", "--frames", "1,10,40", "--with", "files:place")
+    t.run_well(*command)
+    problem = t.json("place/problem.json")
+    text = LAMMPS.format(cutoff=problem["potential"]["cutoff"], time_step=problem["run"]["time_step"],
+                         tail=problem["potential"]["tail_pressure"])
+    frames, every, done = problem["trajectory"]["frames"], problem["run"]["thermo_every"], 0
+    for step in sorted({*frames, *range(0, 41, every)}):
+        text += f"run {step - done}\n" + DUMP * (step in frames) + ROW * (step % every == 0)
+        done = step
+    (t.dir / "place/thermo.csv").write_text("step,potential_energy,kinetic_energy,temperature,pressure\n")
+    (t.dir / "place/in.lammps").write_text(text)
+    t.expect(0, t.command(["lmp", "-in", "in.lammps", "-log", "none"], cwd=t.dir / "place"))
+    result = t.run_well(*command)
+    for words in ("against LAMMPS", "step 40: positions", "step 40: forces", "temperature", "pressure", "checks passed"):
+        t.contains(result.out, words)
+    dump = t.read("place/frames.dump")
+    (t.dir / "place/frames.dump").write_text(dump[:len(dump) // 2])
+    t.contains(t.expect(3, t.run(*command)).err, "the file is cut off")
+
+
+ISOBARIC = [("steps = 20\nthermostat = { type = \"rescale\", every = 5 }",
+             'steps = 1000\ntemperature = 1.0\nthermostat = { type = "langevin", time = 0.2 }'),
+            ("steps = 40\nsample = true",
+             'steps = 40000\nsample = true\ntemperature = 1.0\nthermostat = { type = "langevin", time = 0.2 }\n'
+             'barostat = { type = "stochastic-cell-rescaling", pressure = 1.5, time = 1.0 }'),
+            ("cutoff = 2.5", "cutoff = 2.2")]
+
+
+def isobaric(t):
+    """ljmd with other random numbers is an engine at constant pressure; with less fluctuation of the volume it is none."""
+    t.deck(*ISOBARIC)
+    t.run_well("run", "deck.toml", "--out", "other", "--set", "system.seed=8", "--quiet", env=same_bits_environment())
+    table = t.columns("other/thermo.csv")
+    rows = [(int(step) - 1000, 108.0 * u, 108.0 * k, 108.0 / density)
+            for step, u, k, density in zip(table["step"], table["potential_energy"], table["kinetic_energy"], table["density"])
+            if step > 1000]
+    columns = "step,potential_energy,kinetic_energy,volume"
+    result, found = samples(t, ISOBARIC, rows, columns)
+    t.equal(result.code, 0, f"exit code, with {found}")
+    names = checks(found)
+    for name in ("mean volume", "mean enthalpy", "variance of volume", "variance of enthalpy", "mean temperature"):
+        t.check(any(check.startswith(name) for check in names), f"{name} in {sorted(names)}")
+    middle = sum(row[3] for row in rows) / len(rows)
+    (t.dir / "deck.toml").unlink()
+    result, found = samples(t, ISOBARIC, [(*row[:3], middle + 0.4 * (row[3] - middle)) for row in rows], columns)
+    t.equal(result.code, 5, "exit code")
+    t.check(any("the variance of the volume is" in words for words in found["diagnoses"]), found["diagnoses"])
+
+
 def cases():
     return [Case("good engine", good_engine)] + \
            [Case(f"mistake: {name}", mistake(*how)) for name, how in MISTAKES.items()] + \
@@ -250,6 +345,7 @@ def cases():
             Case("existing files are refused", existing_files_are_refused), Case("files by hand", files_by_hand),
             Case("canonical kinetic energies", canonical(321, 1.0, "")),
             Case("canonical kinetic energies, correlated", canonical(321, 1.0, "", rows=20000, correlation=0.8)),
+            Case("openmm", openmm), Case("lammps through files", lammps_through_files), Case("isobaric", isobaric),
             Case("thermostat of 3N", canonical(321, 324 / 321, "3N against 3N-3: the mean kinetic energy")),
             Case("thermostat of another temperature", canonical(321, 1.05, "other temperature: the mean kinetic energy is that of T = 1.05")),
             Case("thermostat that rescales", canonical(321, 1.0, "too little fluctuation", narrow=0.5)),

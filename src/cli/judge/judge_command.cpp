@@ -44,6 +44,17 @@ double seconds_of(const std::string& timeout) {
     return *seconds;
 }
 
+/// Take off the velocity of the centre of mass, which a stage before may have left; the atoms have equal masses.
+void bring_to_rest(Fluid& fluid) {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& v : fluid.velocities) {
+        mean += v / static_cast<double>(fluid.velocities.size());
+    }
+    for (Vec3& v : fluid.velocities) {
+        v -= mean;
+    }
+}
+
 /// One judgement, from the problem to the verdict.
 class Session {
   public:
@@ -105,6 +116,9 @@ class Session {
                                             [&](const std::string& text) { progress_.warning(text); });
         Fluid fluid = run_before_crosscheck(deck_, simulation, progress_);
         progress_.clear_line();
+        if (freedom_of(deck_.stages[first_sampled(deck_.stages)], std::ssize(fluid.masses)) < 3 * std::ssize(fluid.masses)) {
+            bring_to_rest(fluid);
+        }
         return fluid;
     }
 

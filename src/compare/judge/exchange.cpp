@@ -58,7 +58,8 @@ Data run_data(const Problem& problem) {
     Data data = {{"ensemble", ensemble_of(stage)},
                  {"time_step", stage.time_step},
                  {"steps", stage.steps},
-                 {"thermo_every", problem.thermo_every}};
+                 {"thermo_every", problem.thermo_every},
+                 {"degrees_of_freedom", freedom_of(stage, std::ssize(problem.fluid.masses))}};
     if (stage.thermostat) {
         data["temperature"] = stage.temperature;
     }
@@ -84,7 +85,7 @@ Data wanted(const Problem& problem) {
     if (problem.wants("averages")) {
         data["thermo.csv"] =
             "of the run: a header, then every thermo_every steps a row with step and any of potential_energy, "
-            "kinetic_energy, temperature, pressure, volume, as in point.json";
+            "kinetic_energy, temperature (2 K/run.degrees_of_freedom), pressure, volume, as in point.json";
     }
     return data;
 }
@@ -99,6 +100,10 @@ std::string ensemble_of(const Stage& stage) {
     return stage.barostat ? "NPT" : stage.thermostat ? "NVT" : "NVE";
 }
 
+Index freedom_of(const Stage& stage, Index atoms) {
+    return stage.thermostat && !stage.thermostat->plugin.conserves_momentum ? 3 * atoms : degrees_of_freedom(atoms);
+}
+
 std::string problem_json(const Problem& problem) {
     const Fluid& fluid = problem.fluid;
     const auto atoms = static_cast<Index>(fluid.masses.size());
@@ -110,7 +115,6 @@ std::string problem_json(const Problem& problem) {
                  {"box_edges", Data::list({fluid.edges[0], fluid.edges[1], fluid.edges[2]})},
                  {"boundary", "periodic in all directions, with a corner at the origin"},
                  {"steps_before", problem.steps_before},
-                 {"degrees_of_freedom", degrees_of_freedom(atoms)},
                  {"potential", potential_data(problem)}};
     json["trajectory"] = {{"ensemble", "NVE"},
                           {"integrator", "velocity Verlet, or leapfrog with v(-dt/2) = v(0) - a(0) dt/2"},

@@ -183,7 +183,8 @@ class Session {
         const Stage& stage = problem_.stage;
         RunConditions conditions{.atoms = expected_.atoms,
                                  .time_step = stage.time_step,
-                                 .freedom = answer_.degrees_of_freedom.value_or(degrees_of_freedom(expected_.atoms))};
+                                 .freedom = answer_.degrees_of_freedom.value_or(freedom_of(stage, expected_.atoms)),
+                                 .our_freedom = freedom_of(stage, expected_.atoms)};
         if (stage.thermostat) conditions.temperature = stage.temperature;
         if (stage.barostat) conditions.pressure = stage.barostat->options->held_pressure();
         return conditions;
@@ -206,8 +207,8 @@ class Session {
         result_.checks.push_back({"thermo.csv: temperature and 2 K/f, largest difference", largest, tolerance});
         if (!(largest <= tolerance) && largest_by_all <= tolerance) {
             note(
-                "3N against 3N-3: the temperature of thermo.csv is 2 K/(3 N); at rest the centre of mass takes three degrees "
-                "of freedom, T = 2 K/(3 N - 3)");
+                "3N against 3N-3: the temperature of thermo.csv is 2 K/(3 N); a centre of mass at rest takes three degrees of "
+                "freedom, T = 2 K/(3 N - 3)");
         }
     }
 

@@ -70,13 +70,17 @@ class Judge {
 
     RunJudgement judge() {
         const auto atoms = static_cast<double>(conditions_.atoms);
-        const double freedom = conditions_.freedom > 0 ? static_cast<double>(conditions_.freedom) : 1.0;
-        const double our_freedom = std::max(1.0, static_cast<double>(degrees_of_freedom(conditions_.atoms)));
+        const double freedom = std::max(1.0, static_cast<double>(conditions_.freedom));
+        const double our_freedom = std::max(1.0, static_cast<double>(conditions_.our_freedom));
         compare_means("temperature", scaled(ours_.kinetic_energy, 2.0 / our_freedom),
                       scaled(theirs_.kinetic_energy, 2.0 / freedom));
         compare_means("potential_energy", scaled(ours_.potential_energy, 1.0 / atoms),
                       scaled(theirs_.potential_energy, 1.0 / atoms));
-        compare_means("pressure", ours_.pressure, theirs_.pressure);
+        if (conditions_.freedom == conditions_.our_freedom) {
+            compare_means("pressure", ours_.pressure, theirs_.pressure);
+        } else {
+            leave_out("mean pressure", "the engine's kinetic energy has other degrees of freedom");
+        }
         if (conditions_.temperature) {
             judge_kinetic_energy();
         }
@@ -181,13 +185,15 @@ class Judge {
         result_.checks.push_back({"distribution of the kinetic energy from gamma(f/2), Kolmogorov and Smirnov",
                                   gamma_distance(k, 0.5 * freedom, inefficiency), max_gamma_distance});
         if (!(off <= max_sigmas_of_distribution)) {
-            const double all = 1.5 * static_cast<double>(conditions_.atoms) * temperature;
+            const Index others = conditions_.freedom == 3 * conditions_.atoms ? degrees_of_freedom(conditions_.atoms)
+                                                                              : 3 * conditions_.atoms;
+            const double all = 0.5 * static_cast<double>(others) * temperature;
             result_.diagnoses.push_back(
                 sigmas_from(all) < max_sigmas
-                    ? fmt::format("3N against 3N-3: the mean kinetic energy is 3 N T/2, not {:g} T/2: the thermostat counts "
-                                  "3 N degrees of freedom. If it acts on the centre of mass, too, the answer's "
-                                  "degrees_of_freedom says so",
-                                  freedom)
+                    ? fmt::format("3N against 3N-3: the mean kinetic energy is {} T/2, not {:g} T/2: the thermostat counts "
+                                  "other degrees of freedom. If it acts on the centre of mass, there are 3 N, else 3 N - 3; "
+                                  "degrees_of_freedom in point.json says so where it is right",
+                                  others, freedom)
                     : fmt::format("other temperature: the mean kinetic energy is that of T = {:.5g}, where it is {:g}",
                                   2.0 * mean.mean / freedom, temperature));
         }

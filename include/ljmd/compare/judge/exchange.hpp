@@ -33,6 +33,10 @@ struct ExchangeFiles {
 /// "NVE", "NVT" or "NPT".
 [[nodiscard]] std::string ensemble_of(const Stage& stage);
 
+/// Degrees of freedom of the kinetic energy of a stage's run: 3 N where its thermostat also acts on the centre of mass,
+/// else 3 N - 3.
+[[nodiscard]] Index freedom_of(const Stage& stage, Index atoms);
+
 /// All parameters of a problem as JSON, with words for whoever reads them: docs/judge.md lists the keys.
 [[nodiscard]] std::string problem_json(const Problem& problem);
 

@@ -24,8 +24,8 @@ struct RunConditions {
     double time_step;                     ///< [tau]
     std::optional<double> temperature{};  ///< that a thermostat holds; none: constant energy
     std::optional<double> pressure{};     ///< that a barostat holds
-    /// Degrees of freedom of the kinetic energy: 3 N - 3, or as the engine says of its thermostat.
-    Index freedom;
+    Index freedom;      ///< degrees of freedom of the engine's kinetic energy, see freedom_of()
+    Index our_freedom;  ///< of ljmd's
 };
 
 /// A mean of both programs.
