@@ -279,9 +279,9 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
     }
     static const std::vector<std::string> programs{"gsl", "lammps", "openmm"};
     if (std::find(programs.begin(), programs.end(), compared.with) == programs.end()) {
-        throw InputError(
-            fmt::format("unknown program '{}' to compare with, allowed: {}, command:'./engine {{input}} {{output}}', files:DIR",
-                        compared.with, fmt::join(programs, ", ")));
+        throw InputError(fmt::format(
+            "unknown program '{}' to compare with, allowed: {}, command:'./engine {{input}} {{output}}', files:DIR",
+            compared.with, fmt::join(programs, ", ")));
     }
     check_compare_options(compared);
     if (!out.empty()) {

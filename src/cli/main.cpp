@@ -60,9 +60,10 @@ void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_i
 
 void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
     command
-        .add_option("--with", compared.with,
-                    "a fluid: openmm, lammps, any engine by command:'./engine {input} {output}', or the files of one by "
-                    "files:DIR; few bodies: gsl, adaptive Runge-Kutta of order 8")
+        .add_option(
+            "--with", compared.with,
+            "a fluid: openmm, lammps, any engine by command:'./engine {input} {output}', or the files of one by "
+            "files:DIR; few bodies: gsl, adaptive Runge-Kutta of order 8")
         ->required()
         ->type_name("PROGRAM");
     command.add_option("--platform", compared.platform, "of OpenMM: Reference, CPU, OpenCL; Reference by default")

@@ -84,7 +84,8 @@ class Session {
         run_engine(line, place / log_name, seconds_of(compared_.timeout), until_signal());
         if (!has_answer(output)) {
             throw DataError(
-                "the engine has written none of point.json, point.xyz, frames.xyz and thermo.csv into {output}: there is "
+                "the engine has written none of point.json, point.xyz, frames.xyz and thermo.csv into {output}: there "
+                "is "
                 "nothing to judge");
         }
         finish(problem, read_answer(output, problem));
@@ -104,7 +105,8 @@ class Session {
                 (directory / ExchangeFiles::problem).string()));
         }
         if (!has_answer(directory)) {
-            throw DataError(fmt::format("there is no answer yet in {0}: {1}", directory.string(), what_to_do(directory)));
+            throw DataError(
+                fmt::format("there is no answer yet in {0}: {1}", directory.string(), what_to_do(directory)));
         }
         finish(problem, read_answer(directory, problem));
     }
@@ -116,7 +118,8 @@ class Session {
                                             [&](const std::string& text) { progress_.warning(text); });
         Fluid fluid = run_before_crosscheck(deck_, simulation, progress_);
         progress_.clear_line();
-        if (freedom_of(deck_.stages[first_sampled(deck_.stages)], std::ssize(fluid.masses)) < 3 * std::ssize(fluid.masses)) {
+        if (freedom_of(deck_.stages[first_sampled(deck_.stages)], std::ssize(fluid.masses)) <
+            3 * std::ssize(fluid.masses)) {
             bring_to_rest(fluid);
         }
         return fluid;
@@ -124,7 +127,8 @@ class Session {
 
     [[nodiscard]] static std::string what_to_do(const fs::path& directory) {
         return fmt::format(
-            "put any of point.json, point.xyz, frames.xyz and thermo.csv into {}, as {} says under 'wanted', and give the "
+            "put any of point.json, point.xyz, frames.xyz and thermo.csv into {}, as {} says under 'wanted', and give "
+            "the "
             "same command again",
             directory.string(), (directory / ExchangeFiles::problem).string());
     }
@@ -216,7 +220,8 @@ void check_engine_options(const CrosscheckOptions& compared) {
 void judge_engine(const Deck& deck, CheckedRun fluid, const DeckOptions& options, const CrosscheckOptions& compared,
                   const std::string& out) {
     if (!out.empty()) {
-        require_no_outputs(out, {judgement_file, std::string(exchange_folder) + "/" + log_name}, options.force, "Nothing was judged");
+        require_no_outputs(out, {judgement_file, std::string(exchange_folder) + "/" + log_name}, options.force,
+                           "Nothing was judged");
     }
     Session session(deck, std::move(fluid), options, compared, out);
     if (compared.with.starts_with(by_command)) {

@@ -93,8 +93,8 @@ void read_point(const fs::path& path, Index atoms, Answer& answer) {
         if (!json.is_object()) {
             throw WrongData("it holds no object {...}");
         }
-        static const std::array<const char*, 8> known{"potential_energy", "kinetic_energy", "temperature",
-                                                      "virial",           "pressure",       "forces",
+        static const std::array<const char*, 8> known{"potential_energy", "kinetic_energy",    "temperature",
+                                                      "virial",           "pressure",          "forces",
                                                       "engine",           "degrees_of_freedom"};
         for (const Member& member : json.members()) {
             if (std::ranges::find(known, member.key) == known.end()) {
@@ -122,9 +122,9 @@ void read_point(const fs::path& path, Index atoms, Answer& answer) {
 void check_box(const fs::path& path, Index number, const Vec3& edges, const Vec3& expected) {
     constexpr double same = 1e-9;
     if (!((edges - expected).array().abs() <= same * expected.array()).all()) {
-        throw DataError(fmt::format("{}: frame {}: the edges of the box are {}, {}, {}; those of the problem {}, {}, {}",
-                                    path.string(), number, edges[0], edges[1], edges[2], expected[0], expected[1],
-                                    expected[2]));
+        throw DataError(
+            fmt::format("{}: frame {}: the edges of the box are {}, {}, {}; those of the problem {}, {}, {}",
+                        path.string(), number, edges[0], edges[1], edges[2], expected[0], expected[1], expected[2]));
     }
 }
 
@@ -161,9 +161,9 @@ void find_steps(const fs::path& path, double time_step, std::vector<Frame>& fram
         }
         const double steps = frame.configuration.time / time_step;
         if (!frame.has_time || std::abs(steps - std::round(steps)) > off) {
-            throw DataError(
-                fmt::format("{}: frame {} has no step{}: which step of the trajectory it is, is not known",
-                            path.string(), k + 1, frame.has_time ? ", and its time is not a multiple of the time step" : " and no time"));
+            throw DataError(fmt::format(
+                "{}: frame {} has no step{}: which step of the trajectory it is, is not known", path.string(), k + 1,
+                frame.has_time ? ", and its time is not a multiple of the time step" : " and no time"));
         }
         frame.configuration.step = static_cast<Index>(std::llround(steps));
         frame.has_step = true;
@@ -172,7 +172,7 @@ void find_steps(const fs::path& path, double time_step, std::vector<Frame>& fram
 
 std::vector<double> optional_column(const DataTable& table, const std::string& name, const fs::path& path) {
     return std::ranges::find(table.columns, name) == table.columns.end() ? std::vector<double>{}
-                                                                        : full_column(table, name, path);
+                                                                         : full_column(table, name, path);
 }
 
 ThermoAnswer read_thermo(const fs::path& path) {
@@ -208,7 +208,8 @@ Answer read_answer(const fs::path& directory, const Problem& problem) {
                                         frames.size() == 1 ? "none" : fmt::format("{} frames", frames.size())));
         }
         if (!answer.point.forces.empty()) {
-            throw DataError(fmt::format("there are forces in {} and in point.json: one of them is enough", path->string()));
+            throw DataError(
+                fmt::format("there are forces in {} and in point.json: one of them is enough", path->string()));
         }
         answer.point.forces = std::move(frames[0].forces);
     }

@@ -51,8 +51,8 @@ bool is_within_quotes(const std::string& command, std::size_t place) {
 void check_name(const std::string& command, const std::string& name, const char* meaning) {
     std::size_t place = command.find(name);
     if (place == std::string::npos) {
-        throw InputError(fmt::format("--with command: {} is missing, {}; as in './engine {{input}} {{output}}'", name,
-                                     meaning));
+        throw InputError(
+            fmt::format("--with command: {} is missing, {}; as in './engine {{input}} {{output}}'", name, meaning));
     }
     for (; place != std::string::npos; place = command.find(name, place + name.size())) {
         if (is_within_quotes(command, place)) {
@@ -107,11 +107,8 @@ void run_engine(const std::string& command, const fs::path& log, double seconds,
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds look_again{10};
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    ChildProcess engine({.program = "/bin/sh",
-                         .arguments = {"-c", command},
-                         .directory = ".",
-                         .output = log,
-                         .own_group = true});
+    ChildProcess engine(
+        {.program = "/bin/sh", .arguments = {"-c", command}, .directory = ".", .output = log, .own_group = true});
     const auto stop = [&] {
         engine.signal_group(SIGKILL);
         static_cast<void>(engine.wait());
@@ -120,11 +117,11 @@ void run_engine(const std::string& command, const fs::path& log, double seconds,
         if (const std::optional<int> status = engine.ended()) {
             if (*status != 0) {
                 constexpr int signals_from = 128;
-                throw DataError(
-                    fmt::format("the engine failed: {}{}",
-                                *status > signals_from ? fmt::format("signal {} ended it", *status - signals_from)
-                                                       : fmt::format("exit status {}", *status),
-                                last_words(log)));
+                throw DataError(fmt::format("the engine failed: {}{}",
+                                            *status > signals_from
+                                                ? fmt::format("signal {} ended it", *status - signals_from)
+                                                : fmt::format("exit status {}", *status),
+                                            last_words(log)));
             }
             return;
         }
@@ -139,8 +136,8 @@ void run_engine(const std::string& command, const fs::path& log, double seconds,
         }
         if (files::size_of(log).value_or(0) > most_printed) {
             stop();
-            throw DataError(fmt::format(
-                "the engine was stopped: it prints more than {} MiB, which nobody reads{}", most_printed >> 20U, last_words(log)));
+            throw DataError(fmt::format("the engine was stopped: it prints more than {} MiB, which nobody reads{}",
+                                        most_printed >> 20U, last_words(log)));
         }
         std::this_thread::sleep_for(look_again);
     }

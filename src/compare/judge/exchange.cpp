@@ -21,12 +21,16 @@ std::string in_words(const PairPotential& potential, bool tail) {
     const std::string& how = potential.truncation();
     const double radius = potential.cutoff().radius;
     const std::string sentence =
-        how == "cut"             ? fmt::format("u(r) for r < {0:g}, 0 beyond: energies jump at the cutoff, forces have no impulse there", radius)
-        : how == "shifted"       ? fmt::format("u(r) - u({0:g}) for r < {0:g}, 0 beyond", radius)
-        : how == "force-shifted" ? fmt::format("u(r) - u({0:g}) - (r - {0:g}) u'({0:g}) for r < {0:g}, 0 beyond", radius)
-                                 : fmt::format("u(r) for r < {1:g}; u(r) (1 - 10 x^3 + 15 x^4 - 6 x^5) with x = (r - {1:g})/({0:g} - {1:g}) "
-                                               "up to {0:g}, 0 beyond",
-                                               radius, potential.cutoff().switch_start);
+        how == "cut"
+            ? fmt::format("u(r) for r < {0:g}, 0 beyond: energies jump at the cutoff, forces have no impulse there",
+                          radius)
+        : how == "shifted" ? fmt::format("u(r) - u({0:g}) for r < {0:g}, 0 beyond", radius)
+        : how == "force-shifted"
+            ? fmt::format("u(r) - u({0:g}) - (r - {0:g}) u'({0:g}) for r < {0:g}, 0 beyond", radius)
+            : fmt::format(
+                  "u(r) for r < {1:g}; u(r) (1 - 10 x^3 + 15 x^4 - 6 x^5) with x = (r - {1:g})/({0:g} - {1:g}) "
+                  "up to {0:g}, 0 beyond",
+                  radius, potential.cutoff().switch_start);
     return sentence + (tail ? "; tail corrections are added to energy and pressure" : "; no tail corrections");
 }
 
@@ -139,8 +143,8 @@ Fluid read_start(const std::filesystem::path& directory, const PairPotential& po
     if (start.velocities.empty()) {
         throw DataError(fmt::format("{} has no velocities: it is not the file that ljmd wrote there", path.string()));
     }
-    Fluid fluid{start.edges, potential, tail, std::vector<double>(start.positions.size(), 1.0), start.positions,
-                start.velocities};
+    Fluid fluid{start.edges,     potential,       tail, std::vector<double>(start.positions.size(), 1.0),
+                start.positions, start.velocities};
     return fluid_of(state_of(fluid), potential, tail);
 }
 

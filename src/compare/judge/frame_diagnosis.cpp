@@ -69,7 +69,8 @@ std::string half_step_velocities(const JudgedTrajectory& trajectory, const Agree
         for (const double side : {-1.0, 1.0}) {
             // v' - side a dt/2 is the velocity at the time of the positions, if v' is at t + side dt/2.
             const double half = 0.5 * trajectory.time_step;
-            if (distance(frame.velocities, -side * half, frame.our_forces, frame.our_velocities) < unexplained_of_frames * off) {
+            if (distance(frame.velocities, -side * half, frame.our_forces, frame.our_velocities) <
+                unexplained_of_frames * off) {
                 return fmt::format(
                     "half-step velocities: in the frame of step {} velocities are those of half a time step {}: v(t) = "
                     "v' {} a(t) dt/2",
@@ -121,8 +122,9 @@ std::string first_step(const JudgedTrajectory& trajectory, const Agreement& agre
         other += b > 0.0 ? a / b : 0.0;
     }
     if (root_of_squares(rest) < unexplained_of_frames * off) {
-        return fmt::format("another time step: at step 1 the atoms are where a time step of {:.10g} takes them, where it is {:g}",
-                           other, dt);
+        return fmt::format(
+            "another time step: at step 1 the atoms are where a time step of {:.10g} takes them, where it is {:g}",
+            other, dt);
     }
     return "";
 }
@@ -157,23 +159,26 @@ class MissingPairs {
         }
         std::ranges::sort(order);
         std::vector<Vec3> rest = lacking_;
-        const double all = root_of_squares(rest);
+        double least = unexplained_of_frames * root_of_squares(rest);
+        std::size_t missing = 0;
         for (std::size_t n = 0; n < order.size(); ++n) {
             take_off(rest, order[n].second, 1.0);
-            if (root_of_squares(rest) < unexplained_of_frames * all) {
-                return n + 1;
+            if (const double left = root_of_squares(rest); left < least) {
+                least = left;
+                missing = n + 1;
             }
         }
-        return 0;
+        return missing;
     }
 
-    /// Number of missing pairs if every pair of wrong atoms is there or missing: least squares for the part of each pair
-    /// that is missing. 0 if parts are not 0 or 1, or if there are too many pairs to tell.
+    /// Number of missing pairs if every pair of wrong atoms is there or missing: least squares for the part of each
+    /// pair that is missing. 0 if parts are not 0 or 1, or if there are too many pairs to tell.
     [[nodiscard]] std::size_t of_any() const {
         if (candidates_.empty() || candidates_.size() > most_pairs) {
             return 0;
         }
-        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Index>(3 * lacking_.size()), std::ssize(candidates_));
+        Eigen::MatrixXd matrix =
+            Eigen::MatrixXd::Zero(static_cast<Index>(3 * lacking_.size()), std::ssize(candidates_));
         Eigen::VectorXd right(static_cast<Index>(3 * lacking_.size()));
         for (std::size_t i = 0; i < lacking_.size(); ++i) {
             right.segment<3>(static_cast<Index>(3 * i)) = lacking_[i];
@@ -241,12 +246,14 @@ std::string stale_list(const JudgedTrajectory& trajectory, const PairPotential& 
     }
     if (missing > 0) {
         return fmt::format(
-            "stale list: forces are right at step {}, and at step {} those of {} pair{} within the cutoff are missing, on {} "
+            "stale list: forces are right at step {}, and at step {} those of {} pair{} within the cutoff are missing, "
+            "on {} "
             "atoms: a neighbour list that is built too seldom, or too short",
             right->step, wrong->step, missing, missing == 1 ? "" : "s", lacking.wrong_atoms());
     }
     return fmt::format(
-        "stale list or state: forces are right at step {}, and at step {} wrong on {} of {} atoms: they are not those of "
+        "stale list or state: forces are right at step {}, and at step {} wrong on {} of {} atoms: they are not those "
+        "of "
         "the positions beside them",
         right->step, wrong->step, lacking.wrong_atoms(), wrong->forces.size());
 }

@@ -56,8 +56,8 @@ class Session {
         JudgedTrajectory trajectory{problem_.fluid.edges, problem_.stage.time_step, {}};
         std::vector<Index> missing;
         for (const Index step : problem_.frames) {
-            const auto found = std::ranges::find(answer_.frames, step,
-                                                 [](const Frame& frame) { return frame.configuration.step; });
+            const auto found =
+                std::ranges::find(answer_.frames, step, [](const Frame& frame) { return frame.configuration.step; });
             if (found == answer_.frames.end()) {
                 missing.push_back(step);
             } else {
@@ -78,9 +78,11 @@ class Session {
                       "no frame");
         }
         const auto lacks = [&](auto member) {
-            return std::ranges::any_of(trajectory.frames, [&](const JudgedFrame& frame) { return (frame.*member).empty(); });
+            return std::ranges::any_of(trajectory.frames,
+                                       [&](const JudgedFrame& frame) { return (frame.*member).empty(); });
         };
-        if (lacks(&JudgedFrame::velocities)) leave_out("kinetic energies of the trajectory", "frames have no velocities");
+        if (lacks(&JudgedFrame::velocities))
+            leave_out("kinetic energies of the trajectory", "frames have no velocities");
         if (lacks(&JudgedFrame::forces)) leave_out("forces along the trajectory", "frames have no forces");
         say_(fmt::format("following the trajectory over {} steps", trajectory.frames.back().step));
         follow(problem_.fluid, *force_field(), own_.execution, trajectory);
@@ -118,8 +120,8 @@ class Session {
             return;
         }
         if (table.steps.back() < problem_.stage.steps) {
-            result_.warnings.push_back(fmt::format("thermo.csv ends with step {}, the run has {} steps", table.steps.back(),
-                                                   problem_.stage.steps));
+            result_.warnings.push_back(fmt::format("thermo.csv ends with step {}, the run has {} steps",
+                                                   table.steps.back(), problem_.stage.steps));
         }
         say_(fmt::format("sampling the same run of {} steps in ljmd", problem_.stage.steps));
         const RunSamples ours = own_run(problem_, own_.spec, own_.execution);
@@ -148,7 +150,9 @@ class Session {
         return std::make_unique<PairForceField>(make_force_field(own_.spec, own_.execution));
     }
 
-    void append(const std::vector<Check>& more) { result_.checks.insert(result_.checks.end(), more.begin(), more.end()); }
+    void append(const std::vector<Check>& more) {
+        result_.checks.insert(result_.checks.end(), more.begin(), more.end());
+    }
 
     void leave_out(const std::string& what, const std::string& why) {
         result_.not_judged.push_back(fmt::format("{}: {}", what, why));
@@ -174,7 +178,8 @@ class Session {
         const bool all = std::ranges::all_of(wide, [](const Check& check) { return check.passed(); });
         if (some && all && result_.diagnoses.empty()) {
             note(
-                "few digits: all differences are as small as those of single precision: the engine computes in it, or its "
+                "few digits: all differences are as small as those of single precision: the engine computes in it, or "
+                "its "
                 "files have less than 15 digits; with --precision mixed it is judged by that");
         }
     }
@@ -207,7 +212,8 @@ class Session {
         result_.checks.push_back({"thermo.csv: temperature and 2 K/f, largest difference", largest, tolerance});
         if (!(largest <= tolerance) && largest_by_all <= tolerance) {
             note(
-                "3N against 3N-3: the temperature of thermo.csv is 2 K/(3 N); a centre of mass at rest takes three degrees of "
+                "3N against 3N-3: the temperature of thermo.csv is 2 K/(3 N); a centre of mass at rest takes three "
+                "degrees of "
                 "freedom, T = 2 K/(3 N - 3)");
         }
     }
@@ -235,9 +241,10 @@ class Session {
                 const double half = half_step_kinetic_energy(problem_.fluid, expected_.sums.forces,
                                                              0.5 * side * problem_.stage.time_step);
                 if (relative_difference(*row.kinetic_energy, half) <= of_table.energy) {
-                    note(fmt::format(
-                        "half-step velocities: the kinetic energy of thermo.csv is that of velocities half a time step {}",
-                        side < 0.0 ? "earlier" : "later"));
+                    note(
+                        fmt::format("half-step velocities: the kinetic energy of thermo.csv is that of velocities half "
+                                    "a time step {}",
+                                    side < 0.0 ? "earlier" : "later"));
                 }
             }
         }

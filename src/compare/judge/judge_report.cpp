@@ -44,8 +44,8 @@ Data estimate_data(const Estimate& estimate) {
 }  // namespace
 
 std::string judgement_table(const Judgement& found, const Deck& deck) {
-    std::string text = fmt::format("{}\nagainst {}\n{} atoms, after {} steps of the deck\nljmd: {}\n\n", title_line(deck),
-                                   found.engine, found.atoms, found.steps_before, found.path);
+    std::string text = fmt::format("{}\nagainst {}\n{} atoms, after {} steps of the deck\nljmd: {}\n\n",
+                                   title_line(deck), found.engine, found.atoms, found.steps_before, found.path);
     if (!found.checks.empty()) {
         text += check_lines(found.checks) + '\n';
     }
@@ -56,9 +56,10 @@ std::string judgement_table(const Judgement& found, const Deck& deck) {
     if (found.checks.empty()) {
         return text + "nothing was judged\n";
     }
-    return text + (found.passed() ? fmt::format("all {} checks passed\n", found.checks.size())
-                                  : fmt::format("{} of {} checks FAILED{}\n", found.failures(), found.checks.size(),
-                                                found.diagnoses.empty() ? "; no mistake that is known explains it" : ""));
+    return text + (found.passed()
+                       ? fmt::format("all {} checks passed\n", found.checks.size())
+                       : fmt::format("{} of {} checks FAILED{}\n", found.failures(), found.checks.size(),
+                                     found.diagnoses.empty() ? "; no mistake that is known explains it" : ""));
 }
 
 std::string judgement_json(const Judgement& found, const Deck& deck, const std::string& with) {

@@ -87,7 +87,8 @@ class Judge {
         if (conditions_.pressure) {
             compare_means("volume", ours_.volume, theirs_.volume);
             compare_variances("volume", ours_.volume, theirs_.volume);
-            const bool all = !theirs_.volume.empty() && !theirs_.potential_energy.empty() && !theirs_.kinetic_energy.empty();
+            const bool all =
+                !theirs_.volume.empty() && !theirs_.potential_energy.empty() && !theirs_.kinetic_energy.empty();
             const auto enthalpy = [&](const RunSamples& of) {
                 return all ? sum_of(of.potential_energy, of.kinetic_energy, *conditions_.pressure, of.volume)
                            : std::vector<double>{};
@@ -107,9 +108,11 @@ class Judge {
     bool are_known(const std::string& name, const Estimate& ours, const Estimate& theirs) {
         for (const auto& [whose, estimate] : {std::pair("of ljmd", &ours), std::pair("of the engine", &theirs)}) {
             if (!estimate->converged || !std::isfinite(estimate->standard_error)) {
-                leave_out(name, fmt::format("the run {} is too short, {} samples of it are worth {:.0f} independent ones", whose,
-                                            estimate->samples,
-                                            std::isfinite(estimate->independent_samples) ? estimate->independent_samples : 0.0));
+                leave_out(
+                    name,
+                    fmt::format("the run {} is too short, {} samples of it are worth {:.0f} independent ones", whose,
+                                estimate->samples,
+                                std::isfinite(estimate->independent_samples) ? estimate->independent_samples : 0.0));
                 return false;
             }
         }
@@ -128,7 +131,8 @@ class Judge {
         }
     }
 
-    void compare_variances(const std::string& name, const std::vector<double>& ours, const std::vector<double>& theirs) {
+    void compare_variances(const std::string& name, const std::vector<double>& ours,
+                           const std::vector<double>& theirs) {
         if (theirs.empty()) {
             return;  // the mean has said so
         }
@@ -146,7 +150,8 @@ class Judge {
                                   max_sigmas_of_distribution});
         if (!(sigmas <= max_sigmas_of_distribution) && ratio < 1.0) {
             result_.diagnoses.push_back(
-                fmt::format("too little fluctuation: the variance of the {} is {:.2g} of that at constant pressure and temperature: "
+                fmt::format("too little fluctuation: the variance of the {} is {:.2g} of that at constant pressure and "
+                            "temperature: "
                             "a barostat like that of Berendsen",
                             name, ratio));
         }
@@ -174,8 +179,7 @@ class Judge {
             return off == 0.0 ? 0.0 : off / mean.standard_error;
         };
         const double off = sigmas_from(expected);
-        result_.checks.push_back(
-            {"mean kinetic energy from f T/2, standard errors", off, max_sigmas_of_distribution});
+        result_.checks.push_back({"mean kinetic energy from f T/2, standard errors", off, max_sigmas_of_distribution});
         const double ratio = variance.mean / (0.5 * freedom * temperature * temperature);
         const double off_variance = std::abs(ratio - 1.0) * variance.mean / ratio / variance.standard_error;
         result_.checks.push_back({"variance of the kinetic energy from f T^2/2, standard errors",
@@ -190,18 +194,20 @@ class Judge {
             const double all = 0.5 * static_cast<double>(others) * temperature;
             result_.diagnoses.push_back(
                 sigmas_from(all) < max_sigmas
-                    ? fmt::format("3N against 3N-3: the mean kinetic energy is {} T/2, not {:g} T/2: the thermostat counts "
-                                  "other degrees of freedom. If it acts on the centre of mass, there are 3 N, else 3 N - 3; "
-                                  "degrees_of_freedom in point.json says so where it is right",
-                                  others, freedom)
+                    ? fmt::format(
+                          "3N against 3N-3: the mean kinetic energy is {} T/2, not {:g} T/2: the thermostat counts "
+                          "other degrees of freedom. If it acts on the centre of mass, there are 3 N, else 3 N - 3; "
+                          "degrees_of_freedom in point.json says so where it is right",
+                          others, freedom)
                     : fmt::format("other temperature: the mean kinetic energy is that of T = {:.5g}, where it is {:g}",
                                   2.0 * mean.mean / freedom, temperature));
         }
         if (!(off_variance <= max_sigmas_of_distribution) && ratio < 1.0) {
-            result_.diagnoses.push_back(fmt::format(
-                "too little fluctuation: the variance of the kinetic energy is {:.2g} of the canonical f T^2/2: a thermostat "
-                "that rescales velocities, or like that of Berendsen",
-                ratio));
+            result_.diagnoses.push_back(
+                fmt::format("too little fluctuation: the variance of the kinetic energy is {:.2g} of the canonical f "
+                            "T^2/2: a thermostat "
+                            "that rescales velocities, or like that of Berendsen",
+                            ratio));
         }
     }
 

@@ -7,7 +7,7 @@ using namespace ljmd;
 
 namespace {
 
-const PairPotential lennard_jones = PairPotential::lennard_jones("cut", {2.5, 0.0});
+const PairPotential cut_lennard_jones = PairPotential::lennard_jones("cut", {2.5, 0.0});
 
 }  // namespace
 
@@ -30,15 +30,15 @@ TEST_CASE("sums of one pair have their closed form under every assumption") {
     const NearPairs pair({Vec3(0.1, 1.0, 1.0), Vec3(4.8, 1.0, 1.0)}, Vec3(6.0, 7.0, 8.0), 2.5);
     const auto u = [](double x) { return 4.0 * (std::pow(x, -12.0) - std::pow(x, -6.0)); };
     const auto minus_slope = [](double x) { return 24.0 * (2.0 * std::pow(x, -13.0) - std::pow(x, -7.0)); };
-    const PairSums right = pair.sums(lennard_jones);
+    const PairSums right = pair.sums(cut_lennard_jones);
     CHECK(right.potential_energy == Approx(u(r)).epsilon(1e-12));
     CHECK(right.virial == Approx(r * minus_slope(r)).epsilon(1e-12));
     CHECK(right.forces[0][0] == Approx(minus_slope(r)).epsilon(1e-12));
     CHECK(right.forces[1][0] == -right.forces[0][0]);
-    const PairSums other = pair.sums(lennard_jones, {.epsilon = 1.5, .sigma = 1.1});
+    const PairSums other = pair.sums(cut_lennard_jones, {.epsilon = 1.5, .sigma = 1.1});
     CHECK(other.potential_energy == Approx(1.5 * u(r / 1.1)).epsilon(1e-12));
     CHECK(other.virial == Approx(1.5 * r * minus_slope(r / 1.1) / 1.1).epsilon(1e-12));
     CHECK(other.forces[0][0] == Approx(1.5 * minus_slope(r / 1.1) / 1.1).epsilon(1e-12));
-    CHECK(pair.sums(lennard_jones, {.images = false}).potential_energy == 0.0);
-    CHECK(pair.sums(with_cutoff(lennard_jones, 1.2)).potential_energy == 0.0);
+    CHECK(pair.sums(cut_lennard_jones, {.images = false}).potential_energy == 0.0);
+    CHECK(pair.sums(with_cutoff(cut_lennard_jones, 1.2)).potential_energy == 0.0);
 }

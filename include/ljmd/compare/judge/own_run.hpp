@@ -7,8 +7,8 @@
 
 namespace ljmd {
 
-/// Fill in what ljmd says about the frames of an engine: forces at the engine's positions, and positions, velocities and
-/// forces of velocity Verlet from the start, at the steps of the frames.
+/// Fill in what ljmd says about the frames of an engine: forces at the engine's positions, and positions, velocities
+/// and forces of velocity Verlet from the start, at the steps of the frames.
 /// @pre steps ascend  @param execution  for the states
 void follow(const Fluid& fluid, ForceField& force_field, const Execution& execution, JudgedTrajectory& trajectory);
 

@@ -24,8 +24,8 @@ struct RunConditions {
     double time_step;                     ///< [tau]
     std::optional<double> temperature{};  ///< that a thermostat holds; none: constant energy
     std::optional<double> pressure{};     ///< that a barostat holds
-    Index freedom;      ///< degrees of freedom of the engine's kinetic energy, see freedom_of()
-    Index our_freedom;  ///< of ljmd's
+    Index freedom;                        ///< degrees of freedom of the engine's kinetic energy, see freedom_of()
+    Index our_freedom;                    ///< of ljmd's
 };
 
 /// A mean of both programs.
@@ -59,7 +59,8 @@ struct RunJudgement {
 ///     isobaric     the variances of V and of H: at most 4 standard errors of their logarithms apart
 ///
 /// Standard errors are those of block averages, so that correlations count. Series that are too short for them are not
-/// judged. Sources: Shirts (2013), doi:10.1021/ct300688p, on ensembles as tests; for the errors see BlockingAccumulator.
+/// judged. Sources: Shirts (2013), doi:10.1021/ct300688p, on ensembles as tests; for the errors see
+/// BlockingAccumulator.
 [[nodiscard]] RunJudgement judge_run(const RunConditions& conditions, const RunSamples& ours, const RunSamples& theirs);
 
 }  // namespace ljmd
