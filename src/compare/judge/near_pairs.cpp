@@ -1,6 +1,5 @@
 #include "ljmd/compare/judge/near_pairs.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ljmd {
@@ -46,10 +45,6 @@ PairPotential with_cutoff(const PairPotential& potential, double radius) {
     Cutoff cutoff = potential.cutoff();
     cutoff.radius = radius;
     return PairPotential::make(potential.formula(), potential.truncation(), cutoff, potential.parameters());
-}
-
-Index pairs_within(const NearPairs& pairs, double distance) {
-    return std::ranges::count_if(pairs.pairs(), [&](const NearPairs::Pair& pair) { return pair.distance < distance; });
 }
 
 }  // namespace ljmd

@@ -130,7 +130,7 @@ TEST_CASE("pairs that a stale list has lost are found, by their earlier distance
     CHECK_THAT(said(fluid, trajectory).at(0), StartsWith("stale list or state"));
 }
 
-TEST_CASE("right forces at wrong places are a matter of the integration; wrong ones at the start are not") {
+TEST_CASE("right forces at wrong places are a matter of the integration, wrong ones at the start are not") {
     const Fluid fluid = shaken_crystal();
     JudgedTrajectory trajectory = right_trajectory(fluid, {0, 10});
     JudgedFrame& frame = trajectory.frames[1];

@@ -53,7 +53,4 @@ class NearPairs {
 /// The same potential with another cutoff, in units of the potential's sigma. A switch begins where it did.
 [[nodiscard]] PairPotential with_cutoff(const PairPotential& potential, double radius);
 
-/// Number of pairs closer than a distance.
-[[nodiscard]] Index pairs_within(const NearPairs& pairs, double distance);
-
 }  // namespace ljmd
