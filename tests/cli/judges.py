@@ -43,7 +43,7 @@ def good_engine(t):
     found = t.json("out/judge.json")
     t.equal(found["passed"], True, "passed")
     t.equal(found["diagnoses"], [], "diagnoses")
-    t.equal(found["engine"], "one page of Python", "engine")
+    t.equal(found["peer"], "one page of Python", "engine")
     t.check({"exchange/problem/problem.json", "exchange/problem/start.xyz", "exchange/problem/start.data",
              "exchange/answer/thermo.csv", "exchange/engine.log"} <= set(t.files("out")), t.files("out"))
     t.equal(t.json("out/exchange/problem/problem.json")["run"]["ensemble"], "NVE", "ensemble")

@@ -144,9 +144,11 @@ class Session {
         make_directory(directory);
         write_problem(problem, directory);
         if (options_.json) {
-            Data json = Data::object();
-            json["problem"] = directory.string();
-            print_result(to_json(json) + "\n");
+            print_result(to_json({{"with", compared_.with},
+                                  {"problem", directory.string()},
+                                  {"checks", Data::list()},
+                                  {"passed", nullptr}}) +
+                         "\n");
             return;
         }
         print_result(fmt::format("the problem is in {0}: {1}, {2}, {3}\nnothing was judged: {4}\n", directory.string(),

@@ -66,18 +66,18 @@ std::string judgement_json(const Judgement& found, const Deck& deck, const std::
     Data averages = Data::object();
     for (const ComparedMean& mean : found.means) {
         averages[mean.name] = {
-            {"ljmd", estimate_data(mean.ours)}, {"engine", estimate_data(mean.theirs)}, {"sigmas", mean.sigmas()}};
+            {"ljmd", estimate_data(mean.ours)}, {"peer", estimate_data(mean.theirs)}, {"sigmas", mean.sigmas()}};
     }
     return to_json({{"deck", deck.path},
                     {"with", with},
-                    {"engine", found.engine},
+                    {"peer", found.engine},
                     {"atoms", found.atoms},
                     {"steps_before", found.steps_before},
                     {"path", found.path},
                     {"pressure_convention", "(2 K + W)/(3 V), with tail"},
                     {"checks", checks_data(found.checks)},
                     {"passed", found.passed()},
-                    {"averages", averages},
+                    {"averages", {{"observables", averages}}},
                     {"diagnoses", found.diagnoses},
                     {"not_judged", found.not_judged},
                     {"warnings", found.warnings}});

@@ -47,7 +47,7 @@ TEST_CASE("a judgement as JSON has all of it") {
     CHECK(json["with"].text() == "files:x");
     CHECK_FALSE(json["passed"].flag());
     CHECK(json["checks"].size() == 2);
-    CHECK(json["averages"]["temperature"]["sigmas"].number() == Approx(2.0));
+    CHECK(json["averages"]["observables"]["temperature"]["sigmas"].number() == Approx(2.0));
     CHECK(json["diagnoses"].size() == 1);
     CHECK(json["not_judged"].size() == 1);
     CHECK(json["warnings"].size() == 1);
