@@ -248,7 +248,7 @@ def openmm(t):
     here = t.command([sys.executable, "-c", "import openmm"]).code == 0
     needs(here, "OpenMM in this Python")
     t.deck(("steps = 40", "steps = 400"))
-    program = ENGINE.parents[2] / "tests/cli/openmm_engine.py"
+    program = ENGINE.parents[2] / "tests/parity/openmm_engine.py"
     result = t.run_well("compare", "deck.toml", *STEPS, "--with", f"command:'{sys.executable}' '{program}' {{input}} {{output}}")
     for words in ("against OpenMM 7", "virial", "step 100: forces at the engine's positions", "checks passed"):
         t.contains(result.out, words)
