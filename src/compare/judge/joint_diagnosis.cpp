@@ -155,14 +155,14 @@ class Case {
         const std::string& truncation = fluid_.potential.truncation();
         const auto [low, high] =
             truncation == "cut" || truncation == "shifted" ? bracket_of_cutoff() : bracket_by_grid(sums);
-        const double refined = truncation == "cut"
-                                   ? 0.5 * (low + high)
-                                   : golden_section(
-                                         [&](double radius) {
-                                             const PairSums found = sums(radius);
-                                             return answer_.potential_energy ? parts_.energy(found).off : distance(found);
-                                         },
-                                         low, high);
+        const double refined =
+            truncation == "cut" ? 0.5 * (low + high)
+                                : golden_section(
+                                      [&](double radius) {
+                                          const PairSums found = sums(radius);
+                                          return answer_.potential_energy ? parts_.energy(found).off : distance(found);
+                                      },
+                                      low, high);
         if (std::abs(refined - cutoff) > 1e-12 && explain(sums(refined))) {
             return fmt::format(
                 "other cutoff: energy, virial and forces are those of a cutoff between {:.8g} and {:.8g}, where it is "

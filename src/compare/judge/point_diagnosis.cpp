@@ -28,7 +28,8 @@ std::optional<std::string> wrong_energy(const Fluid& fluid, const ExpectedPoint&
     const double noise = tolerance * std::abs(pairs);
     const auto atoms = static_cast<double>(expected.atoms);
     const double cutoff = fluid.potential.cutoff().radius;
-    const double step = static_cast<double>(NearPairs(fluid.positions, fluid.edges, cutoff).pairs().size()) * fluid.potential.untruncated(cutoff).u;
+    const double step = static_cast<double>(NearPairs(fluid.positions, fluid.edges, cutoff).pairs().size()) *
+                        fluid.potential.untruncated(cutoff).u;
     const double full_tail =
         atoms * TailCorrection(PairPotential::make(fluid.potential.formula(), "cut", fluid.potential.cutoff(),
                                                    fluid.potential.parameters()))
@@ -99,7 +100,8 @@ std::optional<std::string> wrong_forces(const ExpectedPoint& expected, const Poi
                : fmt::format("forces: all are {:.10g} times those of the energy's derivative", c);
 }
 
-std::optional<std::string> wrong_temperature(const ExpectedPoint& expected, const PointAnswer& answer, double tolerance) {
+std::optional<std::string> wrong_temperature(const ExpectedPoint& expected, const PointAnswer& answer,
+                                             double tolerance) {
     const double found = *answer.temperature;
     const double right = expected.temperature();
     const double kinetic = answer.kinetic_energy.value_or(expected.kinetic_energy);

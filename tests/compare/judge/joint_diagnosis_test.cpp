@@ -43,8 +43,8 @@ TEST_CASE("forces alone, or energy and virial alone, are enough to know a mistak
     const NearPairs pairs(fluid.positions, fluid.edges, 0.5 * fluid.edges.minCoeff());
     const PairSums wrong = pairs.sums(fluid.potential, {.epsilon = 1.25});
     CHECK_THAT(first_diagnosis(fluid, {.forces = wrong.forces}), StartsWith("epsilon off"));
-    CHECK_THAT(
-        first_diagnosis(fluid, {.potential_energy = wrong.potential_energy + expected.tail_energy, .virial = wrong.virial}),
-        StartsWith("epsilon off"));
+    CHECK_THAT(first_diagnosis(
+                   fluid, {.potential_energy = wrong.potential_energy + expected.tail_energy, .virial = wrong.virial}),
+               StartsWith("epsilon off"));
     CHECK(first_diagnosis(fluid, {.potential_energy = wrong.potential_energy + expected.tail_energy}).empty());
 }

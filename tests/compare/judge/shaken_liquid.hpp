@@ -54,5 +54,4 @@ inline std::string first_diagnosis(const Fluid& fluid, const PointAnswer& answer
     return words.empty() ? "" : words.front();
 }
 
-
 }  // namespace ljmd::test
