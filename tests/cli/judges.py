@@ -3,7 +3,10 @@ found and called by its name; engines that fail in other ways get one message ea
 
 import random
 import shutil
+import signal
+import subprocess
 import sys
+import time
 from pathlib import Path
 
 from compares import needs
@@ -155,6 +158,21 @@ def children_are_stopped(t):
     t.deck()
     with_sleep = "command:sh -c 'sleep 2; touch late' & wait # {input} {output}"
     t.expect(3, t.run("compare", "deck.toml", "--quiet", "--timeout", "0.3s", "--with", with_sleep))
+    t.shell("sleep 2.5")
+    t.check("late" not in t.files(), "a child of the engine went on")
+
+
+def interrupted(t):
+    """Ctrl-C, which does not reach the engine's own group, ends ljmd, the engine and what it has started."""
+    t.deck()
+    process = subprocess.Popen([t.ljmd, "compare", "deck.toml", "--quiet", "--with",
+                                "command:sh -c 'touch began; sleep 2; touch late' & wait # {input} {output}"],
+                               cwd=t.dir, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    while "began" not in t.files() and process.poll() is None:
+        time.sleep(0.02)
+    process.send_signal(signal.SIGINT)
+    t.contains(process.communicate(timeout=60)[1].decode(), "stopped")
+    t.equal(process.returncode, 130, "exit code")
     t.shell("sleep 2.5")
     t.check("late" not in t.files(), "a child of the engine went on")
 
@@ -341,7 +359,7 @@ def cases():
            [Case(f"mistake: {name}", mistake(*how)) for name, how in MISTAKES.items()] + \
            [Case(f"an engine that {name}", failure(*how)) for name, how in FAILURES.items()] + \
            [Case("mistake that is not known", unknown_mistake), Case("missing parts are named", missing_parts_are_named),
-            Case("children are stopped", children_are_stopped), Case("paths are quoted", paths_are_quoted),
+            Case("children are stopped", children_are_stopped), Case("interrupted", interrupted), Case("paths are quoted", paths_are_quoted),
             Case("existing files are refused", existing_files_are_refused), Case("files by hand", files_by_hand),
             Case("canonical kinetic energies", canonical(321, 1.0, "")),
             Case("canonical kinetic energies, correlated", canonical(321, 1.0, "", rows=20000, correlation=0.8)),

@@ -75,12 +75,12 @@ class Session {
         const fs::path output = place / answer_folder;
         const std::string line = engine_command(command, input, output);
         const Problem problem = problem_of(deck_, moment(), compared_);
+        install_stop_handlers();
         files::try_to_remove_all(place / answer_folder);  // with --force: of an earlier engine
         make_directory(input);
         make_directory(output);
         write_problem(problem, input);
         say("running the engine");
-        install_stop_handlers();
         run_engine(line, place / log_name, seconds_of(compared_.timeout), until_signal());
         if (!has_answer(output)) {
             throw DataError(
@@ -164,7 +164,7 @@ class Session {
     }
 
     void finish(const Problem& problem, const Answer& answer) {
-        const Judgement found = judge(problem, answer, own_, [&](const std::string& text) { say(text); });
+        const Judgement found = judge(problem, answer, own_, [&](const std::string& text) { say(text); }, until_signal());
         const std::string json = judgement_json(found, deck_, compared_.with) + "\n";
         if (!out_.empty()) {
             make_directory(out_);

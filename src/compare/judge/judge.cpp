@@ -28,11 +28,12 @@ constexpr double digits_of_table = 1e-9;
 class Session {
   public:
     Session(const Problem& problem, const Answer& answer, const OwnSide& own,
-            const std::function<void(const std::string&)>& say)
+            const std::function<void(const std::string&)>& say, const Interruption& interruption)
         : problem_(problem),
           answer_(answer),
           own_(own),
           say_(say),
+          interruption_(interruption),
           is_mixed_(own.execution.precision() == Precision::mixed),
           situation_(situation_of(problem.fluid, problem.stage.time_step)),
           agreement_(is_mixed_ ? single_agreement(situation_) : engine_agreement(situation_)),
@@ -124,7 +125,7 @@ class Session {
                                                    table.steps.back(), problem_.stage.steps));
         }
         say_(fmt::format("sampling the same run of {} steps in ljmd", problem_.stage.steps));
-        const RunSamples ours = own_run(problem_, own_.spec, own_.execution);
+        const RunSamples ours = own_run(problem_, own_.spec, own_.execution, interruption_);
         RunJudgement judged = judge_run(conditions, ours, theirs);
         append(judged.checks);
         result_.means = std::move(judged.means);
@@ -262,6 +263,7 @@ class Session {
     const Answer& answer_;
     const OwnSide& own_;
     const std::function<void(const std::string&)>& say_;
+    const Interruption& interruption_;
     bool is_mixed_;
     Situation situation_;
     Agreement agreement_;
@@ -300,8 +302,8 @@ Problem problem_of(const Deck& deck, Fluid fluid, const CrosscheckOptions& optio
 }
 
 Judgement judge(const Problem& problem, const Answer& answer, const OwnSide& own,
-                const std::function<void(const std::string&)>& say) {
-    Session session(problem, answer, own, say);
+                const std::function<void(const std::string&)>& say, const Interruption& interruption) {
+    Session session(problem, answer, own, say, interruption);
     if (problem.wants("point")) session.point();
     if (problem.wants("trajectory")) session.trajectory();
     if (problem.wants("averages")) session.run();

@@ -39,7 +39,8 @@ std::vector<Vec3> forces_at(const Fluid& fluid, const std::vector<Vec3>& positio
 /// Samples the state between steps.
 class Sampler : public StepObserver {
   public:
-    Sampler(const State& state, const TailCorrection& tail, Index every) : state_(state), tail_(tail), every_(every) {}
+    Sampler(const State& state, const TailCorrection& tail, Index every, const Interruption& interruption)
+        : state_(state), tail_(tail), every_(every), interruption_(interruption) {}
 
     void started(const Evaluation&) override {}
     void stage_begins(const Stage&) override {}
@@ -47,6 +48,9 @@ class Sampler : public StepObserver {
     [[nodiscard]] bool reads_velocities(Index step) const override { return step % every_ == 0; }
     void moved(Index) override {}
     void step_done(const Stage&, const Evaluation& evaluation) override {
+        if (interruption_.request()) {
+            interruption_.stop_many_runs();
+        }
         if (state_.step % every_ != 0) {
             return;
         }
@@ -67,6 +71,7 @@ class Sampler : public StepObserver {
     const State& state_;
     TailCorrection tail_;
     Index every_;
+    const Interruption& interruption_;
     RunSamples samples_;
 };
 
@@ -92,10 +97,11 @@ void follow(const Fluid& fluid, ForceField& force_field, const Execution& execut
     }
 }
 
-RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Execution& execution) {
+RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Execution& execution,
+                   const Interruption& interruption) {
     State state = state_of(problem.fluid, execution);
     PairForceField force_field = make_force_field(spec, execution);
-    Sampler sampler(state, spec.interaction().tail, problem.thermo_every);
+    Sampler sampler(state, spec.interaction().tail, problem.thermo_every, interruption);
     run_stages({problem.stage}, state, force_field, sampler, std::nullopt, spec.interaction());
     return sampler.take();
 }

@@ -10,6 +10,7 @@
 #include "ljmd/compare/judge/answer.hpp"
 #include "ljmd/compare/judge/exchange.hpp"
 #include "ljmd/compare/judge/run_judgement.hpp"
+#include "ljmd/run/interruption.hpp"
 
 namespace ljmd {
 
@@ -41,9 +42,12 @@ struct OwnSide {
 [[nodiscard]] Problem problem_of(const Deck& deck, Fluid fluid, const CrosscheckOptions& options);
 
 /// Judge an answer: each part that it has; what it lacks is named.
-/// @param say  receives a line before each slow operation
+/// @param say           receives a line before each slow operation
+/// @param interruption  asked after every step of ljmd's own run
+/// @throws Interrupted
 [[nodiscard]] Judgement judge(const Problem& problem, const Answer& answer, const OwnSide& own,
-                              const std::function<void(const std::string&)>& say);
+                              const std::function<void(const std::string&)>& say,
+                              const Interruption& interruption = Interruption());
 
 /// The table and the verdict, and the same as JSON.
 [[nodiscard]] std::string judgement_table(const Judgement& found, const Deck& deck);

@@ -4,6 +4,7 @@
 #include "ljmd/compare/judge/frame_judgement.hpp"
 #include "ljmd/compare/judge/run_judgement.hpp"
 #include "ljmd/engine/fluid_system.hpp"
+#include "ljmd/run/interruption.hpp"
 
 namespace ljmd {
 
@@ -14,8 +15,10 @@ void follow(const Fluid& fluid, ForceField& force_field, const Execution& execut
 
 /// The run of a problem's stage in ljmd, with its thermostat and barostat, sampled every thermo_every steps without the
 /// start.
-/// @throws PhysicsError  as run_stages()
-[[nodiscard]] RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Execution& execution);
+/// @param interruption  asked after every step
+/// @throws PhysicsError  as run_stages()  @throws Interrupted
+[[nodiscard]] RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Execution& execution,
+                                 const Interruption& interruption = Interruption());
 
 /// Kinetic energy of the velocities v + a t: of half a time step earlier or later, if t is that.
 [[nodiscard]] double half_step_kinetic_energy(const Fluid& fluid, const std::vector<Vec3>& forces, double t);
