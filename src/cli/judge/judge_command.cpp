@@ -164,7 +164,8 @@ class Session {
     }
 
     void finish(const Problem& problem, const Answer& answer) {
-        const Judgement found = judge(problem, answer, own_, [&](const std::string& text) { say(text); }, until_signal());
+        const Judgement found = judge(
+            problem, answer, own_, [&](const std::string& text) { say(text); }, until_signal());
         const std::string json = judgement_json(found, deck_, compared_.with) + "\n";
         if (!out_.empty()) {
             make_directory(out_);

@@ -291,11 +291,12 @@ Problem problem_of(const Deck& deck, Fluid fluid, const CrosscheckOptions& optio
     }
     std::ranges::sort(frames);
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    const Index last = frames.back();
     const Index every = deck.thermo_every * std::max<Index>(1, stage.steps / deck.thermo_every / max_samples);
     return {.fluid = std::move(fluid),
             .stage = std::move(stage),
             .steps_before = steps_before_crosscheck(deck),
-            .trajectory_steps = frames.back(),
+            .trajectory_steps = last,
             .frames = std::move(frames),
             .thermo_every = every,
             .parts = options.parts};
