@@ -14,6 +14,7 @@ from .errors import Error, InputError
 from .reading.tables import read_numbers
 
 PROGRAMS = ("openmm", "lammps", "gsl")
+ENGINES = ("command:", "files:")
 _NAMES = {"": "errors", "trajectory": "trajectory", "rdf": "rdf"}
 
 
@@ -46,6 +47,16 @@ class Comparison:
     def failures(self) -> list:
         """Names of the checks that have failed."""
         return [check["name"] for check in self.data["checks"] if not check["passed"]]
+
+    @property
+    def diagnoses(self) -> list:
+        """Of an engine: known mistakes that explain what has failed (docs/judge.md)."""
+        return list(self.data.get("diagnoses", []))
+
+    @property
+    def not_judged(self) -> list:
+        """Of an engine: parts that its answer lacks, or is too short for."""
+        return list(self.data.get("not_judged", []))
 
     @property
     def averages(self):
@@ -85,6 +96,9 @@ class Comparison:
         return [(name, *(with_error(_or_nan(row[who]["mean"]), _or_nan(row[who]["standard_error"])) for who in ("ljmd", "peer")),
                  f"{_or_nan(row['sigmas']):.2f}") for name, row in rows.items()]
 
+    def _remarks(self) -> list:
+        return [f"diagnosis: {text}" for text in self.diagnoses] + [f"not judged: {text}" for text in self.not_judged]
+
     def _error_rows(self) -> list:
         return [(key, f"{value:.3e}") for key, value in self.data.items() if key.startswith("largest_")]
 
@@ -93,7 +107,7 @@ class Comparison:
         for rows in (self._check_rows(), self._average_rows(), self._error_rows()):
             widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))] if rows else []
             lines += ["  " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows]
-        return "\n".join([*lines, self._verdict()])
+        return "\n".join([*lines, *self._remarks(), self._verdict()])
 
     def _repr_html_(self) -> str:
         html = html_table(("check", "found", "allowed", ""), self._check_rows(), self._heading())
@@ -101,19 +115,20 @@ class Comparison:
             html += html_table((), self._error_rows())
         if self._average_rows():
             html += html_table(("average", "ljmd", self.data["with"], "sigmas"), self._average_rows())
-        return html + html_lines([self._verdict()])
+        return html + html_lines([*self._remarks(), self._verdict()])
 
 
 def _or_nan(value) -> float:
     return np.nan if value is None else float(value)
 
 
-def compare(deck, program, *, parts, steps, frames, platform, directory, threads, simd, precision, force) -> Comparison:
+def compare(deck, program, *, parts, steps, frames, platform, directory, threads, simd, precision, timeout, force) -> Comparison:
     """See `Deck.compare`."""
     if program is None:
         program = "gsl" if "force" in deck._tables else "openmm"
-    if program not in PROGRAMS:
-        raise InputError(f"unknown program {program!r} to compare with; there are {', '.join(PROGRAMS)}")
+    if program not in PROGRAMS and not program.startswith(ENGINES):
+        raise InputError(f"unknown program {program!r} to compare with; there are {', '.join(PROGRAMS)}, "
+                         "command:./engine {input} {output}, files:DIR")
     options = ["--with", program]
     if parts is not None:
         options += ["--parts", ",".join([parts] if isinstance(parts, str) else parts)]
@@ -123,8 +138,8 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
         options += ["--steps", str(_check.whole(steps, "steps", 0))]
     if threads is not None:
         options += ["--threads", str(_check.whole(threads, "threads", 1))]
-    options += [word for name, value in (("--platform", platform), ("--simd", simd), ("--precision", precision)) if value is not None
-                for word in (name, str(value))]
+    options += [word for name, value in (("--platform", platform), ("--simd", simd), ("--precision", precision), ("--timeout", timeout))
+                if value is not None for word in (name, str(value))]
     with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
         out = pathlib.Path(folder) / "found" if directory is None else _check.directory_of(directory)
         deck_file, settings = deck._in_file(pathlib.Path(folder))
@@ -139,7 +154,7 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
         tables = {}
         for ending, name in _NAMES.items():
             path = out / f"compare-{program}{'-' if ending else ''}{ending}.csv"
-            if path.exists():
+            if program in PROGRAMS and path.exists():
                 tables[name] = read_numbers(path)
     data = json.loads(text)
     data.update(deck=deck.title, **{"with": program})

@@ -376,16 +376,18 @@ class Deck:
 
     def compare(self, program: str | None = None, *, parts=None, steps: int | None = None, frames=None, platform: str | None = None,
                 directory=None, threads: int | None = None, simd: str | None = None, precision: str | None = None,
-                force: bool = False) -> Comparison:
+                timeout: str | None = None, force: bool = False) -> Comparison:
         """Compare with an independent program, number by number: `ljmd compare`, see docs/crosscheck.md.
 
             found = deck.compare("openmm", parts=["point", "trajectory"])
             found.passed, found.checks
 
-        program: "openmm" or "lammps" for a fluid; "gsl", an adaptive solution, for few bodies. By default openmm or gsl
+        program: "openmm" or "lammps" for a fluid; "gsl", an adaptive solution, for few bodies. By default openmm or gsl.
+            "command:./engine {input} {output}" or "files:DIR" judge any engine, see docs/judge.md
         parts: of "point", "trajectory", "averages", "speed"; all by default
         steps, frames: length of the trajectories, 1000 by default, and the steps at which they are judged
         platform: of OpenMM: "Reference" (default), "CPU", "OpenCL"
+        timeout: wall time of an engine, "90s", "30min"; "1h" by default
         directory: where tables and numbers are written; None: nowhere
         force: accept unlikely values, and replace an earlier comparison in the directory
 
@@ -393,7 +395,7 @@ class Deck:
         the program is missing: also where ljmd was built without OpenMM.
         """
         return compare(self, program, parts=parts, steps=steps, frames=frames, platform=platform, directory=directory, threads=threads,
-                       simd=simd, precision=precision, force=force)
+                       simd=simd, precision=precision, timeout=timeout, force=force)
 
     def _in_file(self, folder) -> tuple:
         """The deck for the command line: a file that is written into the folder, and arguments of --set."""

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ljmd/cli/bench.hpp"
+#include "ljmd/cli/judge/judge_command.hpp"
 #include "ljmd/cli/progress.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
@@ -182,6 +183,9 @@ void check_compare_options(const CrosscheckOptions& compared) {
     if (compared.platform != usual.platform && compared.with != "openmm") {
         throw InputError(fmt::format("--platform is OpenMM's: '{}' has none", compared.with));
     }
+    if (compared.timeout != usual.timeout) {
+        throw InputError(fmt::format("--timeout is of an engine, --with command:...: '{}' has none", compared.with));
+    }
     if (compared.with == "gsl" && !(follows && compared.parts.empty())) {
         throw InputError(
             "--steps, --frames and --parts are for a fluid: few bodies are compared over the deck's steps");
@@ -265,10 +269,19 @@ void check_command(const DeckOptions& options) {
 }
 
 void compare_command(const DeckOptions& options, const CrosscheckOptions& compared, const std::string& out) {
+    if (is_engine(compared.with)) {
+        check_engine_options(compared);
+        Diagnostics diagnostics;
+        const Deck deck = load(options, diagnostics);
+        require_fluid(deck, fmt::format("{} is a few-body deck: an engine is judged by a fluid", deck.path));
+        judge_engine(deck, checked(deck, options, diagnostics), options, compared, out);
+        return;
+    }
     static const std::vector<std::string> programs{"gsl", "lammps", "openmm"};
     if (std::find(programs.begin(), programs.end(), compared.with) == programs.end()) {
-        throw InputError(
-            fmt::format("unknown program '{}' to compare with, allowed: {}", compared.with, fmt::join(programs, ", ")));
+        throw InputError(fmt::format(
+            "unknown program '{}' to compare with, allowed: {}, command:'./engine {{input}} {{output}}', files:DIR",
+            compared.with, fmt::join(programs, ", ")));
     }
     check_compare_options(compared);
     if (!out.empty()) {

@@ -61,8 +61,10 @@ void add_deck_options(CLI::App& command, ljmd::DeckOptions& options, bool deck_i
 
 void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
     command
-        .add_option("--with", compared.with,
-                    "a fluid: openmm or lammps; few bodies: gsl, adaptive Runge-Kutta of order 8")
+        .add_option(
+            "--with", compared.with,
+            "a fluid: openmm, lammps, any engine by command:'./engine {input} {output}', or the files of one by "
+            "files:DIR; few bodies: gsl, adaptive Runge-Kutta of order 8")
         ->required()
         ->type_name("PROGRAM");
     command.add_option("--platform", compared.platform, "of OpenMM: Reference, CPU, OpenCL; Reference by default")
@@ -80,6 +82,10 @@ void add_compare_options(CLI::App& command, ljmd::CrosscheckOptions& compared) {
         ->type_name("PART,...")
         ->delimiter(',')
         ->check(CLI::IsMember(ljmd::crosscheck_parts()));
+    command
+        .add_option("--timeout", compared.timeout,
+                    "wall time after which an engine is stopped, as in 90s, 30min or 2h; 1h by default")
+        ->type_name("TIME");
 }
 
 /// Options of replicas.

@@ -181,6 +181,15 @@ Index steps_before_crosscheck(const Deck& deck) {
     return steps_before(deck.stages, first_sampled(deck.stages));
 }
 
+Fluid run_before_crosscheck(const Deck& deck, FluidSystem& simulation, RunListener& listener) {
+    const FluidSpec spec = fluid_spec(deck);
+    const std::size_t compared = first_sampled(deck.stages);
+    const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
+    Quiet quiet(simulation.state, listener);
+    run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, spec.interaction());
+    return fluid_of(simulation.state, simulation.force_field.potential(), spec.tail);
+}
+
 Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const CrosscheckOptions& options,
                       RunListener& listener, const std::function<void(const std::string&)>& say) {
     const FluidSpec spec = fluid_spec(deck);
@@ -200,11 +209,7 @@ Crosscheck crosscheck(const Deck& deck, FluidSystem& simulation, const Crosschec
     // Report a missing program now, not after minutes of equilibration.
     static_cast<void>(peers_of(fluid_now(), {}, mixed, execution.threads(), options));
 
-    const std::vector<Stage> before(deck.stages.begin(), deck.stages.begin() + static_cast<std::ptrdiff_t>(compared));
-    Quiet quiet(simulation.state, listener);
-    run_stages(before, simulation.state, simulation.force_field, quiet, std::nullopt, spec.interaction());
-
-    const Fluid fluid = fluid_now();
+    const Fluid fluid = run_before_crosscheck(deck, simulation, listener);
     const Peers peers = peers_of(fluid, situation_of(fluid, stage.time_step), mixed, execution.threads(), options);
     const MakeForceField make = [&] { return std::make_unique<PairForceField>(make_force_field(spec, execution)); };
     const EnsembleOptions ensemble = ensemble_options(deck, stage, simulation.state);

@@ -20,15 +20,6 @@ std::string path_line(const Crosscheck& found) {
                        found.threads == 1 ? "" : "s");
 }
 
-std::string check_lines(const std::vector<Check>& checks) {
-    TextTable table({{"check", Align::left}, {"found", Align::right, 12}, {"allowed", Align::right, 10}, {""}});
-    for (const Check& check : checks) {
-        table.add({check.name, fmt::format("{:.2e}", check.value), fmt::format("{:.1e}", check.tolerance),
-                   check.passed() ? "" : "FAILED"});
-    }
-    return table.text();
-}
-
 std::string average_lines(const EnsembleComparison& ensemble, const std::string& peer) {
     constexpr std::size_t width = 10;
     TextTable table({{"average, no tail", Align::left, 20},
@@ -45,15 +36,6 @@ std::string average_lines(const EnsembleComparison& ensemble, const std::string&
     return table.text() +
            "pressures are (2 K + W)/(3 V), as LAMMPS prints them: a convention; rho T + W/(3 V), as a run of ljmd has "
            "them, is larger by T/V\n";
-}
-
-Data checks_data(const std::vector<Check>& checks) {
-    Data json = Data::list();
-    for (const Check& check : checks) {
-        json.push_back(
-            {{"name", check.name}, {"value", check.value}, {"tolerance", check.tolerance}, {"passed", check.passed()}});
-    }
-    return json;
 }
 
 Data trajectory_data(const TrajectoryComparison& trajectory) {
@@ -102,6 +84,24 @@ DataTable rdf_table(const EnsembleComparison& ensemble, const std::string& name)
 }
 
 }  // namespace
+
+std::string check_lines(const std::vector<Check>& checks) {
+    TextTable table({{"check", Align::left}, {"found", Align::right, 12}, {"allowed", Align::right, 10}, {""}});
+    for (const Check& check : checks) {
+        table.add({check.name, fmt::format("{:.2e}", check.value), fmt::format("{:.1e}", check.tolerance),
+                   check.passed() ? "" : "FAILED"});
+    }
+    return table.text();
+}
+
+Data checks_data(const std::vector<Check>& checks) {
+    Data json = Data::list();
+    for (const Check& check : checks) {
+        json.push_back(
+            {{"name", check.name}, {"value", check.value}, {"tolerance", check.tolerance}, {"passed", check.passed()}});
+    }
+    return json;
+}
 
 std::string crosscheck_table(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options) {
     std::string text =

@@ -2,8 +2,12 @@
 
 import json
 import os
+import pathlib
 import pickle
+import shlex
 import signal
+import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -45,6 +49,25 @@ class Comparisons(Case):
         self.assertRaises(ljmd.InputError, bool, found)
         self.assertEqual(pickle.loads(pickle.dumps(found)).data, found.data)
         self.assertRaisesText(ljmd.InputError, "compare-openmm.json", of=lambda: deck.compare(directory=self.folder / "found"))
+
+    def test_an_engine_is_judged_by_its_files_and_by_a_command(self):
+        deck, place = small_deck(), self.folder / "mine"
+        handed = deck.compare(f"files:{place}", steps=20)
+        self.assertFalse(handed.passed)
+        self.assertIn("nothing was judged", repr(handed))
+        engine = pathlib.Path(__file__).resolve().parents[2] / "docs/examples/engine.py"
+        subprocess.run([sys.executable, engine, place, place], check=True)
+        found = deck.compare(f"files:{place}", steps=20)
+        self.assertTrue(found.passed, found)
+        self.assertIn("step 10: positions", list(found.checks["name"]))
+        wrong_engine = self.folder / "it's wrong.py"
+        wrong_engine.write_text(engine.read_text(encoding="utf-8").replace("    d -= edges * np.round(d / edges)\n", ""), encoding="utf-8")
+        wrong = deck.compare(f"command:'{sys.executable}' {shlex.quote(str(wrong_engine))} {{input}} {{output}}", steps=20, timeout="5min")
+        self.assertFalse(wrong.passed)
+        self.assertIn("virial", wrong.failures)
+        self.assertIn("missing image", wrong.diagnoses[0])
+        self.assertIn("diagnosis: missing image", repr(wrong))
+        self.assertRaisesText(ljmd.InputError, "{output} is missing", of=lambda: deck.compare("command:./engine {input}"))
 
     def test_a_check_that_fails_is_no_exception(self):
         told = {"deck": "deck.toml", "with": "openmm", "peer": "OpenMM 0", "passed": False,

@@ -15,11 +15,12 @@ namespace ljmd {
 
 /// Options of a cross-check.
 struct CrosscheckOptions {
-    std::string with;                                       ///< "openmm" or "lammps"
+    std::string with;                                       ///< "openmm", "lammps", or an engine: "command:..."
     std::string platform = "Reference";                     ///< of OpenMM
     Index steps = 1000;                                     ///< length of the trajectories
     std::vector<Index> frames{1, 10, 100, 200, 500, 1000};  ///< steps at which trajectories are compared
     std::vector<std::string> parts{};                       ///< a subset of crosscheck_parts(); empty: all
+    std::string timeout = "1h";                             ///< wall time of an engine's command
 
     [[nodiscard]] bool wants(const std::string& part) const;
 };
@@ -66,6 +67,9 @@ struct Crosscheck {
 /// Number of steps of the deck before the comparison: those of the stages before the first sampled one, or before the
 /// last one if none is sampled.
 [[nodiscard]] Index steps_before_crosscheck(const Deck& deck);
+
+/// Run the deck's stages before the comparison. @return the moment that is compared
+[[nodiscard]] Fluid run_before_crosscheck(const Deck& deck, FluidSystem& simulation, RunListener& listener);
 
 /// Run the deck's stages before the first sampled one (the last one, if none is sampled), then compare from there.
 /// @param say  receives a line before each slow operation

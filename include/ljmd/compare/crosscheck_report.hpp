@@ -4,8 +4,13 @@
 #include <string>
 
 #include "ljmd/compare/crosscheck.hpp"
+#include "ljmd/core/data.hpp"
 
 namespace ljmd {
+
+/// Checks as a table, and as a list of {"name", "value", "tolerance", "passed"}.
+[[nodiscard]] std::string check_lines(const std::vector<Check>& checks);
+[[nodiscard]] Data checks_data(const std::vector<Check>& checks);
 
 /// Report for the screen: checks, divergence of trajectories, averages side by side, speeds, verdict.
 [[nodiscard]] std::string crosscheck_table(const Crosscheck& found, const Deck& deck, const CrosscheckOptions& options);

@@ -209,6 +209,12 @@ void ChildProcess::signal(int number) const {
     }
 }
 
+void ChildProcess::signal_group(int number) const {
+    if (!status_) {
+        kill(-id_, number);
+    }
+}
+
 int run_process(const Process& process) {
     return ChildProcess(process).wait();
 }

@@ -208,6 +208,7 @@ ExtendedXyzColumns parse_columns(const TextFile& file, std::string_view text) {
     static_cast<void>(column_of(file, properties, {"species"}, "S", 1));
     columns.velocity = column_of(file, properties, {"velo", "vel", "velocities"}, "R", 3);
     columns.momentum = column_of(file, properties, {"momenta"}, "R", 3);
+    columns.force = column_of(file, properties, {"forces", "force"}, "R", 3);
     columns.id = column_of(file, properties, {"id"}, "I", 1);
     columns.mass = column_of(file, properties, {"mass", "masses"}, "R", 1);
     for (const Property& property : properties) {

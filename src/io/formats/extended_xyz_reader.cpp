@@ -17,6 +17,7 @@ struct FileUnits {
     double time = 1.0;
     double mass = 1.0;
     double ase_velocity = 1.0;
+    double force = 1.0;
 };
 
 /// Options for reading a file.
@@ -34,6 +35,7 @@ struct RawFrame {
     std::vector<Vec3> positions;
     std::vector<Vec3> velocities;
     std::vector<double> masses;
+    std::vector<Vec3> forces;
 };
 
 /// @param si  the units of the first frame; set by that frame
@@ -52,7 +54,11 @@ FileUnits units_of(const TextFile& file, const ExtendedXyzHeader& header, std::o
             "--deck)");
     constexpr double angstrom_per_nanometre = 10.0;
     const double length = units->nanometre() * angstrom_per_nanometre;
-    return {length, units->picosecond(), units->dalton(), length / units->picosecond() / ase_velocity};
+    return {.length = length,
+            .time = units->picosecond(),
+            .mass = units->dalton(),
+            .ase_velocity = length / units->picosecond() / ase_velocity,
+            .force = units->si(Dimension::energy) / ase_energy / length};
 }
 
 void reserve(RawFrame& frame, std::size_t size) {
@@ -60,6 +66,7 @@ void reserve(RawFrame& frame, std::size_t size) {
     if (frame.header.columns.id) frame.ids.reserve(size);
     if (frame.header.columns.velocity || frame.header.columns.momentum) frame.velocities.reserve(size);
     if (frame.header.columns.mass) frame.masses.reserve(size);
+    if (frame.header.columns.force) frame.forces.reserve(size);
 }
 
 /// The mass [u] for ASE's momenta: that of the file, else ASE's mass of the species.
@@ -88,6 +95,7 @@ void read_atom(const TextFile& file, const std::vector<std::string_view>& fields
         const double unit = frame.units.ase_velocity * mass_of_momentum(file, fields, columns);
         frame.velocities.push_back(read_vector(file, fields, *columns.momentum) / unit);
     }
+    if (columns.force) frame.forces.push_back(read_vector(file, fields, *columns.force) / frame.units.force);
     if (columns.id) frame.ids.push_back(file.integer(fields[*columns.id], "the id"));
     if (columns.mass) frame.masses.push_back(file.number(fields[*columns.mass], "the mass") / frame.units.mass);
 }
@@ -173,6 +181,7 @@ bool ExtendedXyzTrajectory::read(Frame& frame) {
     const AtomOrder order = order_of(file_, *raw);
     frame = {to_configuration(*raw, order), header.step.has_value(), header.time.has_value(), header.tells_unwrapped,
              order.ids};
+    frame.forces = arranged(raw->forces, order.rows);
     check_frame(file_, frame.configuration, order, raw->header_line);
     return true;
 }

@@ -34,6 +34,10 @@ H5mdReader::H5mdReader(const std::filesystem::path& path, const std::optional<Su
         velocity_ = {};
         leave_velocities("at other steps than the positions");
     }
+    force_ = vectors("force");
+    if (!is_at_steps_of_positions("force", force_)) {
+        force_ = {};
+    }
     image_ = vectors("image");
     if (!is_at_steps_of_positions("image", image_)) {
         image_ = {};
@@ -55,6 +59,11 @@ H5mdReader::H5mdReader(const std::filesystem::path& path, const std::optional<Su
     if (!mass.value.empty() && scale_.mass) {
         const std::vector<double> masses = mass.fixed ? file_.numbers(mass.value) : file_.first_numbers(mass.value, 1);
         mass_ = masses.empty() ? std::nullopt : std::optional(masses[0] / *scale_.mass);
+    }
+    if (const auto scale = h5md_force_scale(file_, force_.value, position_.value, units)) {
+        force_scale_ = *scale;
+    } else {
+        force_ = {};
     }
     const std::vector<std::string> creator = file_.text_attribute("h5md/creator", "name");
     is_ljmd_ = !creator.empty() && creator[0] == "ljmd";
@@ -120,7 +129,7 @@ void H5mdReader::find_frames() {
     frame_count_ = file_.extent(position_.value)[0];
     Index most = frame_count_;
     std::vector<std::string> arrays{group_ + "/position/step", group_ + "/position/time"};
-    for (const Element& other : {velocity_, image_, edges_, id_}) {
+    for (const Element& other : {velocity_, force_, image_, edges_, id_}) {
         if (!other.fixed && !other.value.empty()) {
             arrays.push_back(other.value);
         }
@@ -341,15 +350,23 @@ bool H5mdReader::read(Frame& frame) {
     if (mass_) {
         found.masses.assign(found.positions.size(), *mass_);
     }
+    std::vector<Vec3> forces = force_.value.empty() ? std::vector<Vec3>{} : vectors_of(force_, k, force_scale_);
     const AtomOrder order = order_of(k);
     if (!order.ids.empty()) {
         found.positions = arranged(found.positions, order.rows);
         found.velocities = arranged(found.velocities, order.rows);
+        forces = arranged(forces, order.rows);
+    }
+    for (std::size_t atom = 0; atom < forces.size(); ++atom) {
+        if (!forces[atom].allFinite()) {
+            fail(fmt::format("atom {} has a force that is not finite", order.id(static_cast<Index>(atom))));
+        }
     }
     if (const auto fault = find_fault(found)) {
         fail(fault->atom ? fmt::format("atom {} {}", order.id(*fault->atom), fault->message) : fault->message);
     }
     frame = {std::move(found), !steps_.empty(), !times_.empty(), is_ljmd_ || !image_.value.empty(), order.ids};
+    frame.forces = std::move(forces);
     return true;
 }
 

@@ -12,8 +12,8 @@ namespace ljmd {
 ///
 ///     particles/<group>           the one that is asked for, the only one, or `trajectory`
 ///       position                  value (F, N, 3); step, time
-///       velocity, image           value (F, N, 3); may be missing, and are left out where they are at other steps than
-///                                 the positions
+///       velocity, force, image    value (F, N, 3); may be missing, and are left out where they are at other steps than
+///                                 the positions; forces also where their unit is not known
 ///       box                       boundary all periodic; edges (3) or (3, 3) fixed, or value (F, 3) or (F, 3, 3)
 ///       id                        (N) or value (F, N): atoms are sorted by it
 ///       species, mass             (N) or value (F, N), numbers or an enumeration: one kind of atom, see one_kind.hpp
@@ -61,6 +61,7 @@ class H5mdReader : public TrajectoryReader {
     std::string group_;
     Element position_;
     Element velocity_;
+    Element force_;
     Element image_;
     Element edges_;
     Element id_;
@@ -70,6 +71,7 @@ class H5mdReader : public TrajectoryReader {
     std::vector<double> steps_;  ///< of the frames; empty if the file has none
     std::vector<double> times_;
     H5mdScale scale_;
+    double force_scale_ = 1.0;  ///< epsilon/sigma in the unit of the forces
     bool is_ljmd_ = false;
 };
 

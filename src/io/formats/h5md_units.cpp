@@ -99,4 +99,19 @@ H5mdScale h5md_scale(const Hdf5Input& file, const H5mdQuantities& quantities,
     return scale;
 }
 
+std::optional<double> h5md_force_scale(const Hdf5Input& file, const std::string& forces, const std::string& positions,
+                                       const std::optional<SubstanceUnits>& units) {
+    if (forces.empty()) {
+        return std::nullopt;
+    }
+    const std::optional<std::string> unit = unit_of(file, forces);
+    if (!unit && !unit_of(file, positions)) {
+        return 1.0;
+    }
+    if (!units || (unit != "kJ mol-1 nm-1" && unit != "kJ/(mol nm)")) {
+        return std::nullopt;
+    }
+    return units->kilojoule_per_mole() / units->nanometre();
+}
+
 }  // namespace ljmd

@@ -32,4 +32,11 @@ struct H5mdScale : UnitScale {
 [[nodiscard]] H5mdScale h5md_scale(const Hdf5Input& file, const H5mdQuantities& quantities,
                                    const std::optional<SubstanceUnits>& units);
 
+/// One reduced unit of force, epsilon/sigma, in the unit of the forces: "kJ mol-1 nm-1" or "kJ/(mol nm)", or none where
+/// the positions have none.
+/// @return nothing if there are no forces, or they are in another unit
+[[nodiscard]] std::optional<double> h5md_force_scale(const Hdf5Input& file, const std::string& forces,
+                                                     const std::string& positions,
+                                                     const std::optional<SubstanceUnits>& units);
+
 }  // namespace ljmd

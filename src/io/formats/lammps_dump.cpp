@@ -29,6 +29,7 @@ constexpr std::array<VectorColumns, 4> all_positions{{{{"xu", "yu", "zu"}, false
                                                       {{"x", "y", "z"}, false, false},
                                                       {{"xs", "ys", "zs"}, true, false}}};
 constexpr std::array<const char*, 3> velocity_names{"vx", "vy", "vz"};
+constexpr std::array<const char*, 3> force_names{"fx", "fy", "fz"};
 constexpr std::array<const char*, 3> image_names{"ix", "iy", "iz"};
 constexpr std::array<std::string_view, 3> tilt_names{"xy", "xz", "yz"};
 
@@ -208,6 +209,11 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
     if (has_velocities) {
         columns.insert(columns.end(), velocity_names.begin(), velocity_names.end());
     }
+    const auto first_force = static_cast<Index>(columns.size());
+    const bool has_forces = has_all(dump_, force_names);
+    if (has_forces) {
+        columns.insert(columns.end(), force_names.begin(), force_names.end());
+    }
     const bool has_masses = dump_.has("mass");
     if (has_masses) {
         columns.emplace_back("mass");
@@ -218,6 +224,7 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
     }
     const Vec3& edges = dump_.edges();
     Configuration configuration;
+    std::vector<Vec3> forces;
     configuration.edges = edges;
     configuration.step = dump_.step();
     configuration.time = dump_.time().value_or(0.0);
@@ -229,6 +236,9 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
         if (has_velocities) {
             configuration.velocities.emplace_back(rows.row(atom).segment<3>(first_velocity));
         }
+        if (has_forces) {
+            forces.emplace_back(rows.row(atom).segment<3>(first_force));
+        }
         if (has_masses) {
             configuration.masses.push_back(rows(atom, rows.cols() - 1));
         }
@@ -236,6 +246,7 @@ bool LammpsDumpTrajectory::read(Frame& frame) {
     check_frame(dump_.file(), configuration, dump_.order(), dump_.box_line());
     frame = {std::move(configuration), true, dump_.time().has_value(), found->unwrapped || has_images,
              dump_.order().ids};
+    frame.forces = std::move(forces);
     if (!dump_.tells_boundaries()) {
         warn("'ITEM: BOX BOUNDS' does not tell the boundaries: the box is taken as periodic");
     }

@@ -262,6 +262,56 @@ TEST_CASE("a format that is said to be read gives back what was written, to the 
     }
 }
 
+TEST_CASE("forces of a trajectory are read back in every unit, by id") {
+    const SubstanceUnits argon(3.405e-10, 119.8 * 1.380649e-23, 39.948 * 1.66053906660e-27);
+    for (const TrajectoryFormat& format : all_trajectory_formats()) {
+        for (const auto& units : {std::optional<SubstanceUnits>{}, std::optional(argon)}) {
+            if (!format.is_read) {
+                continue;
+            }
+            INFO(format.name << (units ? " in SI units" : ""));
+            const TemporaryFolder folder;
+            State state = sample();
+            for (Index i = 0; i < 3; ++i) {
+                state.write_forces().col(i) = Vec3(1.0 / 3.0, static_cast<double>(i), -2e10);
+            }
+            state.mark_forces_current();
+            const TrajectoryOptions options{.path = folder / "t", .velocities = true, .forces = true, .si = units};
+            const auto writer = make_trajectory_writer(format.name, state, options);
+            writer->write(state);
+            writer->close();
+            Frame frame;
+            REQUIRE(open_trajectory(folder / "t", units)->next(frame));
+            REQUIRE(frame.forces.size() == 3);
+            const auto index_of = state.index_of();
+            for (std::size_t id = 0; id < 3; ++id) {
+                const Vec3 written = static_cast<const State&>(state).forces().col(index_of[id]);
+                CHECK((frame.forces[id] - written).cwiseQuotient(Vec3(1.0, 1.0, 1e10)).norm() <
+                      (units ? 1e-14 : 0.0) + 1e-300);
+            }
+        }
+    }
+}
+
+TEST_CASE("forces that stand in a file with their own order of atoms come by id, and none is not a number") {
+    const TemporaryFolder folder;
+    const auto forces_of = [&](const std::string& text) {
+        std::ofstream(folder / "t") << text;
+        Frame frame;
+        static_cast<void>(open_trajectory(folder / "t", std::nullopt)->next(frame));
+        return frame.forces;
+    };
+    const std::string xyz = "2\nLattice=\"4 0 0 0 5 0 0 0 6\" Properties=species:S:1:pos:R:3:forces:R:3:id:I:1\n";
+    const std::string dump =
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 4\n0 5\n0 6\n"
+        "ITEM: ATOMS id x y z fx fy fz\n";
+    const std::vector<Vec3> expected{{1, 2, 3}, {4, 5, 6}};
+    CHECK(forces_of(xyz + "X 1 1 1 4 5 6 2\nX 2 2 2 1 2 3 1\n") == expected);
+    CHECK(forces_of(dump + "2 1 1 1 4 5 6\n1 2 2 2 1 2 3\n") == expected);
+    CHECK_THROWS_AS(forces_of(xyz + "X 1 1 1 4 nan 6 2\nX 2 2 2 1 2 3 1\n"), DataError);
+    CHECK_THROWS_AS(forces_of(dump + "2 1 1 1 4 inf 6\n1 2 2 2 1 2 3\n"), DataError);
+}
+
 namespace {
 
 /// What this process has read and written so far, by the system's count.

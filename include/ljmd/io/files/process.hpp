@@ -53,6 +53,10 @@ class ChildProcess {
     /// Send it a signal, unless it is known to have ended.
     void signal(int number) const;
 
+    /// Send a signal to it and to all processes of its group, unless it is known to have ended.
+    /// @pre it was started with own_group
+    void signal_group(int number) const;
+
   private:
     std::optional<int> wait(bool block);
 

@@ -16,6 +16,7 @@ struct ExtendedXyzColumns {
     std::size_t position = 0;
     std::optional<std::size_t> velocity;
     std::optional<std::size_t> momentum;  ///< of ASE: mass times velocity, in sqrt(u eV)
+    std::optional<std::size_t> force;
     std::optional<std::size_t> id;
     std::optional<std::size_t> mass;
     std::map<std::string, std::size_t> kinds;  ///< properties that distinguish kinds of atoms, see one_kind.hpp

@@ -27,7 +27,8 @@ struct ExtendedXyzPremises {
 /// Columns read: pos, velo (or vel, or velocities), id, mass (or masses), and those that distinguish kinds of atoms,
 /// see one_kind.hpp: all atoms must be of one kind. Without velocities, ASE's momenta are read and divided by the mass
 /// in the file, else by ASE's mass of the species; the quotient is in sqrt(eV/u) in a file in SI units, else in
-/// sigma/tau. Without ids, atoms are in file order. Every frame must be complete and well-formed; a file that is cut
+/// sigma/tau. Without ids, atoms are in file order. Of a trajectory, forces (or force) are read, too: eV/angstrom in a
+/// file in SI units. Every frame must be complete and well-formed; a file that is cut
 /// off is an error. If the first frame says units=si (angstrom, angstrom/ps, ps, u), values are converted to reduced
 /// units. A later frame with other units is refused.
 ///

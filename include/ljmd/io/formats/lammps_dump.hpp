@@ -77,7 +77,7 @@ class LammpsDump {
 };
 
 /// A dump as a trajectory. Positions are xu yu zu or xsu ysu zsu, else x y z or xs ys zs, unwrapped if there are ix iy
-/// iz. Velocities are vx vy vz, masses are in `mass`. Positions are shifted by -(xlo, ylo, zlo).
+/// iz. Velocities are vx vy vz, forces fx fy fz, masses are in `mass`. Positions are shifted by -(xlo, ylo, zlo).
 class LammpsDumpTrajectory : public TrajectoryReader {
   public:
     explicit LammpsDumpTrajectory(const std::filesystem::path& path) : dump_(path) {}

@@ -21,6 +21,9 @@ struct Frame {
     bool tells_unwrapped = false;
     std::vector<Index> ids{};  ///< of the atoms, ascending; empty if the file has none
     bool begins_anew = false;  ///< true where this frame does not continue the one before it, because files were joined
+    /// On the atoms [epsilon/sigma], as some program has computed them; empty if the file has none. ljmd judges them,
+    /// and computes its own for everything else.
+    std::vector<Vec3> forces{};
 };
 
 /// Reads the frames of a trajectory one after the other. One frame is in memory at a time, besides the positions of the

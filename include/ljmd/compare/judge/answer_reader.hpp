@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ljmd/compare/judge/answer.hpp"
+#include "ljmd/compare/judge/exchange.hpp"
+
+namespace ljmd {
+
+/// Whether there is any file of an answer in a directory. @throws FileError
+[[nodiscard]] bool has_answer(const std::filesystem::path& directory);
+
+/// Read what an engine has left in a directory, each file if it is there:
+///
+///     point.json                          numbers, and forces as [[fx, fy, fz], ...] by id
+///     point.xyz, .extxyz, .dump, .lammpsdump, .lammpstrj or .h5md     forces, in one frame
+///     frames.xyz, ...                     frames of the trajectory, with steps, or with times
+///     thermo.csv                          the table of the run
+///
+/// @throws DataError  a file cannot be read, is cut off, holds a number that is not finite, is of another number of
+/// atoms or another box; the text names the file, and what was expected
+[[nodiscard]] Answer read_answer(const std::filesystem::path& directory, const Problem& problem);
+
+}  // namespace ljmd

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ljmd/compare/agreement.hpp"
+#include "ljmd/core/types.hpp"
+#include "ljmd/potentials/pair_potential.hpp"
+
+namespace ljmd {
+
+/// A frame of an engine's trajectory beside what ljmd says about that step. Empty vectors are missing.
+struct JudgedFrame {
+    Index step = 0;
+    std::vector<Vec3> positions{};   ///< the engine's, wrapped or not [sigma]
+    std::vector<Vec3> velocities{};  ///< the engine's [sigma/tau]
+    std::vector<Vec3> forces{};      ///< the engine's [epsilon/sigma]
+
+    std::vector<Vec3> forces_there{};    ///< ljmd's at the engine's positions
+    std::vector<Vec3> our_positions{};   ///< at this step of ljmd's trajectory, unwrapped
+    std::vector<Vec3> our_velocities{};  ///< at the same step
+    std::vector<Vec3> our_forces{};      ///< at the same step
+};
+
+/// The trajectory of an engine at constant energy; atoms have the mass 1.
+struct JudgedTrajectory {
+    Vec3 edges;
+    double time_step;
+    std::vector<JudgedFrame> frames;  ///< ascending steps
+};
+
+/// The largest distance between an engine's position of an atom and ours, by nearest images; NaN if a position is not a
+/// number.
+[[nodiscard]] double largest_distance(const JudgedFrame& frame, const Vec3& edges);
+
+/// Checks of the frames at the judged steps: distances of positions up to the step where the limits end; kinetic
+/// energies up to step 100; forces at the engine's own positions, which tell a wrong formula or list from another
+/// trajectory.
+/// @param judged  steps to check; frames at other steps are not
+[[nodiscard]] std::vector<Check> check_trajectory(const JudgedTrajectory& trajectory, const std::vector<Index>& judged,
+                                                  const Agreement& agreement);
+
+/// By which known mistakes the trajectory differs from ours, a sentence each:
+///
+///     half-step velocities   v' = v -+ a dt/2 in a frame
+///     half-step start        r'(1) = r(1) +- a(0) dt^2/2: the velocities of the start were taken for those of t =
+///     -+dt/2 another time step      r'(1) = r(0) + v(0) dt' + a(0) dt'^2/2 a stale list           forces of the first
+///     frame are right, and in a later one those of some pairs within the
+///                            cutoff are missing
+///     the integration        forces are right at the engine's positions, but the atoms are elsewhere
+///
+/// @param agreement  below it nothing is a difference
+[[nodiscard]] std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory,
+                                                           const PairPotential& potential, const Agreement& agreement);
+
+}  // namespace ljmd

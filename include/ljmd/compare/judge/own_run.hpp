@@ -1,0 +1,26 @@
+#pragma once
+
+#include "ljmd/compare/judge/exchange.hpp"
+#include "ljmd/compare/judge/frame_judgement.hpp"
+#include "ljmd/compare/judge/run_judgement.hpp"
+#include "ljmd/engine/fluid_system.hpp"
+#include "ljmd/run/interruption.hpp"
+
+namespace ljmd {
+
+/// Fill in what ljmd says about the frames of an engine: forces at the engine's positions, and positions, velocities
+/// and forces of velocity Verlet from the start, at the steps of the frames.
+/// @pre steps ascend  @param execution  for the states
+void follow(const Fluid& fluid, ForceField& force_field, const Execution& execution, JudgedTrajectory& trajectory);
+
+/// The run of a problem's stage in ljmd, with its thermostat and barostat, sampled every thermo_every steps without the
+/// start.
+/// @param interruption  asked after every step
+/// @throws PhysicsError  as run_stages()  @throws Interrupted
+[[nodiscard]] RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Execution& execution,
+                                 const Interruption& interruption = Interruption());
+
+/// Kinetic energy of the velocities v + a t: of half a time step earlier or later, if t is that.
+[[nodiscard]] double half_step_kinetic_energy(const Fluid& fluid, const std::vector<Vec3>& forces, double t);
+
+}  // namespace ljmd

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ljmd/compare/agreement.hpp"
+#include "ljmd/compare/judge/answer.hpp"
+#include "ljmd/compare/judge/near_pairs.hpp"
+#include "ljmd/compare/peer.hpp"
+
+namespace ljmd {
+
+/// The configuration as ljmd has it: what an engine's PointAnswer is held against.
+struct ExpectedPoint {
+    PairSums sums;               ///< of the pairs alone
+    double kinetic_energy;       ///< [epsilon]
+    double tail_energy = 0.0;    ///< of all atoms [epsilon]; 0 without tail corrections
+    double tail_pressure = 0.0;  ///< [epsilon/sigma^3]
+    double volume;               ///< [sigma^3]
+    Index atoms;
+
+    [[nodiscard]] double potential_energy() const { return sums.potential_energy + tail_energy; }
+    [[nodiscard]] double temperature() const;  ///< 2 K/(3 N - 3); 0 of a single atom
+    [[nodiscard]] double pressure() const;     ///< (2 K + W)/(3 V) + p_tail
+};
+
+/// @param ours  of the fluid, by point_of()
+[[nodiscard]] ExpectedPoint expected_point(const Fluid& fluid, const PeerPoint& ours);
+
+/// Tolerances for an engine of which nothing is known but that it computes in double precision: those of LAMMPS ten
+/// times as wide, because its numbers may have been through text of 15 digits, and coordinates through its own walls.
+[[nodiscard]] Agreement engine_agreement(const Situation& situation);
+
+/// Checks of the parts that the answer has. Differences are relative, as in compare_points().
+[[nodiscard]] std::vector<Check> check_point(const ExpectedPoint& expected, const PointAnswer& answer,
+                                             const Agreement& agreement);
+
+/// By which known mistakes the numbers of an answer differ from ours, a sentence each; empty where none is known.
+///
+/// A mistake that changes energy, virial and forces alike (epsilon, sigma, cutoff, missing images) is named if the
+/// numbers that ljmd finds with it are those of the answer, in all parts that it has, to a thousandth of the
+/// difference. If none is, each part is looked at alone: an energy that is shifted, without the tail or of one atom, a
+/// virial of the wrong sign or by a factor off, a temperature of 3 N degrees of freedom.
+/// @param tolerance  of relative differences that are none
+[[nodiscard]] std::vector<std::string> diagnose_point(const Fluid& fluid, const ExpectedPoint& expected,
+                                                      const PointAnswer& answer, double tolerance);
+
+}  // namespace ljmd

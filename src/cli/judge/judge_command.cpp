@@ -1,0 +1,237 @@
+#include "ljmd/cli/judge/judge_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "ljmd/cli/progress.hpp"
+#include "ljmd/cli/signals.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/compare/judge/answer_reader.hpp"
+#include "ljmd/compare/judge/engine_command.hpp"
+#include "ljmd/compare/judge/judge.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/units.hpp"
+#include "ljmd/deck/fluid.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/io/tables/json_file.hpp"
+#include "ljmd/run/output_guard.hpp"
+#include "ljmd/run/run_directory.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string by_command = "command:";
+const std::string by_files = "files:";
+constexpr const char* exchange_folder = "exchange";
+constexpr const char* problem_folder = "problem";
+constexpr const char* answer_folder = "answer";
+constexpr const char* log_name = "engine.log";
+constexpr const char* judgement_file = "judge.json";
+
+double seconds_of(const std::string& timeout) {
+    const auto seconds = parse_wall_time(timeout);
+    if (!seconds) {
+        throw InputError(fmt::format(
+            "--timeout: '{}' is no wall time; allowed: a number > 0 with s, min, h or d, as in 90s or 2h", timeout));
+    }
+    return *seconds;
+}
+
+/// Take off the velocity of the centre of mass, which a stage before may have left; the atoms have equal masses.
+void bring_to_rest(Fluid& fluid) {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& v : fluid.velocities) {
+        mean += v / static_cast<double>(fluid.velocities.size());
+    }
+    for (Vec3& v : fluid.velocities) {
+        v -= mean;
+    }
+}
+
+/// One judgement, from the problem to the verdict.
+class Session {
+  public:
+    Session(const Deck& deck, CheckedRun fluid, const DeckOptions& options, const CrosscheckOptions& compared,
+            std::string out)
+        : deck_(deck),
+          fluid_(std::move(fluid)),
+          options_(options),
+          compared_(compared),
+          out_(std::move(out)),
+          progress_(fluid_.atoms(), steps_before_crosscheck(deck), options.quiet),
+          own_{fluid_spec(deck), fluid_.execution, deck.neighbors().method} {}
+
+    void by_command_line(const std::string& command) {
+        std::optional<ScratchDirectory> scratch;
+        const fs::path place = out_.empty() ? scratch.emplace().path() : files::absolute(out_) / exchange_folder;
+        const fs::path input = place / problem_folder;
+        const fs::path output = place / answer_folder;
+        const std::string line = engine_command(command, input, output);
+        const Problem problem = problem_of(deck_, moment(), compared_);
+        install_stop_handlers();
+        files::try_to_remove_all(place / answer_folder);  // with --force: of an earlier engine
+        make_directory(input);
+        make_directory(output);
+        write_problem(problem, input);
+        say("running the engine");
+        run_engine(line, place / log_name, seconds_of(compared_.timeout), until_signal());
+        if (!has_answer(output)) {
+            throw DataError(
+                "the engine has written none of point.json, point.xyz, frames.xyz and thermo.csv into {output}: there "
+                "is "
+                "nothing to judge");
+        }
+        finish(problem, read_answer(output, problem));
+    }
+
+    void by_directory(const fs::path& directory) {
+        if (!files::exists(directory / ExchangeFiles::problem)) {
+            hand_out(directory);
+            return;
+        }
+        const FluidSpec& spec = own_.spec;
+        const Problem problem = problem_of(deck_, read_start(directory, spec.potential, spec.tail), compared_);
+        if (json_text(directory / ExchangeFiles::problem) != problem_json(problem)) {
+            throw InputError(fmt::format(
+                "{} is the problem of another deck, of other options or of another version of ljmd: give the command "
+                "that wrote it, or take another directory",
+                (directory / ExchangeFiles::problem).string()));
+        }
+        if (!has_answer(directory)) {
+            throw DataError(
+                fmt::format("there is no answer yet in {0}: {1}", directory.string(), what_to_do(directory)));
+        }
+        finish(problem, read_answer(directory, problem));
+    }
+
+  private:
+    /// The moment that is judged, after the stages of the deck before it.
+    Fluid moment() {
+        FluidSystem simulation = make_fluid(fluid_spec(deck_, std::move(fluid_.start.value())), fluid_.execution,
+                                            [&](const std::string& text) { progress_.warning(text); });
+        Fluid fluid = run_before_crosscheck(deck_, simulation, progress_);
+        progress_.clear_line();
+        if (freedom_of(deck_.stages[first_sampled(deck_.stages)], std::ssize(fluid.masses)) <
+            3 * std::ssize(fluid.masses)) {
+            bring_to_rest(fluid);
+        }
+        return fluid;
+    }
+
+    [[nodiscard]] static std::string what_to_do(const fs::path& directory) {
+        return fmt::format(
+            "put any of point.json, point.xyz, frames.xyz and thermo.csv into {}, as {} says under 'wanted', and give "
+            "the "
+            "same command again",
+            directory.string(), (directory / ExchangeFiles::problem).string());
+    }
+
+    void hand_out(const fs::path& directory) {
+        if (has_answer(directory) || files::exists(directory / ExchangeFiles::start) ||
+            files::exists(directory / ExchangeFiles::start_for_lammps)) {
+            throw InputError(fmt::format(
+                "{} has files of an engine, but no {}: it is not known what they answer. Nothing was written.",
+                directory.string(), ExchangeFiles::problem));
+        }
+        const Problem problem = problem_of(deck_, moment(), compared_);
+        make_directory(directory);
+        write_problem(problem, directory);
+        if (options_.json) {
+            print_result(to_json({{"with", compared_.with},
+                                  {"problem", directory.string()},
+                                  {"checks", Data::list()},
+                                  {"passed", nullptr}}) +
+                         "\n");
+            return;
+        }
+        print_result(fmt::format("the problem is in {0}: {1}, {2}, {3}\nnothing was judged: {4}\n", directory.string(),
+                                 ExchangeFiles::problem, ExchangeFiles::start, ExchangeFiles::start_for_lammps,
+                                 what_to_do(directory)));
+    }
+
+    void say(const std::string& text) {
+        if (!options_.quiet) {
+            progress_.clear_line();
+            print_message(text + "\n");
+        }
+    }
+
+    void finish(const Problem& problem, const Answer& answer) {
+        const Judgement found = judge(
+            problem, answer, own_, [&](const std::string& text) { say(text); }, until_signal());
+        const std::string json = judgement_json(found, deck_, compared_.with) + "\n";
+        if (!out_.empty()) {
+            make_directory(out_);
+            write_file_atomically(fs::path(out_) / judgement_file, json);
+        }
+        for (const std::string& text : found.warnings) {
+            warn(text);
+        }
+        print_result(options_.json ? json : judgement_table(found, deck_));
+        if (found.checks.empty()) {
+            throw DataError("nothing was judged: the answer has nothing that the problem asks for");
+        }
+        if (!found.passed()) {
+            throw PhysicsError(fmt::format("ljmd and {} differ: {} of {} checks failed", found.engine, found.failures(),
+                                           found.checks.size()));
+        }
+    }
+
+    const Deck& deck_;
+    CheckedRun fluid_;
+    const DeckOptions& options_;
+    const CrosscheckOptions& compared_;
+    std::string out_;
+    Progress progress_;
+    OwnSide own_;
+};
+
+}  // namespace
+
+bool is_engine(const std::string& with) {
+    return with.starts_with(by_command) || with.starts_with(by_files);
+}
+
+void check_engine_options(const CrosscheckOptions& compared) {
+    const CrosscheckOptions usual{.with = compared.with};
+    if (compared.platform != usual.platform) {
+        throw InputError("--platform is OpenMM's: an engine has none");
+    }
+    if (std::ranges::find(compared.parts, "speed") != compared.parts.end()) {
+        throw InputError("--parts: the speed of an engine is not measured; allowed: point, trajectory, averages");
+    }
+    if (!compared.wants("trajectory") && (compared.steps != usual.steps || compared.frames != usual.frames)) {
+        throw InputError("--steps and --frames are those of the trajectory, which --parts leaves out");
+    }
+    static_cast<void>(seconds_of(compared.timeout));
+    if (compared.with.starts_with(by_command)) {
+        static_cast<void>(engine_command(compared.with.substr(by_command.size()), "input", "output"));
+    } else if (compared.with.size() == by_files.size()) {
+        throw InputError("--with files: the name of the directory is missing, as in --with files:answers");
+    } else if (compared.timeout != usual.timeout) {
+        throw InputError("--timeout is of an engine that is run, --with command:...");
+    }
+}
+
+void judge_engine(const Deck& deck, CheckedRun fluid, const DeckOptions& options, const CrosscheckOptions& compared,
+                  const std::string& out) {
+    if (!out.empty()) {
+        require_no_outputs(out, {judgement_file, std::string(exchange_folder) + "/" + log_name}, options.force,
+                           "Nothing was judged");
+    }
+    Session session(deck, std::move(fluid), options, compared, out);
+    if (compared.with.starts_with(by_command)) {
+        session.by_command_line(compared.with.substr(by_command.size()));
+    } else {
+        session.by_directory(compared.with.substr(by_files.size()));
+    }
+}
+
+}  // namespace ljmd

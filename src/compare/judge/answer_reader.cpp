@@ -1,0 +1,226 @@
+#include "ljmd/compare/judge/answer_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/tables/data_table_csv.hpp"
+#include "ljmd/io/tables/json_file.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 6> frame_suffixes{".xyz", ".extxyz", ".dump", ".lammpsdump", ".lammpstrj", ".h5md"};
+constexpr std::size_t longest_name = 80;
+
+/// The file with frames of this name; nothing if there is none. @throws DataError  there are several
+std::optional<fs::path> frames_file(const fs::path& directory, const std::string& name) {
+    std::optional<fs::path> found;
+    for (const char* suffix : frame_suffixes) {
+        const fs::path path = directory / (name + suffix);
+        if (!files::exists(path)) {
+            continue;
+        }
+        if (found) {
+            throw DataError(fmt::format("{} and {}: one file is enough, it is not known which one counts",
+                                        found->string(), path.filename().string()));
+        }
+        found = path;
+    }
+    return found;
+}
+
+std::optional<double> number(const Data& json, const char* key) {
+    const Data* value = json.find(key);
+    if (value == nullptr) {
+        return std::nullopt;
+    }
+    if (!value->is_number() || !std::isfinite(value->number())) {
+        throw WrongData(fmt::format("'{}' is no finite number", key));
+    }
+    return value->number();
+}
+
+/// W, given as a number or as a tensor of 3 x 3.
+std::optional<double> virial_of(const Data& json) {
+    const Data* value = json.find("virial");
+    if (value == nullptr || !value->is_list()) {
+        return number(json, "virial");
+    }
+    double trace = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (value->size() != 3 || (*value)[k].size() != 3) {
+            throw WrongData("'virial' is neither a number nor a tensor of 3 x 3 numbers");
+        }
+        trace += (*value)[k][k].number();
+    }
+    return trace;
+}
+
+std::vector<Vec3> forces_of(const Data& json, Index atoms) {
+    const Data* value = json.find("forces");
+    std::vector<Vec3> forces;
+    if (value == nullptr) {
+        return forces;
+    }
+    if (std::ssize(value->items()) != atoms) {
+        throw WrongData(fmt::format("'forces' holds {} vectors, the problem has {} atoms", value->size(), atoms));
+    }
+    forces.reserve(value->size());
+    for (const Data& item : value->items()) {
+        if (item.items().size() != 3) {
+            throw WrongData(fmt::format("force {} has {} components", forces.size() + 1, item.size()));
+        }
+        forces.emplace_back(item[0].number(), item[1].number(), item[2].number());
+        if (!forces.back().allFinite()) {
+            throw WrongData(fmt::format("force {} is not finite", forces.size()));
+        }
+    }
+    return forces;
+}
+
+void read_point(const fs::path& path, Index atoms, Answer& answer) {
+    read_json(path, "a point", [&](const Data& json) {
+        if (!json.is_object()) {
+            throw WrongData("it holds no object {...}");
+        }
+        static const std::array<const char*, 8> known{"potential_energy", "kinetic_energy",    "temperature",
+                                                      "virial",           "pressure",          "forces",
+                                                      "engine",           "degrees_of_freedom"};
+        for (const Member& member : json.members()) {
+            if (std::ranges::find(known, member.key) == known.end()) {
+                answer.warnings.push_back(fmt::format("{}: the key {} is not known; known are {}", path.string(),
+                                                      in_quotes(member.key), fmt::join(known, ", ")));
+            }
+        }
+        answer.point = {.potential_energy = number(json, "potential_energy"),
+                        .kinetic_energy = number(json, "kinetic_energy"),
+                        .temperature = number(json, "temperature"),
+                        .virial = virial_of(json),
+                        .pressure = number(json, "pressure"),
+                        .forces = forces_of(json, atoms)};
+        if (const Data* engine = json.find("engine")) {
+            answer.engine = printable(engine->text(), longest_name);
+        }
+        if (const Data* freedom = json.find("degrees_of_freedom")) {
+            answer.degrees_of_freedom = integer_of(*freedom, "degrees_of_freedom", 1, 3 * atoms);
+        }
+        return 0;
+    });
+}
+
+/// The box of a frame: its edges may have been through text of ten digits.
+void check_box(const fs::path& path, Index number, const Vec3& edges, const Vec3& expected) {
+    constexpr double same = 1e-9;
+    if (!((edges - expected).array().abs() <= same * expected.array()).all()) {
+        throw DataError(
+            fmt::format("{}: frame {}: the edges of the box are {}, {}, {}; those of the problem {}, {}, {}",
+                        path.string(), number, edges[0], edges[1], edges[2], expected[0], expected[1], expected[2]));
+    }
+}
+
+/// All frames of a file. A file that ends within a frame is refused: an engine that stops there has failed.
+std::vector<Frame> read_frames(const fs::path& path, const Problem& problem, std::vector<std::string>& warnings) {
+    const auto atoms = static_cast<Index>(problem.fluid.masses.size());
+    const auto reader = open_trajectory(path, std::nullopt);
+    std::vector<Frame> frames;
+    for (Frame frame; reader->next(frame); frame = {}) {
+        const Index number = reader->frames();
+        if (std::ssize(frame.configuration.positions) != atoms) {
+            throw DataError(fmt::format("{}: frame {} has {} atoms, the problem has {}", path.string(), number,
+                                        frame.configuration.positions.size(), atoms));
+        }
+        check_box(path, number, frame.configuration.edges, problem.fluid.edges);
+        frames.push_back(std::move(frame));
+    }
+    for (const std::string& warning : reader->warnings()) {
+        if (warning.find("before it") != std::string::npos) {
+            throw DataError(fmt::format("the file is cut off: {}", warning));
+        }
+        warnings.push_back(warning);
+    }
+    return frames;
+}
+
+/// Steps of frames that have only times.
+void find_steps(const fs::path& path, double time_step, std::vector<Frame>& frames) {
+    constexpr double off = 1e-3;  // of a step
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        Frame& frame = frames[k];
+        if (frame.has_step) {
+            continue;
+        }
+        const double steps = frame.configuration.time / time_step;
+        if (!frame.has_time || std::abs(steps - std::round(steps)) > off) {
+            throw DataError(fmt::format(
+                "{}: frame {} has no step{}: which step of the trajectory it is, is not known", path.string(), k + 1,
+                frame.has_time ? ", and its time is not a multiple of the time step" : " and no time"));
+        }
+        frame.configuration.step = static_cast<Index>(std::llround(steps));
+        frame.has_step = true;
+    }
+}
+
+std::vector<double> optional_column(const DataTable& table, const std::string& name, const fs::path& path) {
+    return std::ranges::find(table.columns, name) == table.columns.end() ? std::vector<double>{}
+                                                                         : full_column(table, name, path);
+}
+
+ThermoAnswer read_thermo(const fs::path& path) {
+    const DataTable table = read_csv(path);
+    if (table.rows.empty()) {
+        throw DataError(fmt::format("{} has no row", path.string()));
+    }
+    return {.steps = step_column(table, path),
+            .potential_energy = optional_column(table, "potential_energy", path),
+            .kinetic_energy = optional_column(table, "kinetic_energy", path),
+            .temperature = optional_column(table, "temperature", path),
+            .pressure = optional_column(table, "pressure", path),
+            .volume = optional_column(table, "volume", path)};
+}
+
+}  // namespace
+
+bool has_answer(const fs::path& directory) {
+    return files::exists(directory / "point.json") || files::exists(directory / "thermo.csv") ||
+           frames_file(directory, "point") || frames_file(directory, "frames");
+}
+
+Answer read_answer(const fs::path& directory, const Problem& problem) {
+    Answer answer;
+    const auto atoms = static_cast<Index>(problem.fluid.masses.size());
+    if (const fs::path path = directory / "point.json"; files::exists(path)) {
+        read_point(path, atoms, answer);
+    }
+    if (const auto path = frames_file(directory, "point")) {
+        std::vector<Frame> frames = read_frames(*path, problem, answer.warnings);
+        if (frames.size() != 1 || frames[0].forces.empty()) {
+            throw DataError(fmt::format("{} must hold one frame with forces, it has {}", path->string(),
+                                        frames.size() == 1 ? "none" : fmt::format("{} frames", frames.size())));
+        }
+        if (!answer.point.forces.empty()) {
+            throw DataError(
+                fmt::format("there are forces in {} and in point.json: one of them is enough", path->string()));
+        }
+        answer.point.forces = std::move(frames[0].forces);
+    }
+    if (const auto path = frames_file(directory, "frames")) {
+        answer.frames = read_frames(*path, problem, answer.warnings);
+        find_steps(*path, problem.stage.time_step, answer.frames);
+    }
+    if (const fs::path path = directory / "thermo.csv"; files::exists(path)) {
+        answer.thermo = read_thermo(path);
+    }
+    return answer;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,271 @@
+#include "joint_diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ljmd/compare/judge/near_pairs.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Cutoffs and scales of length are looked for up to these factors.
+constexpr double farthest = 1.3;
+constexpr double largest_scale = 1.2;
+
+double squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += (a[i] - b[i]).squaredNorm();
+    }
+    return sum;
+}
+
+double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += a[i].dot(b[i]);
+    }
+    return sum;
+}
+
+double norm(const std::vector<Vec3>& a) {
+    return std::sqrt(dot(a, a));
+}
+
+/// An answer that is to be explained.
+class Case {
+  public:
+    Case(const Fluid& fluid, const ExpectedPoint& expected, const PointAnswer& answer, double tolerance)
+        : fluid_(fluid),
+          expected_(expected),
+          answer_(answer),
+          parts_(expected, answer, tolerance),
+          range_(std::min(farthest * fluid.potential.cutoff().radius, 0.5 * fluid.edges.minCoeff())),
+          pairs_(fluid.positions, fluid.edges, range_) {}
+
+    /// The first mistake that explains energy, virial and forces together.
+    [[nodiscard]] std::optional<std::string> joint() const {
+        for (const auto find : {&Case::epsilon, &Case::no_images, &Case::other_cutoff, &Case::sigma}) {
+            if (auto words = (this->*find)()) {
+                return words;
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    /// Whether the sums made with a mistake are those of the answer. One number alone, which a parameter of a mistake
+    /// can always meet, explains nothing.
+    [[nodiscard]] bool explain(const PairSums& sums) const {
+        int numbers = 0;
+        bool some = false;
+        const auto explained = [&](const AnswerPart& with, const AnswerPart& without) {
+            some = some || without.is_wrong();
+            return with.off <= std::max(with.noise, unexplained_of_point * without.off);
+        };
+        bool all = true;
+        if (answer_.potential_energy) {
+            all = all && explained(parts_.energy(sums), parts_.energy(expected_.sums));
+            ++numbers;
+        }
+        if (answer_.virial) {
+            all = all && explained(parts_.virial(sums), parts_.virial(expected_.sums));
+            ++numbers;
+        }
+        if (!answer_.forces.empty()) {
+            all = all && explained(parts_.forces(sums), parts_.forces(expected_.sums));
+            numbers += 2;
+        }
+        return all && some && numbers > 1;
+    }
+
+    [[nodiscard]] std::optional<std::string> epsilon() const {
+        const std::optional<double> c = parts_.factor();
+        if (!c || !std::isfinite(*c)) {
+            return std::nullopt;
+        }
+        if (explain(pairs_.sums(fluid_.potential, {.epsilon = *c}))) {
+            return fmt::format(
+                "epsilon off: energy, virial and forces are those of an epsilon of {:.10g}, where it is 1", *c);
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] std::optional<std::string> no_images() const {
+        if (explain(pairs_.sums(fluid_.potential, {.images = false}))) {
+            return "missing image: pairs that are near each other through a wall of the box are left out, all others "
+                   "are "
+                   "right";
+        }
+        return std::nullopt;
+    }
+
+    /// Distance of an answer from the sums, for a search: forces if there are any.
+    [[nodiscard]] double distance(const PairSums& sums) const {
+        if (!answer_.forces.empty()) {
+            return parts_.forces(sums).off;
+        }
+        return answer_.virial ? parts_.virial(sums).off : parts_.energy(sums).off;
+    }
+
+    [[nodiscard]] std::optional<std::string> sigma() const {
+        const double cutoff = fluid_.potential.cutoff().radius;
+        for (const bool moves : {false, true}) {
+            // u(r/s) within rc: the cutoff in units of s sigma is rc/s.
+            const auto potential = [&](double s) {
+                return moves ? fluid_.potential : with_cutoff(fluid_.potential, cutoff / s);
+            };
+            const auto sums = [&](double s) { return pairs_.sums(potential(s), {.sigma = s}); };
+            const double s = best_scale([&](double scale) { return distance(sums(scale)); },
+                                        moves ? std::min(largest_scale, range_ / cutoff) : largest_scale);
+            if (explain(sums(s))) {
+                return fmt::format(
+                    "sigma off: energy, virial and forces are those of a sigma of {:.10g}, where it is 1{}", s,
+                    moves ? ", and the cutoff with it" : "");
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// The scale of length with the smallest distance: by a grid, then by golden section.
+    template <class Distance>
+    [[nodiscard]] static double best_scale(const Distance& off, double highest) {
+        constexpr int steps = 40;
+        constexpr double lowest = 0.8;
+        const double width = (highest - lowest) / steps;
+        double best = 1.0;
+        double smallest = off(1.0);
+        for (int k = 0; k <= steps; ++k) {
+            const double s = lowest + k * width;
+            if (const double here = off(s); here < smallest) {
+                smallest = here;
+                best = s;
+            }
+        }
+        return golden_section(off, best - width, std::min(best + width, highest));
+    }
+
+    [[nodiscard]] std::optional<std::string> other_cutoff() const {
+        const double cutoff = fluid_.potential.cutoff().radius;
+        const auto sums = [&](double radius) { return pairs_.sums(with_cutoff(fluid_.potential, radius)); };
+        const std::string& truncation = fluid_.potential.truncation();
+        const auto [low, high] =
+            truncation == "cut" || truncation == "shifted" ? bracket_of_cutoff() : bracket_by_grid(sums);
+        const double refined =
+            truncation == "cut" ? 0.5 * (low + high)
+                                : golden_section(
+                                      [&](double radius) {
+                                          const PairSums found = sums(radius);
+                                          return answer_.potential_energy ? parts_.energy(found).off : distance(found);
+                                      },
+                                      low, high);
+        if (std::abs(refined - cutoff) > 1e-12 && explain(sums(refined))) {
+            return fmt::format(
+                "other cutoff: energy, virial and forces are those of a cutoff between {:.8g} and {:.8g}, where it is "
+                "{:g}",
+                low, high, cutoff);
+        }
+        return std::nullopt;
+    }
+
+    /// Forces of a plain cut or shift change with the cutoff where a pair comes in: pairs are added one by one in the
+    /// order of their distances, and those distances are returned between which the answer is met best.
+    [[nodiscard]] std::pair<double, double> bracket_of_cutoff() const {
+        std::vector<NearPairs::Pair> sorted = pairs_.pairs();
+        std::ranges::sort(sorted, {}, &NearPairs::Pair::distance);
+        std::vector<Vec3> rest = answer_.forces;  // of the forces, when those of the pairs so far are taken off
+        double squares = rest.empty() ? 0.0 : dot(rest, rest);
+        double virial = answer_.virial.value_or(0.0);
+        double smallest = std::numeric_limits<double>::infinity();
+        std::size_t last = 0;
+        for (std::size_t k = 0; k < sorted.size(); ++k) {
+            const NearPairs::Pair& pair = sorted[k];
+            const double w = fluid_.potential.untruncated(pair.distance).w;
+            virial -= w * pair.distance * pair.distance;
+            if (!rest.empty()) {
+                squares -= rest[pair.i].squaredNorm() + rest[pair.j].squaredNorm();
+                rest[pair.i] -= w * pair.separation;
+                rest[pair.j] += w * pair.separation;
+                squares += rest[pair.i].squaredNorm() + rest[pair.j].squaredNorm();
+            }
+            const double off = rest.empty() ? std::abs(virial) : squares;
+            if (off < smallest) {
+                smallest = off;
+                last = k;
+            }
+        }
+        return sorted.empty()
+                   ? std::pair(range_, range_)
+                   : std::pair(sorted[last].distance, last + 1 < sorted.size() ? sorted[last + 1].distance : range_);
+    }
+
+    template <class Sums>
+    [[nodiscard]] std::pair<double, double> bracket_by_grid(const Sums& sums) const {
+        constexpr int steps = 60;
+        const double least =
+            std::max(0.6 * fluid_.potential.cutoff().radius, fluid_.potential.cutoff().switch_start * 1.0001);
+        const double width = (range_ - least) / steps;
+        double best = least;
+        double smallest = std::numeric_limits<double>::infinity();
+        for (int k = 0; k <= steps; ++k) {
+            const double radius = least + k * width;
+            if (const double here = distance(sums(radius)); here < smallest) {
+                smallest = here;
+                best = radius;
+            }
+        }
+        return {std::max(least, best - width), std::min(range_, best + width)};
+    }
+
+    template <class F>
+    [[nodiscard]] static double golden_section(const F& f, double low, double high) {
+        constexpr double golden = 0.6180339887498949;
+        for (int k = 0; k < 70; ++k) {
+            const double left = high - golden * (high - low);
+            const double right = low + golden * (high - low);
+            (f(left) < f(right) ? high : low) = f(left) < f(right) ? right : left;
+        }
+        return 0.5 * (low + high);
+    }
+
+    const Fluid& fluid_;
+    const ExpectedPoint& expected_;
+    const PointAnswer& answer_;
+    AnswerParts parts_;
+    double range_;
+    NearPairs pairs_;
+};
+
+}  // namespace
+
+AnswerPart AnswerParts::energy(const PairSums& sums) const {
+    return {std::abs(*answer_.potential_energy - sums.potential_energy - expected_.tail_energy),
+            tolerance_ * std::abs(expected_.sums.potential_energy)};
+}
+
+AnswerPart AnswerParts::virial(const PairSums& sums) const {
+    return {std::abs(*answer_.virial - sums.virial),
+            tolerance_ * (2.0 * expected_.kinetic_energy + std::abs(expected_.sums.virial))};
+}
+
+AnswerPart AnswerParts::forces(const PairSums& sums) const {
+    return {std::sqrt(squared_distance(answer_.forces, sums.forces)), tolerance_ * norm(expected_.sums.forces)};
+}
+
+std::optional<double> AnswerParts::factor() const {
+    if (!answer_.forces.empty()) {
+        return dot(answer_.forces, expected_.sums.forces) / dot(expected_.sums.forces, expected_.sums.forces);
+    }
+    return answer_.virial ? std::optional(*answer_.virial / expected_.sums.virial) : std::nullopt;
+}
+
+std::optional<std::string> joint_mistake(const Fluid& fluid, const ExpectedPoint& expected, const PointAnswer& answer,
+                                         double tolerance) {
+    return Case(fluid, expected, answer, tolerance).joint();
+}
+
+}  // namespace ljmd

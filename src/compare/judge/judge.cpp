@@ -1,0 +1,314 @@
+#include "ljmd/compare/judge/judge.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ljmd/compare/judge/frame_judgement.hpp"
+#include "ljmd/compare/judge/own_run.hpp"
+#include "ljmd/compare/judge/point_judgement.hpp"
+#include "ljmd/compare/point_comparison.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Relative differences below this are none, for a diagnosis.
+constexpr double default_noise = 1e-10;
+constexpr double noise_of_mixed_precision = 1e-4;
+
+/// Numbers of a table may have been through text of ten digits.
+constexpr double digits_of_table = 1e-9;
+
+/// The judgement of one answer, part by part.
+class Session {
+  public:
+    Session(const Problem& problem, const Answer& answer, const OwnSide& own,
+            const std::function<void(const std::string&)>& say, const Interruption& interruption)
+        : problem_(problem),
+          answer_(answer),
+          own_(own),
+          say_(say),
+          interruption_(interruption),
+          is_mixed_(own.execution.precision() == Precision::mixed),
+          situation_(situation_of(problem.fluid, problem.stage.time_step)),
+          agreement_(is_mixed_ ? single_agreement(situation_) : engine_agreement(situation_)),
+          expected_(expected_point(problem.fluid, point_of(problem.fluid, *force_field(), own.execution))) {}
+
+    void point() {
+        const PointAnswer& point = answer_.point;
+        if (point.is_empty()) {
+            leave_out("point", "there is no point.json, and no frame with forces beside it");
+            return;
+        }
+        if (!point.potential_energy) leave_out("potential energy", "missing in point.json");
+        if (!point.virial) leave_out("virial", "missing in point.json");
+        if (point.forces.empty()) leave_out("forces of the start", "missing in point.json, and there is no point.xyz");
+        append(check_point(expected_, point, agreement_));
+        diagnose(point, "");
+        few_digits(check_point(expected_, point, single_agreement(situation_)));
+    }
+
+    void trajectory() {
+        JudgedTrajectory trajectory{problem_.fluid.edges, problem_.stage.time_step, {}};
+        std::vector<Index> missing;
+        for (const Index step : problem_.frames) {
+            const auto found =
+                std::ranges::find(answer_.frames, step, [](const Frame& frame) { return frame.configuration.step; });
+            if (found == answer_.frames.end()) {
+                missing.push_back(step);
+            } else {
+                trajectory.frames.push_back({.step = step,
+                                             .positions = found->configuration.positions,
+                                             .velocities = found->configuration.velocities,
+                                             .forces = found->forces});
+            }
+        }
+        if (trajectory.frames.empty()) {
+            leave_out("trajectory", answer_.frames.empty() ? "there are no frames"
+                                                           : fmt::format("there is no frame of one of the steps {}",
+                                                                         fmt::join(problem_.frames, ", ")));
+            return;
+        }
+        if (!missing.empty()) {
+            leave_out(fmt::format("trajectory at step{} {}", missing.size() == 1 ? "" : "s", fmt::join(missing, ", ")),
+                      "no frame");
+        }
+        const auto lacks = [&](auto member) {
+            return std::ranges::any_of(trajectory.frames,
+                                       [&](const JudgedFrame& frame) { return (frame.*member).empty(); });
+        };
+        if (lacks(&JudgedFrame::velocities))
+            leave_out("kinetic energies of the trajectory", "frames have no velocities");
+        if (lacks(&JudgedFrame::forces)) leave_out("forces along the trajectory", "frames have no forces");
+        say_(fmt::format("following the trajectory over {} steps", trajectory.frames.back().step));
+        follow(problem_.fluid, *force_field(), own_.execution, trajectory);
+        append(check_trajectory(trajectory, problem_.frames, agreement_));
+        for (const std::string& words : diagnose_trajectory(trajectory, problem_.fluid.potential, agreement_)) {
+            note(words);
+        }
+        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)));
+        const JudgedFrame& first = trajectory.frames.front();
+        if (first.step == 0 && answer_.point.forces.empty() && !first.forces.empty()) {
+            diagnose({.forces = first.forces}, "frame of step 0: ");
+        }
+    }
+
+    void run() {
+        if (!answer_.thermo) {
+            leave_out("averages", "there is no thermo.csv");
+            return;
+        }
+        ThermoAnswer table = *answer_.thermo;
+        const RunConditions conditions = conditions_of_run();
+        check_temperatures(table, conditions);
+        if (table.kinetic_energy.empty()) {
+            for (const double temperature : table.temperature) {
+                table.kinetic_energy.push_back(0.5 * static_cast<double>(conditions.freedom) * temperature);
+            }
+        }
+        if (table.steps.front() == 0) {
+            first_row(table);
+        }
+        const RunSamples theirs = samples_after_start(table);
+        const Index rows = std::ssize(table.steps) - (table.steps.front() == 0 ? 1 : 0);
+        if (rows == 0) {
+            leave_out("averages", "thermo.csv has no row after step 0");
+            return;
+        }
+        if (table.steps.back() < problem_.stage.steps) {
+            result_.warnings.push_back(fmt::format("thermo.csv ends with step {}, the run has {} steps",
+                                                   table.steps.back(), problem_.stage.steps));
+        }
+        say_(fmt::format("sampling the same run of {} steps in ljmd", problem_.stage.steps));
+        const RunSamples ours = own_run(problem_, own_.spec, own_.execution, interruption_);
+        RunJudgement judged = judge_run(conditions, ours, theirs);
+        append(judged.checks);
+        result_.means = std::move(judged.means);
+        for (const std::string& words : judged.diagnoses) note(words);
+        result_.not_judged.insert(result_.not_judged.end(), judged.not_judged.begin(), judged.not_judged.end());
+    }
+
+    Judgement take() {
+        const PairForceField field = make_force_field(own_.spec, own_.execution);
+        const bool kernel = own_.spec.neighbors.keeps_list();
+        result_.atoms = expected_.atoms;
+        result_.steps_before = problem_.steps_before;
+        result_.engine = answer_.engine.empty() ? "the engine" : answer_.engine;
+        result_.path = fmt::format("{}, {}, {} precision, {} thread{}", own_.search,
+                                   kernel ? std::string(name(field.simd())) : "scalar", name(field.precision()),
+                                   own_.execution.threads(), own_.execution.threads() == 1 ? "" : "s");
+        result_.warnings.insert(result_.warnings.begin(), answer_.warnings.begin(), answer_.warnings.end());
+        return std::move(result_);
+    }
+
+  private:
+    [[nodiscard]] std::unique_ptr<ForceField> force_field() const {
+        return std::make_unique<PairForceField>(make_force_field(own_.spec, own_.execution));
+    }
+
+    void append(const std::vector<Check>& more) {
+        result_.checks.insert(result_.checks.end(), more.begin(), more.end());
+    }
+
+    void leave_out(const std::string& what, const std::string& why) {
+        result_.not_judged.push_back(fmt::format("{}: {}", what, why));
+    }
+
+    void note(const std::string& words) {
+        if (std::ranges::find(result_.diagnoses, words) == result_.diagnoses.end()) {
+            result_.diagnoses.push_back(words);
+        }
+    }
+
+    void diagnose(const PointAnswer& point, const std::string& where) {
+        const double noise = is_mixed_ ? noise_of_mixed_precision : default_noise;
+        for (const std::string& words : diagnose_point(problem_.fluid, expected_, point, noise)) {
+            note(where + words);
+        }
+    }
+
+    /// @param wide  the same checks as those that were appended last, by the tolerances of single precision
+    void few_digits(const std::vector<Check>& wide) {
+        const auto begin = result_.checks.end() - std::ssize(wide);
+        const bool some = std::any_of(begin, result_.checks.end(), [](const Check& check) { return !check.passed(); });
+        const bool all = std::ranges::all_of(wide, [](const Check& check) { return check.passed(); });
+        if (some && all && result_.diagnoses.empty()) {
+            note(
+                "few digits: all differences are as small as those of single precision: the engine computes in it, or "
+                "its "
+                "files have less than 15 digits; with --precision mixed it is judged by that");
+        }
+    }
+
+    [[nodiscard]] RunConditions conditions_of_run() const {
+        const Stage& stage = problem_.stage;
+        RunConditions conditions{.atoms = expected_.atoms,
+                                 .time_step = stage.time_step,
+                                 .freedom = answer_.degrees_of_freedom.value_or(freedom_of(stage, expected_.atoms)),
+                                 .our_freedom = freedom_of(stage, expected_.atoms)};
+        if (stage.thermostat) conditions.temperature = stage.temperature;
+        if (stage.barostat) conditions.pressure = stage.barostat->options->held_pressure();
+        return conditions;
+    }
+
+    /// Temperature and kinetic energy of a table are one quantity.
+    void check_temperatures(const ThermoAnswer& table, const RunConditions& conditions) {
+        if (table.temperature.empty() || table.kinetic_energy.empty() || conditions.freedom == 0) {
+            return;
+        }
+        double largest = 0.0;
+        double largest_by_all = 0.0;
+        for (std::size_t k = 0; k < table.steps.size(); ++k) {
+            const double right = 2.0 * table.kinetic_energy[k] / static_cast<double>(conditions.freedom);
+            const double all = 2.0 * table.kinetic_energy[k] / (3.0 * static_cast<double>(conditions.atoms));
+            largest = larger_or_nan(largest, relative_difference(table.temperature[k], right));
+            largest_by_all = larger_or_nan(largest_by_all, relative_difference(table.temperature[k], all));
+        }
+        const double tolerance = is_mixed_ ? noise_of_mixed_precision : digits_of_table;
+        result_.checks.push_back({"thermo.csv: temperature and 2 K/f, largest difference", largest, tolerance});
+        if (!(largest <= tolerance) && largest_by_all <= tolerance) {
+            note(
+                "3N against 3N-3: the temperature of thermo.csv is 2 K/(3 N); a centre of mass at rest takes three "
+                "degrees of "
+                "freedom, T = 2 K/(3 N - 3)");
+        }
+    }
+
+    /// The row of step 0 is of the start, whose numbers are known to the last digits.
+    void first_row(const ThermoAnswer& table) {
+        const auto first = [](const std::vector<double>& column) {
+            return column.empty() ? std::nullopt : std::optional(column.front());
+        };
+        const PointAnswer row{.potential_energy = first(table.potential_energy),
+                              .kinetic_energy = first(table.kinetic_energy),
+                              .pressure = first(table.pressure)};
+        Agreement of_table = agreement_;
+        for (double* limit : {&of_table.energy, &of_table.pressure}) {
+            *limit = std::max(*limit, digits_of_table);
+        }
+        for (Check check : check_point(expected_, row, of_table)) {
+            check.name = "thermo.csv, step 0: " + check.name;
+            result_.checks.push_back(check);
+        }
+        diagnose(row, "thermo.csv, step 0: ");
+        const double ours = expected_.kinetic_energy;
+        if (row.kinetic_energy && !(relative_difference(*row.kinetic_energy, ours) <= of_table.energy)) {
+            for (const double side : {-1.0, 1.0}) {
+                const double half = half_step_kinetic_energy(problem_.fluid, expected_.sums.forces,
+                                                             0.5 * side * problem_.stage.time_step);
+                if (relative_difference(*row.kinetic_energy, half) <= of_table.energy) {
+                    note(
+                        fmt::format("half-step velocities: the kinetic energy of thermo.csv is that of velocities half "
+                                    "a time step {}",
+                                    side < 0.0 ? "earlier" : "later"));
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] static RunSamples samples_after_start(const ThermoAnswer& table) {
+        const std::ptrdiff_t skipped = table.steps.front() == 0 ? 1 : 0;
+        const auto rest = [&](const std::vector<double>& column) {
+            return column.empty() ? column : std::vector<double>(column.begin() + skipped, column.end());
+        };
+        return {rest(table.potential_energy), rest(table.kinetic_energy), rest(table.pressure), rest(table.volume)};
+    }
+
+    const Problem& problem_;
+    const Answer& answer_;
+    const OwnSide& own_;
+    const std::function<void(const std::string&)>& say_;
+    const Interruption& interruption_;
+    bool is_mixed_;
+    Situation situation_;
+    Agreement agreement_;
+    ExpectedPoint expected_;
+    Judgement result_{};
+};
+
+}  // namespace
+
+Index Judgement::failures() const {
+    return std::ranges::count_if(checks, [](const Check& check) { return !check.passed(); });
+}
+
+Problem problem_of(const Deck& deck, Fluid fluid, const CrosscheckOptions& options) {
+    constexpr Index max_samples = 100'000;
+    Stage stage = deck.stages[first_sampled(deck.stages)];
+    stage.total_energy.reset();
+    stage.reverse = false;
+    stage.until.clear();
+    std::vector<Index> frames{0};
+    for (const Index step : options.frames) {
+        if (step <= options.steps) {
+            frames.push_back(step);
+        }
+    }
+    std::ranges::sort(frames);
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    const Index last = frames.back();
+    const Index every = deck.thermo_every * std::max<Index>(1, stage.steps / deck.thermo_every / max_samples);
+    return {.fluid = std::move(fluid),
+            .stage = std::move(stage),
+            .steps_before = steps_before_crosscheck(deck),
+            .trajectory_steps = last,
+            .frames = std::move(frames),
+            .thermo_every = every,
+            .parts = options.parts};
+}
+
+Judgement judge(const Problem& problem, const Answer& answer, const OwnSide& own,
+                const std::function<void(const std::string&)>& say, const Interruption& interruption) {
+    Session session(problem, answer, own, say, interruption);
+    if (problem.wants("point")) session.point();
+    if (problem.wants("trajectory")) session.trajectory();
+    if (problem.wants("averages")) session.run();
+    return session.take();
+}
+
+}  // namespace ljmd

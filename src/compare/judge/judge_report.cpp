@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include "ljmd/compare/crosscheck_report.hpp"
+#include "ljmd/compare/judge/judge.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/core/text_table.hpp"
+#include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/run/run_report.hpp"
+
+namespace ljmd {
+
+namespace {
+
+using Align = TextTable::Align;
+
+std::string mean_lines(const std::vector<ComparedMean>& means) {
+    constexpr std::size_t width = 10;
+    TextTable table({{"average", Align::left, 20},
+                     {"ljmd", Align::right, width},
+                     {"error", Align::right, width},
+                     {"engine", Align::right, width},
+                     {"error", Align::right, width},
+                     {"sigmas", Align::right, 7}});
+    for (const ComparedMean& mean : means) {
+        table.add({mean.name, fmt::format("{:.6f}", mean.ours.mean), fmt::format("{:.6f}", mean.ours.standard_error),
+                   fmt::format("{:.6f}", mean.theirs.mean), fmt::format("{:.6f}", mean.theirs.standard_error),
+                   fmt::format("{:.2f}", mean.sigmas())});
+    }
+    return table.text() + "energies are of an atom; pressures are (2 K + W)/(3 V) and the tail\n";
+}
+
+std::string list(const std::string& title, const std::vector<std::string>& items) {
+    std::string text;
+    for (const std::string& item : items) {
+        text += wrapped("  " + item, screen_columns, 4) + "\n";
+    }
+    return text.empty() ? text : title + "\n" + text + "\n";
+}
+
+Data estimate_data(const Estimate& estimate) {
+    return {{"mean", estimate.mean}, {"standard_error", estimate.standard_error}};
+}
+
+}  // namespace
+
+std::string judgement_table(const Judgement& found, const Deck& deck) {
+    std::string text = fmt::format("{}\nagainst {}\n{} atoms, after {} steps of the deck\nljmd: {}\n\n",
+                                   title_line(deck), found.engine, found.atoms, found.steps_before, found.path);
+    if (!found.checks.empty()) {
+        text += check_lines(found.checks) + '\n';
+    }
+    if (!found.means.empty()) {
+        text += mean_lines(found.means) + '\n';
+    }
+    text += list("diagnosis:", found.diagnoses) + list("not judged:", found.not_judged);
+    if (found.checks.empty()) {
+        return text + "nothing was judged\n";
+    }
+    return text + (found.passed()
+                       ? fmt::format("all {} checks passed\n", found.checks.size())
+                       : fmt::format("{} of {} checks FAILED{}\n", found.failures(), found.checks.size(),
+                                     found.diagnoses.empty() ? "; no mistake that is known explains it" : ""));
+}
+
+std::string judgement_json(const Judgement& found, const Deck& deck, const std::string& with) {
+    Data averages = Data::object();
+    for (const ComparedMean& mean : found.means) {
+        averages[mean.name] = {
+            {"ljmd", estimate_data(mean.ours)}, {"peer", estimate_data(mean.theirs)}, {"sigmas", mean.sigmas()}};
+    }
+    return to_json({{"deck", deck.path},
+                    {"with", with},
+                    {"peer", found.engine},
+                    {"atoms", found.atoms},
+                    {"steps_before", found.steps_before},
+                    {"path", found.path},
+                    {"pressure_convention", "(2 K + W)/(3 V), with tail"},
+                    {"checks", checks_data(found.checks)},
+                    {"passed", found.passed()},
+                    {"averages", {{"observables", averages}}},
+                    {"diagnoses", found.diagnoses},
+                    {"not_judged", found.not_judged},
+                    {"warnings", found.warnings}});
+}
+
+}  // namespace ljmd

@@ -1,0 +1,117 @@
+#include "ljmd/compare/judge/own_run.hpp"
+
+#include "ljmd/engine/time_loop.hpp"
+#include "ljmd/integrators/integrator.hpp"
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+/// Vectors of a state by id.
+template <class Vector>
+std::vector<Vec3> by_id(const State& state, const Vector& vector) {
+    std::vector<Vec3> result(static_cast<std::size_t>(state.count()));
+    for (Index i = 0; i < state.count(); ++i) {
+        result[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])] = vector(i);
+    }
+    return result;
+}
+
+std::vector<Vec3> forces_of(const State& state) {
+    return by_id(state, [&](Index i) -> Vec3 { return state.forces().col(i); });
+}
+
+/// Forces of ljmd at positions anywhere.
+std::vector<Vec3> forces_at(const Fluid& fluid, const std::vector<Vec3>& positions, ForceField& force_field,
+                            const Execution& execution) {
+    State state(std::ssize(positions), Box(fluid.edges), execution);
+    auto r = state.write_positions();
+    for (Index i = 0; i < state.count(); ++i) {
+        const Vec3& place = positions[static_cast<std::size_t>(i)];
+        r.col(i) = state.snapped(place - state.box().crossings(place).cwiseProduct(fluid.edges));
+    }
+    state.wrap();
+    force_field.evaluate(state, Request::forces);
+    return forces_of(state);
+}
+
+/// Samples the state between steps.
+class Sampler : public StepObserver {
+  public:
+    Sampler(const State& state, const TailCorrection& tail, Index every, const Interruption& interruption)
+        : state_(state), tail_(tail), every_(every), interruption_(interruption) {}
+
+    void started(const Evaluation&) override {}
+    void stage_begins(const Stage&) override {}
+    [[nodiscard]] bool wants_energy(Index step) const override { return step % every_ == 0; }
+    [[nodiscard]] bool reads_velocities(Index step) const override { return step % every_ == 0; }
+    void moved(Index) override {}
+    void step_done(const Stage&, const Evaluation& evaluation) override {
+        if (interruption_.request()) {
+            interruption_.stop_many_runs();
+        }
+        if (state_.step % every_ != 0) {
+            return;
+        }
+        const auto atoms = static_cast<double>(state_.count());
+        const double volume = state_.box().edges().prod();
+        const double kinetic = kinetic_energy(state_);
+        samples_.potential_energy.push_back(evaluation.potential_energy + atoms * tail_.energy(atoms / volume));
+        samples_.kinetic_energy.push_back(kinetic);
+        samples_.pressure.push_back((2.0 * kinetic + evaluation.virial.trace()) / (3.0 * volume) +
+                                    tail_.pressure(atoms / volume));
+        samples_.volume.push_back(volume);
+    }
+    void stage_ends(const Stage&) override {}
+
+    RunSamples take() { return std::move(samples_); }
+
+  private:
+    const State& state_;
+    TailCorrection tail_;
+    Index every_;
+    const Interruption& interruption_;
+    RunSamples samples_;
+};
+
+}  // namespace
+
+void follow(const Fluid& fluid, ForceField& force_field, const Execution& execution, JudgedTrajectory& trajectory) {
+    State state = state_of(fluid, execution);
+    const Integrator method(find_integrator("velocity-verlet"), trajectory.time_step);
+    force_field.evaluate(state, Request::forces_and_energy);
+    method.prepare(state, force_field);
+    Index done = 0;
+    for (JudgedFrame& frame : trajectory.frames) {
+        for (; done < frame.step; ++done) {
+            method.step(state, force_field, Request::forces);
+        }
+        const State& now = state;
+        frame.our_positions = by_id(now, [&](Index i) -> Vec3 { return now.unwrapped(i); });
+        frame.our_velocities = by_id(now, [&](Index i) -> Vec3 { return now.velocities().col(i); });
+        frame.our_forces = forces_of(now);
+    }
+    for (JudgedFrame& frame : trajectory.frames) {
+        frame.forces_there = forces_at(fluid, frame.positions, force_field, execution);
+    }
+}
+
+RunSamples own_run(const Problem& problem, const FluidSpec& spec, const Execution& execution,
+                   const Interruption& interruption) {
+    State state = state_of(problem.fluid, execution);
+    PairForceField force_field = make_force_field(spec, execution);
+    Sampler sampler(state, spec.interaction().tail, problem.thermo_every, interruption);
+    run_stages({problem.stage}, state, force_field, sampler, std::nullopt, spec.interaction());
+    return sampler.take();
+}
+
+double half_step_kinetic_energy(const Fluid& fluid, const std::vector<Vec3>& forces, double t) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        twice += fluid.masses[i] * (fluid.velocities[i] + t / fluid.masses[i] * forces[i]).squaredNorm();
+    }
+    return 0.5 * twice;
+}
+
+}  // namespace ljmd

@@ -1,0 +1,249 @@
+#include "ljmd/compare/judge/run_judgement.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "ljmd/model/velocities.hpp"
+
+namespace ljmd {
+
+namespace {
+
+constexpr double max_sigmas_of_distribution = 4.0;
+constexpr double max_gamma_distance = 1.95;  // exceeded once in a thousand times
+
+/// What a time step does to the mean kinetic energy of velocity Verlet, relative, in a dense liquid at 0.004 tau. It
+/// grows like the square of the time step.
+constexpr double time_step_effect = 1e-3;
+constexpr double usual_time_step = 0.004;
+
+Estimate estimate_of(const std::vector<double>& series) {
+    BlockingAccumulator blocks(1, Covariance::diagonal);
+    for (const double x : series) {
+        blocks.add(Eigen::VectorXd::Constant(1, x));
+    }
+    return blocks.estimate(0);
+}
+
+double mean_of(const std::vector<double>& series) {
+    return std::accumulate(series.begin(), series.end(), 0.0) / static_cast<double>(series.size());
+}
+
+/// The variance of a correlated series with its standard error.
+Estimate variance_of(const std::vector<double>& series) {
+    const double mean = mean_of(series);
+    std::vector<double> squares;
+    squares.reserve(series.size());
+    for (const double x : series) {
+        squares.push_back((x - mean) * (x - mean));
+    }
+    return estimate_of(squares);
+}
+
+/// a x + b y + c z, of the series that are there.
+std::vector<double> sum_of(const std::vector<double>& x, const std::vector<double>& y, double c,
+                           const std::vector<double>& z) {
+    std::vector<double> sums;
+    sums.reserve(x.size());
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        sums.push_back(x[k] + y[k] + c * z[k]);
+    }
+    return sums;
+}
+
+std::vector<double> scaled(std::vector<double> series, double factor) {
+    for (double& x : series) {
+        x *= factor;
+    }
+    return series;
+}
+
+/// Collects a judgement.
+class Judge {
+  public:
+    Judge(const RunConditions& conditions, const RunSamples& ours, const RunSamples& theirs)
+        : conditions_(conditions), ours_(ours), theirs_(theirs) {}
+
+    RunJudgement judge() {
+        const auto atoms = static_cast<double>(conditions_.atoms);
+        const double freedom = std::max(1.0, static_cast<double>(conditions_.freedom));
+        const double our_freedom = std::max(1.0, static_cast<double>(conditions_.our_freedom));
+        compare_means("temperature", scaled(ours_.kinetic_energy, 2.0 / our_freedom),
+                      scaled(theirs_.kinetic_energy, 2.0 / freedom));
+        compare_means("potential_energy", scaled(ours_.potential_energy, 1.0 / atoms),
+                      scaled(theirs_.potential_energy, 1.0 / atoms));
+        if (conditions_.freedom == conditions_.our_freedom) {
+            compare_means("pressure", ours_.pressure, theirs_.pressure);
+        } else {
+            leave_out("mean pressure", "the engine's kinetic energy has other degrees of freedom");
+        }
+        if (conditions_.temperature) {
+            judge_kinetic_energy();
+        }
+        if (conditions_.pressure) {
+            compare_means("volume", ours_.volume, theirs_.volume);
+            compare_variances("volume", ours_.volume, theirs_.volume);
+            const bool all =
+                !theirs_.volume.empty() && !theirs_.potential_energy.empty() && !theirs_.kinetic_energy.empty();
+            const auto enthalpy = [&](const RunSamples& of) {
+                return all ? sum_of(of.potential_energy, of.kinetic_energy, *conditions_.pressure, of.volume)
+                           : std::vector<double>{};
+            };
+            compare_means("enthalpy", scaled(enthalpy(ours_), 1.0 / atoms), scaled(enthalpy(theirs_), 1.0 / atoms));
+            compare_variances("enthalpy", enthalpy(ours_), enthalpy(theirs_));
+        }
+        return std::move(result_);
+    }
+
+  private:
+    void leave_out(const std::string& what, const std::string& why) {
+        result_.not_judged.push_back(fmt::format("{}: {}", what, why));
+    }
+
+    /// Whether errors of both series are known; else says so.
+    bool are_known(const std::string& name, const Estimate& ours, const Estimate& theirs) {
+        for (const auto& [whose, estimate] : {std::pair("of ljmd", &ours), std::pair("of the engine", &theirs)}) {
+            if (!estimate->converged || !std::isfinite(estimate->standard_error)) {
+                leave_out(
+                    name,
+                    fmt::format("the run {} is too short, {} samples of it are worth {:.0f} independent ones", whose,
+                                estimate->samples,
+                                std::isfinite(estimate->independent_samples) ? estimate->independent_samples : 0.0));
+                return false;
+            }
+        }
+        return true;
+    }
+
+    void compare_means(const std::string& name, const std::vector<double>& ours, const std::vector<double>& theirs) {
+        if (theirs.empty() || ours.empty()) {
+            leave_out("mean " + name, "thermo.csv has no such column");
+            return;
+        }
+        const ComparedMean mean{name, estimate_of(ours), estimate_of(theirs)};
+        if (are_known("mean " + name, mean.ours, mean.theirs)) {
+            result_.means.push_back(mean);
+            result_.checks.push_back({"mean " + name + ", standard errors apart", mean.sigmas(), max_sigmas});
+        }
+    }
+
+    void compare_variances(const std::string& name, const std::vector<double>& ours,
+                           const std::vector<double>& theirs) {
+        if (theirs.empty()) {
+            return;  // the mean has said so
+        }
+        const Estimate our_variance = variance_of(ours);
+        const Estimate their_variance = variance_of(theirs);
+        if (!are_known("variance of " + name, our_variance, their_variance)) {
+            return;
+        }
+        const double error = std::hypot(our_variance.standard_error / our_variance.mean,
+                                        their_variance.standard_error / their_variance.mean);
+        const double ratio = their_variance.mean / our_variance.mean;
+        const double sigmas = std::abs(std::log(ratio)) / error;
+        result_.checks.push_back({"variance of " + name + ", standard errors apart",
+                                  std::isnan(sigmas) ? std::numeric_limits<double>::infinity() : sigmas,
+                                  max_sigmas_of_distribution});
+        if (!(sigmas <= max_sigmas_of_distribution) && ratio < 1.0) {
+            result_.diagnoses.push_back(
+                fmt::format("too little fluctuation: the variance of the {} is {:.2g} of that at constant pressure and "
+                            "temperature: "
+                            "a barostat like that of Berendsen",
+                            name, ratio));
+        }
+    }
+
+    void judge_kinetic_energy() {
+        const std::vector<double>& k = theirs_.kinetic_energy;
+        if (k.empty()) {
+            leave_out("distribution of the kinetic energy", "thermo.csv has neither kinetic_energy nor temperature");
+            return;
+        }
+        const auto freedom = static_cast<double>(conditions_.freedom);
+        const double temperature = *conditions_.temperature;
+        const Estimate mean = estimate_of(k);
+        const Estimate variance = variance_of(k);
+        if (!are_known("distribution of the kinetic energy", mean, mean) ||
+            !are_known("variance of the kinetic energy", variance, variance)) {
+            return;
+        }
+        const double expected = 0.5 * freedom * temperature;
+        const double step = conditions_.time_step / usual_time_step;
+        const double allowed = time_step_effect * step * step * expected;
+        const auto sigmas_from = [&](double value) {
+            const double off = std::max(0.0, std::abs(mean.mean - value) - allowed);
+            return off == 0.0 ? 0.0 : off / mean.standard_error;
+        };
+        const double off = sigmas_from(expected);
+        result_.checks.push_back({"mean kinetic energy from f T/2, standard errors", off, max_sigmas_of_distribution});
+        const double ratio = variance.mean / (0.5 * freedom * temperature * temperature);
+        const double off_variance = std::abs(ratio - 1.0) * variance.mean / ratio / variance.standard_error;
+        result_.checks.push_back({"variance of the kinetic energy from f T^2/2, standard errors",
+                                  std::isnan(off_variance) ? std::numeric_limits<double>::infinity() : off_variance,
+                                  max_sigmas_of_distribution});
+        const double inefficiency = static_cast<double>(mean.samples) / mean.independent_samples;
+        result_.checks.push_back({"distribution of the kinetic energy from gamma(f/2), Kolmogorov and Smirnov",
+                                  gamma_distance(k, 0.5 * freedom, inefficiency), max_gamma_distance});
+        if (!(off <= max_sigmas_of_distribution)) {
+            const Index others = conditions_.freedom == 3 * conditions_.atoms ? degrees_of_freedom(conditions_.atoms)
+                                                                              : 3 * conditions_.atoms;
+            const double all = 0.5 * static_cast<double>(others) * temperature;
+            result_.diagnoses.push_back(
+                sigmas_from(all) < max_sigmas
+                    ? fmt::format(
+                          "3N against 3N-3: the mean kinetic energy is {} T/2, not {:g} T/2: the thermostat counts "
+                          "other degrees of freedom. If it acts on the centre of mass, there are 3 N, else 3 N - 3; "
+                          "degrees_of_freedom in point.json says so where it is right",
+                          others, freedom)
+                    : fmt::format("other temperature: the mean kinetic energy is that of T = {:.5g}, where it is {:g}",
+                                  2.0 * mean.mean / freedom, temperature));
+        }
+        if (!(off_variance <= max_sigmas_of_distribution) && ratio < 1.0) {
+            result_.diagnoses.push_back(
+                fmt::format("too little fluctuation: the variance of the kinetic energy is {:.2g} of the canonical f "
+                            "T^2/2: a thermostat "
+                            "that rescales velocities, or like that of Berendsen",
+                            ratio));
+        }
+    }
+
+    const RunConditions& conditions_;
+    const RunSamples& ours_;
+    const RunSamples& theirs_;
+    RunJudgement result_;
+};
+
+}  // namespace
+
+double ComparedMean::sigmas() const {
+    const double difference = std::abs(ours.mean - theirs.mean);
+    return difference == 0.0 ? 0.0 : difference / std::hypot(ours.standard_error, theirs.standard_error);
+}
+
+double gamma_distance(const std::vector<double>& x, double shape, double inefficiency) {
+    const double scale = mean_of(x) / shape;
+    const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(inefficiency)));
+    std::vector<double> sorted;
+    for (std::size_t k = 0; k < x.size(); k += stride) {
+        sorted.push_back(x[k]);
+    }
+    std::ranges::sort(sorted);
+    const auto n = static_cast<double>(sorted.size());
+    double largest = 0.0;
+    for (std::size_t k = 0; k < sorted.size(); ++k) {
+        const double f = gsl_cdf_gamma_P(sorted[k], shape, scale);
+        const auto below = static_cast<double>(k);
+        largest = std::max({largest, f - below / n, (below + 1.0) / n - f});
+    }
+    return largest * std::sqrt(n);
+}
+
+RunJudgement judge_run(const RunConditions& conditions, const RunSamples& ours, const RunSamples& theirs) {
+    return Judge(conditions, ours, theirs).judge();
+}
+
+}  // namespace ljmd

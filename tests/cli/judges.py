@@ -1,0 +1,375 @@
+"""ljmd compare --with command:... and files:...: the engine of docs/judge.md is right, and each mistake made in it on purpose is
+found and called by its name; engines that fail in other ways get one message each."""
+
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from compares import needs
+from harness import DECK, STARS, Case, compare_refused, same_bits_environment
+
+ENGINE = Path(__file__).resolve().parents[2] / "docs/examples/engine.py"
+STEPS = ("--steps", "100", "--quiet")
+POINT = ("--parts", "point", "--quiet")
+
+
+def engine(t, *replacements, name="engine.py"):
+    """The engine of the docs with (old, new) replaced in its text; returns the option that runs it."""
+    text = ENGINE.read_text(encoding="utf-8")
+    for old, new in replacements:
+        t.equal(text.count(old), 1, f"places of {old!r} in the engine")
+        text = text.replace(old, new)
+    (t.dir / name).write_text(text, encoding="utf-8")
+    return f"command:'{sys.executable}' '{name}' {{input}} {{output}}"
+
+
+def script(t, text):
+    """An engine that is a script in Python: `into` is the answer's directory."""
+    (t.dir / "script.py").write_text(f"import sys\ninto = sys.argv[2]\n{text}\n", encoding="utf-8")
+    return f"command:'{sys.executable}' script.py {{input}} {{output}}"
+
+
+def checks(found):
+    return {check["name"]: check["passed"] for check in found["checks"]}
+
+
+def good_engine(t):
+    t.deck(("steps = 40", "steps = 4000"))
+    result = t.run_well("compare", "deck.toml", "--with", engine(t), *STEPS, "--out", "out", env=same_bits_environment())
+    for words in ("one page of Python", "all 26 checks passed", "mean pressure", "step 100: positions"):
+        t.contains(result.out, words)
+    t.check("not judged" not in result.out and "diagnosis" not in result.out, f"too much is said:\n{result.out}")
+    found = t.json("out/judge.json")
+    t.equal(found["passed"], True, "passed")
+    t.equal(found["diagnoses"], [], "diagnoses")
+    t.equal(found["peer"], "one page of Python", "engine")
+    t.check({"exchange/problem/problem.json", "exchange/problem/start.xyz", "exchange/problem/start.data",
+             "exchange/answer/thermo.csv", "exchange/engine.log"} <= set(t.files("out")), t.files("out"))
+    t.equal(t.json("out/exchange/problem/problem.json")["run"]["ensemble"], "NVE", "ensemble")
+
+
+TAIL = (' + n * potential["tail_energy_per_atom"]', "")
+# name of the mistake -> what is replaced in the engine, words of the diagnosis, a check that fails
+MISTAKES = {
+    "shifted energy": ([(' if potential["truncation"] == "shifted" else 0', "")], "shifted energy: the potential is shifted",
+                       "potential energy"),
+    "missing tail": ([TAIL], "missing tail: the tail correction is left out", "potential energy"),
+    "missing tail of the pressure": ([(' + potential["tail_pressure"]', "")], "missing tail: the pressure", "pressure"),
+    "epsilon off": ([("f = (24", "f = (24 * 1.003"), ("np.sum(4 *", "np.sum(4 * 1.003 *")], "epsilon off",
+                    "largest force difference"),
+    "sigma off": ([("s2 = 1 /", "s2 = 1.01**2 /"), ("* s2)[:, None]", "* s2 / 1.01**2)[:, None]")],
+                  "sigma off: energy, virial and forces are those of a sigma of 1.01,", "largest force difference"),
+    "other cutoff": ([('= potential["cutoff"]', "= 2.3")], "other cutoff", "largest force difference"),
+    "missing image": ([("    d -= edges * np.round(d / edges)\n", "")], "missing image", "largest force difference"),
+    "3N against 3N-3": ([("(3 * n - 3)", "(3 * n)")], "3N against 3N-3: the temperature", "temperature"),
+    "half-step velocities": ([("yield step, u, w, r, v, f", "yield step, u, w, r, v - 0.5 * dt * f, f")],
+                             "half-step velocities", "step 10: kinetic energy"),
+    "half-step start": ([("v = v + 0.5 * dt * f\n        r", "v = v + dt * f\n        r"),
+                         ("evaluate(r)\n        v = v + 0.5 * dt * f", "evaluate(r)")], "half-step start", "step 1: positions"),
+    "another time step": ([('run["time_step"])', '1.01 * run["time_step"])')], "another time step", "step 1: positions"),
+    "stale list": ([("near = np.sum(d * d, axis=1) < cutoff**2",
+                     'old = globals().setdefault("old", np.sum(d * d, axis=1) < (cutoff + 0.05)**2)\n'
+                     "    near = old & (np.sum(d * d, axis=1) < cutoff**2)")], "stale list: forces are right at step",
+                   "step 100: forces at the engine's positions"),
+    "virial of the wrong sign": ([("np.sum(f * d)", "-np.sum(f * d)")], "virial: the sign is wrong", "virial"),
+    "half the virial": ([("np.sum(f * d)", "0.5 * np.sum(f * d)")], "virial: half of it", "virial"),
+    "forces of the wrong sign": ([('"forces": f.tolist()', '"forces": (-f).tolist()')], "forces: all have the wrong sign",
+                                 "largest force difference"),
+    "energy of one atom": ([("return u + n", "return (u + n"), ('per_atom"],', 'per_atom"]) / n,')], "energy of one atom",
+                           "potential energy"),
+    "few digits": ([('"X" + 9 * " %.17g"', '"X" + 9 * " %.9f"')], "few digits", "step 1: positions"),
+    "another integrator": ([("r = r + dt * v", "r = r + dt * v + 1e-3 * dt**2 * np.sin(v)")], "integration: at step 1",
+                           "step 1: positions"),
+}
+
+
+def mistake(replacements, words, failing):
+    def test(t):
+        t.deck()
+        result = t.expect(5, t.run("compare", "deck.toml", "--with", engine(t, *replacements), *STEPS, "--json"))
+        (t.dir / "found.json").write_text(result.out)
+        found = t.json("found.json")
+        t.check(any(words in diagnosis for diagnosis in found["diagnoses"]), f"{words!r} is not in {found['diagnoses']}")
+        t.equal(checks(found)[failing], False, failing)
+        t.contains(result.err, "differ")
+    return test
+
+
+def unknown_mistake(t):
+    t.deck()
+    result = t.expect(5, t.run("compare", "deck.toml", *POINT, "--with", engine(t, ("s2**6 - s2**3) - shift", "s2**6 - s2**3 + 0.1) - shift"))))
+    t.contains(result.out, "no mistake that is known explains it")
+
+
+def missing_parts_are_named(t):
+    """What is missing is no failure."""
+    t.deck()
+    result = t.run_well("compare", "deck.toml", *STEPS, "--with", script(t, """
+import json
+problem = json.load(open(sys.argv[1] + "/problem.json"))
+rows = [line.split() for line in open(sys.argv[1] + "/start.xyz")][2:]
+k = sum(0.5 * float(x)**2 for row in rows for x in row[4:7])
+json.dump({"kinetic_energy": k}, open(into + "/point.json", "w"))
+"""))
+    for words in ("all 1 checks passed", "potential energy: missing in point.json", "virial: missing", "forces of the start: missing",
+                  "trajectory: there are no frames", "averages: there is no thermo.csv"):
+        t.contains(" ".join(result.out.split()), words)
+
+
+FRAME = "open(into + '/point.xyz', 'w').write('107\\nLattice=\"5 0 0 0 5 0 0 0 5\"\\n' + 107 * 'X 0 0 0\\n')"
+FAILURES = {  # name -> script, words of the message
+    "crashes": ("print('no licence'); sys.exit(3)", ["the engine failed: exit status 3", "no licence"]),
+    "is killed": ("import os, signal; os.kill(os.getppid(), signal.SIGKILL)", ["the engine failed: signal 9"]),
+    "writes nothing": ("", ["the engine has written none of point.json"]),
+    "writes half a file": ("open(into + '/point.json', 'w').write('{\"virial\": 1.')", ["point.json is not a point"]),
+    "writes half a frame": ("open(into + '/frames.xyz', 'w').write('108\\nLattice=\"5 0 0 0 5 0 0 0 5\"\\nX 0 0 0\\n')",
+                            ["frames.xyz", "the file announces 108 atoms, but only 2 lines follow"]),
+    "writes half a row": ("open(into + '/thermo.csv', 'w').write('step,kinetic_energy\\n0,1\\n5\\n')", ["thermo.csv:3", "1 fields, but 2 columns"]),
+    "writes no row": ("open(into + '/thermo.csv', 'w').write('step,kinetic_energy\\n')", ["thermo.csv has no row"]),
+    "writes NaN": ("open(into + '/point.json', 'w').write('{\"virial\": NaN}')", ["point.json is not a point"]),
+    "writes NaN in a table": ("open(into + '/thermo.csv', 'w').write('step,kinetic_energy\\n0,nan\\n')", ["thermo.csv:2", "nan"]),
+    "writes null": ("open(into + '/point.json', 'w').write('{\"virial\": null}')", ["'virial' is no finite number"]),
+    "writes too few forces": ("open(into + '/point.json', 'w').write('{\"forces\": [[0, 0, 0]]}')", ["'forces' holds 1 vectors, the problem has 108 atoms"]),
+    "has other atoms": (FRAME, ["frame 1 has 107 atoms, the problem has 108"]),
+    "has another box": (FRAME.replace("107", "108"), ["the edges of the box are 5, 5, 5"]),
+    "hangs": ("import time; time.sleep(100)", ["the engine was stopped after 1 s"]),
+    "prints much": ("for k in range(1100): print('x' * 65536)\nimport time; time.sleep(100)", ["prints more than 64 MiB"]),
+}
+
+
+def failure(text, words):
+    def test(t):
+        t.deck()
+        timeout = "1s" if "sleep(100)" in text and "print" not in text else "1min"
+        result = t.expect(3, t.run("compare", "deck.toml", "--quiet", "--timeout", timeout, "--with", script(t, text)))
+        t.equal(result.out, "", "stdout")
+        t.equal(result.err.count("error: "), 1, "number of errors")
+        for part in words:
+            t.contains(result.err, part)
+    return test
+
+
+def children_are_stopped(t):
+    """Nothing that the engine has started goes on after it was stopped."""
+    t.deck()
+    with_sleep = "command:sh -c 'sleep 2; touch late' & wait # {input} {output}"
+    t.expect(3, t.run("compare", "deck.toml", "--quiet", "--timeout", "0.3s", "--with", with_sleep))
+    t.shell("sleep 2.5")
+    t.check("late" not in t.files(), "a child of the engine went on")
+
+
+def interrupted(t):
+    """Ctrl-C, which does not reach the engine's own group, ends ljmd, the engine and what it has started."""
+    t.deck()
+    process = subprocess.Popen([t.ljmd, "compare", "deck.toml", "--quiet", "--with",
+                                "command:sh -c 'touch began; sleep 2; touch late' & wait # {input} {output}"],
+                               cwd=t.dir, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    while "began" not in t.files() and process.poll() is None:
+        time.sleep(0.02)
+    process.send_signal(signal.SIGINT)
+    t.contains(process.communicate(timeout=60)[1].decode(), "stopped")
+    t.equal(process.returncode, 130, "exit code")
+    t.shell("sleep 2.5")
+    t.check("late" not in t.files(), "a child of the engine went on")
+
+
+def paths_are_quoted(t):
+    """The names of the directories are one word each, whatever is in them; the rest is the shell's."""
+    t.deck()
+    out = "it's \"here\" $(touch gone) `touch gone`; touch gone"
+    result = t.expect(3, t.run("compare", "deck.toml", "--quiet", "--out", out, "--with",
+                               "command:FIRST=1 && for each in {input} {output}; do test -d \"$each\" && echo $FIRST is; done"))
+    t.contains(result.err, "the engine has written none")
+    t.equal(t.read(f"{out}/exchange/engine.log"), "1 is\n1 is\n", "what the engine printed")
+    t.check("gone" not in t.files(), "a name was run")
+
+
+def existing_files_are_refused(t):
+    t.deck()
+    command = engine(t)
+    t.run_well("compare", "deck.toml", *POINT, "--with", script(t, ENGINE_OF_NOTHING), "--out", "out")
+    t.golden(t.expect(2, t.run("compare", "deck.toml", *POINT, "--with", command, "--out", "out")).err)
+    # With --force nothing of an earlier answer is judged.
+    t.expect(3, t.run("compare", "deck.toml", *POINT, "--with", "command:true {input} {output}", "--out", "out", "--force"))
+    t.check("exchange/answer/point.json" not in t.files("out"), "the earlier answer is still there")
+
+
+ENGINE_OF_NOTHING = """
+rows = [line.split() for line in open(sys.argv[1] + "/start.xyz")][2:]
+open(into + "/point.json", "w").write('{"kinetic_energy": %r}' % sum(0.5 * float(x)**2 for row in rows for x in row[4:7]))
+"""
+
+
+def files_by_hand(t):
+    """Without a command: the problem is handed out, the answer put beside it, and the same command judges."""
+    t.deck()
+    command = ("compare", "deck.toml", *STEPS, "--with", "files:place")
+    result = t.run_well(*command)
+    for words in ("the problem is in place", "nothing was judged", "give the same command again"):
+        t.contains(" ".join(result.out.split()), words)
+    t.equal(t.files("place"), ["problem.json", "start.data", "start.xyz"], "files")
+    t.contains(t.expect(3, t.run(*command)).err, "there is no answer yet in place")
+    t.expect(0, t.command([sys.executable, str(ENGINE), "place", "place"]))
+    t.contains(t.run_well(*command).out, "checks passed")
+    other = t.expect(2, t.run(*command, "--set", "potential.cutoff=2.4"))
+    t.contains(other.err, "is the problem of another deck")
+    (t.dir / "place/problem.json").unlink()
+    t.contains(t.expect(2, t.run(*command)).err, "it is not known what they answer")
+
+
+def samples(t, deck, rows, columns="step,kinetic_energy"):
+    """The judgement of a made-up table: the result of the command, and what it prints as JSON."""
+    t.deck(*deck)
+    (t.dir / "made.csv").write_text(columns + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows))
+    result = t.run("compare", "deck.toml", "--parts", "averages", "--quiet", "--json", "--with",
+                   script(t, "import shutil; shutil.copy('made.csv', into + '/thermo.csv')"), env=same_bits_environment())
+    (t.dir / "found.json").write_text(result.out)
+    return result, t.json("found.json")
+
+
+CANONICAL = [("steps = 40\nsample = true", 'steps = 4000\nsample = true\ntemperature = 1.0\nthermostat = { type = "stochastic-rescaling" }')]
+
+
+def gamma_rows(freedom, temperature, narrow=1.0, rows=4000, correlation=0.0):
+    """Kinetic energies of a canonical ensemble; narrow < 1: with less fluctuation. Correlated samples repeat the last one."""
+    source = random.Random(5)
+    mean = 0.5 * freedom * temperature
+    last = source.gammavariate(0.5 * freedom, temperature)
+    result = []
+    for row in range(rows):
+        if source.random() >= correlation:
+            last = source.gammavariate(0.5 * freedom, temperature)
+        result.append((row + 1, mean + narrow * (last - mean)))
+    return result
+
+
+def canonical(freedom, temperature, words, **how):
+    """A made-up thermostat; words of its diagnosis, or none if it is right."""
+    def test(t):
+        result, found = samples(t, CANONICAL, gamma_rows(freedom, temperature, **how))
+        judged = {name: passed for name, passed in checks(found).items() if "mean temperature" not in name}
+        t.equal(len(judged), 3, f"number of checks of the distribution in {judged}")
+        if words:
+            t.equal(result.code, 5, "exit code")
+            t.check(any(words in diagnosis for diagnosis in found["diagnoses"]), f"{words!r} is not in {found['diagnoses']}")
+        else:
+            t.equal([name for name, passed in judged.items() if not passed], [], "failed checks")
+    return test
+
+
+def openmm(t):
+    """OpenMM's Reference platform, driven from Python."""
+    here = t.command([sys.executable, "-c", "import openmm"]).code == 0
+    needs(here, "OpenMM in this Python")
+    t.deck(("steps = 40", "steps = 400"))
+    program = ENGINE.parents[2] / "tests/parity/openmm_engine.py"
+    result = t.run_well("compare", "deck.toml", *STEPS, "--with", f"command:'{sys.executable}' '{program}' {{input}} {{output}}")
+    for words in ("against OpenMM 7", "virial", "step 100: forces at the engine's positions", "checks passed"):
+        t.contains(result.out, words)
+    t.check("diagnosis" not in result.out, result.out)
+
+
+LAMMPS = """\
+units lj
+atom_style atomic
+read_data start.data
+pair_style lj/cut {cutoff!r}
+pair_coeff 1 1 1.0 1.0
+pair_modify tail yes
+neighbor 0.3 bin
+neigh_modify every 1 delay 0 check yes
+timestep {time_step!r}
+compute virial all pressure NULL virial
+compute kinetic all ke
+variable u equal pe
+variable k equal c_kinetic
+variable p equal press
+variable t equal temp
+variable tail equal {tail!r}
+variable w equal 3*vol*(c_virial-v_tail)
+thermo_style custom step pe press temp c_virial c_kinetic
+thermo_modify norm no
+fix move all nve
+run 0
+print '{{"engine": "LAMMPS", "potential_energy": $(v_u:%.17g), "kinetic_energy": $(v_k:%.17g), "temperature": $(v_t:%.17g), "pressure": $(v_p:%.17g), "virial": $(v_w:%.17g)}}' file point.json screen no
+"""
+DUMP = "write_dump all custom frames.dump id x y z vx vy vz fx fy fz modify sort id format float %.17g append yes\n"
+ROW = "print '$(step),$(v_u:%.17g),$(v_k:%.17g),$(v_t:%.17g),$(v_p:%.17g)' append thermo.csv screen no\n"
+
+
+def lammps_through_files(t):
+    """A user runs LAMMPS by hand with the data file, and puts dumps, a table and a few numbers beside it."""
+    needs(shutil.which("lmp"), "program 'lmp'")
+    t.deck()
+    command = ("compare", "deck.toml", "--quiet", "--steps", "40", "--frames", "1,10,40", "--with", "files:place")
+    t.run_well(*command)
+    problem = t.json("place/problem.json")
+    text = LAMMPS.format(cutoff=problem["potential"]["cutoff"], time_step=problem["run"]["time_step"],
+                         tail=problem["potential"]["tail_pressure"])
+    frames, every, done = problem["trajectory"]["frames"], problem["run"]["thermo_every"], 0
+    for step in sorted({*frames, *range(0, 41, every)}):
+        text += f"run {step - done}\n" + DUMP * (step in frames) + ROW * (step % every == 0)
+        done = step
+    (t.dir / "place/thermo.csv").write_text("step,potential_energy,kinetic_energy,temperature,pressure\n")
+    (t.dir / "place/in.lammps").write_text(text)
+    t.expect(0, t.command(["lmp", "-in", "in.lammps", "-log", "none"], cwd=t.dir / "place"))
+    result = t.run_well(*command)
+    for words in ("against LAMMPS", "step 40: positions", "step 40: forces", "temperature", "pressure", "checks passed"):
+        t.contains(result.out, words)
+    dump = t.read("place/frames.dump")
+    (t.dir / "place/frames.dump").write_text(dump[:len(dump) // 2])
+    t.contains(t.expect(3, t.run(*command)).err, "the file is cut off")
+
+
+ISOBARIC = [("steps = 20\nthermostat = { type = \"rescale\", every = 5 }",
+             'steps = 1000\ntemperature = 1.0\nthermostat = { type = "langevin", time = 0.2 }'),
+            ("steps = 40\nsample = true",
+             'steps = 40000\nsample = true\ntemperature = 1.0\nthermostat = { type = "langevin", time = 0.2 }\n'
+             'barostat = { type = "stochastic-cell-rescaling", pressure = 1.5, time = 1.0 }'),
+            ("cutoff = 2.5", "cutoff = 2.2")]
+
+
+def isobaric(t):
+    """ljmd with other random numbers is an engine at constant pressure; with less fluctuation of the volume it is none."""
+    t.deck(*ISOBARIC)
+    t.run_well("run", "deck.toml", "--out", "other", "--set", "system.seed=8", "--quiet", env=same_bits_environment())
+    table = t.columns("other/thermo.csv")
+    rows = [(int(step) - 1000, 108.0 * u, 108.0 * k, 108.0 / density)
+            for step, u, k, density in zip(table["step"], table["potential_energy"], table["kinetic_energy"], table["density"])
+            if step > 1000]
+    columns = "step,potential_energy,kinetic_energy,volume"
+    result, found = samples(t, ISOBARIC, rows, columns)
+    t.equal(result.code, 0, f"exit code, with {found}")
+    names = checks(found)
+    for name in ("mean volume", "mean enthalpy", "variance of volume", "variance of enthalpy", "mean temperature"):
+        t.check(any(check.startswith(name) for check in names), f"{name} in {sorted(names)}")
+    middle = sum(row[3] for row in rows) / len(rows)
+    (t.dir / "deck.toml").unlink()
+    result, found = samples(t, ISOBARIC, [(*row[:3], middle + 0.4 * (row[3] - middle)) for row in rows], columns)
+    t.equal(result.code, 5, "exit code")
+    t.check(any("the variance of the volume is" in words for words in found["diagnoses"]), found["diagnoses"])
+
+
+def cases():
+    return [Case("good engine", good_engine)] + \
+           [Case(f"mistake: {name}", mistake(*how)) for name, how in MISTAKES.items()] + \
+           [Case(f"an engine that {name}", failure(*how)) for name, how in FAILURES.items()] + \
+           [Case("mistake that is not known", unknown_mistake), Case("missing parts are named", missing_parts_are_named),
+            Case("children are stopped", children_are_stopped), Case("interrupted", interrupted), Case("paths are quoted", paths_are_quoted),
+            Case("existing files are refused", existing_files_are_refused), Case("files by hand", files_by_hand),
+            Case("canonical kinetic energies", canonical(321, 1.0, "")),
+            Case("canonical kinetic energies, correlated", canonical(321, 1.0, "", rows=20000, correlation=0.8)),
+            Case("openmm", openmm), Case("lammps through files", lammps_through_files), Case("isobaric", isobaric),
+            Case("thermostat of 3N", canonical(321, 324 / 321, "3N against 3N-3: the mean kinetic energy")),
+            Case("thermostat of another temperature", canonical(321, 1.05, "other temperature: the mean kinetic energy is that of T = 1.05")),
+            Case("thermostat that rescales", canonical(321, 1.0, "too little fluctuation", narrow=0.5)),
+            Case("command without output", compare_refused(DECK, "--with", "command:./engine {input}")),
+            Case("command that quotes", compare_refused(DECK, "--with", "command:./engine '{input}' {output}")),
+            Case("files without a name", compare_refused(DECK, "--with", "files:")),
+            Case("wrong timeout", compare_refused(DECK, "--with", "command:./engine {input} {output}", "--timeout", "soon")),
+            Case("speed of an engine", compare_refused(DECK, "--with", "command:./engine {input} {output}", "--parts", "speed")),
+            Case("few bodies", compare_refused(STARS, "--with", "command:./engine {input} {output}"))]

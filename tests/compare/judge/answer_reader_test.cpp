@@ -1,0 +1,127 @@
+#include "ljmd/compare/judge/answer_reader.hpp"
+
+#include <fmt/format.h>
+#include <catch2/catch.hpp>
+
+#include "compare/judge/small_problem.hpp"
+#include "io/output_fixtures.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using namespace ljmd::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// A problem of two atoms, and the directory of its answer.
+struct Place {
+    TemporaryFolder folder;
+    Problem problem = [] {
+        Problem two = small_problem();
+        two.fluid.edges = Vec3(5, 6, 7);
+        two.fluid.masses.resize(2);
+        two.fluid.positions.resize(2);
+        two.fluid.velocities.resize(2);
+        return two;
+    }();
+
+    void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+    [[nodiscard]] Answer read() const { return read_answer(folder / "", problem); }
+    [[nodiscard]] std::string complaint() const {
+        try {
+            static_cast<void>(read());
+        } catch (const DataError& error) {
+            return error.what();
+        }
+        return "";
+    }
+};
+
+std::string frame(const std::string& more, const std::string& edges = "5 0 0 0 6 0 0 0 7") {
+    return fmt::format("2\nLattice=\"{}\" Properties=species:S:1:pos:R:3:forces:R:3 {}\nX 1 1 1 1 2 3\nX 2 2 2 4 5 6\n",
+                       edges, more);
+}
+
+}  // namespace
+
+TEST_CASE("all files of an answer are read, and none need be there") {
+    const Place place;
+    CHECK_FALSE(has_answer(place.folder / ""));
+    CHECK(place.read().point.is_empty());
+    place.write(
+        "point.json",
+        R"({"engine": "mine", "potential_energy": -1.5, "virial": [[1, 9, 9], [9, 2, 9], [9, 9, 3]], "pressure": 2,
+                    "forces": [[1, 2, 3], [4, 5, 6]], "degrees_of_freedom": 6})");
+    place.write("frames.xyz", frame("step=0") + frame("step=10"));
+    place.write("thermo.csv", "step,volume,kinetic_energy\n0,210,1.5\n5,211,2.5\n");
+    CHECK(has_answer(place.folder / ""));
+    const Answer answer = place.read();
+    CHECK(answer.engine == "mine");
+    CHECK(answer.degrees_of_freedom == 6);
+    CHECK(answer.point.potential_energy == -1.5);
+    CHECK(answer.point.virial == 6.0);
+    CHECK(answer.point.pressure == 2.0);
+    CHECK_FALSE(answer.point.temperature);
+    CHECK(answer.point.forces == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
+    REQUIRE(answer.frames.size() == 2);
+    CHECK(answer.frames[1].configuration.step == 10);
+    CHECK(answer.frames[1].forces[1] == Vec3(4, 5, 6));
+    CHECK(answer.thermo->steps == std::vector<Index>{0, 5});
+    CHECK(answer.thermo->volume == std::vector<double>{210, 211});
+    CHECK(answer.thermo->kinetic_energy == std::vector<double>{1.5, 2.5});
+    CHECK(answer.thermo->pressure.empty());
+    CHECK(answer.warnings.empty());
+}
+
+TEST_CASE("forces may stand in a frame of their own, and times in the place of steps") {
+    const Place place;
+    place.write("point.xyz", frame(""));
+    place.write("frames.extxyz", frame("Time=0") + frame("Time=0.04"));
+    const Answer answer = place.read();
+    CHECK(answer.point.forces[0] == Vec3(1, 2, 3));
+    CHECK(answer.frames.at(1).configuration.step == 10);
+}
+
+TEST_CASE("an answer that cannot be used is refused with the file and what is expected") {
+    struct Wrong {
+        std::string name;
+        std::string text;
+        std::string words;
+    };
+    for (const Wrong& wrong : std::vector<Wrong>{
+             {"point.json", "[1]", "it holds no object"},
+             {"point.json", R"({"virial": "1"})", "'virial' is no finite number"},
+             {"point.json", R"({"virial": [1, 2, 3]})", "neither a number nor a tensor"},
+             {"point.json", R"({"forces": [[1, 2, 3]]})", "'forces' holds 1 vectors, the problem has 2 atoms"},
+             {"point.json", R"({"forces": [[1, 2, 3], [1, 2]]})", "force 2 has 2 components"},
+             {"point.json", R"({"degrees_of_freedom": 7})", "degrees_of_freedom"},
+             {"point.json", R"({"virial": )", "point.json is not a point"},
+             {"point.xyz", "2\nLattice=\"5 0 0 0 6 0 0 0 7\"\nX 1 1 1\nX 2 2 2\n",
+              "must hold one frame with forces, it has none"},
+             {"point.xyz", frame("step=0") + frame("step=1"), "it has 2 frames"},
+             {"frames.xyz", frame("step=0", "5 0 0 0 6 0 0 0 7.1"), "the edges of the box are 5, 6, 7.1"},
+             {"frames.xyz", "1\nLattice=\"5 0 0 0 6 0 0 0 7\" step=0\nX 1 1 1\n",
+              "frame 1 has 1 atoms, the problem has 2"},
+             {"frames.xyz", frame(""), "frame 1 has no step and no time"},
+             {"frames.xyz", frame("Time=0.0051"), "not a multiple of the time step"},
+             {"frames.xyz", frame("step=0") + frame("step=1").substr(0, 100), "the file is cut off"},
+             {"thermo.csv", "step,kinetic_energy\n", "has no row"},
+             {"thermo.csv", "kinetic_energy\n1\n", "no column 'step'"},
+             {"thermo.csv", "step,kinetic_energy\n0,\n", "kinetic_energy"},
+             {"thermo.csv", "step,kinetic_energy\n5,1\n5,1\n", "grow from row to row"}}) {
+        const Place place;
+        place.write(wrong.name, wrong.text);
+        INFO(wrong.name << ": " << wrong.text);
+        CHECK_THAT(place.complaint(), Contains(wrong.words) && Contains(wrong.name.substr(0, wrong.name.find('.'))));
+    }
+}
+
+TEST_CASE("two files of one kind, and keys that nobody knows") {
+    const Place place;
+    place.write("point.json", R"({"forces": [[1, 2, 3], [4, 5, 6]], "potential": 1})");
+    CHECK_THAT(place.read().warnings.at(0), Contains("'potential' is not known"));
+    place.write("point.xyz", frame(""));
+    CHECK_THAT(place.complaint(), Contains("one of them is enough"));
+    place.write("point.dump", "");
+    CHECK_THAT(place.complaint(), Contains("it is not known which one counts"));
+}

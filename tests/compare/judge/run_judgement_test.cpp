@@ -1,0 +1,131 @@
+#include "ljmd/compare/judge/run_judgement.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+using namespace ljmd;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+/// Correlated numbers of this mean and deviation, the same everywhere but for rounding: an autoregressive series.
+std::vector<double> series(double mean, double deviation, unsigned seed, int count = 20000, double memory = 0.8) {
+    std::mt19937_64 source(seed);
+    const auto uniform = [&] { return static_cast<double>(source() >> 11U) * 0x1p-53; };
+    std::vector<double> x;
+    double last = 0.0;
+    for (int k = 0; k < count; ++k) {
+        const double normal =
+            std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(2.0 * 3.141592653589793 * uniform());
+        last = memory * last + std::sqrt(1.0 - memory * memory) * normal;
+        x.push_back(mean + deviation * last);
+    }
+    return x;
+}
+
+constexpr double freedom = 2997.0;  // so many that a gamma distribution is normal as far as these tests see
+
+RunConditions canonical() {
+    return {.atoms = 1000, .time_step = 0.004, .temperature = 1.5, .freedom = 2997, .our_freedom = 2997};
+}
+
+RunSamples samples(unsigned seed, double temperature = 1.5, double spread = 1.0) {
+    return {.potential_energy = series(-5000.0, 30.0, seed),
+            .kinetic_energy = series(0.5 * freedom * temperature, spread * std::sqrt(0.5 * freedom) * 1.5, seed + 1),
+            .pressure = series(0.7, 0.1, seed + 2),
+            .volume = series(1200.0, 20.0, seed + 3)};
+}
+
+std::vector<std::string> failed(const RunJudgement& judged) {
+    std::vector<std::string> names;
+    for (const Check& check : judged.checks) {
+        if (!check.passed()) {
+            names.push_back(check.name);
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("a run of the same distribution passes, correlations counted") {
+    RunConditions conditions = canonical();
+    conditions.pressure = 0.7;
+    const RunJudgement judged = judge_run(conditions, samples(1), samples(100));
+    CHECK(failed(judged).empty());
+    CHECK(judged.checks.size() == 10);
+    CHECK(judged.means.size() == 5);
+    CHECK(judged.diagnoses.empty());
+    CHECK(judged.not_judged.empty());
+}
+
+TEST_CASE("another mean of any quantity fails") {
+    for (auto member : {&RunSamples::potential_energy, &RunSamples::pressure}) {
+        RunSamples theirs = samples(100);
+        for (double& x : theirs.*member) {
+            x *= 1.03;
+        }
+        CHECK(failed(judge_run(canonical(), samples(1), theirs)).size() == 1);
+    }
+}
+
+TEST_CASE("a thermostat is judged by the distribution of the kinetic energy") {
+    const auto judged = [](const RunSamples& theirs) { return judge_run(canonical(), samples(1), theirs); };
+    const auto others = judged(samples(100, 1.5 * 3000.0 / 2997.0));
+    CHECK(others.diagnoses.empty());  // a part in a thousand is what a time step may do
+    const auto hot = judged(samples(100, 1.53));
+    CHECK_THAT(hot.diagnoses.at(0), StartsWith("other temperature") && Contains("T = 1.53"));
+    const auto quiet = judged(samples(100, 1.5, 0.7));
+    CHECK_THAT(quiet.diagnoses.at(0), StartsWith("too little fluctuation: the variance of the kinetic energy is 0.4"));
+    CHECK(failed(quiet).size() == 2);  // variance, and the whole distribution
+    CHECK(judged({}).not_judged.size() == 4);
+}
+
+TEST_CASE("3 N degrees of freedom are told from 3 N - 3, and the other way") {
+    RunConditions few = canonical();
+    few.atoms = 10;
+    few.freedom = few.our_freedom = 27;
+    RunSamples theirs;
+    theirs.kinetic_energy = series(0.5 * 30.0 * 1.5, std::sqrt(0.5 * 27.0) * 1.5, 3);
+    const auto found = judge_run(few, theirs, theirs);
+    CHECK_THAT(found.diagnoses.at(0), StartsWith("3N against 3N-3: the mean kinetic energy is 30 T/2, not 27 T/2"));
+    few.freedom = 30;
+    theirs.kinetic_energy = series(0.5 * 27.0 * 1.5, std::sqrt(0.5 * 30.0) * 1.5, 3);
+    CHECK_THAT(judge_run(few, theirs, theirs).diagnoses.at(0), Contains("is 27 T/2, not 30 T/2"));
+}
+
+TEST_CASE("a barostat is judged by the fluctuation of the volume") {
+    RunConditions conditions = canonical();
+    conditions.pressure = 0.7;
+    RunSamples theirs = samples(100);
+    theirs.volume = series(1200.0, 10.0, 103);
+    const RunJudgement judged = judge_run(conditions, samples(1), theirs);
+    CHECK_THAT(judged.diagnoses.at(0), StartsWith("too little fluctuation: the variance of the volume is 0.2"));
+    theirs.volume = series(1200.0, 40.0, 103);
+    CHECK(failed(judge_run(conditions, samples(1), theirs)) ==
+          std::vector<std::string>{"variance of volume, standard errors apart"});
+}
+
+TEST_CASE("a short run is not judged, and said to be short") {
+    RunSamples theirs;
+    theirs.potential_energy = series(-5000.0, 30.0, 100, 12);
+    const RunJudgement judged =
+        judge_run({.atoms = 1000, .time_step = 0.004, .freedom = 2997, .our_freedom = 2997}, samples(1), theirs);
+    CHECK(judged.checks.empty());
+    CHECK_THAT(judged.not_judged.at(1), StartsWith("mean potential_energy: the run of the engine is too short"));
+}
+
+TEST_CASE("distances of a gamma distribution see its shape") {
+    // Waiting times of two events: gamma of shape 2.
+    std::mt19937_64 source(5);
+    const auto uniform = [&] { return static_cast<double>((source() >> 11U) + 1) * 0x1p-53; };
+    std::vector<double> x;
+    for (int k = 0; k < 4000; ++k) {
+        x.push_back(-std::log(uniform()) - std::log(uniform()));
+    }
+    CHECK(gamma_distance(x, 2.0, 1.0) < 1.5);
+    CHECK(gamma_distance(x, 2.5, 1.0) > 2.0);
+    CHECK(gamma_distance(x, 2.5, 8.0) < gamma_distance(x, 2.5, 1.0));
+}
