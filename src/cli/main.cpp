@@ -13,6 +13,7 @@
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/cli/studies/reference_options.hpp"
 #include "ljmd/cli/studies/replicas_command.hpp"
+#include "ljmd/cli/studies/reproduce_options.hpp"
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
@@ -293,21 +294,7 @@ int main(int argc, char** argv) {
     eos.add_option("--model", state.model, "one that `ljmd eos` lists, thol2016 by default")->type_name("EQUATION");
     eos.add_flag("--csv", state.csv, "print it as CSV, with a column for each property");
     eos.add_flag("--json", state.json, "print it as JSON");
-    ljmd::ReproduceOptions table{.what = "", .out = "runs/verlet1967"};
-    CLI::App& reproduce = *app.add_subcommand(
-        "reproduce", "compute a published table anew, with error bars; an interrupted one is resumed");
-    reproduce.add_option("table", table.what, "verlet1967: Phys. Rev. 159, 98")->required()->type_name("TABLE");
-    reproduce.add_option("--rows", table.rows, "some of the rows: a density, or density:temperature")
-        ->type_name("RHO[:T],...")
-        ->delimiter(',');
-    reproduce.add_option("--jobs", table.jobs, "rows at a time; one for each processor by default")
-        ->type_name("N")
-        ->check(CLI::Range(1, ljmd::max_threads));
-    reproduce.add_option("--out", table.out, "directory, runs/verlet1967 by default")->type_name("DIR");
-    reproduce.add_flag("--quick", table.quick, "runs as short as Verlet's own, 1200 steps");
-    reproduce.add_flag("--force", table.force, "begin rows anew whose directory holds another run");
-    reproduce.add_flag("--quiet", table.quiet, "no progress");
-    reproduce.add_flag("--json", table.json, "print the table as JSON");
+    ljmd::ReproduceCommand reproduce(app);
     ljmd::ReferenceCommand reference(app);
     ljmd::SweepOptions swept;
     CLI::App& sweep =
@@ -377,7 +364,7 @@ int main(int argc, char** argv) {
         } else if (eos.parsed()) {
             ljmd::eos_command(state);
         } else if (reproduce.parsed()) {
-            ljmd::reproduce_command(table);
+            reproduce.run();
         } else if (reference.parsed()) {
             reference.run();
         } else if (sweep.parsed()) {

@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include "ljmd/io/tables/data_table_csv.hpp"
-#include "ljmd/io/tables/json_file.hpp"
 #include "ljmd/observables/statistics/known_quantities.hpp"
 #include "ljmd/observables/statistics/wanted_errors.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
 #include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/study/reference/merged_observables.hpp"
 #include "ljmd/study/replica_merge.hpp"
 
 namespace ljmd {
@@ -31,41 +31,6 @@ constexpr Index blocks_of_replica = 16;      // of its error, at least
 
 double squared(double x) {
     return x * x;
-}
-
-/// A number of merged results.
-struct MergedObservable {
-    std::string name;
-    std::string unit;
-    double mean;
-    double standard_error;
-    double independent;
-    bool converged;
-    std::string remark;
-};
-
-double number_or_nan(const Data* value) {
-    return value != nullptr && value->is_number() ? value->number() : unknown;
-}
-
-std::vector<MergedObservable> merged_observables(const fs::path& directory) {
-    return read_json(directory / "results.json", "the results of replicas", [](const Data& results) {
-        std::vector<MergedObservable> found;
-        for (const auto& [name, entry] : results.at("observables").members()) {
-            const Data* converged = entry.find("error_is_converged");
-            const Data* remark = entry.find("remark");
-            found.push_back({name, entry.at("unit").text(), number_or_nan(&entry.at("mean")),
-                             number_or_nan(entry.find("standard_error")),
-                             number_or_nan(entry.find("independent_samples")),
-                             converged != nullptr && converged->flag(), remark != nullptr ? remark->text() : ""});
-        }
-        return found;
-    });
-}
-
-const MergedObservable* find_merged(const std::vector<MergedObservable>& all, std::string_view name) {
-    const auto found = std::ranges::find(all, name, &MergedObservable::name);
-    return found == all.end() || std::isnan(found->mean) ? nullptr : &*found;
 }
 
 /// The error of a mean whose length it has decided.

@@ -1,5 +1,6 @@
 #include "ljmd/cli/studies/reference_options.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace ljmd;

@@ -105,7 +105,7 @@ TEST_CASE("response functions follow the shifts of c_v, (dp/dT)_V and K_T") {
     CHECK_FALSE(named_value(values, "heat_capacity_cp").remark.empty());
 }
 
-TEST_CASE("the chemical potential has the shift of an inserted atom; without a value there is a remark") {
+TEST_CASE("the chemical potential has the shift of an inserted atom, and a remark without a value") {
     ReferenceRequest request = liquid_request();
     request.properties.emplace_back("excess_chemical_potential");
     const ReferenceSetup setup = reference_setup(request);
