@@ -37,7 +37,8 @@ TABLES = ("rdf", "sk_from_rdf", "sk", "msd", "vacf", "vibrational_spectrum", "st
 OBSERVABLES = ("coordination_number", "diffusion", "diffusion_green_kubo", "viscosity", "excess_chemical_potential",
                "temperature", "diffusion_infinite_system", "configurational_temperature", "isothermal_compressibility",
                "thermal_expansion", "thermal_pressure_coefficient", "heat_capacity_cp", "adiabatic_compressibility",
-               "speed_of_sound", "joule_thomson_coefficient")
+               "speed_of_sound", "joule_thomson_coefficient", "cutoff_energy", "cutoff_pressure", "cutoff_energy_response",
+               "cutoff_pressure_response")
 SAMPLED = ("--from", "0.081")  # the first stage lasts 0.08 tau
 
 
