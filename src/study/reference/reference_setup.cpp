@@ -158,14 +158,6 @@ double relaxation_time(const ReferenceSetup& setup) {
     return 1.2 * viscosity / (setup.density * t);
 }
 
-/// Relaxation time of velocities by the friction of the thermostat [tau]: in a thin gas no shorter than that by
-/// collisions, so that atoms still meet as often.
-double friction_time(const ReferenceSetup& setup) {
-    constexpr double usual = 1.0;
-    constexpr double longest = 10.0;
-    return std::clamp(relaxation_time(setup), usual, longest);
-}
-
 /// System, potential and the stages that all decks have.
 std::string deck_head(const ReferenceSetup& setup, const std::string& title, Index equilibration) {
     const ReferenceRequest& request = setup.request;
@@ -196,15 +188,14 @@ thermostat = {{ type = "langevin", time = 0.2 }}
 name = "equilibrate"
 time_step = {step}
 steps = {equilibration}
-thermostat = {{ type = "langevin", time = {friction} }}
+thermostat = {{ type = "langevin" }}
 
 )",
         fmt::arg("title", title), fmt::arg("cells", setup.cells), fmt::arg("density", setup.density),
         fmt::arg("temperature", request.temperature), fmt::arg("seed", request.seed),
         fmt::arg("cutoff", setup.potential.cutoff().radius), fmt::arg("start", setup.potential.cutoff().switch_start),
         fmt::arg("melt_step", time_step_at(setup.temperature_of_melt)), fmt::arg("melt", setup.temperature_of_melt),
-        fmt::arg("step", setup.time_step), fmt::arg("friction", friction_time(setup)),
-        fmt::arg("equilibration", equilibration));
+        fmt::arg("step", setup.time_step), fmt::arg("equilibration", equilibration));
 }
 
 std::string state_words(const ReferenceSetup& setup) {
@@ -276,14 +267,14 @@ std::string pilot_deck(const ReferenceSetup& setup) {
 name = "settle"
 time_step = {}
 steps = {}
-thermostat = {{ type = "langevin", time = {} }}
+thermostat = {{ type = "langevin" }}
 sample = true
 
 [output]
 thermo = {{ every = {} }}
 )",
                                                                                  setup.time_step, pilot_steps,
-                                                                                 friction_time(setup), rows_every);
+                                                                                 rows_every);
 }
 
 std::string canonical_deck(const ReferenceSetup& setup, Index equilibration) {
@@ -293,7 +284,7 @@ std::string canonical_deck(const ReferenceSetup& setup, Index equilibration) {
 name = "production"
 time_step = {}
 steps = {}
-thermostat = {{ type = "langevin", time = {} }}
+thermostat = {{ type = "langevin" }}
 sample = true
 
 [output]
@@ -303,8 +294,8 @@ thermo = {{ every = {} }}
 cutoff_correction = {{ radius = {}, every = 200 }}
 rdf = {{ bins = 250, radius = {}, every = 200 }}
 )",
-                        setup.time_step, first_steps(setup, false), friction_time(setup), rows_every,
-                        setup.counted_radius(), setup.counted_radius());
+                        setup.time_step, first_steps(setup, false), rows_every, setup.counted_radius(),
+                        setup.counted_radius());
     if (request.needs(MeasuredBy::responses)) {
         deck += "response_functions = { every = 50 }\n";
     }
