@@ -25,7 +25,7 @@ class ReferenceValues(Case):
         self.assertEqual(list(found.keys()), ["potential_energy", "pressure", "compressibility_factor", "heat_capacity_cv"])
         self.assertEqual(list(found.values["name"]), list(found.keys()))
         self.assertEqual(found.tables, ["rdf"])
-        self.assertAlmostEqual(float(found.table("rdf")["g"][-1]), 1.0, delta=0.2)
+        self.assertAlmostEqual(float(list(found.table("rdf")["g"])[-1]), 1.0, delta=0.2)
         for text in (repr(found), found._repr_html_()):
             self.assertIn("potential_energy", text)
         # the command goes on with what is there, and finds the same
