@@ -46,6 +46,8 @@ MissingPairs missing_pairs(const State& state, const PairPotential& potential, d
                        });
 }
 
+constexpr double least_radius = 2.5;  // [sigma]
+constexpr const char* short_radius = "pairs are counted up to less than 2.5 sigma: g = 1 beyond is no good assumption";
 constexpr const char* not_canonical =
     "the response to the cutoff is known in the canonical ensemble alone: one sampled stage with a thermostat that "
     "holds the temperature, and no barostat";
@@ -101,7 +103,7 @@ std::vector<ObservableAverage> CutoffCorrection::observables() const {
             value += mean[more];
             gradient[more] += 1.0;
         }
-        return {name, symbol, unit, means_.estimate(value, gradient)};
+        return {name, symbol, unit, means_.estimate(value, gradient), radius_ < least_radius ? short_radius : ""};
     };
     return {result("cutoff_energy", "du_c", "epsilon", energy, energy_more, energy_product, true),
             result("cutoff_pressure", "dp_c", "epsilon/sigma^3", pressure, pressure_more, pressure_product, true),

@@ -77,6 +77,8 @@ def all_properties(t):
         value = data[name]
         t.check(value["mean"] is None or value["statistical_error"] > 0, f"{name}: {value}")
         t.check(value["mean"] is not None or value["remark"], f"{name} has neither value nor remark")
+    runs = data["runs"]
+    t.check(max(runs["canonical"]["steps"], runs["transport"]["steps"]) <= 12000, f"--max-steps: {runs}")
     t.equal(data["viscosity"]["equation_of_state"], None, "viscosity by an equation of state")
     t.check(any("--max-steps ended the runs" in warning for warning in data["warnings"]), f"warnings: {data['warnings']}")
     t.equal(list(t.columns("out/rdf.csv"))[:2], ["r", "g"], "columns of rdf.csv")
@@ -99,6 +101,8 @@ def refusals(t):
             (5, ("--temperature", "1.34", "--density", "0.31"), "too near the critical point"),
             (5, ("--temperature", "0.9", "--density", "0.74"), "metastable liquid"),
             (5, ("--temperature", "20", "--density", "0.5"), "outside of 0.661 to 9"),
+            (5, ("--temperature", "0.8", "--density", "1e-5"), "hardly meet"),
+            (2, ("--temperature", "1", "--density", "0.8", "--seed", "-1"), "--seed"),
             (2, ("--temperature", "1"), "a density or a pressure"),
             (2, ("--temperature", "1", "--density", "0.8", "--properties", "entropy"), "unknown property 'entropy'"),
             (2, ("--temperature", "1", "--density", "0.8", "--error", "D=0.1"), "not among the properties"),
@@ -112,7 +116,11 @@ def refusals(t):
 def another_request_is_refused(t):
     reference(t, *QUICK)
     other = ("--temperature", "2.5", "--density", "0.5", "--atoms", "108", "--replicas", "2", "--error", "energy=0.02")
-    t.contains(t.expect(2, t.run("reference", *other, "--out", "out")).err, "another deck")
+    before = t.read("out/reference.json")
+    t.contains(t.expect(2, t.run("reference", *other, "--out", "out")).err, "holds a reference with another value of temperature")
+    t.contains(t.expect(2, t.run("reference", *QUICK, "--properties", "c_v", "--out", "out")).err, "another value of properties")
+    t.equal(t.read("out/reference.json"), before, "reference.json")
+    t.contains(t.expect(2, t.run("reference", *QUICK, "--out", "out/canonical")).err, "holds a sweep or replicas")
     t.equal(found(t, *QUICK)["temperature"], 2, "temperature")
     t.equal(found(t, *other, "--force")["temperature"], 2.5, "temperature")
 

@@ -20,6 +20,7 @@
 #include "ljmd/io/tables/json_file.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
+#include "ljmd/run/run_record.hpp"
 
 namespace ljmd {
 
@@ -74,7 +75,7 @@ class Session {
         const fs::path input = place / problem_folder;
         const fs::path output = place / answer_folder;
         const std::string line = engine_command(command, input, output);
-        const Problem problem = problem_of(deck_, moment(), compared_);
+        const Problem problem = problem_with(moment());
         install_stop_handlers();
         files::try_to_remove_all(place / answer_folder);  // with --force: of an earlier engine
         make_directory(input);
@@ -97,7 +98,7 @@ class Session {
             return;
         }
         const FluidSpec& spec = own_.spec;
-        const Problem problem = problem_of(deck_, read_start(directory, spec.potential, spec.tail), compared_);
+        const Problem problem = problem_with(read_start(directory, spec.potential, spec.tail));
         if (json_text(directory / ExchangeFiles::problem) != problem_json(problem)) {
             throw InputError(fmt::format(
                 "{} is the problem of another deck, of other options or of another version of ljmd: give the command "
@@ -112,6 +113,12 @@ class Session {
     }
 
   private:
+    [[nodiscard]] Problem problem_with(Fluid start) const {
+        Problem problem = problem_of(deck_, std::move(start), compared_);
+        problem.deck_hash = deck_hash(deck_);
+        return problem;
+    }
+
     /// The moment that is judged, after the stages of the deck before it.
     Fluid moment() {
         FluidSystem simulation = make_fluid(fluid_spec(deck_, std::move(fluid_.start.value())), fluid_.execution,
@@ -140,7 +147,7 @@ class Session {
                 "{} has files of an engine, but no {}: it is not known what they answer. Nothing was written.",
                 directory.string(), ExchangeFiles::problem));
         }
-        const Problem problem = problem_of(deck_, moment(), compared_);
+        const Problem problem = problem_with(moment());
         make_directory(directory);
         write_problem(problem, directory);
         if (options_.json) {

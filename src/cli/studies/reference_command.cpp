@@ -224,6 +224,36 @@ Data request_data(const ReferenceRequest& request) {
             {"metastable", request.metastable}};
 }
 
+/// Refuse a directory with a reference of another state or of other runs, or with something else. Wanted errors and the
+/// largest number of steps may differ: they only make runs longer. @throws InputError
+void require_same_request(const ReferenceRequest& request, const fs::path& out, bool force) {
+    constexpr const char* consequence = "Nothing was run";
+    require_no_run(out, consequence);
+    if (files::is_taken(out / "sweep.json")) {
+        throw InputError(fmt::format("{} holds a sweep or replicas. {}.\n  choose another directory with --out",
+                                     out.string(), consequence));
+    }
+    const fs::path file = out / reference_file;
+    require_no_outputs(out, {"results.json", "results.txt", "rdf.csv", "sk.csv"}, files::is_taken(file) || force,
+                       consequence);
+    if (!files::is_taken(file) || force) {
+        return;
+    }
+    const Data now = request_data(request);
+    read_json(file, "the request of a reference", [&](const Data& before) {
+        for (const char* key :
+             {"temperature", "density", "pressure", "properties", "atoms", "replicas", "seed", "metastable"}) {
+            if (before.at(key) != now.at(key)) {
+                throw InputError(fmt::format(
+                    "{} holds a reference with another value of {}. {}.\n  choose another directory with --out, or "
+                    "replace it with --force",
+                    out.string(), key, consequence));
+            }
+        }
+        return 0;
+    });
+}
+
 /// Put the tables that were asked for beside the results.
 void copy_tables(const ReferenceSetup& setup, const ReplicaFolder& canonical, const OpenDirectory& out) {
     for (const auto& [property, table] : {std::pair{"rdf", "rdf.csv"}, std::pair{"structure_factor", "sk.csv"}}) {
@@ -246,7 +276,7 @@ void reference_command(const ReferenceOptions& options) {
                                                            request.density ? fmt::format("rho{}", *request.density)
                                                                            : fmt::format("p{}", *request.pressure))
                                              : options.out;
-    require_no_run(out, "Nothing was run");
+    require_same_request(request, out, options.force);
     make_directory(out);
     const DirectoryLock lock(out);
     if (!options.quiet) {

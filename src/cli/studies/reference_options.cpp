@@ -53,7 +53,9 @@ ReferenceCommand::ReferenceCommand(CLI::App& app)
     command_.add_option("--max-steps", request.max_steps, "of each run, 2000000 by default")
         ->type_name("N")
         ->check(CLI::Range(Index{1000}, max_steps));
-    command_.add_option("--seed", request.seed, "of all random numbers, 1 by default")->type_name("N");
+    command_.add_option("--seed", request.seed, "of all random numbers, 1 by default")
+        ->type_name("N")
+        ->check(CLI::Range(Index{0}, Index{1} << 53U));
     command_.add_flag("--metastable", request.metastable,
                       "accept a state that is not the stable one, as long as it lasts");
     command_.add_option("--jobs", options_.jobs, "replicas at a time; one for each processor by default")

@@ -118,6 +118,7 @@ std::string problem_json(const Problem& problem) {
                  {"mass", 1.0},
                  {"box_edges", Data::list({fluid.edges[0], fluid.edges[1], fluid.edges[2]})},
                  {"boundary", "periodic in all directions, with a corner at the origin"},
+                 {"deck_hash", problem.deck_hash},
                  {"steps_before", problem.steps_before},
                  {"potential", potential_data(problem)}};
     json["trajectory"] = {{"ensemble", "NVE"},

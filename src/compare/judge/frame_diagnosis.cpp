@@ -222,21 +222,31 @@ double largest_difference(const JudgedFrame& frame) {
     return largest;
 }
 
-/// Whether forces of the frame are those of its positions.
-bool has_right_forces(const JudgedFrame& frame, double noise) {
-    return !frame.forces.empty() && largest_difference(frame) <= noise;
+/// What rounding leaves of a difference of forces in a frame. Each frame has its own: where atoms collide because of a
+/// mistake, forces are larger by powers of ten.
+double noise_of(const JudgedFrame& frame, double tolerance) {
+    if (frame.forces_there.empty()) {
+        return 0.0;
+    }
+    const double rms = root_of_squares(frame.forces_there) / std::sqrt(static_cast<double>(frame.forces_there.size()));
+    return tolerance * std::max(rms, 1e-9);
 }
 
-std::string stale_list(const JudgedTrajectory& trajectory, const PairPotential& potential, double noise) {
+/// Whether forces of the frame are those of its positions. @param tolerance  relative to their root mean square
+bool has_right_forces(const JudgedFrame& frame, double tolerance) {
+    return !frame.forces.empty() && largest_difference(frame) <= noise_of(frame, tolerance);
+}
+
+std::string stale_list(const JudgedTrajectory& trajectory, const PairPotential& potential, double tolerance) {
     const auto wrong = std::ranges::find_if(trajectory.frames, [&](const JudgedFrame& frame) {
-        return !frame.forces.empty() && !has_right_forces(frame, noise);
+        return !frame.forces.empty() && !has_right_forces(frame, tolerance);
     });
-    const auto right = std::ranges::find_if(trajectory.frames,
-                                            [&](const JudgedFrame& frame) { return has_right_forces(frame, noise); });
+    const auto right = std::ranges::find_if(
+        trajectory.frames, [&](const JudgedFrame& frame) { return has_right_forces(frame, tolerance); });
     if (wrong == trajectory.frames.end() || right >= wrong) {
         return "";
     }
-    const MissingPairs lacking(*wrong, trajectory.edges, potential, noise);
+    const MissingPairs lacking(*wrong, trajectory.edges, potential, noise_of(*wrong, tolerance));
     std::size_t missing = 0;
     for (auto earlier = trajectory.frames.begin(); earlier != wrong && missing == 0; ++earlier) {
         missing = lacking.farthest_in(*earlier, trajectory.edges);
@@ -258,10 +268,39 @@ std::string stale_list(const JudgedTrajectory& trajectory, const PairPotential& 
         right->step, wrong->step, lacking.wrong_atoms(), wrong->forces.size());
 }
 
+/// Atoms of the first frame that stand in the places of others.
+std::string another_order(const JudgedTrajectory& trajectory, const Agreement& agreement) {
+    const JudgedFrame* first = frame_of(trajectory, 0);
+    constexpr double same_place = 1e-6;  // where no limit is given for the start
+    const double limit = limit_at(agreement.positions, 0).value_or(same_place);
+    if (first == nullptr || first->our_positions.empty() || largest_distance(*first, trajectory.edges) <= limit) {
+        return "";
+    }
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < first->positions.size(); ++i) {
+        const auto stands_at = [&](const Vec3& place) {
+            const Vec3 apart = first->positions[i] - place;
+            const Vec3 images = (apart.array() / trajectory.edges.array()).round();
+            return (apart - images.cwiseProduct(trajectory.edges)).norm() <= limit;
+        };
+        if (stands_at(first->our_positions[i])) {
+            continue;
+        }
+        if (std::ranges::none_of(first->our_positions, stands_at)) {
+            return "";
+        }
+        ++moved;
+    }
+    return fmt::format(
+        "another order: at step 0, {} of {} atoms stand in the places of others: rows are not in the order "
+        "of the ids, or the ids are not those of start.xyz",
+        moved, first->positions.size());
+}
+
 /// Positions that differ where all forces are right.
-std::string integration(const JudgedTrajectory& trajectory, const Agreement& agreement, double noise) {
+std::string integration(const JudgedTrajectory& trajectory, const Agreement& agreement) {
     for (const JudgedFrame& frame : trajectory.frames) {
-        if (!frame.forces.empty() && !has_right_forces(frame, noise)) {
+        if (!frame.forces.empty() && !has_right_forces(frame, agreement.largest_force)) {
             return "";
         }
         const auto limit = limit_at(agreement.positions, frame.step);
@@ -281,13 +320,8 @@ std::string integration(const JudgedTrajectory& trajectory, const Agreement& agr
 
 std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory, const PairPotential& potential,
                                              const Agreement& agreement) {
-    double noise = 0.0;
-    for (const JudgedFrame& frame : trajectory.frames) {
-        if (!frame.forces_there.empty()) {
-            const double rms =
-                root_of_squares(frame.forces_there) / std::sqrt(static_cast<double>(frame.forces_there.size()));
-            noise = std::max(noise, agreement.largest_force * std::max(rms, 1e-9));
-        }
+    if (const std::string words = another_order(trajectory, agreement); !words.empty()) {
+        return {words};  // everything else follows from it
     }
     std::vector<std::string> words;
     const auto note = [&](const std::string& sentence) {
@@ -297,9 +331,9 @@ std::vector<std::string> diagnose_trajectory(const JudgedTrajectory& trajectory,
     };
     note(first_step(trajectory, agreement));
     note(half_step_velocities(trajectory, agreement));
-    note(stale_list(trajectory, potential, noise));
+    note(stale_list(trajectory, potential, agreement.largest_force));
     if (words.empty()) {
-        note(integration(trajectory, agreement, noise));
+        note(integration(trajectory, agreement));
     }
     return words;
 }

@@ -25,6 +25,10 @@ struct CutoffCorrectionOptions : AnalysisOptions {
     }
     [[nodiscard]] Misfits check(const SampledRun& run) const override {
         const double most = 0.5 * run.box.shortest_edge();
+        if (radius && run.interaction && *radius < run.interaction->potential.cutoff().radius) {
+            return {{"radius", fmt::format("'radius' in cutoff_correction is {}, within the cutoff of {}", *radius,
+                                           run.interaction->potential.cutoff().radius)}};
+        }
         if (radius && *radius > most) {
             return {
                 {"radius", fmt::format("'radius' in cutoff_correction is {}, but half the box is {}", *radius, most)}};
@@ -32,7 +36,8 @@ struct CutoffCorrectionOptions : AnalysisOptions {
         return {};
     }
     [[nodiscard]] std::unique_ptr<Analysis> make(const SampledRun& run) const override {
-        return std::make_unique<CutoffCorrection>(run, radius_in(run.box), Every(every));
+        return std::make_unique<CutoffCorrection>(
+            run, std::max(radius_in(run.box), run.interaction.value().potential.cutoff().radius), Every(every));
     }
     [[nodiscard]] AnalysisSize size(const SampledRun& run) const override {
         constexpr double of_copy = 2000.0;  // of an atom in the sorted copy, with its images of half a box

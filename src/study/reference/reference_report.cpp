@@ -31,7 +31,7 @@ Data data_of(const ReferenceValue& value) {
         {"cutoff_correction", value.cutoff_correction},
         {"size_correction", value.size_correction},
         {"independent_samples", value.independent},
-        {"error_is_converged", value.converged},
+        {"error_is_converged", value.converged && value.mean.has_value()},
         {"equation_of_state", thol == value.by_equations.end() ? std::optional<double>() : std::optional(thol->second)},
         {"equations_of_state", equations},
         {"unit", value.unit}};
@@ -67,6 +67,11 @@ std::vector<std::string> warnings_of(const ReferenceSetup& setup, const Referenc
             warnings.push_back(
                 fmt::format("there is no value of {}: --max-steps ended the runs before they were long "
                             "enough",
+                            one.wanted.observable));
+        } else if (!one.reached && one.error <= one.wanted.error) {
+            warnings.push_back(
+                fmt::format("the statistical error of {} does not count yet: the runs are too short to know "
+                            "it, and --max-steps ended them",
                             one.wanted.observable));
         } else if (!one.reached) {
             warnings.push_back(

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double shortest_cutoff = 2.5;
 constexpr double switching_width = 0.5;
+constexpr double least_energy = 3.0;  // of all atoms: so many pairs are near each other
 constexpr double counted_beyond_cutoff = 2.0;
 constexpr double usual_time_step = 0.005;
 constexpr double temperature_of_time_step = 2.0;  // above it the step shrinks as 1/sqrt(T)
@@ -98,8 +99,9 @@ Index cells_of(Index atoms) {
 PairPotential switched(double longest, double edge) {
     const double cutoff = std::min(longest, std::floor(50.0 * edge) / 100.0);
     if (cutoff < shortest_cutoff) {
-        throw InputError(fmt::format("half the box is {:.4g} sigma, and the shortest cutoff is {}: take more atoms",
-                                     0.5 * edge, shortest_cutoff));
+        throw InputError(fmt::format(
+            "half the box is {:.4g} sigma, and the shortest cutoff is {}: take more atoms, {} times as many at least",
+            0.5 * edge, shortest_cutoff, std::ceil(10.0 * std::pow(2.0 * shortest_cutoff / edge, 3)) / 10.0));
     }
     return PairPotential::lennard_jones("switched", {cutoff, cutoff - switching_width});
 }
@@ -207,8 +209,10 @@ Index rounded_up(double steps) {
     return static_cast<Index>(std::ceil(steps / multiple) * multiple);
 }
 
+/// Largest time of correlations, at most a twentieth of the longest runs that are allowed.
 double longest_lag(const ReferenceSetup& setup) {
-    return std::max(5.0, 8.0 * relaxation_time(setup));
+    const double run = static_cast<double>(setup.request.max_steps) * transport_time_step(setup);
+    return std::min(std::max(5.0, 8.0 * relaxation_time(setup)), 0.05 * run);
 }
 
 }  // namespace
@@ -244,6 +248,13 @@ ReferenceSetup reference_setup(const ReferenceRequest& asked) {
     const SizeChoice& size = size_for(thol, t, density);
     const Index cells = asked.atoms > 0 ? cells_of(asked.atoms) : size.cells;
     const Index atoms = 4 * cells * cells * cells;
+    if (static_cast<double>(atoms) * std::abs(expected.potential_energy) < least_energy) {
+        throw PhysicsError(fmt::format(
+            "the gas is so thin that {} atoms hardly meet: the energy of all is {:.2g}; what runs would measure is "
+            "known "
+            "better from the second virial coefficient, Z = 1 + {:.6g} rho",
+            atoms, static_cast<double>(atoms) * expected.potential_energy, second_virial_coefficient(thol, t)));
+    }
     PairPotential potential = switched(size.cutoff, std::cbrt(static_cast<double>(atoms) / density));
     const double tail = tail_coefficient(potential);
     ReferenceSetup setup{.request = asked,
@@ -337,10 +348,13 @@ double transport_time_step(const ReferenceSetup& setup) {
 }
 
 Index first_steps(const ReferenceSetup& setup, bool transport) {
+    const Index most = setup.request.max_steps;
     if (transport) {
-        return rounded_up(40.0 * longest_lag(setup) / transport_time_step(setup));
+        return std::min(most, rounded_up(40.0 * longest_lag(setup) / transport_time_step(setup)));
     }
-    return setup.request.needs(MeasuredBy::responses) || setup.request.needs(MeasuredBy::insertion) ? 40'000 : 10'000;
+    const Index usual =
+        setup.request.needs(MeasuredBy::responses) || setup.request.needs(MeasuredBy::insertion) ? 40'000 : 10'000;
+    return std::min(most, usual);
 }
 
 }  // namespace ljmd

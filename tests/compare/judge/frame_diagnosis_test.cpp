@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <utility>
 
 #include "compare/judge/small_problem.hpp"
 #include "ljmd/compare/judge/frame_judgement.hpp"
@@ -8,6 +9,7 @@
 
 using namespace ljmd;
 using namespace ljmd::test;
+using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
 namespace {
@@ -54,6 +56,33 @@ TEST_CASE("a right trajectory has no diagnosis, whether its positions are wrappe
         }
     }
     CHECK(said(fluid, trajectory).empty());
+}
+
+TEST_CASE("atoms in another order are named, and nothing that follows from it") {
+    const Fluid fluid = shaken_crystal();
+    JudgedTrajectory trajectory = right_trajectory(fluid, {0, 1, 10});
+    for (JudgedFrame& frame : trajectory.frames) {
+        std::swap(frame.positions[0], frame.positions[5]);
+        std::swap(frame.forces[0], frame.forces[5]);
+    }
+    const auto words = said(fluid, trajectory);
+    REQUIRE(words.size() == 1);
+    CHECK_THAT(words.front(), StartsWith("another order: at step 0, 2 of "));
+    // an atom that stands nowhere known is something else
+    trajectory.frames[0].positions[0] += Vec3(0.3, 0.0, 0.0);
+    for (const std::string& each : said(fluid, trajectory)) {
+        CHECK_THAT(each, !StartsWith("another order"));
+    }
+}
+
+TEST_CASE("wrong forces at the start are not called right because atoms collide later") {
+    const Fluid fluid = shaken_crystal();
+    JudgedTrajectory trajectory = right_trajectory(fluid, {0, 1});
+    trajectory.frames[0].forces[0] += Vec3(0.5, 0.0, 0.0);
+    trajectory.frames[1].positions[1] = trajectory.frames[1].positions[0] + Vec3(0.05, 0.0, 0.0);
+    for (const std::string& each : said(fluid, trajectory)) {
+        CHECK_THAT(each, !Contains("forces are right at step 0"));
+    }
 }
 
 TEST_CASE("velocities of half a step before or after are named") {

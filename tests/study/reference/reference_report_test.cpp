@@ -55,6 +55,8 @@ TEST_CASE("a reader is warned of what makes the values worthless, or less exact 
     const auto warnings = [&] { return to_json(reference_report(setup, found, 80).data.at("warnings")); };
     found.errors = {{{"potential_energy", 0.0005}, 0.001, false}};
     CHECK_THAT(warnings(), Contains("is 0.001, not 0.0005: --max-steps"));
+    found.errors = {{{"potential_energy", 0.002}, 0.001, false}};
+    CHECK_THAT(warnings(), Contains("does not count yet"));
     found.errors = {{{"potential_energy", 0.0004}, 0.0003, true}};
     CHECK_THAT(warnings(), Contains("the systematic error of potential_energy, 0.0005, is larger"));
     found = findings();

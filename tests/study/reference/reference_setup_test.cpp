@@ -50,6 +50,7 @@ TEST_CASE("what cannot be vouched for is refused with the reason") {
     CHECK_THROWS_WITH(reference_setup(request_at(0.5, 0.001)), Contains("outside of 0.661 to 9"));
     CHECK_THROWS_WITH(reference_setup(request_at(0.9, 0.74)),
                       Contains("metastable liquid") && Contains("--metastable"));
+    CHECK_THROWS_WITH(reference_setup(request_at(1.5, 1e-4)), Contains("hardly meet") && Contains("virial"));
     ReferenceRequest metastable = request_at(0.9, 0.74);
     metastable.metastable = true;
     CHECK(reference_setup(metastable).phase.phase == FluidPhase::metastable_liquid);
@@ -125,6 +126,17 @@ TEST_CASE("the decks of a reference are right, and measure what is asked for") {
     CHECK_FALSE(deck.stages.back().thermostat);
     CHECK(deck.stages.back().steps == first_steps(all, true));
     CHECK(deck.stages.at(1).steps == 2000);
+}
+
+TEST_CASE("no run is longer than is allowed") {
+    ReferenceRequest request = request_at(1.5, 0.01);
+    request.properties.insert(request.properties.end(), {"viscosity", "heat_capacity_cv"});
+    request.max_steps = 3000;
+    const ReferenceSetup setup = reference_setup(request);
+    CHECK(first_steps(setup, false) == 3000);
+    CHECK(first_steps(setup, true) == 3000);
+    const DeckFolder folder(transport_deck(setup, 1000, -0.1));
+    CHECK(folder.load().stages.back().steps == 3000);
 }
 
 TEST_CASE("a thin gas is followed for many times between collisions") {

@@ -63,6 +63,24 @@ TEST_CASE("the systematic error has the response beyond the radius, its second o
     CHECK(energy.systematic_error == Approx(expected).epsilon(0.02));  // the height of g is that of a bin
 }
 
+TEST_CASE("fluctuations that are slow and small below fast ones count in the error") {
+    const ReferenceSetup setup = reference_setup(liquid_request());
+    const MadeUpReplicas replicas({-5.0, -5.0}, {1.0, 1.0}, 1.2);
+    replicas.merged_results(cutoff_observables());
+    const auto error = [&] { return canonical_values(setup, replicas.folder()).front().statistical_error; };
+    const double fast = error();
+    for (const auto& run : replicas.folder().runs) {
+        std::ofstream thermo(run / "thermo.csv");
+        thermo << "step,temperature,potential_energy,pressure\n";
+        for (int row = 1; row <= 2000; ++row) {
+            const double swing = row % 2 == 0 ? 0.01 : -0.01;
+            const double slow = (row / 100) % 2 == 0 ? 0.001 : -0.001;
+            thermo << fmt::format("{},1.2,{},1.0\n", 100 + 10 * row, -5.0 + swing + slow);
+        }
+    }
+    CHECK(error() > 1.5 * fast);
+}
+
 TEST_CASE("runs that differ by more than their errors are remarked on") {
     const ReferenceSetup setup = reference_setup(liquid_request());
     const MadeUpReplicas replicas({-5.0, -5.1, -5.0, -5.1}, {1.0, 1.0, 1.0, 1.0}, 1.2);

@@ -18,6 +18,7 @@ struct Problem {
     Index trajectory_steps;            ///< at constant energy
     std::vector<Index> frames;         ///< steps of it that are compared, from 0
     Index thermo_every;                ///< steps between rows of the table of the run
+    std::string deck_hash{};           ///< of the deck as used, see deck_hash()
     std::vector<std::string> parts{};  ///< "point", "trajectory", "averages": what is judged
 
     [[nodiscard]] bool wants(const std::string& part) const;
