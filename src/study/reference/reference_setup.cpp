@@ -241,7 +241,7 @@ ReferenceSetup reference_setup(const ReferenceRequest& asked) {
     if (const std::string outside = outside_of_range(thol, expected); !outside.empty()) {
         throw PhysicsError(fmt::format("{}: what is not measured there cannot be corrected", outside));
     }
-    PhaseOfState phase = phase_of_state(thol, t, density);
+    const PhaseOfState phase = phase_of_state(thol, t, density);
     if (const std::string why = refusal(phase, asked.metastable); !why.empty()) {
         throw PhysicsError(why);
     }
@@ -259,7 +259,7 @@ ReferenceSetup reference_setup(const ReferenceRequest& asked) {
     const double tail = tail_coefficient(potential);
     ReferenceSetup setup{.request = asked,
                          .density = density,
-                         .phase = std::move(phase),
+                         .phase = phase,
                          .expected = expected,
                          .cells = cells,
                          .atoms = atoms,
