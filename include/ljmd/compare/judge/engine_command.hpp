@@ -9,7 +9,7 @@ namespace ljmd {
 
 /// The command line of an engine: a template with {input} and {output} in the place of two directories.
 ///
-///     ./engine {input} {output}      ->      ./engine '/tmp/ljmd-x/problem' '/tmp/ljmd-x/answer'
+///     ./engine {input} {output}      ->      ./engine 'exchange/problem' 'exchange/answer'
 ///
 /// It is a command of the shell, /bin/sh -c, in which everything but the two names means what it means there. The names
 /// are quoted: whatever characters they have, they are one word each.

@@ -27,8 +27,8 @@ struct ExpectedPoint {
 /// @param ours  of the fluid, by point_of()
 [[nodiscard]] ExpectedPoint expected_point(const Fluid& fluid, const PeerPoint& ours);
 
-/// Tolerances for an engine of which nothing is known but that it computes in double precision: those of LAMMPS ten
-/// times as wide, because its numbers may have been through text of 15 digits, and coordinates through its own walls.
+/// Tolerances for an unknown engine that computes in double precision: ten times those for LAMMPS. Its numbers may have
+/// been written with 15 digits, and it may wrap the coordinates in its own way.
 [[nodiscard]] Agreement engine_agreement(const Situation& situation);
 
 /// Checks of the parts that the answer has. Differences are relative, as in compare_points().

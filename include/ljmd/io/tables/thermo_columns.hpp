@@ -26,7 +26,7 @@ class ThermoColumns {
         bool order_parameter = false;   ///< when the run started from a lattice
     };
 
-    /// Values of these columns, except those of a sample.
+    /// Values of those columns that are not part of a sample.
     struct Values {
         std::optional<double> conserved_energy;  ///< per atom [epsilon]
         std::optional<double> order_parameter;

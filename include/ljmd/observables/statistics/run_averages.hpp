@@ -29,8 +29,9 @@ namespace ljmd {
 /// This is part of the error. If there are too few independent samples, or if the error is a guess, there is no value.
 ///
 /// In a very dilute gas most samples have no two atoms within the cutoff. U, W and Z - 1 then come from few encounters,
-/// consecutive samples with a virial. Block averages cannot tell few encounters, each of some samples, from many: with
-/// fewer than 16 the errors of these are guesses, and with none there is no Z.
+/// consecutive samples with a virial. Block averages cannot tell few long encounters from
+/// many short ones. With fewer than 16 encounters the errors of U, W and Z are marked as guesses; without any, Z has no
+/// value.
 /// Source of the first formula: Pearson, Halicioglu and Tiller (1985), doi:10.1103/PhysRevA.32.3030
 class RunAverages {
   public:

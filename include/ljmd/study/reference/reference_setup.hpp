@@ -17,7 +17,7 @@ namespace ljmd {
 /// What `ljmd reference` is asked for.
 struct ReferenceRequest {
     double temperature = 0.0;
-    std::optional<double> density{};  ///< one of these two
+    std::optional<double> density{};  ///< [sigma^-3]; either this or a pressure is given
     std::optional<double> pressure{};
     std::vector<std::string> properties{};  ///< names of reference_properties()
     std::vector<WantedError> errors{};      ///< of some of them
@@ -76,7 +76,8 @@ inline constexpr double max_structure_factor_at_zero = 8.0;
 /// The deck of a run at constant energy, for transport. @param total_energy  per atom, that of the canonical runs
 [[nodiscard]] std::string transport_deck(const ReferenceSetup& setup, Index equilibration, double total_energy);
 
-/// Steps of the sampled stage of these decks; more are added until the errors are reached.
+/// Length of the sampled stage in the deck of a canonical or a transport run [steps]. Later rounds add steps until the
+/// errors are reached.
 [[nodiscard]] Index first_steps(const ReferenceSetup& setup, bool transport);
 
 /// Time step of runs at constant energy, which have no thermostat to correct their velocities [tau].

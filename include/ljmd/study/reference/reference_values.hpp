@@ -50,9 +50,10 @@ struct ReplicaFolder {
 ///   the radius would add in the half period behind it;
 /// - the size: the difference between the shifts by two equations of state.
 ///
-/// Response functions have the shifts of c_v, (dp/dT)_V and K_T, from which all follow. Their systematic error is that
-/// of these three: what the cutoff does to the pressure, times ten for K_T and times 2/T for the other two, because
-/// g(r) oscillates with a phase that depends on the density; and the size as above.
+/// Response functions follow from c_v, (dp/dT)_V and K_T, and so do their size shifts and systematic errors. Each of
+/// the three is uncertain by its size shift, as above, and by the cutoff: K_T by ten times what the cutoff leaves
+/// uncertain in the pressure, because the phase of the oscillations of g(r) depends on the density; (dp/dT)_V by 2/T
+/// times that, and c_v by 2/T times what it leaves uncertain in the energy.
 /// @throws DataError  files are missing or damaged
 [[nodiscard]] std::vector<ReferenceValue> canonical_values(const ReferenceSetup& setup, const ReplicaFolder& canonical);
 
