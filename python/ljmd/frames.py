@@ -24,6 +24,11 @@ class Frames:
     times: np.ndarray | None
     steps: np.ndarray | None
 
+    @classmethod
+    def of_one(cls, positions, velocities, edges, time: float, step: int) -> "Frames":
+        """A single frame: positions and velocities of shape (N, 3), edges of shape (3,)."""
+        return cls(positions[None], velocities[None], np.asarray(edges)[None], np.array([time]), np.array([step]))
+
     def __repr__(self) -> str:
         frames, atoms, _ = self.positions.shape
         return f"<ljmd.Frames: {frames} frames of {atoms} atoms{'' if self.velocities is None else ', with velocities'}>"

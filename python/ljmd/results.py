@@ -6,7 +6,7 @@ import difflib
 import pathlib
 from collections.abc import Mapping
 
-from . import _check, _progress
+from . import _check, _functions as functions, _progress
 from ._text import as_table, html_lines, html_table, with_error
 from .errors import DataError
 from .external import described_force
@@ -128,9 +128,10 @@ class Run(Results):
     directory: where its files are; None: it was run in memory
     """
 
-    def __init__(self, data: dict, tables: Mapping, thermo=None, directory=None, finished: bool = True, frames=None):
+    def __init__(self, data: dict, tables: Mapping, thermo=None, directory=None, finished: bool = True, frames=None, last=None):
         super().__init__(data, tables)
         self._frames = frames
+        self._last = last  # of a fluid in memory: its last configuration, one frame
         self._thermo, self.directory, self.finished = thermo, directory, finished
         self._given: dict = {}  # as in run.json
 
@@ -189,8 +190,25 @@ class Run(Results):
         return self._frames
 
     def universe(self):
-        """An MDAnalysis Universe of its frames, see `Frames.universe`. Raises DataError as `frames`."""
-        return self.frames().universe()
+        """An MDAnalysis Universe of its frames, see `Frames.universe`; of its last configuration alone where the deck asks for no
+        trajectory.
+
+        Raises DataError for few bodies, and for a run in a directory that has not come to its end and has no trajectory.
+        """
+        if "trajectory" in self._tables or self._has_frames():
+            return self.frames().universe()
+        return (self._last if self.directory is None else self._last_in_directory()).universe()
+
+    def _has_frames(self) -> bool:
+        if self.directory is None:
+            return self._frames is not None
+        return any((self.directory / f"trajectory.{format}").exists() for format in ("h5md", "xyz"))
+
+    def _last_in_directory(self) -> Frames:
+        from . import _core
+        positions, velocities, edges, time = _core.last_configuration(self.directory)
+        about, _ = _core.describe(self.directory)
+        return Frames.of_one(positions, velocities, edges, time, about["total_steps"])
 
     def report(self, page=None) -> pathlib.Path:
         """Write one HTML page about the run, finished or not, and return its path: verdicts, charts, the atoms in motion.
@@ -244,7 +262,7 @@ class Run(Results):
         directory = _check.directory_of(directory)
         options = (_check.threads_of(threads), simd or "", replace, _check.seconds_of(walltime), described(observables),
                    described_force(external))
-        with _progress.shown(progress, deck.total_steps) as tell:
+        with _progress.shown(progress, deck.total_steps) as tell, functions.remembered(directory, observables, external):
             _core.run(deck, directory, *options, tell, _check.warn)
         return cls.open(directory)
 
@@ -265,7 +283,7 @@ def open_run(directory):
 open = open_run  # noqa: A001, ljmd.open
 
 
-def resume(directory, *, steps: int = 0, observables=(), external=None, threads: int | None = None, progress=True, walltime=None) -> Run:
+def resume(directory, *, steps: int = 0, observables=None, external=None, threads: int | None = None, progress=True, walltime=None) -> Run:
     """Resume the run in a directory from its last checkpoint. It ends with the bits of a run that was not interrupted.
 
     steps: to add to the last stage
@@ -273,15 +291,18 @@ def resume(directory, *, steps: int = 0, observables=(), external=None, threads:
     external: the external force that it was begun with
     threads: as many as before by default
 
+    The Python process that began the run still has its observables and its external force: there they need not be given.
+
     Raises DataError, CheckpointError, InUseError; Interrupted and KeyboardInterrupt as `Deck.run`.
     """
     from . import _core
     directory = _check.directory_of(directory)
     about, _ = _core.describe(directory)
     steps = _check.whole(steps, "steps", 0)
+    observables, external = functions.of_run(directory, observables, external)
     options = (_check.threads_of(threads), _check.seconds_of(walltime), described(observables),
                described_force(external))
     first = about["checkpoint"]["step"] if about["checkpoint"] else 0
-    with _progress.shown(progress, about["total_steps"] + steps, first) as tell:
+    with _progress.shown(progress, about["total_steps"] + steps, first) as tell, functions.remembered(directory, observables, external):
         _core.resume(directory, steps, *options, tell, _check.warn)
     return Run.open(directory)

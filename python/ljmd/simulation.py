@@ -7,7 +7,7 @@ import contextlib
 from . import _check, _core, _progress
 from .errors import InputError
 from .external import described_force
-from .frames import Recorder
+from .frames import Frames, Recorder
 from .observables import described
 from .results import Run
 
@@ -145,7 +145,9 @@ class Simulation:
         """The results so far."""
         data, _ = self._core.report()
         frames = None if self._recorder is None else self._recorder.frames()
-        return Run(data, self._core.tables(), self._core.thermo(), None, self.finished, frames)
+        edges = self._core.edges()
+        last = None if edges is None else Frames.of_one(self._core.unwrapped(), self._core.velocities(), edges, self.time, self.step)
+        return Run(data, self._core.tables(), self._core.thermo(), None, self.finished, frames, last)
 
     @contextlib.contextmanager
     def arrays(self):

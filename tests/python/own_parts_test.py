@@ -234,6 +234,30 @@ class Observables(InDirectories):
         self.assertRaisesText(ljmd.CheckpointError, "was begun with no observables; given: the observables",
                               of=lambda: ljmd.resume(self.folder / "plain", observables=OWN, progress=False))
 
+    def test_the_process_that_began_a_run_need_not_give_them_again(self):
+        whole = small_deck().run(self.folder / "whole", observables=OWN, progress=False)
+        longer = ljmd.resume(self.folder / "whole", steps=10, progress=False)
+        deck = small_deck()
+        deck.stages[-1].steps += 10
+        self.assertEqual(longer.data, deck.run(self.folder / "longer", observables=OWN, progress=False).data)
+        directory = self.begun(small_deck())  # and where a function of the user's raised
+        self.assertRaisesText(RuntimeError, "enough", of=lambda: ljmd.resume(directory, progress=False))
+        self.assertEqual(ljmd.resume(directory, observables=OWN, progress=False)["half_temperature"], whole["half_temperature"])
+        self.assertEqual(ljmd.resume(directory, steps=10, progress=False).data, longer.data)  # as it was given last
+
+    def test_only_those_of_the_run_in_the_directory_are_known(self):
+        run = self.folder / "run"
+        small_deck().run(run, observables=OWN, progress=False)
+        self.assertRaises(ljmd.Error, small_deck().run, run, observables=[half_temperature], progress=False)  # it is there
+        self.assertTrue(ljmd.resume(run, steps=1, progress=False).finished)
+        small_deck().run(run, replace=True, progress=False)
+        self.assertTrue(ljmd.resume(run, steps=1, progress=False).finished)
+        small_deck().run(self.folder / "other", observables=OWN, progress=False)
+        record = json.loads((self.folder / "other" / "run.json").read_text())
+        (self.folder / "other" / "run.json").write_text(json.dumps(record | {"began": "2001-01-01T00:00:00Z"}))
+        self.assertRaisesText(ljmd.CheckpointError, "given: no observables",
+                              of=lambda: ljmd.resume(self.folder / "other", steps=1, progress=False))
+
     def test_names_of_built_in_ones_are_refused(self):
         for name in ("pressure", "pressure_xy", "virial", "diffusion", "viscosity", "coordination_number"):
             own = ljmd.observable(lambda s: 1.0, name=name)

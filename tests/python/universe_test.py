@@ -57,10 +57,35 @@ class Frames(Case):
         self.assertRaisesText(ljmd.DataError, "output.trajectory", of=small_deck().run(progress=False).frames)
         for run in (comet(20).run(progress=False), comet(20).run(self.folder / "comet", progress=False)):
             self.assertRaisesText(ljmd.DataError, "no box", of=run.universe)
-        self.assertRaises(ljmd.DataError, small_deck().run(self.folder / "run", progress=False).universe)
 
 
 class Universes(Case):
+    def test_without_a_trajectory_it_is_the_last_configuration(self):
+        sim = ljmd.Simulation(small_deck())
+        in_memory = sim.run(progress=False)
+        in_directory = small_deck().run(self.folder / "run", progress=False)
+        for run in (in_memory, in_directory, ljmd.open(self.folder / "run"), pickle.loads(pickle.dumps(in_memory))):
+            universe = run.universe()
+            self.assertEqual((len(universe.trajectory), len(universe.atoms)), (1, 108))
+            np.testing.assert_allclose(universe.atoms.positions, sim.unwrapped, atol=1e-6)
+            np.testing.assert_allclose(universe.atoms.velocities, sim.velocities, atol=1e-6)
+            np.testing.assert_allclose(universe.dimensions[:3], sim.edges, rtol=1e-6)
+            self.assertAlmostEqual(universe.trajectory.ts.time, sim.time, 12)
+            self.assertEqual(universe.trajectory.ts.data["step"], 60)
+        longer = ljmd.resume(self.folder / "run", steps=5, progress=False).universe()
+        self.assertEqual(longer.trajectory.ts.data["step"], 65)
+        middle = ljmd.Simulation(small_deck())
+        middle.advance(7)
+        self.assertEqual(middle.results().universe().trajectory.ts.data["step"], 7)
+
+    def test_an_unfinished_run_without_a_trajectory_says_so(self):
+        def fails(s):
+            raise RuntimeError("enough")
+
+        with self.assertRaises(RuntimeError):
+            small_deck().run(self.folder / "run", observables=ljmd.observable(fails, every=50), progress=False)
+        self.assertRaisesText(ljmd.DataError, "has not come to its end", of=ljmd.open(self.folder / "run").universe)
+
     def test_a_universe_has_box_times_velocities_masses_and_ids(self):
         run = recorded().run(progress=False)
         for universe in (run.universe(), recorded().run(self.folder / "run", progress=False).universe(),

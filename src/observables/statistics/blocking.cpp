@@ -6,7 +6,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
@@ -18,7 +20,11 @@ constexpr Index many_blocks = 16;  // with fewer, the scatter of the error (18 %
 constexpr Index fallback_blocks = 4;
 constexpr double few_samples = 16.0;    // independent samples; fewer do not support an error bar
 constexpr double growth_of_flat = 1.3;  // of the error at twice the block length; sqrt(2) for short blocks
+constexpr Index blocks_for_slow = 32;   // at least, of blocks that may show slow fluctuations
+constexpr double excess = 1.5;          // of their error, in units of its scatter
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Curve = std::vector<BlockLevel>;
 
 bool blocks_are_long_enough(const BlockLevel& level, double samples, double shortest_error) {
     const double length = static_cast<double>(level.length);
@@ -28,7 +34,7 @@ bool blocks_are_long_enough(const BlockLevel& level, double samples, double shor
 }
 
 /// Whether the error still grows at the longest blocks of which there are many.
-bool still_grows(const std::vector<BlockLevel>& curve) {
+bool still_grows(const Curve& curve) {
     const auto few =
         std::find_if(curve.begin(), curve.end(), [](const BlockLevel& level) { return level.blocks < many_blocks; });
     const auto levels = few - curve.begin();
@@ -36,7 +42,21 @@ bool still_grows(const std::vector<BlockLevel>& curve) {
                               growth_of_flat * curve[static_cast<std::size_t>(levels - 2)].standard_error;
 }
 
-Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>& curve) {
+/// The level with long enough blocks, or a later one, whose blocks show what its own hide; see BlockingAccumulator.
+Curve::const_iterator with_slow_fluctuations(Curve::const_iterator chosen, Curve::const_iterator end) {
+    auto largest = chosen;
+    for (auto level = std::next(chosen); level != end && level->blocks >= blocks_for_slow; ++level) {
+        const double scatter = std::sqrt(level->relative_uncertainty * level->relative_uncertainty -
+                                         chosen->relative_uncertainty * chosen->relative_uncertainty);
+        const bool more_than_scatter = level->standard_error > (1.0 + excess * scatter) * chosen->standard_error;
+        if (more_than_scatter && level->standard_error > largest->standard_error) {
+            largest = level;
+        }
+    }
+    return largest;
+}
+
+Estimate choose_level(double mean, Index samples, const Curve& curve) {
     if (samples < fallback_blocks || !std::isfinite(curve.front().standard_error)) {
         return {mean, nan, nan, samples, false};
     }
@@ -45,24 +65,21 @@ Estimate choose_level(double mean, Index samples, const std::vector<BlockLevel>&
     if (shortest_error == 0.0) {
         return {mean, 0.0, n, samples, true, samples};
     }
-    const auto chosen = std::find_if(curve.begin(), curve.end(), [&](const BlockLevel& level) {
+    const auto long_enough = std::find_if(curve.begin(), curve.end(), [&](const BlockLevel& level) {
         return level.blocks >= many_blocks && blocks_are_long_enough(level, n, shortest_error);
     });
-    const bool long_enough = chosen != curve.end();
-    double error = long_enough ? chosen->standard_error : 0.0;
-    Index blocks = long_enough ? chosen->blocks : fallback_blocks;
-    if (!long_enough) {
-        for (const BlockLevel& level : curve) {
-            if (level.blocks >= fallback_blocks && level.standard_error > error) {
-                error = level.standard_error;
-                blocks = level.blocks;
-            }
-        }
-    }
-    const double ratio = shortest_error / error;  // infinite if the blocks of an alternating series are all equal
+    const auto few = std::find_if(curve.begin(), curve.end(),
+                                  [](const BlockLevel& level) { return level.blocks < fallback_blocks; });
+    const auto chosen = long_enough != curve.end()
+                            ? with_slow_fluctuations(long_enough, curve.end())
+                            : std::max_element(curve.begin(), few, [](const BlockLevel& a, const BlockLevel& b) {
+                                  return a.standard_error < b.standard_error;
+                              });
+    const double ratio =
+        shortest_error / chosen->standard_error;  // infinite if blocks of an alternating series are equal
     const double independent = n * std::min(1.0, ratio * ratio);
-    const bool converged = long_enough || (independent >= few_samples && !still_grows(curve));
-    return {mean, error, independent, samples, converged, blocks};
+    const bool converged = chosen == long_enough || (independent >= few_samples && !still_grows(curve));
+    return {mean, chosen->standard_error, independent, samples, converged, chosen->blocks};
 }
 
 }  // namespace

@@ -46,19 +46,6 @@ struct MergedSeries {
     bool converged = true;
 };
 
-/// The standard error of a mean: the larger one of that of block averages and of 32 to 63 long blocks. In a gas slow
-/// fluctuations, of pairs that are bound, are hidden below those of collisions, and block averages end too soon.
-double error_of_long_blocks(const BlockingAccumulator& blocks, const Estimate& estimate) {
-    constexpr Index least_blocks = 32;
-    double error = estimate.standard_error;
-    for (const BlockLevel& level : blocks.levels(0)) {
-        if (level.blocks >= least_blocks && level.blocks < 2 * least_blocks) {
-            error = std::max(error, level.standard_error);
-        }
-    }
-    return error;
-}
-
 MergedSeries merged_series(const std::vector<CanonicalSeries>& runs, std::vector<double> CanonicalSeries::*member) {
     std::vector<ReplicaMean> means;
     MergedSeries merged{};
@@ -68,10 +55,8 @@ MergedSeries merged_series(const std::vector<CanonicalSeries>& runs, std::vector
             blocks.add(Eigen::VectorXd::Constant(1, value));
         }
         const Estimate one = blocks.estimate(0);
-        const double error = error_of_long_blocks(blocks, one);
-        means.push_back({one.mean, error, static_cast<double>(one.samples), one.converged});
-        const double larger = error / one.standard_error;
-        merged.independent += larger > 1.0 ? one.independent_samples / (larger * larger) : one.independent_samples;
+        means.push_back({one.mean, one.standard_error, static_cast<double>(one.samples), one.converged});
+        merged.independent += one.independent_samples;
         merged.converged = merged.converged && one.converged;
     }
     merged.mean = merged_mean(means);

@@ -125,6 +125,32 @@ TEST_CASE("The error of correlated series is right and independent of an offset"
     CHECK(seen.converged > 0.97);
 }
 
+TEST_CASE("Slow fluctuations below the noise of fast ones are in the error") {
+    // White noise of variance 1 and a series of variance a^2 with a correlation time of 100 samples, which has six
+    // tenths of the variance of the mean. Blocks that are long enough for what one sees at first are shorter than that.
+    constexpr Index runs = 200;
+    constexpr Index samples = 32'768;
+    const double phi = std::exp(-1.0 / 100.0);
+    const double slow_inefficiency = (1.0 + phi) / (1.0 - phi);
+    const double a = std::sqrt(0.6 / (1.0 - 0.6) / slow_inefficiency);
+    AutoregressiveRuns white(runs, 0.0, 21);
+    AutoregressiveRuns slow(runs, phi, 22);
+    BlockingAccumulator blocks(runs, Covariance::diagonal);
+    for (Index i = 0; i < samples; ++i) {
+        blocks.add(white.next() + a * slow.next());
+    }
+    double reported = 0.0;
+    double converged = 0.0;
+    for (Index run = 0; run < runs; ++run) {
+        const Estimate estimate = blocks.estimate(run);
+        reported += estimate.standard_error * estimate.standard_error / runs;
+        converged += estimate.converged ? 1.0 / runs : 0.0;
+    }
+    const double exact = std::sqrt((1.0 + a * a * slow_inefficiency) / samples);
+    CHECK(std::sqrt(reported) == Approx(exact).epsilon(0.08));  // 0.7 of it without a look at longer blocks
+    CHECK(converged > 0.97);
+}
+
 TEST_CASE("A series too short for its correlations is reported as not converged, with its largest error") {
     const Index samples = 1000;  // ten correlation times of phi = 0.99
     const Calibration seen = calibrate(200, samples, 0.99, 0.0, 3);

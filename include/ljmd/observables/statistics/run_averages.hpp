@@ -23,8 +23,8 @@ namespace ljmd {
 ///
 /// The first formula is exact for the f degrees of freedom of the motion; 3/(2 N) is the share of the centre of mass.
 /// The second one holds whether or not the thermostat conserves momentum.
-/// Its error is the larger one of those by block averages and by a jackknife over 32 to 64 blocks: in a gas, slow
-/// fluctuations are hidden below those of collisions, and only the second one sees them. A run that is not long
+/// Its error is the larger one of those by block averages, to first order, and by a jackknife over 32 to 64 blocks. A
+/// run that is not long
 /// compared with the correlation times underestimates variances by about 1/n, with n the number of independent samples.
 /// This is part of the error. If there are too few independent samples, or if the error is a guess, there is no value.
 ///

@@ -41,8 +41,7 @@ struct ReplicaFolder {
 ///
 /// Energy and pressure are means of canonical_series(), merged (merged_mean()), with cutoff_energy and cutoff_pressure
 /// added (CutoffCorrection), and less canonical_size_shift(). Statistical errors are those of until-error runs, e (1 +
-/// 2/nu), with e the larger one of block averages and of 32 to 63 long blocks. Systematic errors are the sum of squares
-/// of
+/// 2/nu), with e of block averages. Systematic errors are the sum of squares of
 ///
 /// - the cutoff: the second order of the response of the structure, which is a part 2 |c| rho S(0)/T of the first one
 ///   (p_tail = c rho^2; at least 0.05 is taken), and as much of the response as the potential beyond the counted radius
