@@ -234,7 +234,7 @@ class Observables(Case):
 
         self.assertRaises(RuntimeError, deck.run, directory, observables=[fails], progress=False)
         self.assertEqual(command_line("resume", directory).returncode, 6)
-        self.assertRaises(ljmd.CheckpointError, ljmd.resume, directory, progress=False)
+        self.assertRaises(ljmd.CheckpointError, ljmd.resume, directory, observables=[], progress=False)
         run = ljmd.resume(directory, observables=[fastest], progress=False)
         self.assertEqual(run["fastest"], whole["fastest"])
         self.assertEqual(run.stages, whole.stages)
