@@ -312,7 +312,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
     compare_fluid(deck, checked(deck, options, diagnostics), options, compared, out);
 }
 
-void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
+void export_command(const DeckOptions& options, const std::string& to, const std::string& out, bool forces) {
     const bool is_run = input_is_directory(options.deck);
     const std::filesystem::path directory =
         out.empty() ? export_directory(options.deck, is_run, to) : std::filesystem::path(out);
@@ -320,7 +320,7 @@ void export_command(const DeckOptions& options, const std::string& to, const std
     Diagnostics diagnostics;
     const Exportable what = is_run ? end_of_run(options, diagnostics) : start_of_deck(options, diagnostics);
     require_no_input(what.deck, export_files(to, directory), "Nothing was written");
-    const Exported written = export_configuration(what.deck, what.state, to, directory);
+    const Exported written = export_configuration(what.deck, what.state, to, directory, forces);
     if (!options.quiet) {
         for (const std::string& warning : written.warnings) {
             warn(warning);
