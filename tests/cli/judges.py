@@ -400,6 +400,28 @@ open(into + "/point.json", "w").write('{"kinetic_energy": %r}' % k)""", parts="p
     t.check(any("averages: ljmd's own run of the deck failed" in words for words in found["not_judged"]), found["not_judged"])
 
 
+def its_directory_is_known(t):
+    """info, report and plot know the directory that a judgement leaves; resume and analyze say what it is."""
+    t.deck()
+    wrong = engine(t, ("np.sum(f * d), forces", "-np.sum(f * d), forces"))
+    t.expect(5, t.run("compare", "deck.toml", "--with", wrong, *STEPS, "--out", "out"))
+    told = t.run_well("info", "out").out
+    for words in ("deck.toml against one page of Python", "checks FAILED", "failed        virial", "diagnosis     virial: the sign is wrong"):
+        t.contains(told, words)
+    t.run_well("report", "out/judge.json")
+    (t.dir / "page.json").write_text(t.run_well("report", "out", "--json").out)
+    page = t.json("page.json")
+    t.check("report.html" in t.files("out"), t.files("out"))
+    t.equal((page["kind"], page["title"]), ("comparison", "deck.toml against one page of Python"), "kind and title")
+    t.equal([chart["id"] for chart in page["charts"]], ["checks", "distance", "force_difference"], "charts")
+    t.check(any(entry["subject"] == "diagnosis" and "sign is wrong" in entry["words"] for entry in page["verdict"]), page["verdict"])
+    t.run_well("plot", "out")
+    t.run_well("plot", "out/judge.json", "--out", "one.png")
+    t.check({"out/judge.png", "one.png"} <= set(t.files()), t.files())
+    for command in ("resume", "analyze"):
+        t.contains(t.expect(3, t.run(command, "out")).err, "it holds a comparison, which `ljmd compare --out out` has made")
+
+
 def cases():
     return [Case("good engine", good_engine)] + \
            [Case(f"mistake: {name}", mistake(*how)) for name, how in MISTAKES.items()] + \
@@ -410,7 +432,7 @@ def cases():
             Case("existing files are refused", existing_files_are_refused), Case("files by hand", files_by_hand),
             Case("canonical kinetic energies", canonical(321, 1.0, "")),
             Case("canonical kinetic energies, correlated", canonical(321, 1.0, "", rows=20000, correlation=0.8)),
-            Case("openmm", openmm), Case("lammps through files", lammps_through_files), Case("isobaric", isobaric), Case("own run fails", own_run_fails),
+            Case("openmm", openmm), Case("lammps through files", lammps_through_files), Case("isobaric", isobaric), Case("own run fails", own_run_fails), Case("its directory is known", its_directory_is_known),
             Case("thermostat of 3N", canonical(321, 324 / 321, "3N against 3N-3: the mean kinetic energy")),
             Case("thermostat of another temperature", canonical(321, 1.05, "other temperature: the mean kinetic energy is that of T = 1.05")),
             Case("thermostat that rescales", canonical(321, 1.0, "too little fluctuation", narrow=0.5)),
