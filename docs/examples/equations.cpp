@@ -1,5 +1,5 @@
-// Equations of state of the Lennard-Jones fluid beside a short simulation: a state, its phase, coexistence, a density from
-// a pressure, and second virial coefficients.
+// Equations of state of the Lennard-Jones fluid beside a short simulation: a state, its phase, coexistence, a density
+// from a pressure, and second virial coefficients.
 #include <ljmd/ljmd.hpp>
 
 #include <cstdlib>
@@ -17,8 +17,8 @@ int main(int, char** arguments) {
     const ljmd::PhaseOfState phase = ljmd::phase_of_state(thol, temperature, density);
     std::cout << "phase: " << ljmd::name_of(phase.phase) << " (" << phase.lines() << ")\n";
     const ljmd::Coexistence saturated = ljmd::coexistence(thol, temperature).value();
-    std::cout << "vapour pressure " << saturated.pressure << ", heat of vaporisation " << saturated.heat_of_vaporisation()
-              << '\n';
+    std::cout << "vapour pressure " << saturated.pressure << ", heat of vaporisation "
+              << saturated.heat_of_vaporisation() << '\n';
     std::cout << "density at p = 2: " << ljmd::states_at_pressure(thol, temperature, 2.0).front().state.density << '\n';
 
     const auto potential = ljmd::PairPotential::lennard_jones("cut", {.radius = 4.0});

@@ -133,14 +133,22 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
     with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
         out = pathlib.Path(folder) / "found" if directory is None else _check.directory_of(directory)
         deck_file, settings = deck._in_file(pathlib.Path(folder))
+
+        def shown(text: str) -> str:
+            """In words of whoever calls, who knows no file of the deck and no temporary directory."""
+            text = text.replace(str(deck_file), "Deck")
+            if directory is None:
+                text = text.replace(str(out / "exchange" / "answer"), "{output}").replace(str(out / "exchange" / "problem"), "{input}")
+            return text
+
         try:
             code, text, said = _program.call(["compare", deck_file, "--json", "--out", out, *options, *settings,
                                            *(["--force"] if force else [])], allowed=(0, 5))
         except Error as error:
-            raise type(error)(str(error).replace(str(deck_file), "Deck").replace("--force", "force=True")) from None
+            raise type(error)(shown(str(error)).replace("--force", "force=True")) from None
         if not text.strip():
             _program.raise_error(code, said)
-        _program.warned(line.replace(str(deck_file), "Deck") for line in said)
+        _program.warned(shown(line) for line in said)
         tables = {}
         for ending, name in _NAMES.items():
             path = out / f"compare-{program}{'-' if ending else ''}{ending}.csv"

@@ -118,7 +118,10 @@ def reference(temperature: float, density: float | None = None, *, pressure: flo
             _, text, _ = _program.call(["reference", *options, "--out", out, "--json"], told=progress,
                                        note="runs that had begun have checkpoints: the same call resumes them" if directory else "")
         except Error as error:
-            raise type(error)(re.sub(r"--([a-z]+)", r"\1", str(error))) from None
+            text = re.sub(r"--([a-z]+)", r"\1", str(error))
+            if directory is None:  # nothing is left there to be resumed
+                text = re.sub(rf"; to try them again: ljmd resume {re.escape(str(out))}\S*", "", text)
+            raise type(error)(text) from None
         tables = {name: read_numbers(out / f"{name}.csv") for name in ("rdf", "sk") if (out / f"{name}.csv").exists()}
     found = Reference(json.loads(text), tables, None if directory is None else out)
     for warning in found.warnings:
