@@ -1,4 +1,5 @@
-"""The picture of a comparison of ljmd with OpenMM, LAMMPS or, for few bodies, an adaptive solution of high order (GSL).
+"""The picture of a comparison of ljmd with OpenMM, LAMMPS, an engine of the user or, for few bodies, an adaptive
+solution of high order (GSL).
 
 What was not compared is left out. Of the trajectories: the distance of the atom that is furthest off, with the fitted
 growth exp(lambda t) and what the checks allow. Of long runs: g(r) of both programs with its difference, and the averages
@@ -21,7 +22,7 @@ from ljmd.reading.comparisons import RDF_COLUMNS, Check, FluidComparison
 from ljmd.reading.tables import Table
 from style import plt
 
-PROGRAMS = {"openmm": "OpenMM", "lammps": "LAMMPS"}
+PROGRAMS = {"openmm": "OpenMM", "lammps": "LAMMPS", "engine": "the engine"}
 GSL_ERRORS = {"position_error": "position", "velocity_error": "velocity", "energy_error": "energy",
               "angular_momentum_error": "angular momentum"}
 FITTED = (1e-12, 1e-2)  # distances that ljmd fits the growth to [sigma]
@@ -55,7 +56,7 @@ def allowed(comparison: FluidComparison, pairing: str) -> list[tuple[float, Chec
     found = []
     for check in comparison.checks:
         match = re.fullmatch(r"step (\d+): (.*)", check.name)
-        if match and match[2] == f"{ours} and {theirs}":
+        if match and match[2] in (f"{ours} and {theirs}", "positions"):  # the latter of an engine, which has one pairing
             found.append((int(match[1]) * comparison.time_step, check))
     return found
 
@@ -134,7 +135,8 @@ def draw_averages(axes: plt.Axes, comparison: FluidComparison) -> None:
     axes.set_ylim(len(labels) - 0.5, -0.5)
     axes.set_xlim(-1.15 * (reach or 1.0), 1.15 * (reach or 1.0))
     axes.axvline(0.0, color=style.BLACK, linewidth=0.8)
-    axes.set_xlabel("averages without tail: difference / its standard error")
+    parts = "averages" if comparison.program == "engine" else "averages without tail"
+    axes.set_xlabel(f"{parts}: difference / its standard error")
 
 
 def plot(comparison: FluidComparison) -> plt.Figure:
@@ -200,9 +202,11 @@ def draw_gsl(directory: Path) -> plt.Figure:
 def pictures(directory: Path) -> dict[str, Callable[[], plt.Figure]]:
     """What draws each comparison in a directory, by its name."""
     figures: dict[str, Callable[[], plt.Figure]] = {}
-    for name in PROGRAMS:
+    for name in ("openmm", "lammps"):
         if (directory / f"compare-{name}.json").exists():
             figures[f"compare-{name}"] = partial(lambda name: plot(comparisons.load(directory, name)), name)
+    if (directory / "judge.json").exists():
+        figures["judge"] = lambda: plot(comparisons.load_judgement(directory))
     if (directory / "compare-gsl.json").exists():
         figures["compare-gsl"] = partial(draw_gsl, directory)
     return figures

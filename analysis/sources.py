@@ -70,7 +70,7 @@ def of_directory(path: Path, choice: Choice) -> Source:
         kind = records.read(path).kind
         pictures = (fluid_pictures.pictures(path) if kind == "fluid" else
                     few_body_pictures.pictures(path, choice.relative_to or 1))
-    elif any(path.glob("compare-*.json")):
+    elif (path / "judge.json").exists() or any(path.glob("compare-*.json")):
         kind, pictures = "comparison", comparison_pictures.pictures(path)
     elif (path / "isotherms.csv").exists() or (path / "rows").is_dir():
         kind, pictures = "reproduction", reproduction_pictures.pictures(path)
@@ -89,6 +89,8 @@ def of_file(path: Path, choice: Choice) -> Source:
     """A file is part of a directory; a table that is part of none is drawn by itself."""
     folder = path.parent
     comparison = COMPARISONS.fullmatch(path.name)
+    if path.name == "judge.json":
+        return narrowed(of_comparisons(folder), ["judge"])
     if path.name in ("sweep.csv", "sweep.json") and (folder / "sweep.json").exists():
         return of_directory(folder, choice)
     if path.name in ("run.json", "results.json", "results.txt", "rows.csv", "isotherms.csv"):

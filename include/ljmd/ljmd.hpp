@@ -10,5 +10,8 @@
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/forces/external_force.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/potentials/second_virial.hpp"
+#include "ljmd/reference/fluid_phase.hpp"
+#include "ljmd/reference/pressure_states.hpp"
 #include "ljmd/run/run_in_directory.hpp"
 #include "ljmd/run/spec_deck.hpp"

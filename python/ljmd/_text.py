@@ -33,6 +33,23 @@ def as_table(columns, numbers: np.ndarray):
     return pandas.DataFrame({name: numbers[:, k].astype(kind) for k, (name, kind) in enumerate(zip(columns, kinds))})
 
 
+class NamedTables:
+    """What has tables of numbers by name: `_tables` holds columns and rows of each."""
+
+    _tables: dict
+
+    @property
+    def tables(self) -> list:
+        """Names of the tables."""
+        return list(self._tables)
+
+    def table(self, name: str):
+        """The table of that name, see `tables`. Raises KeyError naming all."""
+        if name not in self._tables:
+            raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
+        return as_table(*self._tables[name])
+
+
 def mixed_table(columns: dict):
     """The same from columns by name, which may hold text and truth values."""
     try:

@@ -9,7 +9,7 @@ import tempfile
 import numpy as np
 
 from . import _check, _program
-from ._text import as_table, html_lines, html_table, mixed_table, with_error
+from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
 from .reading.tables import read_numbers
 
@@ -18,12 +18,13 @@ ENGINES = ("command:", "files:")
 _NAMES = {"": "errors", "trajectory": "trajectory", "rdf": "rdf"}
 
 
-class Comparison:
+class Comparison(NamedTables):
     """What `Deck.compare` found.
 
     passed: whether all checks have passed; of few bodies, whether the reference conserves the energy and can be relied on
     data: all numbers, as in compare-PROGRAM.json (docs/crosscheck.md)
     directory: where its files are; None: nowhere
+    tables: "trajectory" (distances of atoms at each step) and "rdf" of a fluid, "errors" of few bodies
     """
 
     def __init__(self, data: dict, tables: dict, directory=None):
@@ -66,17 +67,6 @@ class Comparison:
             "name": list(rows), **{f"{who}{suffix}": [_or_nan(row[who][key]) for row in rows.values()]
                                    for who in ("ljmd", "peer") for suffix, key in (("", "mean"), ("_standard_error", "standard_error"))},
             "sigmas": [_or_nan(row["sigmas"]) for row in rows.values()]})
-
-    @property
-    def tables(self) -> list:
-        """Names of the tables."""
-        return list(self._tables)
-
-    def table(self, name: str):
-        """"trajectory" (distances of atoms at each step) or "rdf" of a fluid, "errors" of few bodies. Raises KeyError naming all."""
-        if name not in self._tables:
-            raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
-        return as_table(*self._tables[name])
 
     def _heading(self) -> str:
         return f"ljmd against {self.data.get('peer', self.data.get('with', 'gsl'))}"
@@ -143,14 +133,22 @@ def compare(deck, program, *, parts, steps, frames, platform, directory, threads
     with tempfile.TemporaryDirectory(prefix="ljmd-") as folder:
         out = pathlib.Path(folder) / "found" if directory is None else _check.directory_of(directory)
         deck_file, settings = deck._in_file(pathlib.Path(folder))
+
+        def shown(text: str) -> str:
+            """In words of whoever calls, who knows no file of the deck and no temporary directory."""
+            text = text.replace(str(deck_file), "Deck")
+            if directory is None:
+                text = text.replace(str(out / "exchange" / "answer"), "{output}").replace(str(out / "exchange" / "problem"), "{input}")
+            return text
+
         try:
             code, text, said = _program.call(["compare", deck_file, "--json", "--out", out, *options, *settings,
                                            *(["--force"] if force else [])], allowed=(0, 5))
         except Error as error:
-            raise type(error)(str(error).replace(str(deck_file), "Deck").replace("--force", "force=True")) from None
+            raise type(error)(shown(str(error)).replace("--force", "force=True")) from None
         if not text.strip():
             _program.raise_error(code, said)
-        _program.warned(line.replace(str(deck_file), "Deck") for line in said)
+        _program.warned(shown(line) for line in said)
         tables = {}
         for ending, name in _NAMES.items():
             path = out / f"compare-{program}{'-' if ending else ''}{ending}.csv"

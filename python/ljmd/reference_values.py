@@ -8,7 +8,7 @@ import re
 import tempfile
 
 from . import _check, _program
-from ._text import as_table, html_lines, html_table, mixed_table, with_error
+from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
 from .errors import Error, InputError
 from .reading.tables import read_numbers
 
@@ -35,8 +35,9 @@ class ReferenceValue:
         return f"{self.name} = {with_error(self.mean, error)} {self.unit}".rstrip(" 1")
 
 
-class Reference:
-    """What `reference()` found: `found["pressure"].mean`, `.total_error`; `found.table("rdf")`; `found.values` as a table.
+class Reference(NamedTables):
+    """What `reference()` found: `found["pressure"].mean`, `.total_error`; `found.table("rdf")` and `"sk"`, if they were asked for;
+    `found.values` as a table.
 
     phase: "gas", "liquid", "supercritical fluid", ...
     warnings: what a reader must know
@@ -68,17 +69,6 @@ class Reference:
         return mixed_table({"name": [row.name for row in rows],
                             **{each: [float("nan") if getattr(row, each) is None else getattr(row, each) for row in rows] for each in numbers},
                             "unit": [row.unit for row in rows]})
-
-    @property
-    def tables(self) -> list:
-        """Names of the tables."""
-        return list(self._tables)
-
-    def table(self, name: str):
-        """"rdf" or "sk", if it was asked for. Raises KeyError naming all."""
-        if name not in self._tables:
-            raise KeyError(f"no table {name!r}; there are {', '.join(self._tables) or 'none'}")
-        return as_table(*self._tables[name])
 
     def _heading(self) -> str:
         density = self.data["density"]
@@ -128,7 +118,10 @@ def reference(temperature: float, density: float | None = None, *, pressure: flo
             _, text, _ = _program.call(["reference", *options, "--out", out, "--json"], told=progress,
                                        note="runs that had begun have checkpoints: the same call resumes them" if directory else "")
         except Error as error:
-            raise type(error)(re.sub(r"--([a-z]+)", r"\1", str(error))) from None
+            text = re.sub(r"--([a-z]+)", r"\1", str(error))
+            if directory is None:  # nothing is left there to be resumed
+                text = re.sub(rf"; to try them again: ljmd resume {re.escape(str(out))}\S*", "", text)
+            raise type(error)(text) from None
         tables = {name: read_numbers(out / f"{name}.csv") for name in ("rdf", "sk") if (out / f"{name}.csv").exists()}
     found = Reference(json.loads(text), tables, None if directory is None else out)
     for warning in found.warnings:

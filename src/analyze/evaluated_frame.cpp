@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/number_text.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/engine/mistakes.hpp"
@@ -247,7 +248,7 @@ Document frame_document(const EvaluatedFrame& frame, const FluidSpec& spec, cons
     text += fmt::format("{:>14}{:>14}{:>14}{:>14}\n", "x", "y", "z", "energy");
     for (std::size_t k = 0; k < std::min(shown_forces, sorted.size()); ++k) {
         const Index i = sorted[k];
-        const Vec3 f = forces.col(i);
+        const Vec3 f = forces.col(i).unaryExpr([](double x) { return without_negative_zero(x); });
         text += fmt::format("{:>10}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}\n", id_of(i), f.norm(), f[0], f[1],
                             f[2], frame.energies[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])]);
     }

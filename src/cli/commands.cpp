@@ -20,8 +20,6 @@
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
-#include "ljmd/io/files/replacement_file.hpp"
-#include "ljmd/io/files/scratch_directory.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/report/written_report.hpp"
 #include "ljmd/run/held_run.hpp"
@@ -34,18 +32,32 @@ namespace ljmd {
 
 namespace {
 
-/// @throws InputError with all mistakes of the deck
-Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
+/// The settings of a deck that its options make.
+std::vector<std::string> settings_of(const DeckOptions& options) {
     // Report a wrong --simd or LJMD_SIMD before anything is done.
     static_cast<void>(options.simd.empty() ? default_simd_level() : usable_simd_level(options.simd));
-    if (options.deck.empty()) {
-        throw InputError("the name of the deck is empty");
-    }
     std::vector<std::string> settings = options.settings;
     if (!options.precision.empty()) {
         settings.push_back("performance.precision=" + options.precision);
     }
+    return settings;
+}
+
+/// @throws InputError with all mistakes of the deck
+Deck load(const DeckOptions& options, Diagnostics& diagnostics) {
+    const std::vector<std::string> settings = settings_of(options);
+    if (options.deck.empty()) {
+        throw InputError("the name of the deck is empty");
+    }
     auto deck = load_deck(options.deck, settings, options.force, diagnostics);
+    diagnostics.throw_if_errors();
+    return std::move(*deck);
+}
+
+/// The deck that `ljmd bench` has for those who name none.
+Deck load_melt(const DeckOptions& options, Diagnostics& diagnostics) {
+    auto deck =
+        load_deck_text("melt-32k.toml", std::string(melt_deck()), settings_of(options), options.force, diagnostics);
     diagnostics.throw_if_errors();
     return std::move(*deck);
 }
@@ -300,7 +312,7 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
     compare_fluid(deck, checked(deck, options, diagnostics), options, compared, out);
 }
 
-void export_command(const DeckOptions& options, const std::string& to, const std::string& out) {
+void export_command(const DeckOptions& options, const std::string& to, const std::string& out, bool forces) {
     const bool is_run = input_is_directory(options.deck);
     const std::filesystem::path directory =
         out.empty() ? export_directory(options.deck, is_run, to) : std::filesystem::path(out);
@@ -308,7 +320,7 @@ void export_command(const DeckOptions& options, const std::string& to, const std
     Diagnostics diagnostics;
     const Exportable what = is_run ? end_of_run(options, diagnostics) : start_of_deck(options, diagnostics);
     require_no_input(what.deck, export_files(to, directory), "Nothing was written");
-    const Exported written = export_configuration(what.deck, what.state, to, directory);
+    const Exported written = export_configuration(what.deck, what.state, to, directory, forces);
     if (!options.quiet) {
         for (const std::string& warning : written.warnings) {
             warn(warning);
@@ -318,17 +330,10 @@ void export_command(const DeckOptions& options, const std::string& to, const std
 }
 
 void bench_command(const DeckOptions& options) {
-    std::optional<ScratchDirectory> scratch;
-    DeckOptions chosen = options;
-    if (chosen.deck.empty()) {
-        scratch.emplace();
-        chosen.deck = (scratch->path() / "melt-32k.toml").string();
-        write_file_atomically(std::filesystem::path(chosen.deck), std::string(melt_deck()));
-    }
     Diagnostics diagnostics;
-    Deck deck = load(chosen, diagnostics);
+    Deck deck = options.deck.empty() ? load_melt(options, diagnostics) : load(options, diagnostics);
     require_fluid(deck, "a few-body deck has no speed worth measuring: `ljmd bench` wants a fluid");
-    CheckedRun fluid = checked(deck, chosen, diagnostics);
+    CheckedRun fluid = checked(deck, options, diagnostics);
     const BenchResult result = bench(std::move(deck), std::move(fluid.start.value()), fluid.execution);
     print_result(options.json ? bench_json(result) : bench_report(result));
 }

@@ -4,6 +4,7 @@
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/compare/openmm.hpp"
+#include "ljmd/compare/recorded_comparison.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
 #include "ljmd/deck/deck_schema.hpp"
@@ -13,6 +14,7 @@
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/neighbors/pair_search.hpp"
@@ -118,6 +120,9 @@ void info_command(const InfoOptions& options) {
         print_result(options.json ? info_json() : info_text());
     } else if (holds_study(options.directory)) {
         print_document(study_report(options.directory, result_columns()), options.json);
+    } else if (!input_is_there(std::filesystem::path(options.directory) / "run.json") &&
+               holds_comparison(options.directory)) {
+        print_document(comparison_report(options.directory), options.json);
     } else {
         print_document(directory_report(options.directory), options.json);
     }

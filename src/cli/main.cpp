@@ -274,6 +274,8 @@ int main(int argc, char** argv) {
         ->type_name("TARGET");
     convert.add_option("--out", out, "directory for the files; by default NAME-TARGET in the working directory")
         ->type_name("DIR");
+    bool forces = false;
+    convert.add_flag("--forces", forces, "extxyz, h5md: with the forces on the atoms, by the deck's potential");
     CLI::App& bench = *app.add_subcommand(
         "bench", "measure how fast a deck runs; without one, the Lennard-Jones melt of 32000 atoms");
     add_deck_options(bench, options, false);
@@ -360,7 +362,7 @@ int main(int argc, char** argv) {
         } else if (compare.parsed()) {
             ljmd::compare_command(options, compared, out);
         } else if (convert.parsed()) {
-            ljmd::export_command(options, to, out);
+            ljmd::export_command(options, to, out, forces);
         } else if (eos.parsed()) {
             ljmd::eos_command(state);
         } else if (reproduce.parsed()) {

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/streams.hpp"
+#include "ljmd/compare/recorded_comparison.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/process.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/report/page.hpp"
@@ -37,10 +41,20 @@ void open_page(const fs::path& page) {
     }
 }
 
+/// The directory that is meant by a path: that of judge.json, for the file itself.
+fs::path directory_of(const std::string& path) {
+    const fs::path whole = path;
+    const bool is_result =
+        is_comparison_result(whole.filename().string()) && input_is_there(whole) && !input_is_directory(whole);
+    return !is_result ? whole : whole.has_parent_path() ? whole.parent_path() : fs::path(".");
+}
+
 }  // namespace
 
 void report_command(const ReportOptions& options) {
-    const std::vector<fs::path> directories(options.directories.begin(), options.directories.end());
+    std::vector<fs::path> directories;
+    directories.reserve(options.directories.size());
+    std::ranges::transform(options.directories, std::back_inserter(directories), directory_of);
     if (options.json) {
         print_result(to_json_line(page_data(report_on(directories))) + "\n");
         return;

@@ -12,6 +12,8 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/engine/fluid_system.hpp"
+#include "ljmd/io/files/output_file.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
@@ -29,6 +31,7 @@ struct Export {
     const Deck& deck;
     const State& state;
     fs::path directory;
+    bool forces;  ///< those of the state are current, and written
 
     [[nodiscard]] Fluid fluid() const {
         if (const std::string& external = deck.given.external; !external.empty()) {
@@ -135,7 +138,15 @@ Notes export_openmm(const Export& what) {
 Notes export_extxyz(const Export& what) {
     make_directory(what.directory);
     const fs::path path = what.directory / "start.xyz";
-    write_configuration(path, what.state, true);
+    if (what.forces) {
+        ReplacementFile file(path);
+        OutputFile frame(file);
+        write_extended_xyz_frame(frame, what.state, {.velocities = true, .forces = true}, std::nullopt);
+        frame.close();
+        file.take_place();
+    } else {
+        write_configuration(path, what.state, true);
+    }
     return {fmt::format("in a deck: [system] file = \"{}\"; in Python: ase.io.read(\"start.xyz\")", path.string())};
 }
 
@@ -147,6 +158,7 @@ Notes export_h5md(const Export& what) {
     const auto writer = make_trajectory_writer("h5md", what.state,
                                                {.path = file.growing(),
                                                 .velocities = true,
+                                                .forces = what.forces,
                                                 .creator_version = build_info().version,
                                                 .title = what.deck.title});
     writer->write(what.state);
@@ -158,14 +170,15 @@ Notes export_h5md(const Export& what) {
 struct Target {
     const char* name;
     std::vector<std::string> files;
+    bool has_forces;  ///< as a column
     Notes (*write)(const Export&);
 };
 
 const std::array<Target, 4>& all_targets() {
     static const std::array<Target, 4> all{
-        Target{"lammps", {LammpsFiles::start, "in.lammps"}, export_lammps},
-        Target{"openmm", {"system.xml", "state.xml", "integrator.xml"}, export_openmm},
-        Target{"extxyz", {"start.xyz"}, export_extxyz}, Target{"h5md", {"start.h5md"}, export_h5md}};
+        Target{"lammps", {LammpsFiles::start, "in.lammps"}, false, export_lammps},
+        Target{"openmm", {"system.xml", "state.xml", "integrator.xml"}, false, export_openmm},
+        Target{"extxyz", {"start.xyz"}, true, export_extxyz}, Target{"h5md", {"start.h5md"}, true, export_h5md}};
     return all;
 }
 
@@ -177,6 +190,23 @@ const Target& find_target(const std::string& name) {
     }
     throw InputError(
         fmt::format("unknown target '{}' to export to, allowed: '{}'", name, fmt::join(export_targets(), "', '")));
+}
+
+/// The configuration with the forces of the deck's potential.
+State with_forces(const Deck& deck, const Target& target, const State& state) {
+    if (!target.has_forces) {
+        throw InputError(fmt::format(
+            "--forces: {} computes them itself, its files hold none; allowed with extxyz and h5md", target.name));
+    }
+    const FluidSpec spec = fluid_spec(deck);
+    if (!deck.given.external.empty() || spec.potential.is_custom()) {
+        throw InputError(
+            "--forces: they were those of the program that made the run, whose potential or force is not known here; "
+            "without --forces the configuration can be exported");
+    }
+    State copy = state;
+    make_force_field(spec, copy.execution()).evaluate(copy, Request::forces);
+    return copy;
 }
 
 }  // namespace
@@ -206,9 +236,10 @@ std::vector<fs::path> export_files(const std::string& target, const fs::path& di
 }
 
 Exported export_configuration(const Deck& deck, const State& state, const std::string& target,
-                              const fs::path& directory) {
+                              const fs::path& directory, bool forces) {
     const Target& chosen = find_target(target);
-    const Notes notes = chosen.write({deck, state, directory});
+    const Notes notes = forces ? chosen.write({deck, with_forces(deck, chosen, state), directory, true})
+                               : chosen.write({deck, state, directory, false});
     return {export_files(target, directory), notes.usage, notes.warnings};
 }
 

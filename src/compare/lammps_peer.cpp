@@ -14,6 +14,7 @@
 #include "ljmd/io/files/output_file.hpp"
 #include "ljmd/io/files/process.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/io/files/shown_path.hpp"
 #include "ljmd/io/formats/lammps_dump.hpp"
 
 namespace ljmd {
@@ -91,6 +92,17 @@ LammpsVersion ask_version(const fs::path& program) {
 }
 
 class LammpsPeer : public Peer {
+  private:
+    /// What `read` makes of the files that LAMMPS leaves in its directory. Messages name them as "LAMMPS' log.lammps".
+    template <class Read>
+    auto after_run(const std::string& input, const Read& read) const {
+        const ScratchDirectory scratch;
+        return read_as(scratch.path() / "", "LAMMPS' ", [&] {
+            run(scratch.path(), input);
+            return read(scratch.path());
+        });
+    }
+
   public:
     LammpsPeer(const Fluid& fluid, int threads)
         : fluid_(fluid), program_(find_lammps()), version_(ask_version(program_)), threads_(threads) {
@@ -108,18 +120,18 @@ class LammpsPeer : public Peer {
     }
 
     [[nodiscard]] PeerPoint point() override {
-        const ScratchDirectory scratch;
-        run(scratch.path(), lammps_point_input(fluid_));
-        LammpsLog log(scratch.path() / log_name);
-        LammpsDump forces(scratch.path() / LammpsFiles::forces);
-        PeerPoint point{totals(required_row(log, 0)), next_vectors(forces, 0, {"fx", "fy", "fz"})};
-        if (const std::optional<LammpsRow> with_tail = log.next_row()) {
-            const Totals all = totals(*with_tail);
-            point.tail_energy =
-                (all.potential_energy - point.totals.potential_energy) / static_cast<double>(fluid_.positions.size());
-            point.tail_pressure = (all.virial - point.totals.virial) / (3.0 * fluid_.edges.prod());
-        }
-        return point;
+        return after_run(lammps_point_input(fluid_), [&](const fs::path& directory) {
+            LammpsLog log(directory / log_name);
+            LammpsDump forces(directory / LammpsFiles::forces);
+            PeerPoint point{totals(required_row(log, 0)), next_vectors(forces, 0, {"fx", "fy", "fz"})};
+            if (const std::optional<LammpsRow> with_tail = log.next_row()) {
+                const Totals all = totals(*with_tail);
+                point.tail_energy = (all.potential_energy - point.totals.potential_energy) /
+                                    static_cast<double>(fluid_.positions.size());
+                point.tail_pressure = (all.virial - point.totals.virial) / (3.0 * fluid_.edges.prod());
+            }
+            return point;
+        });
     }
 
     [[nodiscard]] std::vector<PeerFrame> follow(const std::string& method, double time_step,
@@ -127,45 +139,46 @@ class LammpsPeer : public Peer {
         if (method != method_name) {
             throw ContractViolation(fmt::format("LAMMPS has no method '{}'", method));
         }
-        const ScratchDirectory scratch;
-        run(scratch.path(), lammps_follow_input(fluid_, time_step, steps));
-        LammpsLog log(scratch.path() / log_name);
-        LammpsDump dump(scratch.path() / LammpsFiles::frames);
-        std::vector<PeerFrame> frames;
-        for (const Index step : steps) {
-            const LammpsRow row = required_row(log, step);
-            frames.push_back({step, row.potential_energy, row.kinetic_energy, next_vectors(dump, step, unwrapped)});
-        }
-        return frames;
+        return after_run(lammps_follow_input(fluid_, time_step, steps), [&](const fs::path& directory) {
+            LammpsLog log(directory / log_name);
+            LammpsDump dump(directory / LammpsFiles::frames);
+            std::vector<PeerFrame> frames;
+            frames.reserve(steps.size());
+            for (const Index step : steps) {
+                const LammpsRow row = required_row(log, step);
+                frames.push_back({step, row.potential_energy, row.kinetic_energy, next_vectors(dump, step, unwrapped)});
+            }
+            return frames;
+        });
     }
 
     void sample(double time_step, Index steps, Index every, Index frame_every, const Visitor& visit) override {
-        const ScratchDirectory scratch;
-        run(scratch.path(), lammps_sample_input(fluid_, time_step, steps, every, frame_every));
-        LammpsLog log(scratch.path() / log_name);
-        std::optional<LammpsDump> dump;
-        if (frame_every > 0) {
-            dump.emplace(scratch.path() / LammpsFiles::frames);
-            static_cast<void>(next_vectors(*dump, 0, unwrapped));
-        }
-        for (Index step = every; step <= steps; step += every) {
-            const Totals row = totals(required_row(log, step));
-            if (dump && step % frame_every == 0) {
-                const std::vector<Vec3> positions = next_vectors(*dump, step, unwrapped);
-                visit(step, row, &positions);
-            } else {
-                visit(step, row, nullptr);
+        after_run(lammps_sample_input(fluid_, time_step, steps, every, frame_every), [&](const fs::path& directory) {
+            LammpsLog log(directory / log_name);
+            std::optional<LammpsDump> dump;
+            if (frame_every > 0) {
+                dump.emplace(directory / LammpsFiles::frames);
+                static_cast<void>(next_vectors(*dump, 0, unwrapped));
             }
-        }
+            for (Index step = every; step <= steps; step += every) {
+                const Totals row = totals(required_row(log, step));
+                if (dump && step % frame_every == 0) {
+                    const std::vector<Vec3> positions = next_vectors(*dump, step, unwrapped);
+                    visit(step, row, &positions);
+                } else {
+                    visit(step, row, nullptr);
+                }
+            }
+        });
     }
 
     [[nodiscard]] double seconds(double time_step, Index steps) override {
-        const ScratchDirectory scratch;
-        run(scratch.path(), lammps_sample_input(fluid_, time_step, steps, 0, 0));
-        LammpsLog log(scratch.path() / log_name);
-        while (log.next_row()) {
-        }
-        return log.loop_seconds();
+        return after_run(lammps_sample_input(fluid_, time_step, steps, 0, 0), [](const fs::path& directory) {
+            LammpsLog log(directory / log_name);
+            while (log.next_row()) {
+            }
+            return log.loop_seconds();
+        });
     }
 
   private:

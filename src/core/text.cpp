@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "ljmd/core/number_text.hpp"
 #include "ljmd/core/terminal_text.hpp"
 
 namespace ljmd {
@@ -91,11 +92,11 @@ std::string in_quotes(std::string_view text) {
 
 std::string with_error(double mean, double error) {
     if (!(error > 0.0) || !std::isfinite(error)) {
-        return fmt::format("{:.6g}", mean);
+        return without_negative_zero(fmt::format("{:.6g}", mean));
     }
     constexpr int max_decimals = 12;
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, max_decimals);
-    return fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals);
+    return without_negative_zero(fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals));
 }
 
 std::string_view trimmed(std::string_view text) {

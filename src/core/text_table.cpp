@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/number_text.hpp"
 #include "ljmd/core/text.hpp"
 
 namespace ljmd {
@@ -27,7 +28,7 @@ TextTable::TextTable(std::vector<Column> columns, std::size_t indent) : indent_(
 }
 
 TextTable::Entry TextTable::entry_of(const std::string& text) {
-    const std::vector<std::string> characters = printable_characters(text);
+    const std::vector<std::string> characters = printable_characters(without_negative_zero(text));
     Entry entry{"", characters.size()};
     for (const std::string& character : characters) {
         entry.shown += character;

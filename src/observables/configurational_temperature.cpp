@@ -7,12 +7,13 @@ namespace ljmd {
 
 namespace {
 
+/// Of a configuration: the sum of f^2 and the Laplacian, both per atom.
 enum RatioColumn : Index { force_column, laplacian_column, ratio_columns };
 
 }  // namespace
 
 ConfigurationalTemperature::ConfigurationalTemperature(const SampledRun& run, Every every)
-    : interaction_(run.interaction.value()), every_(every), means_(ratio_columns, Covariance::full) {}
+    : BlockMeans(every, ratio_columns), interaction_(run.interaction.value()) {}
 
 void ConfigurationalTemperature::sample(const State& state, const Evaluation& /*evaluation*/) {
     const auto atoms = static_cast<double>(state.count());

@@ -55,13 +55,12 @@ constexpr const char* not_canonical =
 }  // namespace
 
 CutoffCorrection::CutoffCorrection(const SampledRun& run, double radius, Every every)
-    : interaction_(run.interaction.value()),
+    : BlockMeans(every, columns),
+      interaction_(run.interaction.value()),
       beyond_(interaction_.potential.formula_beyond(radius)),
       radius_(radius),
-      every_(every),
       atoms_(static_cast<double>(run.atoms)),
-      temperature_(run.ensemble == Ensemble::canonical ? run.held_temperature : std::nullopt),
-      means_(columns, Covariance::full) {}
+      temperature_(run.ensemble == Ensemble::canonical ? run.held_temperature : std::nullopt) {}
 
 void CutoffCorrection::sample(const State& state, const Evaluation& evaluation) {
     const PairPotential& potential = interaction_.potential;

@@ -12,6 +12,7 @@ namespace ljmd {
 
 namespace {
 
+/// Of a configuration: w = T^(3/2) exp(-psi/T), or exp(-psi/T) if T is held; T; psi w; energy of an atom.
 enum Column : Index { weight_column, temperature_column, weighted_energy_column, atom_energy_column, columns };
 
 constexpr double largest_error = 0.25;      // [T]
@@ -20,12 +21,11 @@ constexpr double largest_energy_gap = 1.0;  // [T]
 }  // namespace
 
 WidomInsertion::WidomInsertion(const SampledRun& run, Index insertions, Every every)
-    : interaction_(run.interaction.value()),
+    : BlockMeans(every, columns),
+      interaction_(run.interaction.value()),
       held_temperature_(run.held_temperature),
       random_(run.seed, RandomStream::insertions),
-      insertions_(insertions),
-      every_(every),
-      means_(columns, Covariance::full) {}
+      insertions_(insertions) {}
 
 WidomInsertion::Weights WidomInsertion::mean_weights(const State& state, double temperature) {
     // The grid sorts and wraps atoms, so it works on a copy of the state.

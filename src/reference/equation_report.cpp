@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/number_text.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
 #include "ljmd/reference/equation_doubts.hpp"
@@ -44,7 +45,7 @@ std::vector<Line> lines_of(const EquationOfState& equation, const FluidPropertie
 }
 
 std::string number(std::optional<double> value) {
-    return value ? fmt::format("{:16.9g}", *value) : fmt::format("{:>16}", "-");
+    return value ? fmt::format("{:16.9g}", without_negative_zero(*value)) : fmt::format("{:>16}", "-");
 }
 
 std::string heading(const EquationOfState& equation) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "ljmd/compare/recorded_comparison.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/report/pages/few_body_page.hpp"

@@ -74,6 +74,31 @@ Chart chart_of(const AnalysisChart& drawn, const PageTable& table) {
     return chart;
 }
 
+/// Heights of Bragg peaks, and those that the displacements of the atoms let expect.
+Chart bragg_chart(const PageTable& table) {
+    const char* peaks = "debye_waller_factor";
+    return {.id = "bragg",
+            .title = "Bragg peaks",
+            .caption =
+                "Height S(k)/N of the peaks, 1 in a crystal at rest. The line is exp(-k^2 <u^2>/3) of the measured "
+                "displacements; on this scale it is nearly straight in k^2.",
+            .lead = true,
+            .x = {axis_label("k")},
+            .y = {"S(k)/N", "log"},
+            .marks = {{.type = "line",
+                       .label = "from displacements",
+                       .table = table.name,
+                       .x = "k",
+                       .y = "debye_waller_gaussian",
+                       .colour = 1},
+                      {.type = "dots",
+                       .label = "peaks",
+                       .table = table.name,
+                       .x = "k",
+                       .y = peaks,
+                       .error = "debye_waller_factor_standard_error"}}};
+}
+
 }  // namespace
 
 void add_analyses(PageContent& page, const RunFacts& facts) {
@@ -91,6 +116,15 @@ void add_analyses(PageContent& page, const RunFacts& facts) {
             if (found->has_column(drawn.x) && found->has_column(drawn.y)) {
                 page.charts.push_back(chart_of(drawn, *found));
             }
+        });
+    }
+    if (const std::string file = file_of(facts, "bragg"); !file.empty()) {
+        add_if_readable(page.warnings, [&] {
+            PageTable table = page_table(read_csv(facts.directory / file), "Bragg peaks", file);
+            if (table.has_column("debye_waller_factor") && table.has_column("debye_waller_gaussian")) {
+                page.charts.push_back(bragg_chart(table));
+            }
+            page.tables.push_back(std::move(table));
         });
     }
 }

@@ -12,6 +12,7 @@
 #include "ljmd/report/methods.hpp"
 #include "ljmd/report/quantity_names.hpp"
 #include "ljmd/run/continuation.hpp"
+#include "ljmd/run/recorded_run.hpp"
 
 namespace ljmd {
 
@@ -120,7 +121,7 @@ RunFacts run_facts(const fs::path& directory) {
     RunFacts facts{directory, {}, {}, {}, "", "", {}};
     const fs::path record = directory / "run.json";
     if (!input_is_there(record)) {
-        throw DataError(fmt::format("{} is not the directory of a run: it has no run.json", directory.string()));
+        throw DataError(not_a_run(directory));
     }
     facts.record = read_any_json(record);
     if (text_in(facts.record, {"program"}) != "ljmd") {

@@ -8,6 +8,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/execution/threads.hpp"
+#include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/io/tables/json_file.hpp"
@@ -30,10 +31,38 @@ struct Record {
     GivenParts given;
 };
 
+/// What a directory holds that is no run; empty if that is nothing of ljmd.
+std::string what_else(const fs::path& directory) {
+    const std::string name = directory.string();
+    if (files::is_taken(directory / "reference.json")) {
+        return fmt::format(
+            "it holds a reference, which `ljmd reference` with the same options and --out {0} resumes and `ljmd report "
+            "{0}` shows; its runs are in {0}/*/points",
+            name);
+    }
+    if (files::is_taken(directory / "sweep.json")) {
+        return fmt::format(
+            "it holds a sweep or replicas, which `ljmd resume {0}` resumes and `ljmd report {0}` shows; its "
+            "runs are in {0}/points",
+            name);
+    }
+    std::vector<fs::path> entries;
+    if (input_is_directory(directory)) {
+        entries = files::list(directory);
+    }
+    const bool compares = std::ranges::any_of(entries, [](const fs::path& entry) {
+        const std::string file = entry.filename().string();
+        return file == "judge.json" || (file.starts_with("compare-") && file.ends_with(".json"));
+    });
+    return compares
+               ? fmt::format(
+                     "it holds a comparison, which `ljmd compare --out {0}` has made and `ljmd report {0}` shows", name)
+               : "";
+}
+
 Record read_record(const fs::path& path) {
     if (!input_is_there(path)) {
-        throw DataError(
-            fmt::format("{} is not the directory of a run: it has no run.json", path.parent_path().string()));
+        throw DataError(not_a_run(path.parent_path()));
     }
     return read_json(path, "the record of a run", [&path](const Data& record) -> Record {
         if (record.at("program") != "ljmd") {
@@ -60,6 +89,12 @@ Record read_record(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string not_a_run(const fs::path& directory) {
+    const std::string other = what_else(directory);
+    return fmt::format("{} is not the directory of a run: it has no run.json{}{}", directory.string(),
+                       other.empty() ? "" : "; ", other);
+}
 
 Deck recorded_deck(const fs::path& directory, const std::vector<std::string>& settings, Diagnostics& diagnostics) {
     Record record = read_record(directory / "run.json");

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ljmd/core/number_text.hpp"
+
 namespace ljmd {
 
 std::string with_error_in_brackets(double mean, double standard_error) {
     if (!(standard_error > 0.0) || !std::isfinite(standard_error)) {
-        return fmt::format("{:.4f}", mean);
+        return without_negative_zero(fmt::format("{:.4f}", mean));
     }
     constexpr int max_digits = 15;
     constexpr double three_digits = 99.5;  // values from here on would be rounded to 100
@@ -17,7 +19,7 @@ std::string with_error_in_brackets(double mean, double standard_error) {
     if (digits > 0 && standard_error * std::pow(10.0, digits) >= three_digits) {
         --digits;
     }
-    return fmt::format("{:.{}f}({:.0f})", mean, digits, standard_error * std::pow(10.0, digits));
+    return without_negative_zero(fmt::format("{:.{}f}({:.0f})", mean, digits, standard_error * std::pow(10.0, digits)));
 }
 
 }  // namespace ljmd

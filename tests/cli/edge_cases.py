@@ -121,6 +121,16 @@ def no_steps(t):
     t.equal(t.columns("runs/deck/thermo.csv")["step"], [0.0], "rows of thermo.csv")
 
 
+def no_zero_has_a_sign(t):
+    """The displacements of a crystal that nothing has moved, in the table and in JSON."""
+    t.deck(("steps = 20", "steps = 0"), ("steps = 40", "steps = 0"))
+    with (t.dir / "deck.toml").open("a") as deck:
+        deck.write("\n[analysis]\ncrystal = {}\n")
+    found = t.run_well("run", "deck.toml", "--quiet", "--out", "out")
+    for text in (found.out, t.read("out/results.json"), t.read("out/results.txt")):
+        t.equal(re.findall(r"(?<![\w.])-0(?:\.0*)?(?![\d.])", text), [], "zeros with a sign")
+
+
 def no_steps_in_one_stage(t):
     run_deck(t, ("steps = 20", "steps = 0"))
     t.equal([stage["steps"] for stage in t.json("runs/deck/results.json")["stages"]], [0, 40], "steps of the stages")
@@ -206,6 +216,6 @@ def settings(t):
 
 def cases():
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (one_atom, one_atom_in_every_analysis, two_atoms, zero_temperature, atoms_at_rest, minus_zero, no_steps, no_steps_in_one_stage, largest_cutoff,
+            for test in (one_atom, one_atom_in_every_analysis, two_atoms, zero_temperature, atoms_at_rest, minus_zero, no_steps, no_zero_has_a_sign, no_steps_in_one_stage, largest_cutoff,
                          all_searches_agree, no_skin, largest_seed, simple_cubic, atoms_instead_of_cells, no_sample,
                          units_in_the_deck, text_variants, settings)]

@@ -49,6 +49,27 @@ def every_configuration_can_be_started_from(t):
         t.check(abs(found["potential_energy"]["mean"] - wanted) < 1e-12, f"energy {found['potential_energy']}, {wanted}")
 
 
+def forces_are_those_of_the_potential(t):
+    """With --forces extended XYZ and H5MD hold them; other targets, which compute them, refuse the option."""
+    t.deck()
+    t.run_well("run", "deck.toml", "--quiet", "--out", "out")
+    for target, file in (("extxyz", "start.xyz"), ("h5md", "start.h5md")):
+        t.run_well("export", "out", "--to", target, "--forces", "--out", target)
+        found = json.loads(t.run_well("evaluate", f"{target}/{file}", "--deck", "deck.toml", "--json").out)
+        if target == "extxyz":
+            lines = t.read(f"{target}/{file}").splitlines()
+            t.contains(lines[1], ":forces:R:3:")
+            rows = [[float(word) for word in line.split()[10:13]] for line in lines[2:]]
+            worst = max(abs(a - b) for row, force in zip(rows, found["forces"]) for a, b in zip(row, force))
+            t.check(worst < 1e-10, f"forces differ by {worst}")
+    t.run_well("export", "out", "--to", "extxyz", "--out", "plain")
+    t.check(":forces:" not in t.read("plain/start.xyz"), "forces that nobody asked for")
+    for target in ("lammps", "openmm"):
+        t.contains(t.expect(2, t.run("export", "out", "--to", target, "--forces", "--out", "refused")).err,
+                   f"--forces: {target} computes them itself")
+    t.check(not any(name.startswith("refused") for name in t.files()), "something was written")
+
+
 def a_run_needs_its_directory_alone(t):
     (t.dir / "deep").mkdir()
     t.deck(name="deep/deck.toml")
@@ -147,7 +168,7 @@ def cases():
     morse = DECK.replace('type = "lennard-jones"', 'type = "morse"\nwell_depth = 1.0\nsteepness = 6.0\nminimum = 1.12')
     switched = morse.replace('truncation = "cut"', 'truncation = "switched"\nswitch_start = 2.0')
     return [Case(test.__name__.replace("_", " "), test)
-            for test in (lammps, json_says_the_same, every_configuration_can_be_started_from,
+            for test in (lammps, json_says_the_same, every_configuration_can_be_started_from, forces_are_those_of_the_potential,
                          a_run_needs_its_directory_alone, existing_files_are_refused, the_start_is_not_replaced,
                          output_is_a_file,
                          a_tail_is_warned_of, few_body_run, run_that_has_not_ended, start_of_a_run_is_past,

@@ -65,6 +65,18 @@ MISTAKES = {
                   "sigma off: energy, virial and forces are those of a sigma of 1.01,", "largest force difference"),
     "other cutoff": ([('= potential["cutoff"]', "= 2.3")], "other cutoff", "largest force difference"),
     "missing image": ([("    d -= edges * np.round(d / edges)\n", "")], "missing image", "largest force difference"),
+    "missing image along one direction": ([("np.round(d / edges)", "np.round(d / edges) * [1, 1, 0]")],
+                                          "missing image: pairs that are near each other through a wall of the box are left out along z",
+                                          "largest force difference"),
+    "missing image on one side": ([("np.round(d / edges)", "(d > edges / 2)")],
+                                  "left out where r_i - r_j < -L/2 for i < j, all others are right", "largest force difference"),
+    "constant force": ([("np.sum(f * d), forces", "np.sum(f * d), forces + [0.01, 0.02, 0]")],
+                       "constant force: the same force of (0.01, 0.02, 0) is added on every atom", "largest force difference"),
+    "small constant force in one direction": ([("np.sum(f * d), forces", "np.sum(f * d), forces + [0, 0, -1e-8]")],
+                                              "constant force: the same force of -1e-08 along z", "largest force difference"),
+    "field in a half of the box": ([('"forces": f.tolist()',
+                                     '"forces": (f + np.outer(start[:, 0] > edges[0] / 2, [0.1, 0, 0])).tolist()')],
+                                   "net force: forces do not sum to zero", "largest force difference"),
     "3N against 3N-3": ([("(3 * n - 3)", "(3 * n)")], "3N against 3N-3: the temperature", "temperature"),
     "half-step velocities": ([("yield step, u, w, r, v, f", "yield step, u, w, r, v - 0.5 * dt * f, f")],
                              "half-step velocities", "step 10: kinetic energy"),
@@ -94,6 +106,7 @@ def mistake(replacements, words, failing):
         (t.dir / "found.json").write_text(result.out)
         found = t.json("found.json")
         t.check(any(words in diagnosis for diagnosis in found["diagnoses"]), f"{words!r} is not in {found['diagnoses']}")
+        t.check(words == "few digits" or not any("few digits" in diagnosis for diagnosis in found["diagnoses"]), found["diagnoses"])
         t.equal(checks(found)[failing], False, failing)
         t.contains(result.err, "differ")
     return test
@@ -150,7 +163,23 @@ def failure(text, words):
         t.equal(result.err.count("error: "), 1, "number of errors")
         for part in words:
             t.contains(result.err, part)
+        t.contains(result.err, "--out DIR keeps the files of the engine")
+        t.check("/ljmd-" not in result.err, f"a temporary directory is named:\n{result.err}")
     return test
+
+
+def files_are_named_as_the_user_does(t):
+    """By {output} where the directory is temporary, by --out where it stays."""
+    t.deck()
+    half = script(t, "print('see', into)\nopen(into + '/thermo.csv', 'w').write('step,kinetic_energy\\n0,1\\n5\\n')")
+    t.contains(t.expect(3, t.run("compare", "deck.toml", "--quiet", "--with", half)).err, "error: {output}/thermo.csv:3: ")
+    t.contains(t.expect(3, t.run("compare", "deck.toml", "--quiet", "--with", half, "--out", "out")).err,
+               "error: out/exchange/answer/thermo.csv:3: ")
+    crash = script(t, "print('see', into, sys.argv[1])\nsys.exit(3)")
+    t.contains(t.expect(3, t.run("compare", "deck.toml", "--quiet", "--with", crash)).err, "see {output} {input}")
+    unknown = script(t, "open(into + '/point.json', 'w').write('{\"kinetic_energy\": 1, \"flux\": 2}')")
+    t.contains(t.expect(5, t.run("compare", "deck.toml", "--quiet", "--with", unknown)).err,
+               "warning: {output}/point.json: the key 'flux' is not known")
 
 
 def children_are_stopped(t):
@@ -221,12 +250,12 @@ def files_by_hand(t):
     t.contains(t.expect(2, t.run(*command)).err, "it is not known what they answer")
 
 
-def samples(t, deck, rows, columns="step,kinetic_energy"):
+def samples(t, deck, rows, columns="step,kinetic_energy", more="", parts="averages"):
     """The judgement of a made-up table: the result of the command, and what it prints as JSON."""
     t.deck(*deck)
     (t.dir / "made.csv").write_text(columns + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows))
-    result = t.run("compare", "deck.toml", "--parts", "averages", "--quiet", "--json", "--with",
-                   script(t, "import shutil; shutil.copy('made.csv', into + '/thermo.csv')"), env=same_bits_environment())
+    result = t.run("compare", "deck.toml", "--parts", parts, "--quiet", "--json", "--with",
+                   script(t, "import shutil; shutil.copy('made.csv', into + '/thermo.csv')" + more), env=same_bits_environment())
     (t.dir / "found.json").write_text(result.out)
     return result, t.json("found.json")
 
@@ -354,16 +383,56 @@ def isobaric(t):
     t.check(any("the variance of the volume is" in words for words in found["diagnoses"]), found["diagnoses"])
 
 
+def own_run_fails(t):
+    """A deck whose run fails in ljmd, because the barostat makes the box too small, is no mistake of the engine: what can be
+    judged is judged, and the message says whose run it is."""
+    rows = [(step, 150.0, 128.0) for step in range(1, 201)]
+    squeezed = [*ISOBARIC[:1], (ISOBARIC[1][0], ISOBARIC[1][1].replace("pressure = 1.5", "pressure = 12.0"))]
+    result, found = samples(t, squeezed, rows, "step,kinetic_energy,volume", more="""
+rows = [line.split() for line in open(sys.argv[1] + "/start.xyz")][2:]
+k = sum(0.5 * float(x)**2 for row in rows for x in row[4:7])
+open(into + "/point.json", "w").write('{"kinetic_energy": %r}' % k)""", parts="point,averages")
+    t.equal(result.code, 5, "exit code")
+    t.contains(result.err, "ljmd's own run of deck.toml failed")
+    t.contains(result.err, "the barostat would make the box")
+    t.equal(found["passed"], None, "passed")
+    t.equal(checks(found), {"kinetic energy": True}, "checks")
+    t.check(any("averages: ljmd's own run of the deck failed" in words for words in found["not_judged"]), found["not_judged"])
+
+
+def its_directory_is_known(t):
+    """info, report and plot know the directory that a judgement leaves; resume and analyze say what it is."""
+    t.deck()
+    wrong = engine(t, ("np.sum(f * d), forces", "-np.sum(f * d), forces"))
+    t.expect(5, t.run("compare", "deck.toml", "--with", wrong, *STEPS, "--out", "out"))
+    told = t.run_well("info", "out").out
+    for words in ("deck.toml against one page of Python", "checks FAILED", "failed        virial", "diagnosis     virial: the sign is wrong"):
+        t.contains(told, words)
+    t.run_well("report", "out/judge.json")
+    (t.dir / "page.json").write_text(t.run_well("report", "out", "--json").out)
+    page = t.json("page.json")
+    t.check("report.html" in t.files("out"), t.files("out"))
+    t.equal((page["kind"], page["title"]), ("comparison", "deck.toml against one page of Python"), "kind and title")
+    t.equal([chart["id"] for chart in page["charts"]], ["checks", "distance", "force_difference"], "charts")
+    t.check(any(entry["subject"] == "diagnosis" and "sign is wrong" in entry["words"] for entry in page["verdict"]), page["verdict"])
+    t.run_well("plot", "out")
+    t.run_well("plot", "out/judge.json", "--out", "one.png")
+    t.check({"out/judge.png", "one.png"} <= set(t.files()), t.files())
+    for command in ("resume", "analyze"):
+        t.contains(t.expect(3, t.run(command, "out")).err, "it holds a comparison, which `ljmd compare --out out` has made")
+
+
 def cases():
     return [Case("good engine", good_engine)] + \
            [Case(f"mistake: {name}", mistake(*how)) for name, how in MISTAKES.items()] + \
            [Case(f"an engine that {name}", failure(*how)) for name, how in FAILURES.items()] + \
            [Case("mistake that is not known", unknown_mistake), Case("missing parts are named", missing_parts_are_named),
-            Case("children are stopped", children_are_stopped), Case("interrupted", interrupted), Case("paths are quoted", paths_are_quoted),
+            Case("children are stopped", children_are_stopped), Case("interrupted", interrupted), Case("files are named as the user does", files_are_named_as_the_user_does),
+            Case("paths are quoted", paths_are_quoted),
             Case("existing files are refused", existing_files_are_refused), Case("files by hand", files_by_hand),
             Case("canonical kinetic energies", canonical(321, 1.0, "")),
             Case("canonical kinetic energies, correlated", canonical(321, 1.0, "", rows=20000, correlation=0.8)),
-            Case("openmm", openmm), Case("lammps through files", lammps_through_files), Case("isobaric", isobaric),
+            Case("openmm", openmm), Case("lammps through files", lammps_through_files), Case("isobaric", isobaric), Case("own run fails", own_run_fails), Case("its directory is known", its_directory_is_known),
             Case("thermostat of 3N", canonical(321, 324 / 321, "3N against 3N-3: the mean kinetic energy")),
             Case("thermostat of another temperature", canonical(321, 1.05, "other temperature: the mean kinetic energy is that of T = 1.05")),
             Case("thermostat that rescales", canonical(321, 1.0, "too little fluctuation", narrow=0.5)),

@@ -113,6 +113,20 @@ def refusals(t):
     t.equal(t.files(), [], "files")
 
 
+def its_directory_is_known(t):
+    """info, report and plot know the directory of a reference; resume and analyze say what takes it."""
+    reference(t, *QUICK, "--properties", "g")
+    t.contains(t.run_well("info", "out").out, "a reference of 4 runs")
+    page = json.loads(t.run_well("report", "out", "--json").out)
+    t.equal(page["kind"], "reference", "kind")
+    t.equal([chart["id"] for chart in page["charts"]], ["apart", "errors", "rdf"], "charts")
+    t.equal(dict(page["provenance"])["density of the runs"], "0.5", "provenance")
+    t.run_well("plot", "out")
+    for command in ("resume", "analyze"):
+        t.contains(t.expect(3, t.run(command, "out")).err, "it holds a reference, which `ljmd reference` with the same options and --out out resumes")
+    t.contains(t.run_well("resume", "out/canonical", "--quiet").out, "2 replicas, merged")
+
+
 def another_request_is_refused(t):
     reference(t, *QUICK)
     other = ("--temperature", "2.5", "--density", "0.5", "--atoms", "108", "--replicas", "2", "--error", "energy=0.02")
@@ -129,4 +143,5 @@ def cases():
     return [Case(f"reference: {name.replace('_', ' ')}", test) for name, test in (
         ("values reach their errors", values_reach_their_errors), ("what is finished is kept", what_is_finished_is_kept),
         ("what was stopped is resumed", what_was_stopped_is_resumed), ("all properties", all_properties),
-        ("from a pressure", from_a_pressure), ("refusals", refusals), ("another request is refused", another_request_is_refused))]
+        ("from a pressure", from_a_pressure), ("refusals", refusals), ("another request is refused", another_request_is_refused),
+        ("its directory is known", its_directory_is_known))]

@@ -8,7 +8,10 @@
 #include "ljmd/compare/lammps_input.hpp"
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/deck/fluid.hpp"
+#include "ljmd/engine/fluid_system.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
+#include "ljmd/io/formats/trajectory_reader.hpp"
 
 using namespace ljmd;
 using namespace ljmd::test;
@@ -76,6 +79,28 @@ TEST_CASE("extended XYZ and H5MD hold the configuration with its velocities") {
           std::vector<fs::path>{directory / "start.h5md"});
     CHECK(content_of(directory / "start.h5md").starts_with("\x89HDF\r\n"));
     CHECK(std::distance(fs::directory_iterator(directory), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("forces are exported on request, where the format has them") {
+    const DeckFolder folder;
+    const Deck deck = folder.load();
+    const State state = travelled(deck);
+    static_cast<void>(export_configuration(deck, state, "extxyz", folder / "xyz", true));
+    check_configuration(folder / "xyz" / "start.xyz", state, true);
+    CHECK_THAT(content_of(folder / "xyz" / "start.xyz"), Contains(":forces:R:3:id:I:1"));
+    static_cast<void>(export_configuration(deck, state, "h5md", folder / "h5md", true));
+    const auto reader = open_trajectory(folder / "h5md" / "start.h5md", std::nullopt);
+    Frame frame;
+    REQUIRE(reader->next(frame));
+    State same = state;
+    make_force_field(fluid_spec(deck), same.execution()).evaluate(same, Request::forces);
+    REQUIRE(frame.forces.size() == static_cast<std::size_t>(state.count()));
+    for (Index i = 0; i < same.count(); ++i) {
+        CHECK(frame.forces[static_cast<std::size_t>(same.ids()[static_cast<std::size_t>(i)])] == same.forces().col(i));
+    }
+    CHECK_THROWS_WITH(export_configuration(deck, state, "lammps", folder / "lammps", true),
+                      Contains("--forces: lammps computes them itself"));
+    CHECK_FALSE(fs::exists(folder / "lammps"));
 }
 
 TEST_CASE("OpenMM gets its XML, from a build that has it") {

@@ -20,9 +20,11 @@ TEST_CASE("a column is as wide as its longest entry and never touches the next o
 TEST_CASE("short entries get the width that was asked for") {
     TextTable table({{"name", Align::left, 8}, {"T", Align::right, 6}}, 2);
     table.add({"a", "1.5"});
+    table.add({"zero", "-0.0"});
     CHECK(table.text() ==
           "  name           T\n"
-          "  a            1.5\n");
+          "  a            1.5\n"
+          "  zero         0.0\n");
 }
 
 TEST_CASE("a table without headings begins with its rows, and missing entries leave no blanks at the end of a line") {

@@ -68,6 +68,14 @@ class Comparisons(Case):
         self.assertIn("missing image", wrong.diagnoses[0])
         self.assertIn("diagnosis: missing image", repr(wrong))
         self.assertRaisesText(ljmd.InputError, "{output} is missing", of=lambda: deck.compare("command:./engine {input}"))
+        cut = "command:echo '{' > {output}/point.json; : {input}"
+        with self.assertRaises(ljmd.DataError) as raised:
+            deck.compare(cut)
+        self.assertIn("{output}/point.json is not a point", str(raised.exception))
+        self.assertNotIn("ljmd-", str(raised.exception))
+        with self.assertRaises(ljmd.DataError) as raised:
+            deck.compare(cut, directory=self.folder / "cut")
+        self.assertIn(str(self.folder / "cut/exchange/answer/point.json"), str(raised.exception))
 
     def test_a_check_that_fails_is_no_exception(self):
         told = {"deck": "deck.toml", "with": "openmm", "peer": "OpenMM 0", "passed": False,

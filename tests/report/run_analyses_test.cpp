@@ -23,6 +23,20 @@ TEST_CASE("tables of analyses are drawn with their bands, from the run or from i
     CHECK_THAT(page.warnings[0], Contains("vacf.csv"));
 }
 
+TEST_CASE("Bragg peaks are drawn beside the heights that displacements let expect") {
+    const TemporaryFolder folder;
+    overwrite(
+        folder / "bragg.csv",
+        "k,debye_waller_factor,debye_waller_factor_standard_error,debye_waller_gaussian\n6.8,0.762,0.001,0.7617\n");
+    PageContent page{.kind = "run", .title = "", .source = ""};
+    add_analyses(page, {folder / "", {}, {}, {}, "finished", "", {}});
+    check_marks(page);
+    CHECK(page.warnings.empty());
+    CHECK(chart_called(page, "bragg").y.scale == "log");
+    CHECK(chart_called(page, "bragg").marks[1].error == "debye_waller_factor_standard_error");
+    CHECK(table_called(page, "bragg").rows == 1);
+}
+
 TEST_CASE("the time by phase is drawn if the record has it") {
     PageContent page{.kind = "run", .title = "", .source = ""};
     add_phases(page, {"", {{"seconds_per_phase", {{"force", 2.0}, {"list", 0.5}}}}, {}, {}, "", "", {}});

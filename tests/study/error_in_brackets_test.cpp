@@ -12,6 +12,7 @@ TEST_CASE("the error has two digits, in units of the last ones of the value") {
     CHECK(with_error_in_brackets(0.9571, 0.0996) == "0.96(10)");
     CHECK(with_error_in_brackets(123.4, 5.6) == "123.4(56)");
     CHECK(with_error_in_brackets(1234.0, 56.0) == "1234(56)");
+    CHECK(with_error_in_brackets(-0.0002, 0.012) == "0.000(12)");
 }
 
 TEST_CASE("without an error there are no brackets") {

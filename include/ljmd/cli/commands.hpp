@@ -104,8 +104,9 @@ void compare_command(const DeckOptions& options, const CrosscheckOptions& compar
 /// ljmd export DECK|RUNDIR --to TARGET: export the start of a deck, or the last configuration of a run, to other
 /// programs
 /// @param to   one of export_targets()
-/// @param out  directory for its files; empty: <name of the deck or run>-<target>
-void export_command(const DeckOptions& options, const std::string& to, const std::string& out);
+/// @param out     directory for its files; empty: <name of the deck or run>-<target>
+/// @param forces  with the forces on the atoms, where the format has them
+void export_command(const DeckOptions& options, const std::string& to, const std::string& out, bool forces = false);
 
 /// ljmd bench [DECK]: measure the speed of a deck. An empty options.deck means the Lennard-Jones melt.
 void bench_command(const DeckOptions& options);

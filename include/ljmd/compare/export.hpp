@@ -39,10 +39,12 @@ struct Exported {
 ///     extxyz   start.xyz                                  with velocities
 ///     h5md     start.h5md                                 one frame, with velocities
 ///
+/// @param forces  with the forces of the deck's potential, in extxyz and h5md
 /// @pre check_export accepted it
-/// @throws InputError  the other program does not have this potential, or an external force acted on the atoms
+/// @throws InputError  the other program does not have this potential, or an external force acted on the atoms; forces
+/// are asked for where the format has none, or their potential or force is that of a program
 /// @throws FileError
 Exported export_configuration(const Deck& deck, const State& state, const std::string& target,
-                              const std::filesystem::path& directory);
+                              const std::filesystem::path& directory, bool forces = false);
 
 }  // namespace ljmd

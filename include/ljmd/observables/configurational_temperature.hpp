@@ -1,8 +1,6 @@
 #pragma once
 
-#include "ljmd/core/schedule.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/observables/block_means.hpp"
 
 namespace ljmd {
 
@@ -19,24 +17,16 @@ namespace ljmd {
 /// Observable: configurational_temperature [epsilon/k_B]. Error by block averaging, as of a ratio of two means.
 /// Sources: Rugh (1997), doi:10.1103/PhysRevLett.78.772; Butler, Ayton, Jepps and Evans (1998), doi:10.1063/1.477301;
 /// Jepps, Ayton and Evans (2000), doi:10.1103/PhysRevE.62.4757
-class ConfigurationalTemperature : public Analysis {
+class ConfigurationalTemperature : public BlockMeans {
   public:
     /// @pre run.interaction is known
     ConfigurationalTemperature(const SampledRun& run, Every every);
 
-    [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
-    /// The forces of a frame are those of its evaluation.
-    [[nodiscard]] bool needs_energy() const override { return true; }
     void sample(const State& state, const Evaluation& evaluation) override;
-    [[nodiscard]] Index samples() const override { return means_.samples(); }
-    [[nodiscard]] std::vector<DataTable> tables() const override { return {}; }
     [[nodiscard]] std::vector<ObservableAverage> observables() const override;
-    void archive(Archive& a) override { a(means_); }
 
   private:
     Interaction interaction_;
-    Every every_;
-    BlockingAccumulator means_;  ///< sum of f^2, Laplacian; both per atom
 };
 
 }  // namespace ljmd

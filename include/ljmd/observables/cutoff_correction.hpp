@@ -1,8 +1,6 @@
 #pragma once
 
-#include "ljmd/core/schedule.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/observables/block_means.hpp"
 
 namespace ljmd {
 
@@ -23,19 +21,14 @@ namespace ljmd {
 /// cutoff_energy_response and cutoff_pressure_response, the third terms alone. Errors by block averages with all
 /// covariances. Without a thermostat that holds T, or with a barostat, they have no value.
 /// Source: the perturbation theory of Zwanzig (1954), doi:10.1063/1.1740409, to first order
-class CutoffCorrection : public Analysis {
+class CutoffCorrection : public BlockMeans {
   public:
     /// @param radius  R [sigma], above 0 and at most half the shortest edge of the box
     /// @pre run.interaction is known
     CutoffCorrection(const SampledRun& run, double radius, Every every);
 
-    [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
-    [[nodiscard]] bool needs_energy() const override { return true; }
     void sample(const State& state, const Evaluation& evaluation) override;
-    [[nodiscard]] Index samples() const override { return means_.samples(); }
-    [[nodiscard]] std::vector<DataTable> tables() const override { return {}; }
     [[nodiscard]] std::vector<ObservableAverage> observables() const override;
-    void archive(Archive& a) override { a(means_); }
 
     static constexpr Index columns = 6;  ///< components of the means, see the source
 
@@ -43,10 +36,8 @@ class CutoffCorrection : public Analysis {
     Interaction interaction_;
     TailCorrection beyond_;  ///< of the formula beyond R
     double radius_;
-    Every every_;
     double atoms_;
     std::optional<double> temperature_;  ///< that is held; empty in another ensemble
-    BlockingAccumulator means_;
 };
 
 }  // namespace ljmd

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "ljmd/core/random.hpp"
-#include "ljmd/core/schedule.hpp"
 #include "ljmd/neighbors/cell_grid.hpp"
-#include "ljmd/observables/analysis.hpp"
-#include "ljmd/observables/statistics/blocking.hpp"
+#include "ljmd/observables/block_means.hpp"
 
 namespace ljmd {
 
@@ -28,19 +26,14 @@ namespace ljmd {
 /// value; without the second criterion, up to 8 errors. Standard errors by block averaging over configurations.
 /// Observable: excess_chemical_potential [epsilon]. Sources: Widom (1963), doi:10.1063/1.1734110; Frenkel and Smit,
 /// section 7.2.3
-class WidomInsertion : public Analysis {
+class WidomInsertion : public BlockMeans {
   public:
     /// @param insertions  number per configuration, at least 1
     /// @pre run.interaction is known
     WidomInsertion(const SampledRun& run, Index insertions, Every every);
 
-    [[nodiscard]] bool due(Index step) const override { return every_.due(step); }
-    [[nodiscard]] bool needs_energy() const override { return true; }
     void sample(const State& state, const Evaluation& evaluation) override;
-    [[nodiscard]] Index samples() const override { return means_.samples(); }
-    [[nodiscard]] std::vector<DataTable> tables() const override { return {}; }
     [[nodiscard]] std::vector<ObservableAverage> observables() const override;
-    void archive(Archive& a) override { a(means_); }
 
   private:
     /// Means over the insertions into a configuration.
@@ -55,10 +48,8 @@ class WidomInsertion : public Analysis {
     std::optional<double> held_temperature_;
     Random random_;
     Index insertions_;
-    Every every_;
     CellGrid grid_;
     GhostExchange ghosts_;
-    BlockingAccumulator means_;  ///< w = T^(3/2) exp(-psi/T), or exp(-psi/T) if T is held; T; psi w; energy of an atom
 };
 
 }  // namespace ljmd

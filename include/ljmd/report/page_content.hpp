@@ -101,7 +101,7 @@ struct Quantity {
 using TextPairs = std::vector<std::pair<std::string, std::string>>;
 
 struct PageContent {
-    std::string kind;                ///< run, few-body, sweep, reproduction, comparison or set
+    std::string kind;                ///< run, few-body, sweep, reference, reproduction, comparison or set
     std::string title;               ///< the user's
     std::string source;              ///< the directory as it was given
     std::string state = "finished";  ///< finished, stopped, running, failed or damaged

@@ -13,6 +13,9 @@ namespace ljmd {
 
 inline constexpr std::size_t max_settings = 10'000;  ///< --set arguments in a record
 
+/// The message about a directory without run.json: what else of ljmd it holds, and which command takes that.
+[[nodiscard]] std::string not_a_run(const std::filesystem::path& directory);
+
 /// The deck of a run, from its run.json.
 /// @param directory    of the run
 /// @param settings     `key=value` of each --set, applied after those of the run; none of [system], which describes the

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Optional
 
+import numpy as np
+
 from ..errors import InputError
 from .files import damaged, field, read_json
 from .tables import Table, read_table
@@ -48,7 +50,7 @@ class Average:
 class FluidComparison:
     """What one comparison left behind; None and empty where it did not compare that."""
 
-    program: str  # openmm or lammps
+    program: str  # openmm, lammps, or engine: one of the user, that was judged
     deck: str
     peer: str  # name and version
     peer_of_long_runs: str
@@ -90,6 +92,35 @@ def load(directory: Path, program: str) -> FluidComparison:
     )
     if comparison.trajectory is None and not comparison.averages:
         raise InputError(f"{path}: neither trajectories nor averages were compared, there is nothing to draw")
+    return comparison
+
+
+def load_judgement(directory: Path) -> FluidComparison:
+    """What `ljmd compare` has found of an engine of the user, from judge.json."""
+    path = directory / "judge.json"
+    record = read_json(path)
+    trajectory = field(path, record, "trajectory", dict, default={})
+    steps = field(path, trajectory, "steps", list, default=[])
+    averages = field(path, record, "averages", dict, default={})
+    peer = field(path, record, "peer", str)
+
+    def column(name: str) -> np.ndarray:
+        return np.array([float(field(path, step, name, float, default=math.nan)) for step in steps])
+
+    comparison = FluidComparison(
+        program="engine",
+        deck=field(path, record, "deck", str),
+        peer=peer,
+        peer_of_long_runs=peer,
+        checks=[read_check(path, entry) for entry in field(path, record, "checks", list)],
+        time_step=float(field(path, trajectory, "time_step", float, default=math.nan)),
+        rate=None,
+        trajectory={"time": column("time"), "ljmd - the engine": column("distance")} if steps else None,
+        averages=read_averages(path, averages) if field(path, averages, "observables", dict, default={}) else [],
+        rdf=None,
+    )
+    if comparison.trajectory is None and not comparison.averages:
+        raise InputError(f"{path}: neither a trajectory nor averages were judged, there is nothing to draw")
     return comparison
 
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "ljmd/cli/progress.hpp"
 #include "ljmd/cli/signals.hpp"
@@ -17,6 +19,7 @@
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/io/files/shown_path.hpp"
 #include "ljmd/io/tables/json_file.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
@@ -82,14 +85,10 @@ class Session {
         make_directory(output);
         write_problem(problem, input);
         say("running the engine");
-        run_engine(line, place / log_name, seconds_of(compared_.timeout), until_signal());
-        if (!has_answer(output)) {
-            throw DataError(
-                "the engine has written none of point.json, point.xyz, frames.xyz and thermo.csv into {output}: there "
-                "is "
-                "nothing to judge");
-        }
-        finish(problem, read_answer(output, problem));
+        finish(problem, scratch ? answer_of_engine(line, place, problem, {{output, "{output}"}, {input, "{input}"}},
+                                                   "\n  --out DIR keeps the files of the engine")
+                                : answer_of_engine(line, place, problem,
+                                                   {{place, (fs::path(out_) / exchange_folder).string()}}, ""));
     }
 
     void by_directory(const fs::path& directory) {
@@ -113,6 +112,36 @@ class Session {
     }
 
   private:
+    /// What the engine answers.
+    /// @param names  what the user calls the directories, in messages and warnings
+    /// @param hint   ends a message
+    [[nodiscard]] Answer answer_of_engine(const std::string& line, const fs::path& place, const Problem& problem,
+                                          const std::vector<std::pair<fs::path, std::string>>& names,
+                                          const std::string& hint) const {
+        const auto shown = [&](std::string text) {
+            for (const auto& [path, name] : names) {
+                text = shown_as(std::move(text), path, name);
+            }
+            return text;
+        };
+        try {
+            run_engine(line, place / log_name, seconds_of(compared_.timeout), until_signal());
+            const fs::path output = place / answer_folder;
+            if (!has_answer(output)) {
+                throw DataError(
+                    "the engine has written none of point.json, point.xyz, frames.xyz and thermo.csv into {output}: "
+                    "there is nothing to judge");
+            }
+            Answer answer = read_answer(output, problem);
+            for (std::string& warning : answer.warnings) {
+                warning = shown(std::move(warning));
+            }
+            return answer;
+        } catch (const DataError& error) {
+            throw DataError(shown(error.what()) + hint);
+        }
+    }
+
     [[nodiscard]] Problem problem_with(Fluid start) const {
         Problem problem = problem_of(deck_, std::move(start), compared_);
         problem.deck_hash = deck_hash(deck_);
@@ -182,12 +211,17 @@ class Session {
             warn(text);
         }
         print_result(options_.json ? json : judgement_table(found, deck_));
-        if (found.checks.empty()) {
-            throw DataError("nothing was judged: the answer has nothing that the problem asks for");
-        }
         if (!found.passed()) {
             throw PhysicsError(fmt::format("ljmd and {} differ: {} of {} checks failed", found.engine, found.failures(),
                                            found.checks.size()));
+        }
+        if (!found.own_failure.empty()) {
+            throw PhysicsError(fmt::format(
+                "ljmd's own run of {} failed, so that averages cannot be judged; the engine is not at fault: {}",
+                deck_.path, found.own_failure));
+        }
+        if (found.checks.empty()) {
+            throw DataError("nothing was judged: the answer has nothing that the problem asks for");
         }
     }
 

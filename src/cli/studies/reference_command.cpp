@@ -22,6 +22,7 @@
 #include "ljmd/run/run_directory.hpp"
 #include "ljmd/study/child_run.hpp"
 #include "ljmd/study/error_in_brackets.hpp"
+#include "ljmd/study/reference/energy_kept.hpp"
 #include "ljmd/study/reference/reference_report.hpp"
 #include "ljmd/study/replicas.hpp"
 #include "ljmd/study/study_report.hpp"
@@ -91,11 +92,7 @@ class ReferencePhase {
         if (!options_.quiet) {
             print_message(fmt::format("{}: {} runs of {} steps\n", name_, plan_.replicas, steps()));
         }
-        const Document report = complete_replicas(plan_, lock_.directory(), *deck_, options_.jobs, true);
-        doubts_.clear();
-        for (const Data& doubt : report.data.at("doubts").items()) {
-            doubts_.push_back(fmt::format("{}, {}", name_, doubt.text()));
-        }
+        static_cast<void>(complete_replicas(plan_, lock_.directory(), *deck_, options_.jobs, true));
     }
 
     /// Give all replicas so many steps in their sampled stages.
@@ -106,7 +103,6 @@ class ReferencePhase {
     }
 
     [[nodiscard]] Index steps() const { return first_ + plan_.steps_added; }
-    [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
 
     [[nodiscard]] ReplicaFolder folder() const {
         ReplicaFolder found{lock_.directory().path(), {}};
@@ -128,7 +124,6 @@ class ReferencePhase {
     DirectoryLock lock_;
     std::optional<Deck> deck_;
     SweepPlan plan_;
-    std::vector<std::string> doubts_;
 };
 
 /// Wait for errors that more steps can reach, and say how far they are.
@@ -302,7 +297,6 @@ void reference_command(const ReferenceOptions& options) {
     findings.canonical = {canonical.steps(), setup.time_step};
     findings.order = largest_order(canonical.folder());
     findings.halves = halves_of(setup, canonical.folder());
-    findings.warnings = canonical.doubts();
     if (request.pressure && findings.values.at(1).mean) {
         findings.density = density_at_pressure(setup, findings.values.at(1));
     }
@@ -315,7 +309,10 @@ void reference_command(const ReferenceOptions& options) {
             options.quiet);
         findings.values.insert(findings.values.end(), values.begin(), values.end());
         findings.transport = {transport.steps(), transport_time_step(setup)};
-        findings.warnings.insert(findings.warnings.end(), transport.doubts().begin(), transport.doubts().end());
+        const double uncertainty = temperature_uncertainty(transport.folder().runs, request.temperature);
+        if (const std::string warning = energy_warning(uncertainty); !warning.empty()) {
+            findings.warnings.push_back(warning);
+        }
     }
     findings.errors = reached_errors(setup.request.errors, findings.values);
 

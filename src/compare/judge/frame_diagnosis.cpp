@@ -8,6 +8,7 @@
 
 #include "ljmd/compare/judge/frame_judgement.hpp"
 #include "ljmd/compare/judge/near_pairs.hpp"
+#include "ljmd/compare/judge/net_force.hpp"
 
 namespace ljmd {
 
@@ -245,6 +246,10 @@ std::string stale_list(const JudgedTrajectory& trajectory, const PairPotential& 
         trajectory.frames, [&](const JudgedFrame& frame) { return has_right_forces(frame, tolerance); });
     if (wrong == trajectory.frames.end() || right >= wrong) {
         return "";
+    }
+    const double noise_of_all = noise_of(*wrong, tolerance) * std::sqrt(static_cast<double>(wrong->forces.size()));
+    if (const auto words = net_force(wrong->forces, wrong->forces_there, noise_of_all)) {
+        return fmt::format("at step {}, {}", wrong->step, *words);
     }
     const MissingPairs lacking(*wrong, trajectory.edges, potential, noise_of(*wrong, tolerance));
     std::size_t missing = 0;

@@ -37,6 +37,15 @@ double largest_distance(const JudgedFrame& frame, const Vec3& edges) {
     return largest;
 }
 
+double largest_force_difference(const JudgedFrame& frame) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < frame.forces.size(); ++i) {
+        largest = larger_or_nan(largest, (frame.forces[i] - frame.forces_there[i]).norm());
+    }
+    const double rms = root_mean_square(frame.forces_there);
+    return largest / (rms > vanishing_force_of_frame ? rms : 1.0);
+}
+
 std::vector<Check> check_trajectory(const JudgedTrajectory& trajectory, const std::vector<Index>& judged,
                                     const Agreement& agreement) {
     std::vector<Check> checks;
@@ -61,13 +70,8 @@ std::vector<Check> check_trajectory(const JudgedTrajectory& trajectory, const st
                               agreement.kinetic_energy});
         }
         if (!frame.forces.empty()) {
-            double largest = 0.0;
-            for (std::size_t i = 0; i < frame.forces.size(); ++i) {
-                largest = larger_or_nan(largest, (frame.forces[i] - frame.forces_there[i]).norm());
-            }
-            const double rms = root_mean_square(frame.forces_there);
             checks.push_back({fmt::format("step {}: forces at the engine's positions", frame.step),
-                              largest / (rms > vanishing_force_of_frame ? rms : 1.0), agreement.largest_force});
+                              largest_force_difference(frame), agreement.largest_force});
         }
     }
     return checks;

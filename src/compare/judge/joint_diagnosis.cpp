@@ -1,8 +1,10 @@
 #include "joint_diagnosis.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -49,7 +51,7 @@ class Case {
 
     /// The first mistake that explains energy, virial and forces together.
     [[nodiscard]] std::optional<std::string> joint() const {
-        for (const auto find : {&Case::epsilon, &Case::no_images, &Case::other_cutoff, &Case::sigma}) {
+        for (const auto find : {&Case::epsilon, &Case::missing_images, &Case::other_cutoff, &Case::sigma}) {
             if (auto words = (this->*find)()) {
                 return words;
             }
@@ -95,13 +97,49 @@ class Case {
         return std::nullopt;
     }
 
-    [[nodiscard]] std::optional<std::string> no_images() const {
-        if (explain(pairs_.sums(fluid_.potential, {.images = false}))) {
-            return "missing image: pairs that are near each other through a wall of the box are left out, all others "
-                   "are "
-                   "right";
+    /// Each direction may miss its images on both sides, on one of them or on none.
+    [[nodiscard]] std::optional<std::string> missing_images() const {
+        using Sides = std::array<bool, 2>;
+        static constexpr std::array<Sides, 4> ways{{{false, false}, {true, true}, {true, false}, {false, true}}};
+        const std::size_t count = ways.size();
+        for (std::size_t k = 1; k < count * count * count; ++k) {
+            const NearPairs::MissedImages missed{ways[k % count], ways[k / count % count], ways[k / count / count]};
+            const bool one_sided = std::ranges::any_of(missed, [](const Sides& sides) { return sides[0] != sides[1]; });
+            for (const bool alone : {false, true}) {
+                if ((one_sided || !alone) &&
+                    explain(pairs_.sums(fluid_.potential, {.missed = missed, .each_atom_alone = alone}))) {
+                    return in_words(missed, alone);
+                }
+            }
         }
         return std::nullopt;
+    }
+
+    [[nodiscard]] static std::string in_words(const NearPairs::MissedImages& missed, bool alone) {
+        if (std::ranges::all_of(missed, [](const auto& sides) { return sides[0] && sides[1]; })) {
+            return "missing image: pairs that are near each other through a wall of the box are left out, all others "
+                   "are right";
+        }
+        std::vector<std::string> where;
+        const auto tell = [&](const auto& sides, char axis) {
+            if (sides[0] && sides[1]) {
+                where.push_back(fmt::format("along {}", axis));
+            } else if (sides[0] || sides[1]) {
+                where.push_back(fmt::format("where {0}_i - {0}_j {1}L/2{2}", axis, sides[1] ? "> " : "< -",
+                                            alone ? ", on atom i" : " for i < j"));
+            }
+        };
+        if (missed[0] == missed[1] && missed[0] == missed[2]) {
+            tell(missed[0], 'r');  // in any direction
+        } else {
+            for (std::size_t k = 0; k < missed.size(); ++k) {
+                tell(missed[k], "xyz"[k]);
+            }
+        }
+        return fmt::format(
+            "missing image: pairs that are near each other through a wall of the box are left out {}, all others are "
+            "right",
+            fmt::join(where, " and "));
     }
 
     /// Distance of an answer from the sums, for a search: forces if there are any.

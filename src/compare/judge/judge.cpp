@@ -88,6 +88,13 @@ class Session {
         say_(fmt::format("following the trajectory over {} steps", trajectory.frames.back().step));
         follow(problem_.fluid, *force_field(), own_.execution, trajectory);
         append(check_trajectory(trajectory, problem_.frames, agreement_));
+        result_.time_step = trajectory.time_step;
+        for (const JudgedFrame& frame : trajectory.frames) {
+            result_.trajectory.push_back({frame.step, largest_distance(frame, trajectory.edges), std::nullopt});
+            if (!frame.forces.empty()) {
+                result_.trajectory.back().force_difference = largest_force_difference(frame);
+            }
+        }
         for (const std::string& words : diagnose_trajectory(trajectory, problem_.fluid.potential, agreement_)) {
             note(words);
         }
@@ -125,7 +132,14 @@ class Session {
                                                    table.steps.back(), problem_.stage.steps));
         }
         say_(fmt::format("sampling the same run of {} steps in ljmd", problem_.stage.steps));
-        const RunSamples ours = own_run(problem_, own_.spec, own_.execution, interruption_);
+        RunSamples ours;
+        try {
+            ours = own_run(problem_, own_.spec, own_.execution, interruption_);
+        } catch (const PhysicsError& error) {
+            result_.own_failure = error.what();
+            leave_out("averages", fmt::format("ljmd's own run of the deck failed: {}", error.what()));
+            return;
+        }
         RunJudgement judged = judge_run(conditions, ours, theirs);
         append(judged.checks);
         result_.means = std::move(judged.means);

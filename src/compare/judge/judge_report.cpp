@@ -57,7 +57,8 @@ std::string judgement_table(const Judgement& found, const Deck& deck) {
         return text + "nothing was judged\n";
     }
     return text + (found.passed()
-                       ? fmt::format("all {} checks passed\n", found.checks.size())
+                       ? fmt::format("all {} checks passed{}\n", found.checks.size(),
+                                     found.own_failure.empty() ? "" : "; no verdict: ljmd's own run of the deck failed")
                        : fmt::format("{} of {} checks FAILED{}\n", found.failures(), found.checks.size(),
                                      found.diagnoses.empty() ? "; no mistake that is known explains it" : ""));
 }
@@ -68,6 +69,13 @@ std::string judgement_json(const Judgement& found, const Deck& deck, const std::
         averages[mean.name] = {
             {"ljmd", estimate_data(mean.ours)}, {"peer", estimate_data(mean.theirs)}, {"sigmas", mean.sigmas()}};
     }
+    Data trajectory = Data::list();
+    for (const StepApart& step : found.trajectory) {
+        trajectory.push_back({{"step", step.step},
+                              {"time", static_cast<double>(step.step) * found.time_step},
+                              {"distance", step.distance},
+                              {"force_difference", step.force_difference}});
+    }
     return to_json({{"deck", deck.path},
                     {"with", with},
                     {"peer", found.engine},
@@ -76,8 +84,9 @@ std::string judgement_json(const Judgement& found, const Deck& deck, const std::
                     {"path", found.path},
                     {"pressure_convention", "(2 K + W)/(3 V), with tail"},
                     {"checks", checks_data(found.checks)},
-                    {"passed", found.passed()},
+                    {"passed", found.passed() && !found.own_failure.empty() ? Data() : Data(found.passed())},
                     {"averages", {{"observables", averages}}},
+                    {"trajectory", {{"time_step", found.time_step}, {"steps", trajectory}}},
                     {"diagnoses", found.diagnoses},
                     {"not_judged", found.not_judged},
                     {"warnings", found.warnings}});

@@ -4,6 +4,21 @@
 
 namespace ljmd {
 
+namespace {
+
+/// Whether a sum sees a pair, from its atom i (side 1) or from its atom j (side -1).
+bool sees(const NearPairs::MissedImages& missed, const Vec3& images, double side) {
+    for (std::size_t k = 0; k < missed.size(); ++k) {
+        const double image = side * images[static_cast<Index>(k)];
+        if ((image < 0.0 && missed[k][0]) || (image > 0.0 && missed[k][1])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
 NearPairs::NearPairs(const std::vector<Vec3>& positions, const Vec3& edges, double range) : atoms_(positions.size()) {
     std::vector<Vec3> wrapped;
     wrapped.reserve(atoms_);
@@ -17,7 +32,7 @@ NearPairs::NearPairs(const std::vector<Vec3>& positions, const Vec3& edges, doub
             const Vec3 nearest = direct - images.cwiseProduct(edges);
             const double distance = nearest.norm();
             if (distance < range) {
-                pairs_.push_back({i, j, nearest, distance, !images.isZero(0.0)});
+                pairs_.push_back({i, j, nearest, distance, images});
             }
         }
     }
@@ -27,16 +42,19 @@ PairSums NearPairs::sums(const PairPotential& potential, const Assumed& assumed)
     PairSums result;
     result.forces.assign(atoms_, Vec3::Zero());
     for (const Pair& pair : pairs_) {
-        if (pair.through_wall && !assumed.images) {
+        const double from_i = sees(assumed.missed, pair.images, 1.0) ? 1.0 : 0.0;
+        const double from_j = assumed.each_atom_alone ? (sees(assumed.missed, pair.images, -1.0) ? 1.0 : 0.0) : from_i;
+        const double both = 0.5 * (from_i + from_j);
+        if (both == 0.0) {
             continue;
         }
         const PairTerm<double> term = potential(pair.distance / assumed.sigma);
         const double w = assumed.epsilon * term.w / (assumed.sigma * assumed.sigma);  // -u'(r)/r
         const Vec3 force = w * pair.separation;
-        result.potential_energy += assumed.epsilon * term.u;
-        result.virial += w * pair.distance * pair.distance;
-        result.forces[pair.i] += force;
-        result.forces[pair.j] -= force;
+        result.potential_energy += both * assumed.epsilon * term.u;
+        result.virial += both * w * pair.distance * pair.distance;
+        result.forces[pair.i] += from_i * force;
+        result.forces[pair.j] -= from_j * force;
     }
     return result;
 }

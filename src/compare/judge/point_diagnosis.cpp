@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "joint_diagnosis.hpp"
+#include "ljmd/compare/judge/net_force.hpp"
 #include "ljmd/compare/judge/point_judgement.hpp"
 #include "ljmd/potentials/tail_correction.hpp"
 
@@ -93,7 +94,7 @@ std::optional<std::string> wrong_forces(const ExpectedPoint& expected, const Poi
     }
     const AnswerPart off = parts.forces(expected.sums);
     if (parts.forces(scaled).off > std::max(off.noise, unexplained_of_point * off.off)) {
-        return std::nullopt;
+        return net_force(answer.forces, expected.sums.forces, off.noise);
     }
     return std::abs(c + 1.0) < unexplained_of_point
                ? std::string("forces: all have the wrong sign")

@@ -6,36 +6,40 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "ljmd/core/number_text.hpp"
+#include "ljmd/io/tables/exact_json.hpp"
+
 namespace ljmd {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json library_value(const Data& data) {
+Json library_value(const Data& data, bool signs_of_zeros) {
     struct Convert {
+        bool signs_of_zeros;
         Json operator()(std::monostate) const { return nullptr; }
         Json operator()(bool flag) const { return flag; }
         Json operator()(std::int64_t integer) const { return integer; }
         Json operator()(std::uint64_t integer) const { return integer; }
-        Json operator()(double number) const { return number; }
+        Json operator()(double number) const { return signs_of_zeros ? number : without_negative_zero(number); }
         Json operator()(const std::string& text) const { return text; }
         Json operator()(const Data::List& items) const {
             Json json = Json::array();
             for (const Data& item : items) {
-                json.push_back(library_value(item));
+                json.push_back(library_value(item, signs_of_zeros));
             }
             return json;
         }
         Json operator()(const Data::Object& members) const {
             Json json = Json::object();
             for (const auto& [key, value] : members) {
-                json[key] = library_value(value);
+                json[key] = library_value(value, signs_of_zeros);
             }
             return json;
         }
     };
-    return std::visit(Convert(), data.value());
+    return std::visit(Convert{signs_of_zeros}, data.value());
 }
 
 /// The message of a library error, without its error number.
@@ -129,11 +133,15 @@ class DataBuilder : public nlohmann::json_sax<Json> {
 }  // namespace
 
 std::string to_json(const Data& data) {
-    return library_value(data).dump(2, ' ', false, Json::error_handler_t::replace);
+    return library_value(data, false).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string to_exact_json(const Data& data) {
+    return library_value(data, true).dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string to_json_line(const Data& data) {
-    return library_value(data).dump(-1, ' ', true, Json::error_handler_t::replace);
+    return library_value(data, false).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 Data parse_json(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/tables/exact_json.hpp"
 #include "ljmd/io/tables/json_file.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 
@@ -60,14 +61,14 @@ TabulatedPair pair_of(const Data& data) {
 }  // namespace
 
 std::string checksum_of(const TabulatedPair& pair) {
-    const std::string text = to_json(values_of(pair));
+    const std::string text = to_exact_json(values_of(pair));
     return fmt::format("xxh3:{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
 void write_pair_table(const OutputPlace& place, const TabulatedPair& pair) {
     Data all = values_of(pair);
     all["checksum"] = checksum_of(pair);
-    write_file_atomically(place, to_json(all) + "\n");
+    write_file_atomically(place, to_exact_json(all) + "\n");
 }
 
 TabulatedPair read_pair_table(const std::filesystem::path& path, const std::string& checksum) {

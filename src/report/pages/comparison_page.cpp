@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 
-#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/compare/recorded_comparison.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/observables/statistics/known_quantities.hpp"
@@ -16,17 +17,6 @@ namespace ljmd {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The results of comparisons in a directory: "compare-lammps.json".
-std::vector<fs::path> results_in(const fs::path& directory) {
-    std::vector<fs::path> found;
-    for (const fs::path& entry : files::list(directory)) {
-        if (entry.filename().string().starts_with("compare-") && entry.extension() == ".json") {
-            found.push_back(entry);
-        }
-    }
-    return found;
-}
 
 void add_checks(PageContent& page, const Data& results) {
     std::vector<std::string> names;
@@ -66,11 +56,11 @@ void add_checks(PageContent& page, const Data& results) {
          .title = "Checks against their tolerances",
          .caption = "Difference in units of what is allowed: below 1 a check passes. Exact agreement is not drawn.",
          .lead = true,
-         .x = {"check", "category"},
-         .y = {"found / allowed", "log"},
+         .x = {"found / allowed", "log"},
+         .y = {"check", "category"},  // their names are long
          .marks = {
-             {.type = "rule-y", .label = "allowed", .value = 1.0, .colour = 7},
-             {.type = "dots", .label = "found", .table = "checks", .x = "check", .y = "ratio", .flag = "failed"}}});
+             {.type = "rule-x", .label = "allowed", .value = 1.0, .colour = 7},
+             {.type = "dots", .label = "found", .table = "checks", .x = "ratio", .y = "check", .flag = "failed"}}});
 }
 
 /// d(t) = d_0 exp(rate t) through the distances that grow exponentially.
@@ -188,6 +178,19 @@ void add_errors(PageContent& page, const fs::path& file) {
     page.charts.push_back(std::move(chart));
 }
 
+/// The other program in a few words: an engine by the name that it gives itself, as its command may be long.
+std::string peer_of(const Data& results) {
+    return text_in(results, {results.contains("diagnoses") ? "peer" : "with"});
+}
+
+/// The first letter in upper case, and a full stop.
+std::string as_sentence(std::string words) {
+    if (!words.empty()) {
+        words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    }
+    return words + '.';
+}
+
 void add_averages(PageContent& page, const Data& results) {
     const Data* observables = value_in(results, {"averages", "observables"});
     if (observables == nullptr || !observables->is_object()) {
@@ -201,18 +204,83 @@ void add_averages(PageContent& page, const Data& results) {
                                    .unit = described(name).unit,
                                    .reference = number_in(entry, {"peer", "mean"}),
                                    .reference_error = number_in(entry, {"peer", "standard_error"}),
-                                   .reference_label = text_in(results, {"with"})});
+                                   .reference_label = peer_of(results)});
     }
+}
+
+/// What a judgement of an engine has beside checks: the mistakes that explain them, and what was not judged.
+void add_judgement(PageContent& page, const Data& results) {
+    const auto texts = [&](const char* key) {
+        std::vector<std::string> found;
+        if (const Data* list = results.find(key); list != nullptr && list->is_list()) {
+            for (const Data& item : list->items()) {
+                found.push_back(item.text());
+            }
+        }
+        return found;
+    };
+    for (const std::string& words : texts("diagnoses")) {
+        page.verdicts.push_back({"diagnosis", "bad", as_sentence(words)});
+    }
+    if (flag_in(results, {"passed"}) == false && texts("diagnoses").empty() && results.contains("diagnoses")) {
+        page.verdicts.push_back({"diagnosis", "unknown", "No mistake that is known explains what failed."});
+    }
+    for (const std::string& words : texts("not_judged")) {
+        page.verdicts.push_back({"not judged", "unknown", as_sentence(words)});
+    }
+    for (const std::string& words : texts("warnings")) {
+        page.warnings.push_back(words);
+    }
+}
+
+/// How far an engine's trajectory is from ljmd's, and its forces from those at its own positions.
+void add_steps(PageContent& page, const Data& steps) {
+    std::vector<double> times;
+    std::vector<double> distances;
+    std::vector<double> forces;
+    const auto positive = [](const std::optional<double>& number) {  // exact agreement has no logarithm
+        return number && *number > 0.0 ? *number : std::nan("");
+    };
+    for (const Data& step : steps.items()) {
+        times.push_back(number_in(step, {"time"}).value_or(std::nan("")));
+        distances.push_back(positive(number_in(step, {"distance"})));
+        forces.push_back(positive(number_in(step, {"force_difference"})));
+    }
+    if (times.empty()) {
+        return;
+    }
+    PageTable table{.name = "trajectory", .title = "Trajectory of the engine"};
+    table.add({"time", "t", "tau"}, times);
+    table.add({"distance", "distance", "sigma"}, distances);
+    table.add({"force_difference", "difference of forces"}, forces);
+    page.tables.push_back(std::move(table));
+    const auto chart = [&](const char* id, const char* title, const char* caption, const char* axis, int colour) {
+        page.charts.push_back(
+            {.id = id,
+             .title = title,
+             .caption = caption,
+             .lead = true,
+             .x = {axis_label("time")},
+             .y = {axis, "log"},
+             .marks = {
+                 {.type = "line", .label = axis, .table = "trajectory", .x = "time", .y = id, .colour = colour},
+                 {.type = "dots", .label = axis, .table = "trajectory", .x = "time", .y = id, .colour = colour}}});
+    };
+    chart("distance", "Divergence of the trajectories",
+          "Largest distance of an atom in two trajectories from the same start, at the judged steps. Rounding errors "
+          "grow "
+          "exponentially, so that two right programs part, too.",
+          "distance / sigma", 0);
+    chart("force_difference", "Forces at the engine's own positions",
+          "Largest difference over the root mean square of the forces: it stays at the rounding errors if formula and "
+          "neighbour list are right, wherever the atoms are.",
+          "difference of forces", 1);
 }
 
 }  // namespace
 
-bool holds_comparison(const fs::path& directory) {
-    return input_is_directory(directory) && !results_in(directory).empty();
-}
-
 PageContent comparison_page(const fs::path& directory) {
-    const std::vector<fs::path> found = results_in(directory);
+    const std::vector<fs::path> found = comparison_results(directory);
     if (found.empty()) {
         throw DataError(fmt::format("{} holds no comparison", directory.string()));
     }
@@ -220,9 +288,9 @@ PageContent comparison_page(const fs::path& directory) {
     const Data results = read_any_json(file);
     const std::string name = file.stem().string();
     PageContent page{.kind = "comparison",
-                     .title = fmt::format("{} against {}", text_in(results, {"deck"}), text_in(results, {"with"})),
+                     .title = fmt::format("{} against {}", text_in(results, {"deck"}), peer_of(results)),
                      .source = directory.string(),
-                     .state_words = "a comparison"};
+                     .state_words = results.contains("diagnoses") ? "an engine, judged" : "a comparison"};
     for (const char* key :
          {"deck", "with", "peer", "peer_of_long_runs", "atoms", "steps_before", "pressure_convention"}) {
         if (const std::string text = text_in(results, {key}); !text.empty()) {
@@ -233,6 +301,10 @@ PageContent comparison_page(const fs::path& directory) {
         page.warnings.push_back(fmt::format("{} is another comparison, and not shown", found[k].string()));
     }
     add_if_readable(page.warnings, [&] { add_checks(page, results); });
+    add_if_readable(page.warnings, [&] { add_judgement(page, results); });
+    if (const Data* steps = value_in(results, {"trajectory", "steps"}); steps != nullptr && steps->is_list()) {
+        add_if_readable(page.warnings, [&] { add_steps(page, *steps); });
+    }
     add_averages(page, results);
     const auto with_file = [&](const std::string& suffix, const auto& use) {
         const fs::path path = directory / (name + suffix);

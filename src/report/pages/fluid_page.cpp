@@ -4,6 +4,7 @@
 
 #include "ljmd/analyze/thermo_report.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/engine/result_doubts.hpp"
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/formats/configuration_reader.hpp"
 #include "ljmd/io/tables/data_table_csv.hpp"
@@ -74,20 +75,37 @@ void add_correlation_times(PageContent& page, const ThermoReport& report) {
     page.tables.push_back(std::move(table));
 }
 
+/// Whether the run measures a crystal, which is then what it is to be.
+bool measures_crystal(const RunFacts& facts) {
+    return value_in(facts.results, {"observables", "bragg_peak"}) != nullptr;
+}
+
+/// Verdict on the crystal that was there when sampling began, in place of that on a fluid which has not melted.
+Verdict crystal_verdict(double order) {
+    const bool there = order > crystal_left;
+    return {"crystal", there ? "good" : "doubt",
+            there ? fmt::format("The crystal was there when sampling began: translational order {:.2f}.", order)
+                  : fmt::format("The crystal was gone when sampling began: translational order {:.2f}.", order)};
+}
+
 }  // namespace
 
 PageContent fluid_page(const RunFacts& facts) {
     PageContent page = page_of(facts);
+    const bool crystal = measures_crystal(facts);
+    const auto order = number_in(facts.results, {"translational_order_at_sampling"});
     std::optional<ThermoReport> thermo;
     if (facts.run && input_is_there(facts.directory / "thermo.csv")) {
         try {
             thermo = thermo_report(*facts.run);
-            page.verdicts.push_back(
-                equilibrium_verdict(*thermo, number_in(facts.results, {"translational_order_at_sampling"})));
+            page.verdicts.push_back(equilibrium_verdict(*thermo, crystal ? std::nullopt : order));
         } catch (const Error& error) {
             page.verdicts.push_back(
                 {"equilibrium", "unknown", fmt::format("Equilibrium cannot be judged: {}.", error.what())});
         }
+    }
+    if (crystal && order) {
+        page.verdicts.push_back(crystal_verdict(*order));
     }
     if (!facts.results.is_null()) {
         for (Verdict& verdict : result_verdicts(facts)) {
@@ -95,7 +113,9 @@ PageContent fluid_page(const RunFacts& facts) {
         }
     }
     page.quantities = run_quantities(facts, thermo);
-    if (facts.run) {
+    if (facts.run && crystal) {
+        page.verdicts.push_back(reference_verdict({}, "they are of fluids, and this run measures a crystal"));
+    } else if (facts.run) {
         add_if_readable(page.warnings, [&] {
             const std::string equation =
                 add_references(page.quantities, facts.run->deck, number_in(facts.results, {"system", "density"}));

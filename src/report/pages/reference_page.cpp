@@ -102,10 +102,104 @@ Verdict agreement(const std::vector<std::pair<std::string, const Data*>>& values
             : fmt::format("Farther than three errors from the equations of state: {}.", far_ones)};
 }
 
+/// Distances from the equation of state in errors of both, and what each error has of the whole: pictures of the table.
+void add_value_charts(PageContent& page, const std::vector<std::pair<std::string, const Data*>>& values) {
+    std::vector<std::string> compared;
+    std::vector<double> apart;
+    Data::List is_far;
+    std::vector<std::string> names;
+    std::vector<std::string> sources;
+    std::vector<double> parts;
+    for (const auto& [name, entry] : values) {
+        if (const auto distance = errors_apart(*entry)) {
+            compared.push_back(in_plain_words(name));
+            apart.push_back(*distance);
+            is_far.emplace_back(std::abs(*distance) > far);
+        }
+        const auto mean = number_in(*entry, {"mean"});
+        for (const auto& [key, source] :
+             {std::pair("statistical_error", "statistical"), std::pair("systematic_error", "systematic")}) {
+            const auto error = number_in(*entry, {key});
+            if (mean && *mean != 0.0 && error) {
+                names.push_back(in_plain_words(name));
+                sources.emplace_back(source);
+                parts.push_back(100.0 * *error / std::abs(*mean));
+            }
+        }
+    }
+    if (!compared.empty()) {
+        PageTable table{.name = "apart", .title = "Distance from the equation of state", .flag = "far"};
+        table.add({"property"}, compared);
+        table.add({"apart", "errors apart"}, apart);
+        table.add({"far"}, std::move(is_far));
+        page.tables.push_back(std::move(table));
+        page.charts.push_back(
+            {.id = "apart",
+             .title = "Beside the equation of state",
+             .caption = "Value less that of thol2016, in units of the error of both: the total error, and the "
+                        "difference between two equations of state.",
+             .lead = true,
+             .x = {"errors apart"},
+             .y = {"property", "category"},
+             .marks = {{.type = "diverging-dots",
+                        .label = "value less equation of state",
+                        .table = "apart",
+                        .x = "apart",
+                        .y = "property",
+                        .flag = "far"}}});
+    }
+    if (!parts.empty()) {
+        PageTable table{.name = "errors", .title = "Errors as parts of the values"};
+        table.add({"property"}, names);
+        table.add({"source"}, sources);
+        table.add({"part", "error", "%"}, parts);
+        page.tables.push_back(std::move(table));
+        page.charts.push_back(
+            {.id = "errors",
+             .title = "What the values are uncertain by",
+             .caption = "Statistical errors shrink with longer runs, systematic ones do not. One that is not "
+                        "assessed is not drawn.",
+             .lead = true,
+             .x = {"error / %", "log"},
+             .y = {"property", "category"},
+             .marks = {{.type = "dots",
+                        .label = "error",
+                        .table = "errors",
+                        .x = "part",
+                        .y = "property",
+                        .group = "source"}}});
+    }
+}
+
+void add_provenance(PageContent& page, const Data& results) {
+    const auto add = [&](const char* words, DataPath path) {
+        if (const auto number = number_in(results, path)) {
+            page.provenance.emplace_back(words, fmt::format("{:.6g}", *number));
+        }
+    };
+    add("temperature", {"temperature"});
+    add("density of the runs", {"density_of_runs"});
+    add("pressure that was asked for", {"asked_pressure"});
+    add("density of the saturated vapour", {"phase_diagram", "saturated_vapour"});
+    add("density of the saturated liquid", {"phase_diagram", "saturated_liquid"});
+    add("density at freezing", {"phase_diagram", "freezing"});
+    add("density at melting", {"phase_diagram", "melting"});
+    add("atoms", {"runs", "atoms"});
+    add("replicas", {"runs", "replicas"});
+    add("seed", {"runs", "seed"});
+    add("cutoff", {"runs", "cutoff"});
+    add("pairs counted up to", {"runs", "counted_radius"});
+    add("steps of equilibration", {"runs", "equilibration_steps"});
+    add("steps of each canonical run", {"runs", "canonical", "steps"});
+    add("time step of canonical runs", {"runs", "canonical", "time_step"});
+    add("steps of each run at constant energy", {"runs", "transport", "steps"});
+    add("time step of runs at constant energy", {"runs", "transport", "time_step"});
+}
+
 }  // namespace
 
 PageContent reference_page(const fs::path& directory) {
-    PageContent page{.kind = "sweep", .title = "Reference values", .source = directory.string()};
+    PageContent page{.kind = "reference", .title = "Reference values", .source = directory.string()};
     const Data study = study_report(directory).data;
     add_study_state(page, study);
     page.points = study_points(study["runs"], directory);
@@ -115,7 +209,8 @@ PageContent reference_page(const fs::path& directory) {
     add_if_readable(page.warnings, [&] {
         const Data results = read_any_json(directory / "results.json");
         page.title =
-            fmt::format("Lennard-Jones fluid at T = {}, rho = {:.6g}: {}", text_in(results, {"temperature"}),
+            fmt::format("Lennard-Jones fluid at T = {:.6g}, rho = {:.6g}: {}",
+                        number_in(results, {"temperature"}).value_or(std::nan("")),
                         number_in(results, {"density_of_runs"}).value_or(std::nan("")), text_in(results, {"phase"}));
         std::vector<std::pair<std::string, const Data*>> values;
         for (const auto& [name, entry] : results.members()) {
@@ -126,6 +221,8 @@ PageContent reference_page(const fs::path& directory) {
         }
         page.verdicts.push_back(agreement(values));
         page.tables.push_back(errors_table(values));
+        add_value_charts(page, values);
+        add_provenance(page, results);
         for (const Data& warning : results.at("warnings").items()) {
             page.warnings.push_back(warning.text());
         }

@@ -21,7 +21,7 @@ std::vector<ReachedError> reached_errors(const std::vector<WantedError>& wanted,
     for (const ReferenceValue& value : values) {
         const auto found = std::ranges::find(wanted, value.name, &WantedError::observable);
         const double part = reference_property(value.name).default_error;
-        if (found == wanted.end() && part == 0.0) {
+        if (value.withheld || (found == wanted.end() && part == 0.0)) {
             continue;
         }
         const double unknown = std::numeric_limits<double>::quiet_NaN();

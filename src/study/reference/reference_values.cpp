@@ -13,6 +13,7 @@
 #include "ljmd/observables/statistics/wanted_errors.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
 #include "ljmd/potentials/tail_correction.hpp"
+#include "ljmd/study/reference/energy_kept.hpp"
 #include "ljmd/study/reference/merged_observables.hpp"
 #include "ljmd/study/replica_merge.hpp"
 
@@ -308,6 +309,7 @@ std::vector<ReferenceValue> canonical_values(const ReferenceSetup& setup, const 
 std::vector<ReferenceValue> transport_values(const ReferenceSetup& setup, const ReplicaFolder& transport) {
     const std::vector<MergedObservable> found = merged_observables(transport.merged);
     const std::size_t replicas = transport.runs.size();
+    const bool keeps_energy = temperature_uncertainty(transport.runs, setup.request.temperature) <= largest_uncertainty;
     std::vector<ReferenceValue> values;
     for (const std::string& name : setup.request.properties) {
         if (reference_property(name).measured != MeasuredBy::transport) {
@@ -315,8 +317,9 @@ std::vector<ReferenceValue> transport_values(const ReferenceSetup& setup, const 
         }
         ReferenceValue value = empty_value(name, find_quantity(name)->unit);
         const auto* merged = find_merged(found, name);
-        if (merged == nullptr) {
-            value.remark = "the runs are too short for it";
+        if (merged == nullptr || !keeps_energy) {
+            value.remark = keeps_energy ? "the runs are too short for it" : "the runs do not keep their energy";
+            value.withheld = !keeps_energy;
             values.push_back(value);
             continue;
         }

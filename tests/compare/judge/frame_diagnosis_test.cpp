@@ -85,6 +85,17 @@ TEST_CASE("wrong forces at the start are not called right because atoms collide 
     }
 }
 
+TEST_CASE("a field that is switched on after the start is no stale list") {
+    const Fluid fluid = shaken_crystal();
+    JudgedTrajectory trajectory = right_trajectory(fluid, {0, 1});
+    for (Vec3& f : trajectory.frames[1].forces) {
+        f += Vec3(0.0, 0.0, -0.01);
+    }
+    const auto words = said(fluid, trajectory);
+    REQUIRE(words.size() == 1);
+    CHECK_THAT(words[0], StartsWith("at step 1, constant force: the same force of -0.01 along z"));
+}
+
 TEST_CASE("velocities of half a step before or after are named") {
     const Fluid fluid = shaken_crystal();
     const JudgedTrajectory right = right_trajectory(fluid, {0, 1, 10});

@@ -23,7 +23,15 @@ TEST_CASE("mistakes that change energy, virial and forces alike are named, in ev
         CHECK_THAT(with(fluid.potential, {.epsilon = 1.0 + 1e-8}), StartsWith("epsilon off"));
         CHECK_THAT(with(fluid.potential, {.epsilon = 0.9}),
                    StartsWith("epsilon off") && Catch::Contains("epsilon of 0.9,"));
-        CHECK_THAT(with(fluid.potential, {.images = false}), StartsWith("missing image"));
+        const auto missing = [&](const NearPairs::MissedImages& missed, bool alone = false) {
+            return with(fluid.potential, {.missed = missed, .each_atom_alone = alone});
+        };
+        CHECK_THAT(missing({{{true, true}, {true, true}, {true, true}}}),
+                   StartsWith("missing image") && Catch::Contains("left out, all others"));
+        CHECK_THAT(missing({{{}, {true, true}, {}}}), StartsWith("missing image") && Catch::Contains("out along y,"));
+        CHECK_THAT(missing({{{true, false}, {}, {true, true}}}),
+                   Catch::Contains("where x_i - x_j < -L/2 for i < j and along z,"));
+        CHECK_THAT(missing({{{}, {}, {false, true}}}, true), Catch::Contains("where z_i - z_j > L/2, on atom i,"));
         for (const double s : {0.95, 1.001, 1.05}) {
             INFO(s);
             CHECK_THAT(with(with_cutoff(fluid.potential, 2.2 / s), {.sigma = s}), StartsWith("sigma off"));

@@ -37,6 +37,10 @@ TEST_CASE("the table of a judgement says what failed, why, and what was not judg
     CHECK_THAT(judgement_table(found, deck), Contains("1 of 2 checks FAILED; no mistake that is known explains it\n"));
     found.checks.erase(found.checks.begin());
     CHECK_THAT(judgement_table(found, deck), Contains("all 1 checks passed\n"));
+    found.own_failure = "it blew up";
+    CHECK_THAT(judgement_table(found, deck),
+               Contains("all 1 checks passed; no verdict: ljmd's own run of the deck failed\n"));
+    CHECK(parse_json(judgement_json(found, deck, "files:x"))["passed"].is_null());
     found.checks.clear();
     CHECK_THAT(judgement_table(found, deck), Contains("nothing was judged\n"));
 }

@@ -117,8 +117,10 @@ TEST_CASE("mistakes are named wherever they show") {
     }
     SECTION("few digits") {
         Answer answer = right_answer(problem);
+        double off = 1e-7;
         for (Vec3& f : answer.point.forces) {
-            f[0] += 1e-7;
+            f[0] += off;
+            off = -off;
         }
         CHECK_THAT(judged(problem, answer).diagnoses.at(0), StartsWith("few digits"));
     }

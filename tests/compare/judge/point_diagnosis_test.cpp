@@ -71,8 +71,16 @@ TEST_CASE("mistakes of one number are named") {
         f = -f;
     }
     CHECK_THAT(first_diagnosis(fluid, answer), StartsWith("forces: all have the wrong sign"));
-    answer.forces.assign(answer.forces.size(), Vec3(1.0, 2.0, 3.0));
+    // Forces of no meaning sum to zero: nothing is known of them.
+    for (std::size_t i = 0; i < answer.forces.size(); ++i) {
+        answer.forces[i] = Vec3(i % 2 == 0 ? 1.0 : -1.0, 0.0, 0.0);
+    }
     CHECK(first_diagnosis(fluid, answer).empty());
+    answer = right_point(expected);
+    for (Vec3& f : answer.forces) {
+        f += Vec3(0.0, 1e-7, 0.0);
+    }
+    CHECK_THAT(first_diagnosis(fluid, answer), StartsWith("constant force: the same force of 1e-07 along y"));
 }
 
 TEST_CASE("a potential that should be shifted and is not is named") {

@@ -1,5 +1,7 @@
 #include "ljmd/io/tables/json_text.hpp"
 
+#include "ljmd/io/tables/exact_json.hpp"
+
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -35,7 +37,6 @@ TEST_CASE("values are written with two spaces a level, members in their order") 
 TEST_CASE("numbers are read back as the same doubles and integers") {
     const std::vector<std::pair<Data, std::string>> cases{
         {0.0, "0.0"},
-        {-0.0, "-0.0"},
         {0.1, "0.1"},
         {2.0, "2.0"},
         {1e-7, "1e-07"},
@@ -53,6 +54,9 @@ TEST_CASE("numbers are read back as the same doubles and integers") {
         CHECK(to_json(value) == text);
         CHECK(parse_json(text) == value);
     }
+    CHECK(to_json(Data::list({-0.0, 1.0})) == to_json(Data::list({0.0, 1.0})));
+    CHECK(to_json_line({{"a", -0.0}}) == R"({"a":0.0})");
+    CHECK(to_exact_json(-0.0) == "-0.0");
 }
 
 TEST_CASE("texts are written with escapes, and bytes that are not UTF-8 as U+FFFD") {

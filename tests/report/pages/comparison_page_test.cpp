@@ -1,4 +1,6 @@
 #include "ljmd/report/pages/study_pages.hpp"
+
+#include "ljmd/compare/recorded_comparison.hpp"
 #include "report/report_fixtures.hpp"
 
 using namespace ljmd;
@@ -56,4 +58,37 @@ TEST_CASE("errors against a reference are drawn, damaged files are told") {
     CHECK_THAT(page.warnings[0], Contains("compare-openmm.json is another comparison"));
     overwrite(folder / "compare-gsl.json", "[");
     CHECK_THROWS_AS(comparison_page(folder / ""), DataError);
+}
+
+TEST_CASE("a judgement of an engine has its diagnosis, what was not judged, and the trajectory of the engine") {
+    const TemporaryFolder folder;
+    overwrite(folder / "judge.json",
+              R"({"deck": "a.toml", "with": "command:./engine {input} {output}", "peer": "mine", "atoms": 108,
+                  "checks": [{"name": "virial", "value": 1.0, "tolerance": 1e-11, "passed": false}], "passed": false,
+                  "averages": {"observables": {"pressure": {"ljmd": {"mean": 1.0, "standard_error": 0.1},
+                                                            "peer": {"mean": 1.1, "standard_error": 0.2}, "sigmas": 0.4}}},
+                  "trajectory": {"steps": [{"step": 0, "time": 0.0, "distance": 0.0, "force_difference": 1e-15},
+                                           {"step": 10, "time": 0.04, "distance": 1e-12, "force_difference": null}]},
+                  "diagnoses": ["virial: the sign is wrong"], "not_judged": ["volume: missing"], "warnings": ["a remark"]})");
+    REQUIRE(holds_comparison(folder / ""));
+    PageContent page = comparison_page(folder / "");
+    check_marks(page);
+    CHECK(page.title == "a.toml against mine");
+    CHECK(page.warnings == std::vector<std::string>{"a remark"});
+    CHECK(verdict_on(page.verdicts, "diagnosis").words == "Virial: the sign is wrong.");
+    CHECK(verdict_on(page.verdicts, "diagnosis").level == "bad");
+    CHECK(verdict_on(page.verdicts, "not judged").words == "Volume: missing.");
+    CHECK(quantity_called(page.quantities, "pressure").reference_label == "mine");
+    const PageTable& steps = table_called(page, "trajectory");
+    CHECK(values_of(steps, "distance")[0].is_null());
+    CHECK(values_of(steps, "distance")[1].number() == 1e-12);
+    CHECK(values_of(steps, "force_difference")[1].is_null());
+    CHECK(chart_called(page, "distance").y.scale == "log");
+    overwrite(
+        folder / "judge.json",
+        R"({"deck": "a.toml", "peer": "mine", "checks": [{"name": "virial", "value": 1.0, "tolerance": 1e-11, "passed": false}],
+                  "passed": false, "diagnoses": [], "not_judged": [], "warnings": [], "trajectory": {"steps": []}})");
+    page = comparison_page(folder / "");
+    CHECK(verdict_on(page.verdicts, "diagnosis").words == "No mistake that is known explains what failed.");
+    CHECK(std::ranges::none_of(page.charts, [](const Chart& chart) { return chart.id == "distance"; }));
 }

@@ -26,6 +26,18 @@ TEST_CASE("the page of a finished run has verdicts, quantities, charts and atoms
     CHECK(page.atoms["colours"][0]["name"] == "speed");
 }
 
+TEST_CASE("a run that measures a crystal is not judged as a fluid that has not melted") {
+    const DeckFolder folder;
+    const Deck deck = folder.load({"analysis.crystal={ every = 5 }"});
+    run_whole(deck);
+    const PageContent page = fluid_page(run_facts(deck.directory));
+    check_marks(page);
+    CHECK(verdict_on(page.verdicts, "crystal").level == "good");
+    CHECK_THAT(verdict_on(page.verdicts, "equilibrium").words, !Contains("of the crystal was left"));
+    CHECK_THAT(verdict_on(page.verdicts, "equation of state").words, Contains("this run measures a crystal"));
+    CHECK_NOTHROW(chart_called(page, "bragg"));
+}
+
 TEST_CASE("a run without a trajectory shows its last configuration, a failed one where it stopped") {
     const DeckFolder folder;
     const Deck deck = folder.load();

@@ -5,6 +5,7 @@
 #include "io/output_fixtures.hpp"
 #include "ljmd/report/pages/study_pages.hpp"
 #include "ljmd/report/report.hpp"
+#include "report/report_fixtures.hpp"
 
 using namespace ljmd;
 using Catch::Matchers::Contains;
@@ -50,10 +51,18 @@ TEST_CASE("the page of a reference has its values with both errors, and the equa
     CHECK(page.quantities[1].error == 0.1);  // the statistical one: the other is not assessed
     CHECK_FALSE(page.quantities[1].reference);
     CHECK(page.warnings == std::vector<std::string>{"a warning"});
-    REQUIRE(page.tables.size() == 2);
+    CHECK(page.kind == "reference");
+    REQUIRE(page.tables.size() == 4);
     CHECK(page.tables[0].has_column("systematic_error"));
-    REQUIRE(page.charts.size() == 1);
-    CHECK(page.charts[0].id == "rdf");
+    test::check_marks(page);
+    REQUIRE(page.charts.size() == 3);
+    CHECK(page.charts[0].id == "apart");
+    CHECK(page.tables[1].values.at(1).at(0).number() == Approx(-2.0));
+    CHECK(page.charts[1].id == "errors");  // of the energy both, of the viscosity the statistical one
+    CHECK(page.tables[2].values.at(2).size() == 3);
+    CHECK(page.tables[2].values.at(2).at(1).number() == Approx(0.0798403));
+    CHECK(page.charts[2].id == "rdf");
+    CHECK(page.provenance.at(1) == std::pair<std::string, std::string>("density of the runs", "0.75"));
 }
 
 TEST_CASE("a value far from the equations of state is a doubt") {

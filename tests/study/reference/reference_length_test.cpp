@@ -35,6 +35,14 @@ TEST_CASE("an error is reached when it is small enough, from enough samples, and
     CHECK_FALSE(reached(none));
 }
 
+TEST_CASE("nothing is waited for that no length of the runs gives") {
+    ReferenceValue value{
+        .name = "viscosity", .symbol = "", .unit = "1", .statistical_error = 0.0, .systematic_error = 0.0};
+    CHECK(reached_errors({}, {value}).size() == 1);
+    value.withheld = true;
+    CHECK(reached_errors({{"viscosity", 0.01}}, {value}).empty());
+}
+
 TEST_CASE("properties without a wanted error reach a part of their value, and some are not waited for") {
     const auto errors = reached_errors(
         {}, {measured("heat_capacity_cv", 2.0, 0.09, 400), measured("excess_chemical_potential", -2.0, 1.0, 400),

@@ -154,6 +154,20 @@ TEST_CASE("diffusion is corrected for the box by the viscosity of all runs") {
     CHECK_FALSE(named_value(transport_values(setup, replicas.folder()), "diffusion").mean);
 }
 
+TEST_CASE("runs that do not keep their energy give no transport coefficient") {
+    ReferenceRequest request = liquid_request();
+    request.properties.emplace_back("viscosity");
+    const ReferenceSetup setup = reference_setup(request);
+    const MadeUpReplicas replicas({-5.0, -5.0}, {1.0, 1.0}, 1.2);
+    replicas.merged_results(observable("viscosity", 1.9, 0.1));
+    CHECK(named_value(transport_values(setup, replicas.folder()), "viscosity").mean == 1.9);
+    std::ofstream(replicas.folder().runs[1] / "results.json") << R"({"observables": {}, "stages": [
+        {"sampled": true, "first_step": 100, "steps": 20000, "time_step": 0.004, "energy_drift": 0.001}]})";
+    const auto found = named_value(transport_values(setup, replicas.folder()), "viscosity");
+    CHECK_FALSE(found.mean);
+    CHECK_THAT(found.remark, Contains("do not keep their energy"));
+}
+
 TEST_CASE("the total energy is that of atoms at rest as a whole, and a pressure gives the density") {
     ReferenceRequest request = liquid_request();
     const ReferenceSetup setup = reference_setup(request);

@@ -34,6 +34,11 @@ struct JudgedTrajectory {
 /// number.
 [[nodiscard]] double largest_distance(const JudgedFrame& frame, const Vec3& edges);
 
+/// The largest difference between an engine's forces and those at its positions, over the root mean square of the
+/// latter.
+/// @pre the frame has forces
+[[nodiscard]] double largest_force_difference(const JudgedFrame& frame);
+
 /// Checks of the frames at the judged steps: distances of positions up to the step where the limits end; kinetic
 /// energies up to step 100; forces at the engine's own positions, which tell a wrong formula or list from another
 /// trajectory.

@@ -14,6 +14,13 @@
 
 namespace ljmd {
 
+/// How far an engine's trajectory is from ljmd's at a step.
+struct StepApart {
+    Index step;
+    double distance;                           ///< largest of an atom [sigma]
+    std::optional<double> force_difference{};  ///< largest of forces at its own positions, over their root mean square
+};
+
 /// What an engine's answer is worth.
 struct Judgement {
     std::string engine;  ///< its name, if it tells it; else how it was called
@@ -22,9 +29,12 @@ struct Judgement {
     std::string path;  ///< of ljmd: pair search, SIMD level, precision, threads
     std::vector<Check> checks;
     std::vector<ComparedMean> means;
+    std::vector<StepApart> trajectory{};  ///< at each judged step
+    double time_step = 0.0;               ///< of the trajectory [tau]
     std::vector<std::string> diagnoses;   ///< known mistakes that explain what disagrees
     std::vector<std::string> not_judged;  ///< parts that the answer lacks, or is too short for
     std::vector<std::string> warnings;    ///< remarks on the files
+    std::string own_failure{};  ///< why ljmd's own run of the deck failed; without it there is no verdict on averages
 
     [[nodiscard]] bool passed() const { return failures() == 0; }
     [[nodiscard]] Index failures() const;

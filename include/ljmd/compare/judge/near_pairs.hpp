@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "ljmd/core/types.hpp"
@@ -23,8 +24,12 @@ class NearPairs {
         std::size_t j;
         Vec3 separation;  ///< r_i - r_j of the nearest image [sigma]
         double distance;
-        bool through_wall;  ///< the nearest image of j is not j in the box
+        Vec3 images;  ///< edges that the nearest image of j is away from j in the box: -1, 0 or 1 in each direction
     };
+
+    /// The images that a sum leaves out: missed[k][0] those of pairs with r_i - r_j < -L/2 in direction k, missed[k][1]
+    /// those with r_i - r_j > L/2. Such a pair is farther apart in the box than half an edge, and so not seen at all.
+    using MissedImages = std::array<std::array<bool, 2>, 3>;
 
     /// All pairs closer than `range`, by their nearest images; O(N^2).
     /// @param positions  anywhere
@@ -35,7 +40,8 @@ class NearPairs {
     struct Assumed {
         double epsilon = 1.0;  ///< energy scale
         double sigma = 1.0;    ///< length scale: u'(r) = epsilon u(r/sigma)
-        bool images = true;    ///< false: pairs through a wall are left out
+        MissedImages missed{};
+        bool each_atom_alone = false;  ///< each atom sums over all others, and misses images as atom i of the pair
     };
 
     /// U, W and forces of the pairs within the potential's cutoff, which sigma multiplies, too.

@@ -9,7 +9,7 @@
 namespace ljmd {
 
 // The one place where JSON is written and read. Values are written with nlohmann's library: numbers with as many digits
-// as it takes to read the same double back.
+// as it takes to read the same double back; -0 as 0.
 
 // Limits, so that reading, copying and printing need little stack, memory and time. Larger values count as mistakes.
 inline constexpr int deepest_json = 32;                    ///< depth of nested arrays and objects

@@ -20,12 +20,9 @@ namespace ljmd {
 /// The page of a reproduced table: z-scores, isotherms, the rows, from those rows that are finished.
 [[nodiscard]] PageContent reproduction_page(const std::filesystem::path& directory);
 
-/// The page of a comparison that `ljmd compare --out` has written.
-/// @throws DataError  it has no compare-*.json, or that is damaged
+/// The page of a comparison that `ljmd compare --out` has written, with OpenMM, LAMMPS, GSL or an engine of the user.
+/// @throws DataError  it has no comparison_results(), or they are damaged
 [[nodiscard]] PageContent comparison_page(const std::filesystem::path& directory);
-
-/// Whether a directory holds a comparison.
-[[nodiscard]] bool holds_comparison(const std::filesystem::path& directory);
 
 /// The member `points` of the page's data: the runs of a study, with links relative to its directory.
 /// @param runs  as study_report() gives them

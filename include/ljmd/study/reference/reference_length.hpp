@@ -17,7 +17,7 @@ struct ReachedError {
 };
 
 /// The errors that these values are to reach: those that are wanted, and of other properties the default ones, which
-/// are fractions of the values (ReferenceProperty::default_error).
+/// are fractions of the values (ReferenceProperty::default_error). Values that are withheld have none.
 [[nodiscard]] std::vector<ReachedError> reached_errors(const std::vector<WantedError>& wanted,
                                                        const std::vector<ReferenceValue>& values);
 

@@ -26,6 +26,7 @@ struct ReferenceValue {
     bool converged = true;                                       ///< false: the statistical error is a guess
     std::vector<std::pair<std::string, double>> by_equations{};  ///< names of equations of state, and their values
     std::string remark{};
+    bool withheld = false;  ///< no length of the runs gives a value
 
     /// sqrt(statistical^2 + systematic^2); NaN if one is not known.
     [[nodiscard]] double total_error() const;

@@ -12,6 +12,7 @@ const MINUS = "−";
 export function pretty(label) {
     return String(label ?? "")
         .replace(/[A-Za-z]+/g, (word) => SYMBOLS[word] ?? word)
+        .replace(/(<[^<>]*>)\^\(1\/2\)/g, "√$1")
         .replace(/\^([-+]?\d+)/g, (_, digits) => [...digits].map((digit) => RAISED[digit]).join(""))
         .replace(/ \+- /g, " ± ")
         .replace(/(^|[\s(:,])-(?=[\d.])/g, `$1${MINUS}`);

@@ -80,7 +80,7 @@ function equalScales(x, y, rows, width, height) {
 }
 
 function heightOf(isScores, yIsCategory, rows, width) {
-    if (yIsCategory) return 80 + Math.max((isScores ? 20 : 34) * rows, 120);
+    if (yIsCategory) return 80 + Math.max((isScores || rows > 12 ? 20 : 34) * rows, 120);
     return Math.round(Math.min(300, 170 + width / 6));
 }
 
@@ -125,6 +125,8 @@ export function drawChart(chart, tables, width) {
     const find = isMap || isScores || types.has("dots") ? Plot.pointer : Plot.pointerX;
     // A path in space keeps its shape.
     const isPath = chart.equal ?? (/^x( |$)/.test(chart.x?.label ?? "") && /^y( |$)/.test(chart.y?.label ?? ""));
+    // The name of an upright rule behind all points stands in the margin.
+    const ruleIsLast = rows.length > 0 && ruled("rule-x").some((value) => rows.every((row) => !(row.x > value)));
     const height = isPath ? Math.min(width - 12, 480) : heightOf(isScores, yIsCategory, y.domain?.length ?? 0, width);
     if (isPath) equalScales(x, y, rows, width - 80, height - 68);
     const svg = Plot.plot({
@@ -132,7 +134,7 @@ export function drawChart(chart, tables, width) {
         height,
         marginLeft: yIsCategory ? 24 + 6.6 * longest(y.domain.map(short), most) : 62,
         marginBottom: turned ? 34 + 4.2 * longest(x.domain, most) : 42,
-        marginTop: 26, marginRight: 18,
+        marginTop: 26, marginRight: ruleIsLast ? 58 : 18,
         style: { fontSize: "12px", fontFamily: "inherit", overflow: "visible", background: "transparent", color: "inherit" },
         ariaLabel: chart.title,
         x, y,

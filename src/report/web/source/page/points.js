@@ -17,12 +17,12 @@ function item(point) {
         point.directory && !point.href ? element("code", {}, element("bdi", {}, point.directory)) : null);
 }
 
-/** Those that failed first: they are what a reader has to know. */
-export function pointsSection(points, level) {
+/** Those that failed first: they are what a reader has to know. A reference has runs in place of points. */
+export function pointsSection(points, level, title = "Points") {
     if (points.length === 0) return null;
     const bad = points.filter((point) => point.state && point.state !== "finished");
     const good = points.filter((point) => !bad.includes(point));
-    return section("Points", level,
+    return section(title, level,
         bad.length > 0 ? [element(`h${level + 1}`, {}, `${bad.length} of ${points.length} did not finish`), element("ul", { class: "points" }, bad.map(item))] : null,
         good.length > 0 ? element("details", { open: good.length <= 12 }, element("summary", {}, `${good.length} finished`), element("ul", { class: "points" }, good.map(item))) : null);
 }

@@ -72,7 +72,7 @@ export function reportSections(payload, level = 2) {
         resultsSection(payload, level),
         (rest.length > 0 || (leading.length > 0 && !chartsFirst)) && section("Charts", level, chartGrid(chartsFirst ? rest : [...leading, ...rest])),
         atoms && section("Atoms", level, atoms.node),
-        pointsSection(payload.points ?? [], level),
+        pointsSection(payload.points ?? [], level, payload.kind === "reference" ? "Runs" : "Points"),
         members.length > 0 && memberList(members, level, (member) => reportSections(member, level + 1)),
         tablesSection(tables, level),
         provenance.length > 0 && section("Provenance", level, pairs(provenance, "Provenance")),

@@ -10,7 +10,7 @@ const LEVELS = {
 };
 const ORDER = ["good", "unknown", "doubt", "bad"];
 const KINDS = {
-    run: "Molecular dynamics run", "few-body": "Few bodies", sweep: "Sweep", reproduction: "Reproduction",
+    run: "Molecular dynamics run", "few-body": "Few bodies", sweep: "Sweep", reference: "Reference values", reproduction: "Reproduction",
     comparison: "Comparison", set: "Runs compared",
 };
 
