@@ -98,11 +98,12 @@ class Session {
         for (const std::string& words : diagnose_trajectory(trajectory, problem_.fluid.potential, agreement_)) {
             note(words);
         }
-        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)));
         const JudgedFrame& first = trajectory.frames.front();
-        if (first.step == 0 && answer_.point.forces.empty() && !first.forces.empty()) {
+        const bool told = !answer_.point.forces.empty() && !result_.diagnoses.empty();  // of the point, most likely
+        if (first.step == 0 && !told && !first.forces.empty()) {
             diagnose({.forces = first.forces}, "frame of step 0: ");
         }
+        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)));
     }
 
     void run() {
