@@ -90,7 +90,9 @@ class Session {
         append(check_trajectory(trajectory, problem_.frames, agreement_));
         result_.time_step = trajectory.time_step;
         for (const JudgedFrame& frame : trajectory.frames) {
-            result_.trajectory.push_back({frame.step, largest_distance(frame, trajectory.edges), std::nullopt});
+            result_.trajectory.push_back({.step = frame.step,
+                                          .distance = largest_distance(frame, trajectory.edges),
+                                          .allowed = limit_at(agreement_.positions, frame.step)});
             if (!frame.forces.empty()) {
                 result_.trajectory.back().force_difference = largest_force_difference(frame);
             }
