@@ -90,7 +90,9 @@ class Session {
         append(check_trajectory(trajectory, problem_.frames, agreement_));
         result_.time_step = trajectory.time_step;
         for (const JudgedFrame& frame : trajectory.frames) {
-            result_.trajectory.push_back({frame.step, largest_distance(frame, trajectory.edges), std::nullopt});
+            result_.trajectory.push_back({.step = frame.step,
+                                          .distance = largest_distance(frame, trajectory.edges),
+                                          .allowed = limit_at(agreement_.positions, frame.step)});
             if (!frame.forces.empty()) {
                 result_.trajectory.back().force_difference = largest_force_difference(frame);
             }
@@ -98,11 +100,12 @@ class Session {
         for (const std::string& words : diagnose_trajectory(trajectory, problem_.fluid.potential, agreement_)) {
             note(words);
         }
-        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)));
         const JudgedFrame& first = trajectory.frames.front();
-        if (first.step == 0 && answer_.point.forces.empty() && !first.forces.empty()) {
+        const bool told = !answer_.point.forces.empty() && !result_.diagnoses.empty();  // of the point, most likely
+        if (first.step == 0 && !told && !first.forces.empty()) {
             diagnose({.forces = first.forces}, "frame of step 0: ");
         }
+        few_digits(check_trajectory(trajectory, problem_.frames, single_agreement(situation_)));
     }
 
     void run() {

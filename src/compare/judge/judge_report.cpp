@@ -74,6 +74,7 @@ std::string judgement_json(const Judgement& found, const Deck& deck, const std::
         trajectory.push_back({{"step", step.step},
                               {"time", static_cast<double>(step.step) * found.time_step},
                               {"distance", step.distance},
+                              {"allowed_distance", step.allowed},
                               {"force_difference", step.force_difference}});
     }
     return to_json({{"deck", deck.path},

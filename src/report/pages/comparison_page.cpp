@@ -237,6 +237,7 @@ void add_judgement(PageContent& page, const Data& results) {
 void add_steps(PageContent& page, const Data& steps) {
     std::vector<double> times;
     std::vector<double> distances;
+    std::vector<double> allowed;
     std::vector<double> forces;
     const auto positive = [](const std::optional<double>& number) {  // exact agreement has no logarithm
         return number && *number > 0.0 ? *number : std::nan("");
@@ -244,6 +245,7 @@ void add_steps(PageContent& page, const Data& steps) {
     for (const Data& step : steps.items()) {
         times.push_back(number_in(step, {"time"}).value_or(std::nan("")));
         distances.push_back(positive(number_in(step, {"distance"})));
+        allowed.push_back(positive(number_in(step, {"allowed_distance"})));
         forces.push_back(positive(number_in(step, {"force_difference"})));
     }
     if (times.empty()) {
@@ -252,6 +254,7 @@ void add_steps(PageContent& page, const Data& steps) {
     PageTable table{.name = "trajectory", .title = "Trajectory of the engine"};
     table.add({"time", "t", "tau"}, times);
     table.add({"distance", "distance", "sigma"}, distances);
+    table.add({"allowed", "allowed distance", "sigma"}, allowed);
     table.add({"force_difference", "difference of forces"}, forces);
     page.tables.push_back(std::move(table));
     const auto chart = [&](const char* id, const char* title, const char* caption, const char* axis, int colour) {
@@ -268,9 +271,10 @@ void add_steps(PageContent& page, const Data& steps) {
     };
     chart("distance", "Divergence of the trajectories",
           "Largest distance of an atom in two trajectories from the same start, at the judged steps. Rounding errors "
-          "grow "
-          "exponentially, so that two right programs part, too.",
+          "grow exponentially, so that two right programs part, too; later nothing is demanded.",
           "distance / sigma", 0);
+    page.charts.back().marks.push_back(
+        {.type = "dots", .label = "allowed", .table = "trajectory", .x = "time", .y = "allowed", .colour = 7});
     chart("force_difference", "Forces at the engine's own positions",
           "Largest difference over the root mean square of the forces: it stays at the rounding errors if formula and "
           "neighbour list are right, wherever the atoms are.",

@@ -61,6 +61,11 @@ TEST_CASE("an answer is judged in all its parts, and a right one passes") {
     CHECK(found.passed());
     CHECK(found.checks.size() == 7 + 9 + 3);
     CHECK(found.diagnoses.empty());
+    REQUIRE(found.trajectory.size() == 3);
+    CHECK(found.time_step == problem.stage.time_step);
+    CHECK(found.trajectory[2].step == 10);
+    CHECK(found.trajectory[2].distance <= found.trajectory[2].allowed.value());
+    CHECK(found.trajectory[2].force_difference.value() < 1e-11);
     CHECK(found.atoms == 108);
     CHECK(found.steps_before == 20);
     CHECK_THAT(found.path, StartsWith("all-pairs, scalar, double precision"));

@@ -18,6 +18,7 @@ namespace ljmd {
 struct StepApart {
     Index step;
     double distance;                           ///< largest of an atom [sigma]
+    std::optional<double> allowed{};           ///< distance; none where two programs no longer stay together
     std::optional<double> force_difference{};  ///< largest of forces at its own positions, over their root mean square
 };
 
