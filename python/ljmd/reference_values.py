@@ -9,7 +9,8 @@ import tempfile
 
 from . import _check, _program
 from ._text import NamedTables, html_lines, html_table, mixed_table, with_error
-from .errors import Error, InputError
+from .errors import DataError, Error, InputError
+from .reading.files import read_json
 from .reading.tables import read_numbers
 
 
@@ -52,6 +53,15 @@ class Reference(NamedTables):
         self._values = {name: ReferenceValue(name, value) for name, value in data.items()
                         if isinstance(value, dict) and "statistical_error" in value}
 
+    @classmethod
+    def open(cls, directory) -> "Reference":
+        """See `ljmd.open`. Raises DataError where the errors asked for have not been reached yet."""
+        directory = _check.directory_of(directory)
+        if not (directory / "results.json").exists():
+            raise DataError(f"{directory}: the reference values have not been found yet; the same ljmd.reference(...) with this "
+                            "directory goes on")
+        return cls(read_json(directory / "results.json"), _tables_in(directory), directory)
+
     def __getitem__(self, name: str) -> ReferenceValue:
         if name not in self._values:
             raise KeyError(f"no {name!r}; there are {', '.join(self._values)}")
@@ -84,6 +94,10 @@ class Reference(NamedTables):
                  *("" if each is None else f"{each:.2g}" for each in (row.statistical_error, row.systematic_error)),
                  "" if row.equation_of_state is None else f"{row.equation_of_state:.5g}", row.unit) for row in self._values.values()]
         return html_table(("", "value", "statistical", "systematic", "thol2016", "unit"), rows, self._heading()) + html_lines(self.warnings)
+
+
+def _tables_in(directory: pathlib.Path) -> dict:
+    return {name: read_numbers(directory / f"{name}.csv") for name in ("rdf", "sk") if (directory / f"{name}.csv").exists()}
 
 
 def reference(temperature: float, density: float | None = None, *, pressure: float | None = None, properties=(), errors=None, atoms=None,
@@ -122,7 +136,7 @@ def reference(temperature: float, density: float | None = None, *, pressure: flo
             if directory is None:  # nothing is left there to be resumed
                 text = re.sub(rf"; to try them again: ljmd resume {re.escape(str(out))}\S*", "", text)
             raise type(error)(text) from None
-        tables = {name: read_numbers(out / f"{name}.csv") for name in ("rdf", "sk") if (out / f"{name}.csv").exists()}
+        tables = _tables_in(out)
     found = Reference(json.loads(text), tables, None if directory is None else out)
     for warning in found.warnings:
         _check.warn(warning)

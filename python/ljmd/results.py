@@ -269,10 +269,13 @@ class Run(Results):
 
 def open_run(directory):
     """The run in a directory, of Python or of the command line. It may be unfinished: then it has no results yet. Of a sweep: see
-    `ljmd.open_sweep`.
+    `ljmd.open_sweep`. Of reference values: what `ljmd.reference` found.
 
     Raises DataError when it is not the directory of a run.
     """
+    if (_check.directory_of(directory) / "reference.json").exists():
+        from .reference_values import Reference
+        return Reference.open(directory)
     if (_check.directory_of(directory) / "sweep.json").exists():
         from .replicas import Replicas
         from .sweeps import Sweep

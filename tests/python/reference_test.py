@@ -28,6 +28,10 @@ class ReferenceValues(Case):
         self.assertAlmostEqual(float(list(found.table("rdf")["g"])[-1]), 1.0, delta=0.2)
         for text in (repr(found), found._repr_html_()):
             self.assertIn("potential_energy", text)
+        again = ljmd.open(self.folder / "runs")
+        self.assertEqual((repr(again), again.tables, again.directory), (repr(found), found.tables, found.directory))
+        (self.folder / "runs" / "results.json").rename(self.folder / "aside")
+        self.assertRaisesText(ljmd.DataError, "have not been found yet", of=lambda: ljmd.open(self.folder / "runs"))
         # the command goes on with what is there, and finds the same
         command = [ljmd._program.program(), "reference", "--temperature", "2", "--density", "0.5", "--atoms", "108", "--replicas", "2", "--error",
                    "energy=0.02", "--properties", "g,c_v", "--max-steps", "10000", "--out", self.folder / "runs", "--json", "--quiet"]
