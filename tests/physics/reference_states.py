@@ -92,7 +92,7 @@ def cutoff_of_three(options, temperature, density, out):
     """What a cutoff of 3 with tail corrections does to 500 atoms: to be added to energy and pressure, with errors."""
     results = out / "results.json"
     if not results.exists():
-        deck = out.with_suffix(".toml")
+        deck = out.parent / f"{out.name}.toml"
         deck.write_text(MONTE_CARLO.format(temperature=temperature, density=density, out=out), encoding="utf-8")
         subprocess.run([options.ljmd, "run", deck, "--quiet", "--force"], check=True, capture_output=True)
     found = json.loads(results.read_text(encoding="utf-8"))["observables"]
