@@ -158,7 +158,7 @@ void sweep_command(const SweepOptions& options) {
     if (array) {
         array->require_none();
     }
-    if (holds_another_sweep(plan, path)) {
+    if (options.force && holds_another_sweep(plan, path)) {
         wait_for_runs(path / "points", until_signal(), print_message);
     }
     prepare_sweep(plan, directory, options.force);

@@ -38,6 +38,7 @@ TEST_CASE("a child that writes to a claimed file holds it for as long as it runs
     ChildProcess child({.program = "/bin/sh",
                         .arguments = {"-c", "while ! test -e done; do sleep 0.01; done; echo end"},
                         .directory = folder / "",
+                        .output = {},
                         .output_descriptor = file->descriptor()});
     file.reset();
     CHECK(ClaimedFile::is_held(path));
