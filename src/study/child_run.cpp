@@ -138,7 +138,10 @@ std::string failure_of(const ChildRun& run, int exit_status) {
 void record_end(const ClaimedFile& log, int exit_status) {
     constexpr std::array stopped{walltime_reached, 128 + SIGHUP, 128 + SIGINT, 128 + SIGUSR1, 128 + SIGTERM, 128 + SIGXCPU};
     if (exit_status != 0 && std::ranges::find(stopped, exit_status) == stopped.end()) {
-        log.append(fmt::format("{}{}\n", end_line, exit_status));
+        try {
+            log.append(fmt::format("{}{}\n", end_line, exit_status));
+        } catch (const FileError&) {  // no space: the words of the run, if there was room for them, tell of the failure
+        }
     }
 }
 

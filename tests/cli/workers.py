@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 from harness import Case, Skip, clean_environment, held, run_outputs, snapshot
-from sweeps import outputs, times
+from sweeps import children, outputs, times
 
 REQUEST = ("sweep", "deck.toml", "--grid", "system.temperature=1.2:2.0:3,system.density=0.7|0.8442", "--out")
 FIRST = "points/temperature=1.2,density=0.7"
@@ -142,8 +142,7 @@ def told_to_end_twice_at_once(t):
     t.run_well(*LONG, "out", "--prepare")
     worker = start(t, "sweep", "--work", "1/3", "out")
     wait_until(t, (t.dir / "out/points/temperature=1.2/checkpoint.2").exists, worker)
-    victims = [int(stat.parent.name) for stat in Path("/proc").glob("[0-9]*/stat")
-               if stat.read_text().rpartition(")")[2].split()[1] == str(worker.pid)]
+    victims = children(worker)
     t.equal(len(victims), 1, "runs of the worker")
     for _ in range(2):
         for process in (*victims, worker.pid):
@@ -166,13 +165,19 @@ def a_point_that_fails(t):
 
 
 def a_point_killed(t):
-    """A run that something else has killed before its first checkpoint has failed, and the status says how."""
+    """A run that something else has killed has failed, and the status says how; it is resumed all the same."""
     t.deck()
     t.run_well(*LONG, "out", "--prepare")
-    result = t.expect(5, t.run("sweep", "--work", "1/3", "out", "--jobs", "1", "--quiet",
-                               preexec_fn=lambda: __import__("resource").setrlimit(__import__("resource").RLIMIT_FSIZE, (1, 1))))
-    t.contains(result.err, "temperature=1.2: exit code 4: error: ")
-    t.equal(states(t), {"failed": 1, "not begun": 2}, "states")
+    worker = start(t, "sweep", "--work", "1/3", "out", "--quiet")
+    wait_until(t, (t.dir / "out/points/temperature=1.2/checkpoint.2").exists, worker)
+    os.kill(children(worker)[0], signal.SIGKILL)
+    code, _, err = end(worker)
+    t.equal(code, 5, "exit code")
+    t.contains(err, "error: 1 of 1 points failed; the same command tries them again\n  temperature=1.2: exit code 137: ")
+    status = json.loads(t.run_well("sweep", "--status", "out", "--json").out)
+    t.equal((status["runs"][0]["state"], status["runs"][0]["words"]), ("failed", "exit code 137: "), "state and words")
+    t.run_well("sweep", "--work", "1/1", "out", "--quiet")
+    check_alike(t, LONG)
 
 
 def held_by_hand(t):
@@ -264,7 +269,7 @@ def refused(*arguments, prepare=None):
 
 
 def cases():
-    shares = ("", "1", "0/2", "3/2", "1/2/3", "a/b", "1/10001", "-1/2")
+    shares = ("1", "0/2", "3/2", "1/2/3", "a/b", "1/10001", "-1/2")
     work = ("sweep", "--work", "1/2", "out")
     return [Case(test.__name__.replace("_", " "), test)
             for test in (prepared_and_worked_on, prepared_twice, a_share_without_points, many_workers_at_once, out_of_time,

@@ -77,7 +77,8 @@ TEST_CASE("a run whose log a process holds is running, and a failed one tells it
     CHECK(json["runs"][1]["state"] == "failed");
     CHECK(json["runs"][1]["words"] == "exit code 137: killed");
     log.reset();
-    CHECK(study_report(out).data["runs"][0]["state"] == "failed");
+    const Data free = study_report(out).data;
+    CHECK(free["runs"][0]["state"] == "failed");
 }
 
 TEST_CASE("a reproduced table is a study, too, a run or an empty directory is none") {

@@ -8,7 +8,7 @@
 using namespace ljmd;
 
 TEST_CASE("the shares of all workers are all entries, each once") {
-    for (const std::size_t parts : {1, 2, 3, 7, 12}) {
+    for (const std::size_t parts : std::vector<std::size_t>{1, 2, 3, 7, 12}) {
         std::multiset<std::size_t> found;
         for (std::size_t part = 1; part <= parts; ++part) {
             const WorkShare share = work_share(std::to_string(part) + "/" + std::to_string(parts));

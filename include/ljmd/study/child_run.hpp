@@ -51,8 +51,8 @@ void wait_for_runs(const std::filesystem::path& folder, const Interruption& inte
 /// "NAME: exit code 5: error: the run has blown up": the last error in its log, or its last line.
 [[nodiscard]] std::string failure_of(const ChildRun& run, int exit_status);
 
-/// Note in the log of a run that it has failed; nothing if it has come to its end, or was stopped with a checkpoint.
-/// @throws FileError
+/// Note in the log of a run that it has failed; nothing if it has come to its end, or was stopped with a checkpoint. If
+/// the log cannot be written, nothing is noted.
 void record_end(const ClaimedFile& log, int exit_status);
 
 /// Why the last attempt at a run has failed, from its log: "exit code 5: error: the run has blown up", or only the last
