@@ -78,8 +78,7 @@ void require_usable(const fs::path& out, bool force) {
 }
 
 void tell_row(const RunLine& line, std::size_t done, std::size_t all) {
-    const auto& [verlet, steps, temperature, z, u, beyond, thol, kolafa] =
-        *dynamic_cast<const RowRun&>(line).result();
+    const auto& [verlet, steps, temperature, z, u, beyond, thol, kolafa] = *dynamic_cast<const RowRun&>(line).result();
     print_message(fmt::format("[{}/{}] rho {} T {}: Z {:.3f} +- {:.3f}, U {:.4f} +- {:.4f} in {} steps\n", done, all,
                               verlet.density, verlet.temperature, z.mean, z.standard_error, u.mean, u.standard_error,
                               steps));
@@ -89,9 +88,10 @@ void tell_row(const RunLine& line, std::size_t done, std::size_t all) {
 void work_on_table(const ReproduceOptions& options) {
     const fs::path directory = options.what;
     const auto no_table = [&] {
-        return InputError(fmt::format("--work: {} holds no reproduced table; `ljmd reproduce TABLE --prepare` makes one. "
-                                      "Nothing was run.",
-                                      directory.string()));
+        return InputError(
+            fmt::format("--work: {} holds no reproduced table; `ljmd reproduce TABLE --prepare` makes one. "
+                        "Nothing was run.",
+                        directory.string()));
     };
     if (!files::exists(directory / rows_folder)) {
         throw no_table();

@@ -130,7 +130,8 @@ void submit_sweep(const SweepPlan& plan, std::vector<PointRun>& runs, const Open
         return;
     }
     throw_failures(sweep_words(), print_table(plan, runs, directory, options.json), runs.size(),
-                   submitted.empty() ? "to begin them anew, remove their directories" : fmt::format("they are tried again: {}", submitted));
+                   submitted.empty() ? "to begin them anew, remove their directories"
+                                     : fmt::format("they are tried again: {}", submitted));
 }
 
 }  // namespace

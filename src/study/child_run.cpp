@@ -136,7 +136,8 @@ std::string failure_of(const ChildRun& run, int exit_status) {
 }
 
 void record_end(const ClaimedFile& log, int exit_status) {
-    constexpr std::array stopped{walltime_reached, 128 + SIGHUP, 128 + SIGINT, 128 + SIGUSR1, 128 + SIGTERM, 128 + SIGXCPU};
+    constexpr std::array stopped{walltime_reached, 128 + SIGHUP,  128 + SIGINT,
+                                 128 + SIGUSR1,    128 + SIGTERM, 128 + SIGXCPU};
     if (exit_status != 0 && std::ranges::find(stopped, exit_status) == stopped.end()) {
         try {
             log.append(fmt::format("{}{}\n", end_line, exit_status));
@@ -147,8 +148,9 @@ void record_end(const ClaimedFile& log, int exit_status) {
 
 std::string recorded_failure(const fs::path& log) {
     const LastLines last = last_lines(log);
-    return last.exit_code.empty() ? printable(last.error, longest_log_words)
-                                  : fmt::format("exit code {}: {}", printable(last.exit_code, longest_log_words), words_of(last));
+    return last.exit_code.empty()
+               ? printable(last.error, longest_log_words)
+               : fmt::format("exit code {}: {}", printable(last.exit_code, longest_log_words), words_of(last));
 }
 
 }  // namespace ljmd

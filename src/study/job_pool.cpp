@@ -59,8 +59,8 @@ class Pool {
         }
     }
 
-    /// Ask all jobs to stop with checkpoints: by SIGUSR1. A queue sends SIGTERM to all processes of a task, and a second
-    /// SIGTERM would end a job without a checkpoint.
+    /// Ask all jobs to stop with checkpoints: by SIGUSR1. A queue sends SIGTERM to all processes of a task, and a
+    /// second SIGTERM would end a job without a checkpoint.
     void stop() const {
         for (const Running& one : running_) {
             one.process.signal(SIGUSR1);

@@ -61,8 +61,8 @@ std::optional<Job> RowRun::after(int exit_status) {
 void RowRun::check(bool force) const {
     check_places(run_);
     if (!force && holds_another_run(run_)) {
-        throw InputError(fmt::format("{} holds a run of another length or version; --force makes it anew",
-                                     run_.directory.string()));
+        throw InputError(
+            fmt::format("{} holds a run of another length or version; --force makes it anew", run_.directory.string()));
     }
 }
 

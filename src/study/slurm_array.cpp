@@ -52,8 +52,8 @@ struct Answer {
 Answer answer_of(const fs::path& program, std::vector<std::string> arguments) {
     const ScratchDirectory scratch;
     const fs::path output = scratch.path() / "output";
-    const int status = run_process(
-        {.program = program, .arguments = std::move(arguments), .directory = ".", .output = output});
+    const int status =
+        run_process({.program = program, .arguments = std::move(arguments), .directory = ".", .output = output});
     return {status, read_input(output)};
 }
 
@@ -179,12 +179,12 @@ SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std
       name_(array_name(directory_)) {}
 
 void SlurmArray::require_none() const {
-    const auto [status, text] =
-        answer_of(squeue_, {"--noheader", "--name=" + name_, "--format=%F %T"});
+    const auto [status, text] = answer_of(squeue_, {"--noheader", "--name=" + name_, "--format=%F %T"});
     if (status != 0) {
-        throw ProcessesError(fmt::format("squeue fails, so it is not known whether the study is queued already. Nothing "
-                                         "was submitted.\n  {}",
-                                         said(text)));
+        throw ProcessesError(
+            fmt::format("squeue fails, so it is not known whether the study is queued already. Nothing "
+                        "was submitted.\n  {}",
+                        said(text)));
     }
     std::istringstream lines(text);
     std::string job;

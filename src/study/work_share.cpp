@@ -30,9 +30,10 @@ WorkShare work_share(const std::string& text) {
             return {*part, *parts};
         }
     }
-    throw InputError(fmt::format("--work: {} is no share; allowed: K/T with 1 <= K <= T <= {}, as in 2/8 for the second "
-                                 "of eight workers",
-                                 in_quotes(text), max_workers));
+    throw InputError(
+        fmt::format("--work: {} is no share; allowed: K/T with 1 <= K <= T <= {}, as in 2/8 for the second "
+                    "of eight workers",
+                    in_quotes(text), max_workers));
 }
 
 std::vector<RunLine*> lines_of(const WorkShare& share, const std::vector<RunLine*>& lines) {

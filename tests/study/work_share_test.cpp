@@ -24,8 +24,8 @@ TEST_CASE("the shares of all workers are all entries, each once") {
 }
 
 TEST_CASE("what is no share is refused") {
-    for (const char* text : {"", "1", "/", "1/", "/2", "0/2", "3/2", "-1/2", "+1/2", " 1/2", "1/2/3", "1/2 ", "1.0/2", "a/b",
-                             "1/10001", "99999999999999999999/99999999999999999999"}) {
+    for (const char* text : {"", "1", "/", "1/", "/2", "0/2", "3/2", "-1/2", "+1/2", " 1/2", "1/2/3", "1/2 ", "1.0/2",
+                             "a/b", "1/10001", "99999999999999999999/99999999999999999999"}) {
         CHECK_THROWS_AS(work_share(text), InputError);
     }
     CHECK(work_share("10000/10000").part == 10000);

@@ -13,8 +13,8 @@ namespace ljmd {
 void forget_inherited_signals();
 
 /// From now on SIGINT, SIGHUP, SIGTERM, SIGUSR1 and SIGXCPU ask the program to stop, unless they are ignored. A second
-/// SIGINT, SIGHUP or SIGTERM ends it at once, a SIGTERM only if it comes more than a second after the first: queues send
-/// it twice. The other two do not, because queues and the system repeat them.
+/// SIGINT, SIGHUP or SIGTERM ends it at once, a SIGTERM only if it comes more than a second after the first: queues
+/// send it twice. The other two do not, because queues and the system repeat them.
 void install_stop_handlers();
 
 /// The signal that asked to stop, if any.

@@ -16,7 +16,9 @@ ReproduceCommand::ReproduceCommand(CLI::App& app)
     command_.add_option("--rows", options_.rows, "some of the rows: a density, or density:temperature")
         ->type_name("RHO[:T],...")
         ->delimiter(',');
-    command_.add_option("--jobs", options_.jobs, "rows at a time; one for each processor by default, with --slurm one in each task")
+    command_
+        .add_option("--jobs", options_.jobs,
+                    "rows at a time; one for each processor by default, with --slurm one in each task")
         ->type_name("N")
         ->check(CLI::Range(1, max_threads));
     command_.add_option("--out", options_.out, "directory, runs/verlet1967 by default")->type_name("DIR");

@@ -30,7 +30,8 @@ void add_study_mode(CLI::App& command, StudyMode& mode) {
             .add_option("--work", mode.work,
                         "be worker K of T in a prepared directory: bring its runs K, K+T, ... to their ends")
             ->type_name("K/T");
-    command.add_option("--walltime", mode.walltime, "of a worker: stop after that long with checkpoints: 90s, 30min, 2h")
+    command
+        .add_option("--walltime", mode.walltime, "of a worker: stop after that long with checkpoints: 90s, 30min, 2h")
         ->type_name("TIME")
         ->needs(work);
     CLI::Option* slurm = command

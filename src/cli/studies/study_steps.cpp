@@ -24,8 +24,8 @@ const StudyWords& reproduction_words() {
 
 void print_status(const StudyWords& words, const std::filesystem::path& directory, bool as_json) {
     if (!holds_study(directory)) {
-        throw InputError(fmt::format("--status: {} holds no study; `ljmd {} {} --prepare` makes one", directory.string(),
-                                     words.command, words.request));
+        throw InputError(fmt::format("--status: {} holds no study; `ljmd {} {} --prepare` makes one",
+                                     directory.string(), words.command, words.request));
     }
     print_document(study_report(directory, result_columns()), as_json);
 }

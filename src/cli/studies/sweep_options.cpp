@@ -6,8 +6,8 @@
 namespace ljmd {
 
 SweepCommand::SweepCommand(CLI::App& app)
-    : command_(*app.add_subcommand(
-          "sweep", "run a deck at many settings, several at a time; an interrupted sweep is resumed")) {
+    : command_(*app.add_subcommand("sweep",
+                                   "run a deck at many settings, several at a time; an interrupted sweep is resumed")) {
     command_
         .add_option("deck", options_.deck, "deck (TOML); with --work and --status the directory of a prepared sweep")
         ->required()

@@ -86,8 +86,8 @@ void ClaimedFile::append(const std::string& text) const {
 
 SharedDirectory::SharedDirectory(OpenDirectory directory) : directory_(std::move(directory)) {
     if (refuses_twice(directory_.descriptor(), LOCK_SH)) {
-        throw InUseError(fmt::format("{} is being prepared by another process. Nothing was run.",
-                                     directory_.path().string()));
+        throw InUseError(
+            fmt::format("{} is being prepared by another process. Nothing was run.", directory_.path().string()));
     }
 }
 

@@ -17,5 +17,6 @@ TEST_CASE("a sweep takes a deck and points, a worker a directory") {
     CHECK(parsed({"sweep", "--work", "1/2", "runs/sweep"}));
     CHECK_THROWS_AS(parsed({"sweep"}), CLI::ParseError);
     CHECK_THROWS_AS(parsed({"sweep", "deck.toml", "--jobs", "0"}), CLI::ParseError);
-    CHECK_THROWS_AS(parsed({"sweep", "--work", "1/2", "runs/sweep", "--grid", "system.temperature=1|2"}), CLI::ParseError);
+    CHECK_THROWS_AS(parsed({"sweep", "--work", "1/2", "runs/sweep", "--grid", "system.temperature=1|2"}),
+                    CLI::ParseError);
 }
