@@ -1,5 +1,5 @@
-"""A Slurm of its own for a test: munged, slurmctld and two slurmd on 127.0.0.1, in a temporary directory, as root and without
-systemd. Ports and sockets are its own, so that it does not meet a Slurm of the computer or another copy of the test.
+"""A Slurm of its own for a test: munged, slurmctld and two slurmd on 127.0.0.1, in a temporary directory, as whoever runs the
+test, root or not, and without systemd. Ports and sockets are its own, so that it does not meet a Slurm of the computer or another copy of the test.
 
 All that it starts, jobs included, is a descendant of a keeper process, which is a subreaper: daemons that leave their
 parents come to it. When the test ends, is killed or is interrupted, the keeper kills all of them (`with_keeper`).
@@ -7,6 +7,7 @@ parents come to it. When the test ends, is killed or is interrupted, the keeper 
 
 import ctypes
 import os
+import pwd
 import shutil
 import signal
 import socket
@@ -23,7 +24,8 @@ CONFIGURATION = """\
 ClusterName=ljmd
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={ports[0]}
-SlurmUser=root
+SlurmUser={user}
+SlurmdUser={user}
 AuthType=auth/munge
 CredType=cred/munge
 AuthInfo=socket={directory}/munge/socket
@@ -57,8 +59,6 @@ def find(program):
 
 def missing():
     """What a cluster needs and this computer lacks; None if nothing."""
-    if os.geteuid() != 0:
-        return "root"
     return next((program for program in PROGRAMS if not find(program)), None)
 
 
@@ -185,7 +185,8 @@ class Cluster:
         ports = [one.getsockname()[1] for one in sockets]
         for one in sockets:
             one.close()
-        text = CONFIGURATION.format(host=socket.gethostname().split(".")[0], directory=self.directory, ports=ports)
+        text = CONFIGURATION.format(host=socket.gethostname().split(".")[0], directory=self.directory, ports=ports,
+                                    user=pwd.getpwuid(os.geteuid()).pw_name)
         (self.directory / "slurm.conf").write_text(text, encoding="utf-8")
 
     def _start(self, name, *command):
