@@ -1,5 +1,6 @@
-"""A Slurm of its own for a test: munged, slurmctld and two slurmd on 127.0.0.1, in a temporary directory, as whoever runs the
-test, root or not, and without systemd. Ports and sockets are its own, so that it does not meet a Slurm of the computer or another copy of the test.
+"""A Slurm of its own for a test: munged, slurmctld and two slurmd on 127.0.0.1, in a temporary directory, as whoever runs
+the test, root or not, and without systemd. Ports and sockets are its own, so that it does not meet a Slurm of the computer or
+another copy of the test.
 
 All that it starts, jobs included, is a descendant of a keeper process, which is a subreaper: daemons that leave their
 parents come to it. When the test ends, is killed or is interrupted, the keeper kills all of them (`with_keeper`).
