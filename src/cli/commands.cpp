@@ -137,19 +137,6 @@ std::string export_report(const Exportable& what, const Exported& written) {
     return text + written.usage + "\n";
 }
 
-/// "90 s", "30 min", "2h" or "1 d" in seconds; nothing for an empty text. @throws InputError
-std::optional<double> wall_time(const std::string& text) {
-    if (text.empty()) {
-        return std::nullopt;
-    }
-    const auto seconds = parse_wall_time(text);
-    if (!seconds) {
-        throw InputError(fmt::format(
-            "--walltime: '{}' is no wall time; allowed: a number > 0 with s, min, h or d, as in 90s or 2h", text));
-    }
-    return seconds;
-}
-
 void compare_bodies(const Deck& deck, const DeckOptions& options, const std::string& out) {
     Progress progress(std::nullopt, total_steps(deck.stages), options.quiet);
     const GslComparison comparison = compare_with_gsl(deck, progress);

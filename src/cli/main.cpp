@@ -14,6 +14,7 @@
 #include "ljmd/cli/studies/reference_options.hpp"
 #include "ljmd/cli/studies/replicas_command.hpp"
 #include "ljmd/cli/studies/reproduce_options.hpp"
+#include "ljmd/cli/studies/sweep_options.hpp"
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
@@ -110,29 +111,6 @@ CLI::Option* add_replica_options(CLI::App& command, Several& several) {
         ->needs(replicas);
     replicas->excludes(command.get_option("--threads"))->excludes(command.get_option("--simd"));
     return replicas;
-}
-
-void add_sweep_options(CLI::App& command, ljmd::SweepOptions& options) {
-    command.add_option("deck", options.deck, "deck (TOML)")->required()->type_name("DECK");
-    command
-        .add_option(
-            "--grid", options.grids,
-            "keys to vary, between commas: numbers at equal distances, KEY=FROM:TO:COUNT, or a list, KEY=A|B|C; "
-            "all combinations are run, at most 10000")
-        ->type_name("KEY=VALUES,...")
-        ->allow_extra_args(false);
-    command.add_option("--list", options.list, "points to run instead: CSV with a header of keys, each row a point")
-        ->type_name("FILE");
-    command.add_option("--set", options.settings, "replace a value of the deck at all points")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-    command.add_option("--jobs", options.jobs, "points at a time; one for each processor by default")
-        ->type_name("N")
-        ->check(CLI::Range(1, ljmd::max_threads));
-    command.add_option("--out", options.out, "directory, runs/DECK-sweep by default")->type_name("DIR");
-    command.add_flag("--force", options.force, "accept unlikely values; replace another sweep");
-    command.add_flag("--quiet", options.quiet, "no progress, no warnings about the deck");
-    command.add_flag("--json", options.json, "print the table as JSON");
 }
 
 void add_analyze_options(CLI::App& command, ljmd::AnalyzeOptions& options) {
@@ -298,10 +276,7 @@ int main(int argc, char** argv) {
     eos.add_flag("--json", state.json, "print it as JSON");
     ljmd::ReproduceCommand reproduce(app);
     ljmd::ReferenceCommand reference(app);
-    ljmd::SweepOptions swept;
-    CLI::App& sweep =
-        *app.add_subcommand("sweep", "run a deck at many settings, several at a time; an interrupted sweep is resumed");
-    add_sweep_options(sweep, swept);
+    ljmd::SweepCommand sweep(app);
     ljmd::AnalyzeOptions analyzed;
     CLI::App& analyze = *app.add_subcommand(
         "analyze", "where a run has come to equilibrium; structure and transport from the frames of a trajectory");
@@ -370,7 +345,7 @@ int main(int argc, char** argv) {
         } else if (reference.parsed()) {
             reference.run();
         } else if (sweep.parsed()) {
-            ljmd::sweep_command(swept);
+            sweep.run();
         } else if (analyze.parsed()) {
             ljmd::analyze_command(analyzed);
         } else if (evaluate.parsed()) {

@@ -2,20 +2,24 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
+#include "ljmd/cli/studies/study_steps.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
+#include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/run/output_guard.hpp"
 #include "ljmd/run/run_directory.hpp"
-#include "ljmd/study/child_run.hpp"
 #include "ljmd/study/reproduction_report.hpp"
+#include "ljmd/study/row_run.hpp"
+#include "ljmd/study/slurm_array.hpp"
 
 namespace ljmd {
 
@@ -63,61 +67,6 @@ std::vector<VerletRow> chosen_rows(const std::vector<std::string>& words) {
     return rows;
 }
 
-/// A row of the table being computed: a deck, a directory, and runs that follow one another.
-class RowRun {
-  public:
-    RowRun(const VerletRow& row, const fs::path& folder, const ReproductionLength& length)
-        : row_(row),
-          length_(length),
-          run_{.name = row_name(row),
-               .deck = folder / deck_name(row),
-               .source = row_deck(row, length),
-               .directory = folder / row_name(row),
-               .log = folder / (row_name(row) + ".log")} {}
-
-    [[nodiscard]] static std::string deck_name(const VerletRow& row) { return row_name(row) + ".toml"; }
-
-    [[nodiscard]] const std::optional<ReproducedRow>& result() const { return result_; }
-    [[nodiscard]] const std::string& failure() const { return failure_; }
-
-    /// Refuse a directory with a run of another deck. @throws InputError
-    void check(bool force) const {
-        check_places(run_);
-        if (!force && holds_another_run(run_)) {
-            throw InputError(fmt::format("{} holds a run of another length or version; --force makes it anew",
-                                         run_.directory.string()));
-        }
-    }
-
-    /// Write the deck. @param folder  of all rows
-    void prepare(const OpenDirectory& folder) const { write_file_atomically(folder / deck_name(row_), run_.source); }
-
-    /// The first job; nothing if the row is finished.
-    std::optional<Job> begin() {
-        const auto job = next_job(run_);
-        return job ? job : after(0);
-    }
-
-    /// The next job after one has ended; nothing if the row is finished or has failed.
-    std::optional<Job> after(int exit_status) {
-        if (exit_status != 0) {
-            failure_ = failure_of(run_, exit_status);
-            return std::nullopt;
-        }
-        result_ = evaluate_row(row_, run_.directory);
-        return result_->precise(length_) ? std::nullopt : std::optional(longer(run_, length_.production));
-    }
-
-  private:
-    VerletRow row_;
-    ReproductionLength length_;
-    ChildRun run_;
-    std::optional<ReproducedRow> result_;
-    std::string failure_;
-};
-
-const std::string rows_folder = "rows";
-
 /// Refuse a directory whose files are not those of a reproduced table. @throws InputError
 void require_usable(const fs::path& out, bool force) {
     const std::string consequence = "Nothing was run";
@@ -128,50 +77,64 @@ void require_usable(const fs::path& out, bool force) {
     require_no_outputs(out, {"rows.csv", "isotherms.csv", "rows.md", "results.json"}, begun || force, consequence);
 }
 
-void tell(const RowRun& run, std::size_t done, std::size_t all) {
-    const auto& [verlet, steps, temperature, z, u, beyond, thol, kolafa] = *run.result();
+void tell_row(const RunLine& line, std::size_t done, std::size_t all) {
+    const auto& [verlet, steps, temperature, z, u, beyond, thol, kolafa] = *dynamic_cast<const RowRun&>(line).result();
     print_message(fmt::format("[{}/{}] rho {} T {}: Z {:.3f} +- {:.3f}, U {:.4f} +- {:.4f} in {} steps\n", done, all,
                               verlet.density, verlet.temperature, z.mean, z.standard_error, u.mean, u.standard_error,
                               steps));
 }
 
-}  // namespace
-
-void reproduce_command(const ReproduceOptions& options) {
-    if (options.what != "verlet1967") {
-        throw InputError(fmt::format("unknown table '{}' to reproduce, allowed: verlet1967", options.what));
+/// A worker. @throws InputError  the directory holds no reproduced table that was prepared
+void work_on_table(const ReproduceOptions& options) {
+    const fs::path directory = options.what;
+    const auto no_table = [&] {
+        return InputError(
+            fmt::format("--work: {} holds no reproduced table; `ljmd reproduce TABLE --prepare` makes one. "
+                        "Nothing was run.",
+                        directory.string()));
+    };
+    if (!files::exists(directory / rows_folder)) {
+        throw no_table();
     }
-    install_stop_handlers();
-    const ReproductionLength length = options.quick ? ReproductionLength::quick() : ReproductionLength::full();
-    const fs::path out = options.out;
-    require_usable(out, options.force);
-    std::vector<RowRun> runs;
-    for (const VerletRow& row : chosen_rows(options.rows)) {
-        runs.emplace_back(row, out / rows_folder, length).check(options.force);
+    const SharedDirectory shared(directory / rows_folder);
+    const auto plan = recorded_reproduction(directory);
+    if (!plan) {
+        throw no_table();
     }
-    make_directory(out);
-    const DirectoryLock lock(out);
-    const OpenDirectory& directory = lock.directory();
-    const OpenDirectory folder = directory.made_within(rows_folder);
-    wait_for_runs(folder.path(), until_signal(), print_message);
-    remove_left_over(folder);
-    for (const RowRun& run : runs) {
-        run.prepare(folder);
-    }
+    std::vector<RowRun> runs = row_runs(*plan, directory);
+    work_on(reproduction_words(), options.mode, pointers_to(runs), options.jobs,
+            [&](RunLine& line, std::size_t done, std::size_t all) {
+                shared.directory().require_at_its_path();  // runs are started by path
+                if (!options.quiet) {
+                    tell_row(line, done, all);
+                }
+            });
+}
 
-    run_lines(runs, options.jobs, until_signal(), [&](const RowRun& run, std::size_t done) {
-        directory.require_at_its_path();  // runs are started by path
-        if (!run.failure().empty()) {
-            warn(run.failure());
-        } else if (!options.quiet) {
-            tell(run, done, runs.size());
-        }
-    });
+/// Run all rows to their ends. @throws InUseError  the directory was moved meanwhile
+void run_all_rows(std::vector<RowRun>& runs, const OpenDirectory& directory, const ReproduceOptions& options) {
+    run_lines(
+        pointers_to(runs), options.jobs, until_signal(),
+        [&](RunLine& line, std::size_t done) {
+            directory.require_at_its_path();  // runs are started by path
+            if (!line.failure().empty()) {
+                warn(line.failure());
+            } else if (!options.quiet) {
+                tell_row(line, done, runs.size());
+            }
+        },
+        print_message);
+}
 
+/// Write and print the table. @return why rows have failed
+std::vector<std::string> print_rows(const std::vector<RowRun>& runs, const OpenDirectory& directory, bool as_json) {
     std::vector<ReproducedRow> rows;
+    std::vector<std::string> failures;
     for (const RowRun& run : runs) {
         if (run.failure().empty()) {
             rows.push_back(*run.result());
+        } else {
+            failures.push_back(run.failure());
         }
     }
     directory.require_at_its_path();
@@ -180,11 +143,67 @@ void reproduce_command(const ReproduceOptions& options) {
     write_file_atomically(directory / "rows.md", reproduction_markdown(rows));
     Document report = reproduction_report(rows, result_columns());
     write_file_atomically(directory / "results.json", to_json(report.data) + "\n");
-    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", out.string());
-    print_document(report, options.json);
-    if (rows.size() < runs.size()) {
-        throw PhysicsError(fmt::format("{} of {} rows failed; the same command tries them again",
-                                       runs.size() - rows.size(), runs.size()));
+    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", directory.path().string());
+    print_document(report, as_json);
+    return failures;
+}
+
+/// Gather what is finished, and submit what is missing.
+void submit_rows(std::vector<RowRun>& runs, const OpenDirectory& directory, const SlurmArray& array,
+                 const ReproduceOptions& options) {
+    const Gathered found = gathered(pointers_to(runs));
+    const std::string submitted =
+        found.missing > 0 ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs))) : "";
+    if (!found.ended()) {
+        print_submitted(reproduction_words(), directory.path(), found, submitted, options.json);
+        return;
+    }
+    throw_failures(reproduction_words(), print_rows(runs, directory, options.json), runs.size(),
+                   fmt::format("they are tried again: {}", submitted));
+}
+
+}  // namespace
+
+void reproduce_command(const ReproduceOptions& options) {
+    if (options.mode.status) {
+        print_status(reproduction_words(), options.what, options.json);
+        return;
+    }
+    if (!options.mode.work.empty()) {
+        install_stop_handlers();
+        work_on_table(options);
+        return;
+    }
+    if (options.what != "verlet1967") {
+        throw InputError(fmt::format("unknown table '{}' to reproduce, allowed: verlet1967", options.what));
+    }
+    install_stop_handlers();
+    const fs::path out = options.out;
+    std::optional<SlurmArray> array;
+    if (options.mode.slurm) {
+        array.emplace("reproduce", out, *options.mode.slurm);
+    }
+    require_usable(out, options.force);
+    const ReproductionPlan plan{chosen_rows(options.rows), options.quick};
+    std::vector<RowRun> runs = row_runs(plan, out);
+    for (const RowRun& run : runs) {
+        run.check(options.force);
+    }
+    make_directory(out);
+    const DirectoryLock lock(out);
+    const OpenDirectory& directory = lock.directory();
+    if (array) {
+        array->require_none();
+    }
+    prepare_reproduction(plan, directory);
+    if (options.mode.prepare) {
+        print_prepared(reproduction_words(), out, runs.size(), options.json);
+    } else if (array) {
+        submit_rows(runs, directory, *array, options);
+    } else {
+        run_all_rows(runs, directory, options);
+        throw_failures(reproduction_words(), print_rows(runs, directory, options.json), runs.size(),
+                       "the same command tries them again");
     }
 }
 

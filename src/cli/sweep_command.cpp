@@ -1,19 +1,23 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "ljmd/cli/commands.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
+#include "ljmd/cli/studies/study_steps.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/simd.hpp"
 #include "ljmd/input/deck_file.hpp"
+#include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
+#include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/run/run_directory.hpp"
-#include "ljmd/study/child_run.hpp"
-#include "ljmd/study/sweep_record.hpp"
-#include "ljmd/study/sweep_report.hpp"
+#include "ljmd/study/point_run.hpp"
+#include "ljmd/study/slurm_array.hpp"
 #include "ljmd/study/sweep_sense.hpp"
 
 namespace ljmd {
@@ -21,48 +25,6 @@ namespace ljmd {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A point being computed, by one run.
-class PointRun {
-  public:
-    PointRun(ChildRun run, std::vector<std::string> values)
-        : run_(std::move(run)), point_{run_.name, std::move(values), run_.directory, {}, "", {}} {}
-
-    [[nodiscard]] const SweptPoint& point() const { return point_; }
-
-    /// The job of the point; nothing if it is finished.
-    std::optional<Job> begin() {
-        auto job = next_job(run_);
-        if (!job) {
-            take_results();
-        }
-        return job;
-    }
-
-    /// Take the results; there is no further job.
-    std::optional<Job> after(int exit_status) {
-        if (exit_status == 0) {
-            take_results();
-        } else {
-            point_.failure = failure_of(run_, exit_status);
-        }
-        return std::nullopt;
-    }
-
-  private:
-    void take_results() {
-        try {
-            RecordedResults results = read_results(run_.directory / "results.json");
-            point_.found = std::move(results.means);
-            point_.doubts = std::move(results.doubts);
-        } catch (const DataError& error) {
-            point_.failure = fmt::format("{}: {}", run_.name, error.what());
-        }
-    }
-
-    ChildRun run_;
-    SweptPoint point_;
-};
 
 /// The checked deck and points: all mistakes are reported before any file is touched.
 SweepPlan checked_plan(const SweepOptions& options) {
@@ -90,62 +52,127 @@ fs::path directory_of(const SweepOptions& options) {
                                : fs::path(options.out);
 }
 
-/// Run all points to their ends. @throws InUseError  the directory was moved meanwhile
-SweptPoints sweep(const SweepPlan& plan, const OpenDirectory& directory, const SweepOptions& options) {
-    std::vector<PointRun> runs;
-    for (ChildRun& run : sweep_runs(plan, directory.path())) {
-        runs.emplace_back(std::move(run), plan.points.values[runs.size()]);
-    }
-    run_lines(runs, options.jobs, until_signal(), [&](const PointRun& run, std::size_t done) {
-        directory.require_at_its_path();  // runs are started by path
-        const SweptPoint& point = run.point();
-        if (!point.failure.empty()) {
-            warn(point.failure);
-        } else if (!options.quiet) {
-            print_message(fmt::format("[{}/{}] {}: {}\n", done, runs.size(), point.name, point_line(point)));
-        }
-    });
-    SweptPoints swept{plan.points.keys, {}};
-    for (const PointRun& run : runs) {
-        swept.points.push_back(run.point());
-    }
-    return swept;
+void tell_point(const RunLine& line, std::size_t done, std::size_t all) {
+    const SweptPoint& point = dynamic_cast<const PointRun&>(line).point();
+    print_message(fmt::format("[{}/{}] {}: {}\n", done, all, point.name, point_line(point)));
 }
 
-/// @throws PhysicsError  if any points have failed
-void tell_of_failures(const SweptPoints& swept) {
-    std::string failures;
-    std::size_t count = 0;
-    for (const SweptPoint& point : swept.points) {
-        if (!point.failure.empty()) {
-            failures += "\n  " + point.failure;
-            ++count;
+/// A worker. @throws InputError  the directory holds no sweep
+void work_on_sweep(const SweepOptions& options) {
+    const fs::path directory = options.deck;
+    const auto refuse = [&](const std::string& what) {
+        return InputError(fmt::format("--work: {} holds {}. Nothing was run.", directory.string(), what));
+    };
+    if (!files::exists(directory / "points")) {
+        throw refuse(files::exists(directory / "rows") ? "a reproduced table: `ljmd reproduce --work`"
+                                                       : "no sweep; `ljmd sweep DECK --grid ... --prepare` makes one");
+    }
+    const SharedDirectory shared(directory / "points");
+    const auto plan = recorded_sweep(directory);
+    if (!plan) {
+        throw refuse("no sweep; `ljmd sweep DECK --grid ... --prepare` makes one");
+    }
+    if (plan->replicas > 0) {
+        throw refuse("replicas: `ljmd resume`");
+    }
+    std::vector<PointRun> runs = point_runs(*plan, directory);
+    work_on(sweep_words(), options.mode, pointers_to(runs), options.jobs,
+            [&](RunLine& line, std::size_t done, std::size_t all) {
+                shared.directory().require_at_its_path();  // runs are started by path
+                if (!options.quiet) {
+                    tell_point(line, done, all);
+                }
+            });
+}
+
+/// Run all points to their ends. @throws InUseError  the directory was moved meanwhile
+void run_all(std::vector<PointRun>& runs, const OpenDirectory& directory, const SweepOptions& options) {
+    run_lines(
+        pointers_to(runs), options.jobs, until_signal(),
+        [&](RunLine& line, std::size_t done) {
+            directory.require_at_its_path();  // runs are started by path
+            if (!line.failure().empty()) {
+                warn(line.failure());
+            } else if (!options.quiet) {
+                tell_point(line, done, runs.size());
+            }
+        },
+        print_message);
+}
+
+/// Write and print the table. @return why points have failed
+std::vector<std::string> print_table(const SweepPlan& plan, const std::vector<PointRun>& runs,
+                                     const OpenDirectory& directory, bool as_json) {
+    SweptPoints swept{plan.points.keys, {}};
+    std::vector<std::string> failures;
+    for (const PointRun& run : runs) {
+        swept.points.push_back(run.point());
+        if (!run.failure().empty()) {
+            failures.push_back(run.failure());
         }
     }
-    if (count > 0) {
-        throw PhysicsError(fmt::format("{} of {} points failed; the same command tries them again{}", count,
-                                       swept.points.size(), failures));
+    directory.require_at_its_path();
+    write_file_atomically(directory / "sweep.csv", sweep_csv(swept));
+    Document report = sweep_report(swept, result_columns());
+    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", directory.path().string());
+    print_document(report, as_json);
+    return failures;
+}
+
+/// Gather what is finished, and submit what is missing.
+void submit_sweep(const SweepPlan& plan, std::vector<PointRun>& runs, const OpenDirectory& directory,
+                  const SlurmArray& array, const SweepOptions& options) {
+    const Gathered found = gathered(pointers_to(runs));
+    const std::string submitted =
+        found.missing > 0 ? array.submit(found.finished, static_cast<std::size_t>(std::max(1, options.jobs))) : "";
+    if (!found.ended()) {
+        print_submitted(sweep_words(), directory.path(), found, submitted, options.json);
+        return;
     }
+    throw_failures(sweep_words(), print_table(plan, runs, directory, options.json), runs.size(),
+                   submitted.empty() ? "to begin them anew, remove their directories"
+                                     : fmt::format("they are tried again: {}", submitted));
 }
 
 }  // namespace
 
 void sweep_command(const SweepOptions& options) {
+    if (options.mode.status) {
+        print_status(sweep_words(), options.deck, options.json);
+        return;
+    }
     install_stop_handlers();
     static_cast<void>(default_simd_level());  // report a wrong LJMD_SIMD before anything is done
+    if (!options.mode.work.empty()) {
+        work_on_sweep(options);
+        return;
+    }
+    const fs::path path = directory_of(options);
+    std::optional<SlurmArray> array;
+    if (options.mode.slurm) {
+        array.emplace("sweep", path, *options.mode.slurm);
+    }
     const SweepPlan plan = checked_plan(options);
-    const fs::path directory = directory_of(options);
-    make_directory(directory);
-    const DirectoryLock lock(directory);
-    wait_for_runs(directory / "points", until_signal(), print_message);
-    prepare_sweep(plan, lock.directory(), options.force);
-    const SweptPoints swept = sweep(plan, lock.directory(), options);
-    lock.directory().require_at_its_path();
-    write_file_atomically(lock.directory() / "sweep.csv", sweep_csv(swept));
-    Document report = sweep_report(swept, result_columns());
-    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", directory.string());
-    print_document(report, options.json);
-    tell_of_failures(swept);
+    make_directory(path);
+    const DirectoryLock lock(path);
+    const OpenDirectory& directory = lock.directory();
+    if (array) {
+        array->require_none();
+    }
+    if (options.force && holds_another_sweep(plan, path)) {
+        wait_for_runs(path / "points", until_signal(), print_message);
+    }
+    prepare_sweep(plan, directory, options.force);
+    std::vector<PointRun> runs = point_runs(plan, path);
+    if (options.mode.prepare) {
+        print_prepared(sweep_words(), path, runs.size(), options.json);
+    } else if (array) {
+        submit_sweep(plan, runs, directory, *array, options);
+    } else {
+        run_all(runs, directory, options);
+        throw_failures(sweep_words(), print_table(plan, runs, directory, options.json), runs.size(),
+                       "the same command tries them again");
+    }
 }
 
 }  // namespace ljmd

@@ -32,10 +32,10 @@ void Interruption::stop(Index step, const std::string& directory) const {
 
 void Interruption::stop_many_runs() const {
     const auto by = request();
-    if (!by) {
-        throw ContractViolation("no signal has asked the runs to stop");
+    if (!by && !time_is_over()) {
+        throw ContractViolation("nothing has asked the runs to stop");
     }
-    throw Interrupted("stopped; to go on, give the same command again", by->exit_code());
+    throw Interrupted("stopped; to go on, give the same command again", by ? by->exit_code() : walltime_reached);
 }
 
 }  // namespace ljmd

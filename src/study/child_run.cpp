@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <fstream>
+#include <string_view>
 #include <thread>
 
 #include "ljmd/core/errors.hpp"
@@ -40,9 +43,12 @@ Job start(const ChildRun& run) {
     return job;
 }
 
+constexpr std::string_view end_line = "ended with exit code ";
+
 struct LastLines {
     std::string error;  ///< the last line with an error
     std::string any;
+    std::string exit_code;  ///< empty if none was noted
 };
 
 LastLines last_lines(const fs::path& log) {
@@ -50,6 +56,10 @@ LastLines last_lines(const fs::path& log) {
     try {
         std::ifstream file = open_input(log);
         for (std::string line; std::getline(file, line);) {
+            if (line.starts_with(end_line)) {
+                last.exit_code = line.substr(end_line.size());
+                continue;
+            }
             last.error = line.starts_with("error: ") ? line : last.error;
             last.any = line.empty() ? last.any : line;
         }
@@ -60,6 +70,11 @@ LastLines last_lines(const fs::path& log) {
 }
 
 constexpr std::size_t longest_log_words = 400;  // of a log, in a message
+constexpr int walltime_reached = 75;
+
+std::string words_of(const LastLines& last) {
+    return printable(last.error.empty() ? last.any : last.error, longest_log_words);
+}
 
 }  // namespace
 
@@ -117,13 +132,25 @@ Job longer(const ChildRun& run, Index more_steps) {
 }
 
 std::string failure_of(const ChildRun& run, int exit_status) {
-    const LastLines last = last_lines(run.log);
-    return fmt::format("{}: exit code {}: {}", run.name, exit_status,
-                       printable(last.error.empty() ? last.any : last.error, longest_log_words));
+    return fmt::format("{}: exit code {}: {}", run.name, exit_status, words_of(last_lines(run.log)));
 }
 
-std::string error_in_log(const fs::path& log) {
-    return printable(last_lines(log).error, longest_log_words);
+void record_end(const ClaimedFile& log, int exit_status) {
+    constexpr std::array stopped{walltime_reached, 128 + SIGHUP,  128 + SIGINT,
+                                 128 + SIGUSR1,    128 + SIGTERM, 128 + SIGXCPU};
+    if (exit_status != 0 && std::ranges::find(stopped, exit_status) == stopped.end()) {
+        try {
+            log.append(fmt::format("{}{}\n", end_line, exit_status));
+        } catch (const FileError&) {  // no space: the words of the run, if there was room for them, tell of the failure
+        }
+    }
+}
+
+std::string recorded_failure(const fs::path& log) {
+    const LastLines last = last_lines(log);
+    return last.exit_code.empty()
+               ? printable(last.error, longest_log_words)
+               : fmt::format("exit code {}: {}", printable(last.exit_code, longest_log_words), words_of(last));
 }
 
 }  // namespace ljmd

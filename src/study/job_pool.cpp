@@ -28,7 +28,7 @@ class Pool {
 
     /// Stops all jobs and waits for them.
     ~Pool() {
-        stop(SIGTERM);
+        stop();
         while (!running_.empty()) {
             try {
                 static_cast<void>(running_.back().process.wait());
@@ -48,7 +48,8 @@ class Pool {
                                                     .directory = ".",
                                                     .output = job.output,
                                                     .own_group = true,
-                                                    .at_our_end = SIGTERM})});
+                                                    .at_our_end = SIGTERM,
+                                                    .output_descriptor = job.output_descriptor})});
         } catch (const ProcessesError& refused) {
             if (at_most_ == 1) {
                 throw;
@@ -58,9 +59,11 @@ class Pool {
         }
     }
 
-    void stop(int signal) const {
+    /// Ask all jobs to stop with checkpoints: by SIGUSR1. A queue sends SIGTERM to all processes of a task, and a
+    /// second SIGTERM would end a job without a checkpoint.
+    void stop() const {
         for (const Running& one : running_) {
-            one.process.signal(signal);
+            one.process.signal(SIGUSR1);
         }
     }
 
@@ -86,21 +89,22 @@ class Pool {
 
 }  // namespace
 
-void run_jobs(const std::filesystem::path& program, const std::vector<Job>& first, int at_most, const NextJob& next,
-              const Interruption& interruption) {
+void run_jobs(const std::filesystem::path& program, std::size_t lines, int at_most, const FirstJob& first,
+              const NextJob& next, const Interruption& interruption) {
     Pool pool(program, at_most);
     std::size_t begun = 0;
     bool stopped = false;
-    while (pool.size() > 0 || (begun < first.size() && !stopped)) {
-        if (const auto request = stopped ? std::nullopt : interruption.request()) {
+    while (pool.size() > 0 || (begun < lines && !stopped)) {
+        if (!stopped && interruption.wanted()) {
             stopped = true;
-            pool.stop(request->signal);
+            pool.stop();
         }
-        while (!stopped && begun < first.size() && pool.size() < static_cast<std::size_t>(at_most)) {
-            pool.start(begun, first[begun]);
+        if (!stopped && begun < lines && pool.size() < static_cast<std::size_t>(at_most)) {
+            if (const auto job = first(begun)) {
+                pool.start(begun, *job);
+            }
             ++begun;
-        }
-        if (const auto ended = pool.take_ended()) {
+        } else if (const auto ended = pool.take_ended()) {
             const auto& [line, status] = *ended;
             if (stopped) {
                 continue;

@@ -10,6 +10,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/text.hpp"
 #include "ljmd/core/text_table.hpp"
+#include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
@@ -51,9 +52,12 @@ struct Study {
 
 RunState state_of(const std::string& name, const fs::path& directory, const fs::path& log) {
     RunState found{name, directory, "not begun", std::nullopt, 0, ""};
-    const std::string words = error_in_log(log);
+    const bool running = DirectoryLock::is_held(directory) || ClaimedFile::is_held(log);
+    const std::string words = running ? "" : recorded_failure(log);
     if (!files::exists(directory / "run.json")) {
-        return words.empty() ? found : RunState{name, directory, "failed", std::nullopt, 0, words};
+        found.state = running ? "running" : words.empty() ? "not begun" : "failed";
+        found.words = words;
+        return found;
     }
     const RecordedRun run = recorded_run(directory);
     found.total_steps = total_steps(run.deck.stages);
@@ -67,7 +71,7 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
     }
     if (run.finished) {
         found.state = "finished";
-    } else if (DirectoryLock::is_held(directory)) {
+    } else if (running) {
         found.state = "running";
     } else {
         found.state = words.empty() ? "stopped" : "failed";

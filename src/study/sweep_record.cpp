@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/tables/json_file.hpp"
@@ -190,6 +191,11 @@ std::optional<SweepPlan> recorded_sweep(const fs::path& directory) {
     });
 }
 
+bool holds_another_sweep(const SweepPlan& plan, const fs::path& directory) {
+    const auto recorded = recorded_sweep(directory);
+    return recorded && !difference(*recorded, plan).empty();
+}
+
 void record_sweep(const SweepPlan& plan, const OpenDirectory& directory) {
     write_file_atomically(directory / "sweep.json", record_json(plan));
 }
@@ -216,6 +222,10 @@ void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool f
     file.write(record_json(plan));
     file.close_on_disk();
     const OpenDirectory points = directory.made_within("points");
+    std::optional<DirectoryLock> workers_away;
+    if (replaced) {
+        workers_away.emplace(points);
+    }
     remove_left_over(points);
     directory.require_at_its_path();
     std::ranges::for_each(old, remove_run);

@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <csignal>
 #include <functional>
+#include <thread>
 
 using namespace ljmd;
 
@@ -48,13 +50,16 @@ TEST_CASE("the second signal of a kind that a person sends ends the program at o
     CHECK(end_of([number] {
               install_stop_handlers();
               std::raise(number);
+              if (number == SIGTERM) {
+                  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+              }
               std::raise(number);
               return true;
           }) == -number);
 }
 
-TEST_CASE("warnings of a queue and of the system may be repeated") {
-    const int number = GENERATE(SIGUSR1, SIGXCPU);
+TEST_CASE("what a queue and the system send twice asks to stop once") {
+    const int number = GENERATE(SIGTERM, SIGUSR1, SIGXCPU);
     CHECK(end_of([number] {
               install_stop_handlers();
               std::raise(number);

@@ -4,12 +4,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <optional>
 #include <thread>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/fluid.hpp"
+#include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/io/files/directory_lock.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -38,20 +40,6 @@ std::pair<std::string, std::string> verb(const std::optional<Job>& job) {
     const auto& words = job->arguments;
     return {words[0], words[0] == "run" ? words[3] : words[1]};
 }
-
-/// A line whose jobs are said by the test.
-struct Line {
-    std::vector<Job> jobs;
-    std::size_t taken = 0;
-    std::vector<int> statuses{};
-
-    std::optional<Job> begin() { return next(); }
-    std::optional<Job> after(int status) {
-        statuses.push_back(status);
-        return next();
-    }
-    std::optional<Job> next() { return taken < jobs.size() ? std::optional(jobs[taken++]) : std::nullopt; }
-};
 
 }  // namespace
 
@@ -104,28 +92,28 @@ TEST_CASE("a failure is told by the last error in the log, or its last line, as 
     CHECK(failure_of(run, 137) == "hot: exit code 137: killed ?[31m");
     std::ofstream(run.log) << "error: a\nerror: blown up\n  the configuration is in failed.xyz\n";
     CHECK(failure_of(run, 5) == "hot: exit code 5: error: blown up");
-    CHECK(error_in_log(run.log) == "error: blown up");
+    CHECK(recorded_failure(run.log) == "error: blown up");
     std::ofstream(run.log) << "stopped after step 3\n";
-    CHECK(error_in_log(run.log).empty());
-    CHECK(error_in_log(folder / "no log").empty());
+    CHECK(recorded_failure(run.log).empty());
+    CHECK(recorded_failure(folder / "no log").empty());
 }
 
-TEST_CASE("each line is told of when it is at its end, and lines with nothing to do at once") {
-    const TemporaryFolder folder;
-    const Job help{{"-?"}, folder / "out"};  // of this test program
-    std::vector<Line> lines{{{help, help}}, {{}}, {{help}}};
-    std::vector<std::size_t> counts;
-    std::vector<const Line*> ended;
-    run_lines(lines, 1, Interruption(), [&](const Line& line, std::size_t done) {
-        counts.push_back(done);
-        ended.push_back(&line);
-    });
-    CHECK(counts == std::vector<std::size_t>{1, 2, 3});
-    REQUIRE(ended.size() == 3);
-    CHECK(ended[0] == &lines[1]);
-    CHECK(lines[0].statuses == std::vector<int>{0, 0});
-    CHECK(lines[1].statuses.empty());
-    CHECK(lines[2].statuses == std::vector<int>{0});
+TEST_CASE("how a run has failed is noted in its log, unless it was stopped with a checkpoint") {
+    const DeckFolder folder;
+    const ChildRun run = run_in(folder);
+    const auto log = ClaimedFile::claim(run.log);
+    REQUIRE(log.has_value());
+    log->append("error: blown up\n");
+    for (const int stopped : {0, 75, 128 + SIGTERM, 128 + SIGINT, 128 + SIGUSR1}) {
+        record_end(*log, stopped);
+        CHECK(recorded_failure(run.log) == "error: blown up");
+    }
+    record_end(*log, 5);
+    CHECK(recorded_failure(run.log) == "exit code 5: error: blown up");
+    CHECK(failure_of(run, 5) == "hot: exit code 5: error: blown up");
+    log->clear();
+    record_end(*log, 137);
+    CHECK(recorded_failure(run.log) == "exit code 137: ");
 }
 
 TEST_CASE("places that lead elsewhere are refused") {

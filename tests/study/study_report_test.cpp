@@ -1,6 +1,7 @@
 #include "ljmd/study/study_report.hpp"
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/study/sweep_record.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -58,6 +59,26 @@ TEST_CASE("of a sweep its directory tells how far each run got, in words and as 
     CHECK(json["runs"][1]["total_steps"] == 60);
     CHECK(json["runs"][2]["words"] == "error: blown up");
     CHECK(json["runs"][3]["step"].is_null());
+}
+
+TEST_CASE("a run whose log a process holds is running, and a failed one tells its exit code") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "";
+    const SweepPlan plan{"some.toml", small_deck, {}, {{"system.temperature"}, {{"1"}, {"2"}}}};
+    prepare_sweep(plan, out, false);
+    const auto runs = sweep_runs(plan, out);
+    std::ofstream(runs[0].log) << "error: of an earlier attempt\n";
+    auto log = ClaimedFile::claim(runs[0].log);
+    REQUIRE(log.has_value());
+    std::ofstream(runs[1].log) << "killed\nended with exit code 137\n";
+    const Data json = study_report(out).data;
+    CHECK(json["runs"][0]["state"] == "running");
+    CHECK(json["runs"][0]["words"] == "");
+    CHECK(json["runs"][1]["state"] == "failed");
+    CHECK(json["runs"][1]["words"] == "exit code 137: killed");
+    log.reset();
+    const Data free = study_report(out).data;
+    CHECK(free["runs"][0]["state"] == "failed");
 }
 
 TEST_CASE("a reproduced table is a study, too, a run or an empty directory is none") {

@@ -1,6 +1,7 @@
 #include "ljmd/study/sweep_record.hpp"
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "run/run_fixtures.hpp"
 
@@ -96,6 +97,24 @@ TEST_CASE("force removes what another sweep wrote, but for common runs and the f
     other_deck.deck += "\n";
     prepare_sweep(other_deck, out, true);
     CHECK_FALSE(fs::exists(out / "points" / "temperature=1"));
+}
+
+TEST_CASE("while workers run points, no other sweep takes their directory") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "";
+    prepare_sweep(plan(), out, false);
+    const SweepPlan other = plan({{"1"}, {"3"}});
+    CHECK_FALSE(holds_another_sweep(plan(), out));
+    CHECK(holds_another_sweep(other, out));
+    CHECK_FALSE(holds_another_sweep(other, folder / "none"));
+    std::optional<SharedDirectory> worker(out / "points");
+    CHECK_NOTHROW(prepare_sweep(plan(), out, false));
+    const std::string before = content_of(out / "sweep.json");
+    CHECK_THROWS_AS(prepare_sweep(other, out, true), InUseError);
+    CHECK(content_of(out / "sweep.json") == before);
+    worker.reset();
+    prepare_sweep(other, out, true);
+    CHECK(content_of(out / "sweep.json") != before);
 }
 
 TEST_CASE("a sweep that failed before its record was written can be given again") {

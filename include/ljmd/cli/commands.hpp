@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ljmd/cli/studies/study_mode.hpp"
 #include "ljmd/compare/crosscheck.hpp"
 
 namespace ljmd {
@@ -43,7 +44,7 @@ struct EosOptions {
 
 /// Options of `ljmd reproduce`.
 struct ReproduceOptions {
-    std::string what;                 ///< "verlet1967"
+    std::string what;                 ///< "verlet1967"; of a worker and for the status the directory
     std::string out;                  ///< directory
     std::vector<std::string> rows{};  ///< "RHO" or "RHO:T"; empty: all
     int jobs = 0;                     ///< rows at a time; 0: the number of processors
@@ -51,11 +52,12 @@ struct ReproduceOptions {
     bool force = false;
     bool quiet = false;
     bool json = false;
+    StudyMode mode{};
 };
 
 /// Options of `ljmd sweep`. Points come from `grids` or from `list`.
 struct SweepOptions {
-    std::string deck;
+    std::string deck;                     ///< of a worker and for the status the directory
     std::vector<std::string> grids{};     ///< "KEY=FROM:TO:COUNT,KEY=A|B|C", see grid_points()
     std::string list{};                   ///< CSV file, see list_points()
     std::vector<std::string> settings{};  ///< arguments of --set
@@ -64,6 +66,7 @@ struct SweepOptions {
     bool force = false;
     bool quiet = false;
     bool json = false;
+    StudyMode mode{};
 };
 
 /// Options of `ljmd analyze`.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "ljmd/run/interruption.hpp"
 
@@ -12,11 +13,15 @@ namespace ljmd {
 void forget_inherited_signals();
 
 /// From now on SIGINT, SIGHUP, SIGTERM, SIGUSR1 and SIGXCPU ask the program to stop, unless they are ignored. A second
-/// SIGINT, SIGHUP or SIGTERM ends it at once. The other two do not, because queues and the system repeat them.
+/// SIGINT, SIGHUP or SIGTERM ends it at once, a SIGTERM only if it comes more than a second after the first: queues
+/// send it twice. The other two do not, because queues and the system repeat them.
 void install_stop_handlers();
 
 /// The signal that asked to stop, if any.
 [[nodiscard]] std::optional<StopRequest> stop_signal();
+
+/// What --walltime gives: "90 s", "30 min", "2h" or "1 d" in seconds; nothing for an empty text. @throws InputError
+[[nodiscard]] std::optional<double> wall_time(const std::string& text);
 
 /// An Interruption by such a signal or by wall time. @param walltime  [s] from now; none: no limit
 [[nodiscard]] Interruption until_signal(std::optional<double> walltime = std::nullopt);

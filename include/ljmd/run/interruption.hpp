@@ -46,7 +46,7 @@ class Interruption {
     /// @throws Interrupted
     [[noreturn]] void stop(Index step, const std::string& directory) const;
 
-    /// End a command that starts many runs, after all of them have stopped. @pre request()  @throws Interrupted
+    /// End a command that starts many runs, after all of them have stopped. @pre wanted()  @throws Interrupted
     [[noreturn]] void stop_many_runs() const;
 
   private:

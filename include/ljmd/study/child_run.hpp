@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "ljmd/core/types.hpp"
-#include "ljmd/execution/threads.hpp"
+#include "ljmd/io/files/claimed_file.hpp"
 #include "ljmd/study/job_pool.hpp"
 
 namespace ljmd {
+
+/// Exit status of a run whose directory another process holds.
+inline constexpr int exit_status_in_use = 9;
 
 /// A run that is completed by child processes of this program, one thread each. A command that needs many runs has many
 /// of these.
@@ -48,37 +51,12 @@ void wait_for_runs(const std::filesystem::path& folder, const Interruption& inte
 /// "NAME: exit code 5: error: the run has blown up": the last error in its log, or its last line.
 [[nodiscard]] std::string failure_of(const ChildRun& run, int exit_status);
 
-/// The last line with an error in a log; empty if there is none, or no log.
-[[nodiscard]] std::string error_in_log(const std::filesystem::path& log);
+/// Note in the log of a run that it has failed; nothing if it has come to its end, or was stopped with a checkpoint. If
+/// the log cannot be written, nothing is noted.
+void record_end(const ClaimedFile& log, int exit_status);
 
-/// Run lines of jobs of this program, several lines at a time.
-///
-/// @tparam Line  has begin(), which returns the first job or nothing, and after(exit_status), which returns the next
-/// job, or nothing at the end of the line
-/// @param jobs   lines at a time; 0: the number of processors
-/// @param ended  called as ended(line, done) at the end of each line, when `done` lines have ended
-/// @throws Interrupted, FileError  as run_jobs()
-template <class Line, class Ended>
-void run_lines(std::vector<Line>& lines, int jobs, const Interruption& interruption, const Ended& ended) {
-    std::vector<Job> first;
-    std::vector<Line*> with_jobs;
-    std::size_t done = 0;
-    for (Line& line : lines) {
-        if (const auto job = line.begin()) {
-            first.push_back(*job);
-            with_jobs.push_back(&line);
-        } else {
-            ended(line, ++done);
-        }
-    }
-    const auto next = [&](std::size_t k, int exit_status) {
-        auto job = with_jobs[k]->after(exit_status);
-        if (!job) {
-            ended(*with_jobs[k], ++done);
-        }
-        return job;
-    };
-    run_jobs(this_program(), first, jobs > 0 ? jobs : available_processors(), next, interruption);
-}
+/// Why the last attempt at a run has failed, from its log: "exit code 5: error: the run has blown up", or only the last
+/// line with an error; empty if it has not failed, or there is no log.
+[[nodiscard]] std::string recorded_failure(const std::filesystem::path& log);
 
 }  // namespace ljmd

@@ -30,11 +30,14 @@ struct SweepPlan {
 /// points
 [[nodiscard]] std::optional<SweepPlan> recorded_sweep(const std::filesystem::path& directory);
 
+/// Whether a directory holds a sweep that differs from this one. @throws DataError  its sweep.json is damaged
+[[nodiscard]] bool holds_another_sweep(const SweepPlan& plan, const std::filesystem::path& directory);
+
 /// Prepare a directory for a sweep: refuse files of another sweep, or with `force` remove them, except for runs that
 /// both sweeps have in common; then write sweep.json and the copy of the deck. Foreseeable failures are found before
 /// anything is removed. @pre the directory is locked
 /// @throws InputError  it holds another sweep, or points without a sweep  @throws DataError  its sweep.json is damaged
-/// @throws FileError
+/// @throws InUseError  workers run the points of the other sweep  @throws FileError
 void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool force);
 
 /// Write sweep.json anew, for the same runs. @pre the directory holds this sweep, and is locked  @throws FileError

@@ -12,25 +12,27 @@
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/study/child_run.hpp"
 #include "ljmd/study/replicas.hpp"
+#include "ljmd/study/run_lines.hpp"
 
 namespace ljmd {
 
 namespace {
 
 /// A replica being computed, by one run and by what steps that were added later need.
-class ReplicaRun {
+class ReplicaRun : public RunLine {
   public:
     ReplicaRun(ChildRun run, Index steps_added) : run_(std::move(run)), steps_added_(steps_added) {}
 
-    [[nodiscard]] const ChildRun& run() const { return run_; }
-    [[nodiscard]] const std::string& failure() const { return failure_; }
+    [[nodiscard]] const ChildRun& run() const override { return run_; }
+    [[nodiscard]] const std::string& failure() const override { return failure_; }
+    void set_failure(std::string why) override { failure_ = std::move(why); }
 
-    std::optional<Job> begin() {
+    std::optional<Job> begin() override {
         auto job = next_job(run_);
         return job ? job : lengthening();
     }
 
-    std::optional<Job> after(int exit_status) {
+    std::optional<Job> after(int exit_status) override {
         if (exit_status != 0) {
             failure_ = failure_of(run_, exit_status);
             return std::nullopt;
@@ -67,16 +69,19 @@ Document complete_replicas(const SweepPlan& plan, const OpenDirectory& directory
     }
     std::string failures;
     std::size_t failed = 0;
-    run_lines(runs, jobs, until_signal(), [&](const ReplicaRun& run, std::size_t done) {
-        directory.require_at_its_path();  // runs are started by path
-        if (!run.failure().empty()) {
-            warn(run.failure());
-            failures += "\n  " + run.failure();
-            ++failed;
-        } else if (!quiet) {
-            print_message(fmt::format("[{}/{}] {}: finished\n", done, runs.size(), run.run().name));
-        }
-    });
+    run_lines(
+        pointers_to(runs), jobs, until_signal(),
+        [&](const RunLine& run, std::size_t done) {
+            directory.require_at_its_path();  // runs are started by path
+            if (!run.failure().empty()) {
+                warn(run.failure());
+                failures += "\n  " + run.failure();
+                ++failed;
+            } else if (!quiet) {
+                print_message(fmt::format("[{}/{}] {}: finished\n", done, runs.size(), run.run().name));
+            }
+        },
+        print_message);
     directory.require_at_its_path();
     if (failed > 0) {
         throw PhysicsError(fmt::format("{} of {} replicas failed; to try them again: ljmd resume {}{}", failed,

@@ -23,7 +23,8 @@ struct Process {
     bool own_group = false;  ///< a process group of its own: Ctrl-C does not reach it, the caller must stop it
     /// Signal sent to it (Linux only) when the thread that started it ends first, for whatever reason; 0: none.
     int at_our_end = SIGKILL;
-    int input = -1;  ///< descriptor used as stdin; -1: empty stdin
+    int input = -1;              ///< descriptor used as stdin; -1: empty stdin
+    int output_descriptor = -1;  ///< used for its stdout and stderr instead of the file `output`; -1: the file
 };
 
 /// The system refuses to start another process, for lack of memory or because of a limit.

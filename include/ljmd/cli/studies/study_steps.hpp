@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ljmd/cli/studies/study_mode.hpp"
+#include "ljmd/core/document.hpp"
+#include "ljmd/study/run_lines.hpp"
+
+/// The steps that `ljmd sweep` and `ljmd reproduce` have in common: prepare a directory, work on its runs, gather.
+namespace ljmd {
+
+/// A study as its commands name it.
+struct StudyWords {
+    std::string command;  ///< "sweep"
+    std::string request;  ///< "DECK --grid ...", what is given to the command
+    std::string one;      ///< "point"
+};
+
+[[nodiscard]] const StudyWords& sweep_words();
+[[nodiscard]] const StudyWords& reproduction_words();
+
+/// Tell how far the runs in a directory are. @throws InputError  the directory holds no study of this kind
+void print_status(const StudyWords& words, const std::filesystem::path& directory, bool as_json);
+
+/// Say that a directory is prepared.
+void print_prepared(const StudyWords& words, const std::filesystem::path& directory, std::size_t runs, bool as_json);
+
+/// Bring the share of a worker to its end.
+/// @param lines  of the whole study
+/// @param tell   says that one has come to its end, as the done-th of all
+/// @throws InputError   the share or the wall time cannot be read
+/// @throws PhysicsError  if any of the share have failed  @throws Interrupted
+void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<RunLine*>& lines, int jobs,
+             const std::function<void(RunLine& line, std::size_t done, std::size_t all)>& tell);
+
+/// How far the runs of a study are.
+struct Gathered {
+    std::vector<bool> finished;  ///< for each line
+    std::size_t missing = 0;     ///< lines that are not at their ends
+    std::size_t failed = 0;      ///< those of them that were tried and have failed
+
+    /// Whether each run is at its end or has failed.
+    [[nodiscard]] bool ended() const { return missing == failed; }
+};
+
+/// Look how far each line is. Lines that are at their ends have their results then, and those that failed their
+/// failures.
+[[nodiscard]] Gathered gathered(const std::vector<RunLine*>& lines);
+
+/// Tell what was gathered of a study that has not come to its end, and what was submitted.
+void print_submitted(const StudyWords& words, const std::filesystem::path& directory, const Gathered& found,
+                     const std::string& submitted, bool as_json);
+
+/// @throws PhysicsError  there are failures
+/// @param all    number of runs
+/// @param again  what tries them again: "the same command tries them again"
+void throw_failures(const StudyWords& words, const std::vector<std::string>& failures, std::size_t all,
+                    const std::string& again);
+
+}  // namespace ljmd

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ljmd {
+
+/// Tasks of an array at most: clusters number them up to MaxArraySize - 1, which is 1000 by default.
+inline constexpr std::size_t max_array_tasks = 1000;
+
+/// The words of a text as a shell separates them: by spaces, with quotes and backslashes, and nothing else.
+/// @throws InputError  a quote is not closed
+[[nodiscard]] std::vector<std::string> shell_words(const std::string& text);
+
+/// The tasks of an array as sbatch wants them: "1-3,7". @param tasks  in increasing order
+[[nodiscard]] std::string array_ranges(const std::vector<std::size_t>& tasks);
+
+/// Numbers of tasks, counted from 1, whose shares have unfinished runs.
+/// @param finished  for each run of the study
+/// @param tasks     their number
+[[nodiscard]] std::vector<std::size_t> unfinished_tasks(const std::vector<bool>& finished, std::size_t tasks);
+
+/// A study whose runs are the tasks of a job array in Slurm. Each task is a worker of the study. Slurm is asked by
+/// squeue and sbatch, once when an array is submitted; how far the runs are is told by their directories alone.
+class SlurmArray {
+  public:
+    /// @param command    "sweep" or "reproduce"
+    /// @param directory  of the study; the name of the array is made from its absolute path
+    /// @param options    of sbatch, in one text
+    /// @throws InputError  sbatch or squeue is not on this computer, or a quote is not closed
+    SlurmArray(std::string command, const std::filesystem::path& directory, const std::string& options);
+
+    /// @throws InUseError  an array of this study is queued or running
+    /// @throws ProcessesError  squeue fails, e.g. because the controller does not answer
+    void require_none() const;
+
+    /// Submit an array for the runs that are not finished.
+    /// @param jobs  runs at a time in each task
+    /// @return "array 17 of 3 tasks"
+    /// @throws InputError  sbatch refuses it
+    [[nodiscard]] std::string submit(const std::vector<bool>& finished, std::size_t jobs) const;
+
+  private:
+    [[nodiscard]] std::string script(std::size_t tasks, std::size_t jobs) const;
+
+    std::string command_;
+    std::filesystem::path directory_;  ///< absolute
+    std::vector<std::string> options_;
+    std::filesystem::path sbatch_;
+    std::filesystem::path squeue_;
+    std::string name_;
+};
+
+}  // namespace ljmd

@@ -1,0 +1,98 @@
+#include "ljmd/cli/studies/study_steps.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ljmd/cli/signals.hpp"
+#include "ljmd/cli/streams.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/study/study_report.hpp"
+#include "ljmd/study/work_share.hpp"
+
+namespace ljmd {
+
+const StudyWords& sweep_words() {
+    static const StudyWords words{"sweep", "DECK --grid ...", "point"};
+    return words;
+}
+
+const StudyWords& reproduction_words() {
+    static const StudyWords words{"reproduce", "TABLE", "row"};
+    return words;
+}
+
+void print_status(const StudyWords& words, const std::filesystem::path& directory, bool as_json) {
+    if (!holds_study(directory)) {
+        throw InputError(fmt::format("--status: {} holds no study; `ljmd {} {} --prepare` makes one",
+                                     directory.string(), words.command, words.request));
+    }
+    print_document(study_report(directory, result_columns()), as_json);
+}
+
+void print_prepared(const StudyWords& words, const std::filesystem::path& directory, std::size_t runs, bool as_json) {
+    print_document({{{"directory", directory.string()}, {"prepared", static_cast<Index>(runs)}},
+                    fmt::format("{} {}{} prepared in {}\nto run them: ljmd {} --work K/T {}\n", runs, words.one,
+                                runs == 1 ? "" : "s", directory.string(), words.command, directory.string())},
+                   as_json);
+}
+
+void throw_failures(const StudyWords& words, const std::vector<std::string>& failures, std::size_t all,
+                    const std::string& again) {
+    if (!failures.empty()) {
+        throw PhysicsError(fmt::format("{} of {} {}s failed; {}\n  {}", failures.size(), all, words.one, again,
+                                       fmt::join(failures, "\n  ")));
+    }
+}
+
+void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<RunLine*>& lines, int jobs,
+             const std::function<void(RunLine& line, std::size_t done, std::size_t all)>& tell) {
+    const std::vector<RunLine*> ours = lines_of(work_share(mode.work), lines);
+    std::vector<std::string> failures;
+    run_lines(
+        ours, jobs, until_signal(wall_time(mode.walltime)),
+        [&](RunLine& line, std::size_t done) {
+            if (line.failure().empty()) {
+                tell(line, done, ours.size());
+            } else {
+                warn(line.failure());
+                failures.push_back(line.failure());
+            }
+        },
+        print_message);
+    throw_failures(words, failures, ours.size(), "the same command tries them again");
+}
+
+Gathered gathered(const std::vector<RunLine*>& lines) {
+    Gathered found;
+    for (RunLine* line : lines) {
+        const bool finished = !line->begin();
+        found.finished.push_back(finished);
+        if (finished) {
+            continue;
+        }
+        ++found.missing;
+        if (const std::string failure = recorded_failure(line->run().log); !failure.empty()) {
+            ++found.failed;
+            line->set_failure(fmt::format("{}: {}", line->run().name, failure));
+        }
+    }
+    return found;
+}
+
+void print_submitted(const StudyWords& words, const std::filesystem::path& directory, const Gathered& found,
+                     const std::string& submitted, bool as_json) {
+    const std::size_t all = found.finished.size();
+    print_document({{{"directory", directory.string()},
+                     {"runs", static_cast<Index>(all)},
+                     {"finished", static_cast<Index>(all - found.missing)},
+                     {"failed", static_cast<Index>(found.failed)},
+                     {"submitted", submitted}},
+                    fmt::format("{}: {} of {} {}s are finished\nsubmitted: {}\nhow far they are: ljmd {} --status {}\n"
+                                "the same command gathers what is finished, and submits again what is missing\n",
+                                directory.string(), all - found.missing, all, words.one, submitted, words.command,
+                                directory.string())},
+                   as_json);
+}
+
+}  // namespace ljmd

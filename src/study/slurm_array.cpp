@@ -1,0 +1,229 @@
+#include "ljmd/study/slurm_array.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/core/text.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/open_directory.hpp"
+#include "ljmd/io/files/process.hpp"
+#include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/study/job_pool.hpp"
+
+namespace ljmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* folder_name = "slurm";  // in the directory of the study: the script, and what workers say
+constexpr const char* script_name = "worker.sh";
+
+/// Seconds before its time limit at which a task is told to stop. Slurm rounds them: the signal may come a minute
+/// earlier.
+constexpr int seconds_of_warning = 120;
+
+fs::path program_of_slurm(const std::string& name) {
+    if (const auto found = find_program(name)) {
+        return *found;
+    }
+    throw InputError(
+        fmt::format("--slurm: there is no {} on this computer. Nothing was run.\n  give the command where jobs are "
+                    "submitted, or prepare the directory with --prepare and start workers with --work K/T",
+                    name));
+}
+
+struct Answer {
+    int status;
+    std::string text;  ///< all that it printed
+};
+
+/// Run a program that ends at once.
+Answer answer_of(const fs::path& program, std::vector<std::string> arguments) {
+    const ScratchDirectory scratch;
+    const fs::path output = scratch.path() / "output";
+    const int status =
+        run_process({.program = program, .arguments = std::move(arguments), .directory = ".", .output = output});
+    return {status, read_input(output)};
+}
+
+/// What a program of Slurm said, for a message.
+std::string said(const std::string& text) {
+    constexpr std::size_t longest = 1000;
+    return printable(trimmed(text), longest);
+}
+
+std::string quoted_for_shell(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) {
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return quoted + "'";
+}
+
+/// A path in which sbatch replaces nothing.
+std::string literal_pattern(const fs::path& path) {
+    std::string pattern;
+    for (const char c : path.string()) {
+        pattern += c == '%' ? std::string("%%") : std::string(1, c);
+    }
+    return pattern;
+}
+
+/// "argon-sweep-0123456789abcdef": differs for any two directories.
+std::string array_name(const fs::path& directory) {
+    std::string name = directory.filename().string();
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return c >= 128 || (std::isalnum(c) == 0 && c != '-' && c != '_' && c != '.'); },
+        '_');
+    const std::string path = directory.string();
+    return fmt::format("{}-{:016x}", name, XXH3_64bits(path.data(), path.size()));
+}
+
+/// The number of a job in what `sbatch --parsable` prints, "17" or "17;cluster".
+std::optional<std::string> job_number(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string number = line.substr(0, line.find(';'));
+        if (!number.empty() && std::ranges::all_of(number, [](unsigned char c) { return std::isdigit(c) != 0; })) {
+            return number;
+        }
+    }
+    return std::nullopt;
+}
+
+fs::path without_last_slash(const fs::path& path) {
+    return path.has_filename() ? path : path.parent_path();
+}
+
+}  // namespace
+
+std::vector<std::string> shell_words(const std::string& text) {
+    std::vector<std::string> words;
+    std::string word;
+    bool in_word = false;
+    char quote = '\0';
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '\\' && quote != '\'' && i + 1 < text.size()) {
+            word += text[++i];
+            in_word = true;
+        } else if (quote != '\0' ? c == quote : c == '\'' || c == '"') {
+            quote = quote == '\0' ? c : '\0';
+            in_word = true;
+        } else if (quote == '\0' && (c == ' ' || c == '\t' || c == '\n')) {
+            if (in_word) {
+                words.push_back(std::exchange(word, ""));
+            }
+            in_word = false;
+        } else {
+            word += c;
+            in_word = true;
+        }
+    }
+    if (quote != '\0') {
+        throw InputError(fmt::format("--slurm: a quote is not closed in {}", in_quotes(text)));
+    }
+    if (in_word) {
+        words.push_back(word);
+    }
+    return words;
+}
+
+std::string array_ranges(const std::vector<std::size_t>& tasks) {
+    std::string text;
+    for (std::size_t k = 0; k < tasks.size();) {
+        std::size_t end = k;
+        while (end + 1 < tasks.size() && tasks[end + 1] == tasks[end] + 1) {
+            ++end;
+        }
+        text += text.empty() ? "" : ",";
+        text += end == k ? fmt::format("{}", tasks[k]) : fmt::format("{}-{}", tasks[k], tasks[end]);
+        k = end + 1;
+    }
+    return text;
+}
+
+std::vector<std::size_t> unfinished_tasks(const std::vector<bool>& finished, std::size_t tasks) {
+    std::vector<bool> wanted(tasks, false);
+    for (std::size_t k = 0; k < finished.size(); ++k) {
+        if (!finished[k]) {
+            wanted[k % tasks] = true;
+        }
+    }
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < tasks; ++k) {
+        if (wanted[k]) {
+            numbers.push_back(k + 1);
+        }
+    }
+    return numbers;
+}
+
+SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std::string& options)
+    : command_(std::move(command)),
+      directory_(without_last_slash(files::absolute(directory).lexically_normal())),
+      options_(shell_words(options)),
+      sbatch_(program_of_slurm("sbatch")),
+      squeue_(program_of_slurm("squeue")),
+      name_(array_name(directory_)) {}
+
+void SlurmArray::require_none() const {
+    const auto [status, text] = answer_of(squeue_, {"--noheader", "--name=" + name_, "--format=%F %T"});
+    if (status != 0) {
+        throw ProcessesError(
+            fmt::format("squeue fails, so it is not known whether the study is queued already. Nothing "
+                        "was submitted.\n  {}",
+                        said(text)));
+    }
+    std::istringstream lines(text);
+    std::string job;
+    for (std::string state; lines >> job >> state;) {
+        if (state != "COMPLETING") {  // its tasks have ended, or are held by a node that does not answer
+            throw InUseError(
+                fmt::format("array {} of {} is queued or running. Nothing was submitted.\n  how far it is: ljmd {} "
+                            "--status {}",
+                            job, directory_.string(), command_, directory_.string()));
+        }
+    }
+}
+
+std::string SlurmArray::script(std::size_t tasks, std::size_t jobs) const {
+    return fmt::format(
+        "#!/bin/sh\n"
+        "# A task of an array: the worker of that number.\n"
+        "exec {} {} --work \"$SLURM_ARRAY_TASK_ID/{}\" {} --jobs {}\n",
+        quoted_for_shell(this_program().string()), command_, tasks, quoted_for_shell(directory_.string()), jobs);
+}
+
+std::string SlurmArray::submit(const std::vector<bool>& finished, std::size_t jobs) const {
+    const std::size_t tasks = std::min(max_array_tasks, (finished.size() + jobs - 1) / jobs);
+    const std::vector<std::size_t> wanted = unfinished_tasks(finished, tasks);
+    const OpenDirectory folder = OpenDirectory(directory_).made_within(folder_name);
+    write_file_atomically(folder / script_name, script(tasks, jobs));
+    // sbatch takes the last of two options: those above can be replaced by the user's, those below cannot.
+    std::vector<std::string> arguments{fmt::format("--signal=B:USR1@{}", seconds_of_warning),
+                                       fmt::format("--cpus-per-task={}", jobs),
+                                       fmt::format("--output={}/%a.log", literal_pattern(folder.path()))};
+    arguments.insert(arguments.end(), options_.begin(), options_.end());
+    arguments.insert(arguments.end(), {"--parsable", "--job-name=" + name_, "--array=" + array_ranges(wanted),
+                                       (folder.path() / script_name).string()});
+    const auto [status, text] = answer_of(sbatch_, arguments);
+    const auto number = job_number(text);
+    if (!number) {
+        throw InputError(fmt::format("sbatch does not take the array. Nothing was submitted.\n  {}", said(text)));
+    }
+    return fmt::format("array {} of {} task{}", *number, wanted.size(), wanted.size() == 1 ? "" : "s");
+}
+
+}  // namespace ljmd
