@@ -50,7 +50,6 @@ sample = true
 thermostat = {{ type = "{thermostat}" }}
 
 [output]
-directory = "{name}"
 thermo = {{ every = 10 }}
 """
 
@@ -59,8 +58,8 @@ def run(options, folder, name, **values):
     results = folder / name / "results.json"
     if not results.exists():
         deck = folder / f"{name}.toml"
-        deck.write_text(DECK.format(name=name, **values), encoding="utf-8")
-        subprocess.run([options.ljmd, "run", deck, "--quiet", "--force"], check=True, capture_output=True)
+        deck.write_text(DECK.format(**values), encoding="utf-8")
+        subprocess.run([options.ljmd, "run", deck, "--out", folder / name, "--quiet", "--force"], check=True, capture_output=True)
     return json.loads(results.read_text(encoding="utf-8"))["observables"]
 
 
