@@ -103,7 +103,7 @@ std::optional<ReproductionPlan> recorded_reproduction(const fs::path& directory)
             throw WrongData("its table is not known");
         }
         ReproductionPlan plan{{}, record.at("quick").flag()};
-        const std::vector<VerletRow> table = verlet1967_table();
+        const std::vector<VerletRow>& table = verlet1967_table();
         for (const std::string& name : texts_of(record.at("rows"), "rows", table.size())) {
             const auto row = std::ranges::find(table, name, row_name);
             if (row == table.end()) {
