@@ -197,7 +197,10 @@ class Run(Results):
         """
         if "trajectory" in self._tables or self._has_frames():
             return self.frames().universe()
-        return (self._last if self.directory is None else self._last_in_directory()).universe()
+        last = self._last if self.directory is None else self._last_in_directory()
+        if last is None:
+            raise DataError("few bodies have no box: they are no atoms of a fluid")
+        return last.universe()
 
     def _has_frames(self) -> bool:
         if self.directory is None:

@@ -196,6 +196,9 @@ void reproduce_command(const ReproduceOptions& options) {
         array->require_none();
     }
     prepare_reproduction(plan, directory);
+    if (options.force) {
+        std::ranges::for_each(runs, forget_another_run, &RowRun::run);
+    }
     if (options.mode.prepare) {
         print_prepared(reproduction_words(), out, runs.size(), options.json);
     } else if (array) {

@@ -42,8 +42,8 @@ std::string what_else(const fs::path& directory) {
     }
     if (files::is_taken(directory / "sweep.json")) {
         return fmt::format(
-            "it holds a sweep or replicas, which `ljmd resume {0}` resumes and `ljmd report {0}` shows; its "
-            "runs are in {0}/points",
+            "it holds a sweep, which the same `ljmd sweep` command resumes, or replicas, which `ljmd resume {0}` "
+            "resumes; `ljmd report {0}` shows it; its runs are in {0}/points",
             name);
     }
     std::vector<fs::path> entries;

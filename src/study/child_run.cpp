@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -35,6 +36,10 @@ bool has_checkpoint(const fs::path& directory) {
 }
 
 Job start(const ChildRun& run) {
+    if (read_input(run.deck) != run.source) {
+        throw DataError(fmt::format("{} is not the deck that was prepared; the command that prepared it puts it back",
+                                    run.deck.string()));
+    }
     Job job{{"run", run.deck.string(), "--out", run.directory.string(), "--quiet", "--force", "--threads", "1"},
             run.log};
     for (const std::string& setting : run.settings) {
@@ -74,6 +79,19 @@ constexpr int walltime_reached = 75;
 
 std::string words_of(const LastLines& last) {
     return printable(last.error.empty() ? last.any : last.error, longest_log_words);
+}
+
+/// "exit code 5: error: blown up", "exit code 137 (signal 9)".
+std::string end_in_words(const std::string& exit_code, const LastLines& last) {
+    constexpr int first_of_signals = 129;
+    constexpr int last_of_signals = 192;
+    const std::string words = words_of(last);
+    int code = 0;
+    std::from_chars(exit_code.data(), exit_code.data() + exit_code.size(), code);
+    const bool killed = code >= first_of_signals && code <= last_of_signals;
+    return fmt::format("exit code {}{}{}", printable(exit_code, longest_log_words),
+                       killed ? fmt::format(" (signal {})", code - (first_of_signals - 1)) : "",
+                       words.empty() ? "" : ": " + words);
 }
 
 }  // namespace
@@ -120,11 +138,28 @@ std::optional<Job> next_job(const ChildRun& run) {
         return start(run);
     }
     const RecordedRun recorded = recorded_run(run.directory);
-    if (!is_run_of(recorded, run) || (!recorded.finished && !has_checkpoint(run.directory))) {
+    if (!is_run_of(recorded, run)) {
+        throw DataError(fmt::format("{} holds a run of another deck or with other settings. It was left as it is",
+                                    run.directory.string()));
+    }
+    if (!recorded.finished && !has_checkpoint(run.directory)) {
         return start(run);
     }
     return recorded.finished ? std::nullopt
                              : std::optional(Job{{"resume", run.directory.string(), "--quiet"}, run.log});
+}
+
+void forget_another_run(const ChildRun& run) {
+    const auto is_another = [&] {
+        try {
+            return holds_another_run(run);
+        } catch (const DataError&) {
+            return true;
+        }
+    };
+    if (!DirectoryLock::is_held(run.directory) && is_another()) {
+        files::remove(run.directory / "run.json");
+    }
 }
 
 Job longer(const ChildRun& run, Index more_steps) {
@@ -132,7 +167,7 @@ Job longer(const ChildRun& run, Index more_steps) {
 }
 
 std::string failure_of(const ChildRun& run, int exit_status) {
-    return fmt::format("{}: exit code {}: {}", run.name, exit_status, words_of(last_lines(run.log)));
+    return fmt::format("{}: {}", run.name, end_in_words(fmt::format("{}", exit_status), last_lines(run.log)));
 }
 
 void record_end(const ClaimedFile& log, int exit_status) {
@@ -148,9 +183,7 @@ void record_end(const ClaimedFile& log, int exit_status) {
 
 std::string recorded_failure(const fs::path& log) {
     const LastLines last = last_lines(log);
-    return last.exit_code.empty()
-               ? printable(last.error, longest_log_words)
-               : fmt::format("exit code {}: {}", printable(last.exit_code, longest_log_words), words_of(last));
+    return last.exit_code.empty() ? printable(last.error, longest_log_words) : end_in_words(last.exit_code, last);
 }
 
 }  // namespace ljmd

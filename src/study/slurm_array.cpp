@@ -57,10 +57,16 @@ Answer answer_of(const fs::path& program, std::vector<std::string> arguments) {
     return {status, read_input(output)};
 }
 
-/// What a program of Slurm said, for a message.
+/// What a program of Slurm said, for a message: its first lines.
 std::string said(const std::string& text) {
-    constexpr std::size_t longest = 1000;
-    return printable(trimmed(text), longest);
+    constexpr std::size_t longest = 300;
+    constexpr std::size_t most = 6;
+    std::vector<std::string> words;
+    std::istringstream lines(text);
+    for (std::string line; words.size() < most && std::getline(lines, line);) {
+        words.push_back(printable(trimmed(line), longest));
+    }
+    return fmt::format("{}", fmt::join(words, "\n  "));
 }
 
 std::string quoted_for_shell(const std::string& text) {

@@ -59,23 +59,26 @@ RunState state_of(const std::string& name, const fs::path& directory, const fs::
         found.words = words;
         return found;
     }
-    const RecordedRun run = recorded_run(directory);
-    found.total_steps = total_steps(run.deck.stages);
     try {
+        const RecordedRun run = recorded_run(directory);
+        if (run.finished) {
+            found.state = "finished";
+        } else if (running) {
+            found.state = "running";
+        } else {
+            found.state = words.empty() ? "stopped" : "failed";
+            found.words = words;
+        }
+        found.total_steps = total_steps(run.deck.stages);
         if (const auto continuation = find_continuation(run.deck)) {
             found.step = continuation->head.step;
             found.total_steps = steps_of_run(run, continuation->head);
         }
     } catch (const CheckpointError&) {
-        found.step.reset();  // `ljmd info` for this run shows what is wrong with its checkpoints
-    }
-    if (run.finished) {
-        found.state = "finished";
-    } else if (running) {
-        found.state = "running";
-    } else {
-        found.state = words.empty() ? "stopped" : "failed";
-        found.words = words;
+        found.step.reset();             // `ljmd info` for this run shows what is wrong with its checkpoints
+    } catch (const DataError& error) {  // a damaged run.json
+        found.state = running ? "running" : "failed";
+        found.words = running ? "" : error.what();
     }
     return found;
 }

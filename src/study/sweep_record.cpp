@@ -229,6 +229,9 @@ void prepare_sweep(const SweepPlan& plan, const OpenDirectory& directory, bool f
     remove_left_over(points);
     directory.require_at_its_path();
     std::ranges::for_each(old, remove_run);
+    if (force) {
+        std::ranges::for_each(sweep_runs(plan, path), forget_another_run);
+    }
     if (replaced) {
         files::try_to_remove(path / "sweep.csv");
     }

@@ -164,6 +164,43 @@ def a_point_that_fails(t):
     t.contains(t.run_well("sweep", "--status", "out").out, "  time_step=0.4    failed")
 
 
+def another_run_in_a_point(t):
+    """A worker leaves it alone, and says so; the command that prepares replaces it with --force."""
+    t.deck()
+    t.run_well(*REQUEST, "out", "--prepare")
+    t.run_well("run", "deck.toml", "--set", "system.seed=5", "--out", f"out/{FIRST}", "--quiet")
+    before = snapshot(t.dir / "out" / FIRST)
+    result = t.expect(5, t.run("sweep", "--work", "1/6", "out", "--quiet"))
+    t.contains(result.err, f"out/{FIRST} holds a run of another deck or with other settings. It was left as it is")
+    t.check(snapshot(t.dir / "out" / FIRST) == before, "the run was changed")
+    t.contains(t.expect(2, t.run(*REQUEST, "out", "--quiet")).err, "holds a run that is not of this sweep; --force makes it anew")
+    t.run_well(*REQUEST, "out", "--force", "--prepare")
+    t.run_well("sweep", "--work", "1/1", "out", "--quiet")
+    check_alike(t, REQUEST)
+
+
+def damaged_records(t):
+    """One damaged record hides no other point; --force begins that point anew."""
+    t.deck()
+    t.run_well(*REQUEST, "out", "--prepare")
+    t.run_well("sweep", "--work", "1/1", "out", "--quiet")
+    (t.dir / "out" / FIRST / "run.json").write_text("{")
+    t.equal(states(t), {"finished": 5, "failed": 1}, "states")
+    t.contains(t.expect(5, t.run("sweep", "--work", "1/1", "out", "--quiet")).err, "run.json")
+    t.run_well(*REQUEST, "out", "--force", "--prepare")
+    check_alike(t, REQUEST)
+
+
+def a_deck_changed_by_hand(t):
+    t.deck()
+    t.run_well(*REQUEST, "out", "--prepare")
+    with open(t.dir / "out/points/deck.toml", "a", encoding="utf-8") as deck:
+        deck.write("# later\n")
+    t.contains(t.expect(5, t.run("sweep", "--work", "1/6", "out", "--quiet")).err, "deck.toml is not the deck that was prepared")
+    t.run_well(*REQUEST, "out", "--prepare")
+    t.run_well("sweep", "--work", "1/6", "out", "--quiet")
+
+
 def a_point_killed(t):
     """A run that something else has killed has failed, and the status says how; it is resumed all the same."""
     t.deck()
@@ -173,9 +210,9 @@ def a_point_killed(t):
     os.kill(children(worker)[0], signal.SIGKILL)
     code, _, err = end(worker)
     t.equal(code, 5, "exit code")
-    t.contains(err, "error: 1 of 1 points failed; the same command tries them again\n  temperature=1.2: exit code 137: ")
+    t.contains(err, "error: 1 of 1 points failed; the same command tries them again\n  temperature=1.2: exit code 137 (signal 9)")
     status = json.loads(t.run_well("sweep", "--status", "out", "--json").out)
-    t.equal((status["runs"][0]["state"], status["runs"][0]["words"]), ("failed", "exit code 137: "), "state and words")
+    t.equal((status["runs"][0]["state"], status["runs"][0]["words"]), ("failed", "exit code 137 (signal 9)"), "state and words")
     t.run_well("sweep", "--work", "1/1", "out", "--quiet")
     check_alike(t, LONG)
 
@@ -273,7 +310,8 @@ def cases():
     work = ("sweep", "--work", "1/2", "out")
     return [Case(test.__name__.replace("_", " "), test)
             for test in (prepared_and_worked_on, prepared_twice, a_share_without_points, many_workers_at_once, out_of_time,
-                         told_to_end_twice_at_once, a_point_that_fails, a_point_killed, held_by_hand, replaced_beside_workers,
+                         told_to_end_twice_at_once, a_point_that_fails, a_point_killed, another_run_in_a_point, damaged_records,
+                         a_deck_changed_by_hand, held_by_hand, replaced_beside_workers,
                          rows_of_a_table, with_gnu_parallel, without_slurm)] + [
         Case("stopped by SIGTERM and taken over", ended_and_taken_over(signal.SIGTERM)),
         Case("stopped by SIGUSR1 and taken over", ended_and_taken_over(signal.SIGUSR1)),

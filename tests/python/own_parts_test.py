@@ -253,8 +253,9 @@ class Observables(InDirectories):
         small_deck().run(run, replace=True, progress=False)
         self.assertTrue(ljmd.resume(run, steps=1, progress=False).finished)
         small_deck().run(self.folder / "other", observables=OWN, progress=False)
-        record = json.loads((self.folder / "other" / "run.json").read_text())
-        (self.folder / "other" / "run.json").write_text(json.dumps(record | {"began": "2001-01-01T00:00:00Z"}))
+        record = self.folder / "other" / "run.json"
+        record.with_name("new").write_text(record.read_text())  # as another process writes it
+        record.with_name("new").replace(record)
         self.assertRaisesText(ljmd.CheckpointError, "given: no observables",
                               of=lambda: ljmd.resume(self.folder / "other", steps=1, progress=False))
 

@@ -57,6 +57,9 @@ class Frames(Case):
         self.assertRaisesText(ljmd.DataError, "output.trajectory", of=small_deck().run(progress=False).frames)
         for run in (comet(20).run(progress=False), comet(20).run(self.folder / "comet", progress=False)):
             self.assertRaisesText(ljmd.DataError, "no box", of=run.universe)
+        deck = comet(20)
+        del deck.output.trajectory
+        self.assertRaisesText(ljmd.DataError, "no box", of=deck.run(progress=False).universe)
 
 
 class Universes(Case):

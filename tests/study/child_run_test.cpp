@@ -17,6 +17,8 @@
 
 using namespace ljmd;
 using namespace ljmd::test;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
 namespace fs = std::filesystem;
 
 // That the jobs do what they say is tried by the tests in tests/cli, which run the program.
@@ -69,7 +71,7 @@ TEST_CASE("a run begins, is resumed, and is left alone when it is finished") {
     CHECK(longer(run, 60).arguments == std::vector<std::string>{"resume", run.directory, "--quiet", "--steps", "+60"});
 }
 
-TEST_CASE("a run of another deck or with other settings is another one, and made anew") {
+TEST_CASE("a run of another deck or with other settings is another one, and not replaced until it is forgotten") {
     const DeckFolder folder;
     run_until(folder.load(hot), 30);
     const ChildRun run = run_in(folder);
@@ -77,19 +79,35 @@ TEST_CASE("a run of another deck or with other settings is another one, and made
     other_deck.source += "\n";
     for (const ChildRun& other : {run_in(folder, {}), run_in(folder, {"system.temperature=1.50"}), other_deck}) {
         CHECK(holds_another_run(other));
-        CHECK(verb(next_job(other)).first == "run");
+        CHECK_THROWS_WITH(next_job(other), EndsWith("of another deck or with other settings. It was left as it is"));
     }
+    forget_another_run(run);
+    CHECK_NOTHROW(next_job(run));
+    CHECK(verb(next_job(run)).first == "resume");
+    forget_another_run(run_in(folder, {}));
+    CHECK(verb(next_job(run_in(folder, {}))).first == "run");
     std::ofstream(run.directory / "run.json") << "{";
     CHECK_THROWS_AS(holds_another_run(run), DataError);
     CHECK_THROWS_AS(next_job(run), DataError);
+    forget_another_run(run);
+    CHECK(verb(next_job(run)).first == "run");
+}
+
+TEST_CASE("a run does not begin from a deck that was changed since it was prepared") {
+    const DeckFolder folder;
+    const ChildRun run = run_in(folder);
+    std::ofstream(run.deck, std::ios::app) << "\n# later\n";
+    CHECK_THROWS_WITH(next_job(run), StartsWith(run.deck.string() + " is not the deck that was prepared"));
 }
 
 TEST_CASE("a failure is told by the last error in the log, or its last line, as a terminal may show it") {
     const DeckFolder folder;
     const ChildRun run = run_in(folder);
-    CHECK(failure_of(run, 137) == "hot: exit code 137: " + run.log.string() + ": no such file");
+    CHECK(failure_of(run, 137) == "hot: exit code 137 (signal 9): " + run.log.string() + ": no such file");
     std::ofstream(run.log) << "warning: x\nkilled \x1B[31m\n\n";
-    CHECK(failure_of(run, 137) == "hot: exit code 137: killed ?[31m");
+    CHECK(failure_of(run, 137) == "hot: exit code 137 (signal 9): killed ?[31m");
+    std::ofstream(run.log) << "";
+    CHECK(failure_of(run, 139) == "hot: exit code 139 (signal 11)");
     std::ofstream(run.log) << "error: a\nerror: blown up\n  the configuration is in failed.xyz\n";
     CHECK(failure_of(run, 5) == "hot: exit code 5: error: blown up");
     CHECK(recorded_failure(run.log) == "error: blown up");
@@ -113,7 +131,7 @@ TEST_CASE("how a run has failed is noted in its log, unless it was stopped with 
     CHECK(failure_of(run, 5) == "hot: exit code 5: error: blown up");
     log->clear();
     record_end(*log, 137);
-    CHECK(recorded_failure(run.log) == "exit code 137: ");
+    CHECK(recorded_failure(run.log) == "exit code 137 (signal 9)");
 }
 
 TEST_CASE("places that lead elsewhere are refused") {

@@ -39,7 +39,7 @@ TEST_CASE("a point has its results when its run is at its end, whoever ran it") 
     REQUIRE(job.has_value());
     CHECK(job->arguments.front() == "resume");
     CHECK_FALSE(runs[1].after(137).has_value());
-    CHECK_THAT(runs[1].failure(), Contains("temperature=2: exit code 137: "));
+    CHECK_THAT(runs[1].failure(), Contains("temperature=2: exit code 137 (signal 9): "));
 }
 
 TEST_CASE("a point with damaged files has failed, and the others have not") {

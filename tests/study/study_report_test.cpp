@@ -75,7 +75,7 @@ TEST_CASE("a run whose log a process holds is running, and a failed one tells it
     CHECK(json["runs"][0]["state"] == "running");
     CHECK(json["runs"][0]["words"] == "");
     CHECK(json["runs"][1]["state"] == "failed");
-    CHECK(json["runs"][1]["words"] == "exit code 137: killed");
+    CHECK(json["runs"][1]["words"] == "exit code 137 (signal 9): killed");
     log.reset();
     const Data free = study_report(out).data;
     CHECK(free["runs"][0]["state"] == "failed");

@@ -42,8 +42,14 @@ void wait_for_runs(const std::filesystem::path& folder, const Interruption& inte
 [[nodiscard]] bool holds_another_run(const ChildRun& run);
 
 /// The job that completes the run: `ljmd resume` if this run has left a checkpoint, else `ljmd run`; nothing if it is
-/// finished. Another run in the directory is replaced. @throws DataError  its run.json is damaged
+/// finished. No other run is replaced.
+/// @throws DataError  the directory holds another run, its run.json is damaged, or the run would begin and its deck
+/// file is not the deck
 [[nodiscard]] std::optional<Job> next_job(const ChildRun& run);
+
+/// Take a directory that holds another run, or one whose run.json is damaged, as empty: next_job() begins the run anew.
+/// Nothing is done while a process writes to it. @throws FileError
+void forget_another_run(const ChildRun& run);
 
 /// The job that extends a finished run.
 [[nodiscard]] Job longer(const ChildRun& run, Index more_steps);

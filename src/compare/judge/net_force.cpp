@@ -54,8 +54,8 @@ std::optional<std::string> net_force(const std::vector<Vec3>& found, const std::
     }
     if (std::sqrt(rest) <= std::max(noise, unexplained_of_net_force * std::sqrt(off))) {
         return fmt::format(
-            "constant force: the same force of {} is added on every atom, as by an external field; without it all are "
-            "right",
+            "constant force: the same force of {} is added on every atom, as by an external field; without it the "
+            "forces are right",
             vector_in_words(mean));
     }
     if (sum.norm() > rounding_of_sum * std::sqrt(squares)) {
