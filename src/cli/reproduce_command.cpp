@@ -102,28 +102,8 @@ void work_on_table(const ReproduceOptions& options) {
         throw no_table();
     }
     std::vector<RowRun> runs = row_runs(*plan, directory);
-    work_on(reproduction_words(), options.mode, pointers_to(runs), options.jobs,
-            [&](RunLine& line, std::size_t done, std::size_t all) {
-                shared.directory().require_at_its_path();  // runs are started by path
-                if (!options.quiet) {
-                    tell_row(line, done, all);
-                }
-            });
-}
-
-/// Run all rows to their ends. @throws InUseError  the directory was moved meanwhile
-void run_all_rows(std::vector<RowRun>& runs, const OpenDirectory& directory, const ReproduceOptions& options) {
-    run_lines(
-        pointers_to(runs), options.jobs, until_signal(),
-        [&](RunLine& line, std::size_t done) {
-            directory.require_at_its_path();  // runs are started by path
-            if (!line.failure().empty()) {
-                warn(line.failure());
-            } else if (!options.quiet) {
-                tell_row(line, done, runs.size());
-            }
-        },
-        print_message);
+    work_on(reproduction_words(), options.mode, pointers_to(runs), shared.directory(), options.jobs,
+            options.quiet ? TellRun() : tell_row);
 }
 
 /// Write and print the table. @return why rows have failed
@@ -204,7 +184,7 @@ void reproduce_command(const ReproduceOptions& options) {
     } else if (array) {
         submit_rows(runs, directory, *array, options);
     } else {
-        run_all_rows(runs, directory, options);
+        run_all(pointers_to(runs), directory, options.jobs, until_signal(), options.quiet ? TellRun() : tell_row);
         throw_failures(reproduction_words(), print_rows(runs, directory, options.json), runs.size(),
                        "the same command tries them again");
     }

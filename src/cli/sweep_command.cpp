@@ -76,28 +76,8 @@ void work_on_sweep(const SweepOptions& options) {
         throw refuse("replicas: `ljmd resume`");
     }
     std::vector<PointRun> runs = point_runs(*plan, directory);
-    work_on(sweep_words(), options.mode, pointers_to(runs), options.jobs,
-            [&](RunLine& line, std::size_t done, std::size_t all) {
-                shared.directory().require_at_its_path();  // runs are started by path
-                if (!options.quiet) {
-                    tell_point(line, done, all);
-                }
-            });
-}
-
-/// Run all points to their ends. @throws InUseError  the directory was moved meanwhile
-void run_all(std::vector<PointRun>& runs, const OpenDirectory& directory, const SweepOptions& options) {
-    run_lines(
-        pointers_to(runs), options.jobs, until_signal(),
-        [&](RunLine& line, std::size_t done) {
-            directory.require_at_its_path();  // runs are started by path
-            if (!line.failure().empty()) {
-                warn(line.failure());
-            } else if (!options.quiet) {
-                tell_point(line, done, runs.size());
-            }
-        },
-        print_message);
+    work_on(sweep_words(), options.mode, pointers_to(runs), shared.directory(), options.jobs,
+            options.quiet ? TellRun() : tell_point);
 }
 
 /// Write and print the table. @return why points have failed
@@ -169,7 +149,7 @@ void sweep_command(const SweepOptions& options) {
     } else if (array) {
         submit_sweep(plan, runs, directory, *array, options);
     } else {
-        run_all(runs, directory, options);
+        run_all(pointers_to(runs), directory, options.jobs, until_signal(), options.quiet ? TellRun() : tell_point);
         throw_failures(sweep_words(), print_table(plan, runs, directory, options.json), runs.size(),
                        "the same command tries them again");
     }

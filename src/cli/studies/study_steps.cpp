@@ -45,21 +45,31 @@ void throw_failures(const StudyWords& words, const std::vector<std::string>& fai
     }
 }
 
-void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<RunLine*>& lines, int jobs,
-             const std::function<void(RunLine& line, std::size_t done, std::size_t all)>& tell) {
-    const std::vector<RunLine*> ours = lines_of(work_share(mode.work), lines);
-    std::vector<std::string> failures;
+void run_all(const std::vector<RunLine*>& lines, const OpenDirectory& directory, int jobs,
+             const Interruption& interruption, const TellRun& tell) {
     run_lines(
-        ours, jobs, until_signal(wall_time(mode.walltime)),
-        [&](RunLine& line, std::size_t done) {
-            if (line.failure().empty()) {
-                tell(line, done, ours.size());
-            } else {
+        lines, jobs, interruption,
+        [&](const RunLine& line, std::size_t done) {
+            directory.require_at_its_path();
+            if (!line.failure().empty()) {
                 warn(line.failure());
-                failures.push_back(line.failure());
+            } else if (tell) {
+                tell(line, done, lines.size());
             }
         },
         print_message);
+}
+
+void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<RunLine*>& lines,
+             const OpenDirectory& directory, int jobs, const TellRun& tell) {
+    const std::vector<RunLine*> ours = lines_of(work_share(mode.work), lines);
+    run_all(ours, directory, jobs, until_signal(wall_time(mode.walltime)), tell);
+    std::vector<std::string> failures;
+    for (const RunLine* line : ours) {
+        if (!line->failure().empty()) {
+            failures.push_back(line->failure());
+        }
+    }
     throw_failures(words, failures, ours.size(), "the same command tries them again");
 }
 

@@ -7,6 +7,8 @@
 
 #include "ljmd/cli/studies/study_mode.hpp"
 #include "ljmd/core/document.hpp"
+#include "ljmd/io/files/open_directory.hpp"
+#include "ljmd/run/interruption.hpp"
 #include "ljmd/study/run_lines.hpp"
 
 /// The steps that `ljmd sweep` and `ljmd reproduce` have in common: prepare a directory, work on its runs, gather.
@@ -28,13 +30,21 @@ void print_status(const StudyWords& words, const std::filesystem::path& director
 /// Say that a directory is prepared.
 void print_prepared(const StudyWords& words, const std::filesystem::path& directory, std::size_t runs, bool as_json);
 
-/// Bring the share of a worker to its end.
+/// Says that a run has come to its end, as the done-th of all; empty: nothing is said.
+using TellRun = std::function<void(const RunLine& line, std::size_t done, std::size_t all)>;
+
+/// Bring runs to their ends, and warn of those that fail.
+/// @param directory  where they are: they are started by path
+/// @throws InUseError  it was moved meanwhile  @throws Interrupted, FileError
+void run_all(const std::vector<RunLine*>& lines, const OpenDirectory& directory, int jobs,
+             const Interruption& interruption, const TellRun& tell);
+
+/// The same for the share of a worker.
 /// @param lines  of the whole study
-/// @param tell   says that one has come to its end, as the done-th of all
 /// @throws InputError   the share or the wall time cannot be read
-/// @throws PhysicsError  if any of the share have failed  @throws Interrupted
-void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<RunLine*>& lines, int jobs,
-             const std::function<void(RunLine& line, std::size_t done, std::size_t all)>& tell);
+/// @throws PhysicsError  if any of the share have failed
+void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<RunLine*>& lines,
+             const OpenDirectory& directory, int jobs, const TellRun& tell);
 
 /// How far the runs of a study are.
 struct Gathered {
