@@ -63,8 +63,9 @@ TEST_CASE("a share that cannot be read is refused before anything is run") {
     const TemporaryFolder folder;
     std::vector<Line> lines{{folder, "a", true}};
     const auto tell = [](RunLine&, std::size_t, std::size_t) {};
-    CHECK_THROWS_AS(work_on(sweep_words(), {.work = "2/1"}, pointers_to(lines), 1, tell), InputError);
-    CHECK_THROWS_AS(work_on(sweep_words(), {.work = "1/1", .walltime = "soon"}, pointers_to(lines), 1, tell),
+    const OpenDirectory directory(folder / "");
+    CHECK_THROWS_AS(work_on(sweep_words(), {.work = "2/1"}, pointers_to(lines), directory, 1, tell), InputError);
+    CHECK_THROWS_AS(work_on(sweep_words(), {.work = "1/1", .walltime = "soon"}, pointers_to(lines), directory, 1, tell),
                     InputError);
     CHECK_THROWS_WITH(print_status(sweep_words(), folder / "", false), Contains("holds no study"));
 }
