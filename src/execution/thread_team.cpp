@@ -33,9 +33,6 @@ constexpr std::chrono::microseconds patience{20};
 constexpr std::chrono::microseconds shortest_spin{50};
 constexpr std::chrono::microseconds longest_spin{1000};
 
-/// Twice a cache line, because processors fetch lines in pairs.
-constexpr std::size_t cache_lines = 128;
-
 thread_local int number_of_this_thread = 0;
 
 /// Marks this thread as the caller of its loop.

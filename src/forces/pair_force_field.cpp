@@ -13,6 +13,7 @@
 #include "ljmd/execution/flush_subnormals.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/execution/thread_team.hpp"
+#include "ljmd/forces/evaluation_sum.hpp"
 #include "ljmd/forces/pair_sum.hpp"
 #include "simd/pair_kernel.hpp"
 
@@ -150,15 +151,11 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
         sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(number_in_team())]);
     });
     add_ghost_forces(list, state);
-    Evaluation total;
+    EvaluationSum total;
     for (const PairKernelSums& tile : sums) {
-        const auto& w = tile.virial;
-        Mat3 virial;
-        virial << w[0], w[3], w[4], w[3], w[1], w[5], w[4], w[5], w[2];
-        total.potential_energy += tile.energy;
-        total.virial += virial;
+        total.add(tile.energy, tile.virial);
     }
-    return total;
+    return total.value();
 }
 
 /// Add the forces on a tile's clusters where these are ghosts of other tiles, in the order of those tiles.

@@ -13,7 +13,7 @@ double mass_of(const State& state, Index i) {
 }
 
 double total_mass(const State& state) {
-    return sum_over(state.execution(), state.count(), 0.0, [&](Index i) { return mass_of(state, i); });
+    return sum_over(state.execution(), state.count(), [&](Index i) { return mass_of(state, i); });
 }
 }  // namespace
 
@@ -23,7 +23,7 @@ Index degrees_of_freedom(Index atoms) {
 
 double kinetic_energy(const State& state) {
     const auto v = state.velocities();
-    return 0.5 * sum_over(state.execution(), state.count(), 0.0,
+    return 0.5 * sum_over(state.execution(), state.count(),
                           [&](Index i) { return mass_of(state, i) * v.col(i).squaredNorm(); });
 }
 
@@ -41,8 +41,7 @@ std::optional<double> temperature(const State& state) {
 
 Vec3 total_momentum(const State& state) {
     const auto v = state.velocities();
-    return sum_over(state.execution(), state.count(), Vec3(Vec3::Zero()),
-                    [&](Index i) -> Vec3 { return mass_of(state, i) * v.col(i); });
+    return sum_over<Vec3>(state.execution(), state.count(), [&](Index i) { return mass_of(state, i) * v.col(i); });
 }
 
 void draw_velocities(State& state, double target, std::uint64_t seed) {

@@ -89,32 +89,52 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms) {
     height_ = edges_[2] / cells_[2];
     slice_count_ = rounded(slices_per_cluster * height_ / cube);
     inverse_slice_ = slice_count_ / height_;
+    Place step{1, 1};  // from one tile to the next along this axis, and from one column to the next within it
     for (std::size_t a = 0; a < 3; ++a) {
-        numbers_along_[a].clear();
-        for (Cell cell{}; cell[a] < cells_[a]; ++cell[a]) {
-            numbers_along_[a].push_back(column_at(cell));
+        places_along_[a].clear();
+        for (int cell = 0; cell < cells_[a]; ++cell) {
+            places_along_[a].push_back(
+                {cell / columns_per_tile_[a] * step.tile, cell % columns_per_tile_[a] * step.within});
         }
+        step = {step.tile * tiles_along_[a], step.within * columns_per_tile_[a]};
     }
+    tile_numbers_.assign(static_cast<std::size_t>(step.tile), 0);
+    tile_cells_.clear();
+    number_tiles({0, 0, 0}, tiles_along_);
 }
 
-std::int32_t ClusterGrid::column_at(const Cell& cell) const {
-    std::int32_t tile = 0;
-    std::int32_t within = 0;
+void ClusterGrid::number_tiles(const Cell& first, const Cell& last) {
+    std::size_t longest = 0;
+    double length = 0.0;
     for (const std::size_t a : {2U, 1U, 0U}) {
-        tile = tile * tiles_along_[a] + cell[a] / columns_per_tile_[a];
-        within = within * columns_per_tile_[a] + cell[a] % columns_per_tile_[a];
+        const int tiles = last[a] - first[a];
+        const double along = tiles > 1 ? tiles * edges_[static_cast<Index>(a)] / tiles_along_[a] : 0.0;
+        if (along > 1.001 * length) {
+            longest = a;
+            length = along;
+        }
     }
-    return tile * columns_per_tile_[0] * columns_per_tile_[1] + within;
+    if (length == 0.0) {  // one tile
+        const auto [x, y, z] = first;
+        const auto place = static_cast<std::size_t>((z * tiles_along_[1] + y) * tiles_along_[0] + x);
+        tile_numbers_[place] = static_cast<std::int32_t>(tile_cells_.size());
+        tile_cells_.push_back(first);
+        return;
+    }
+    const int middle = (first[longest] + last[longest]) / 2;
+    Cell last_of_lower = last;
+    Cell first_of_upper = first;
+    last_of_lower[longest] = first_of_upper[longest] = middle;
+    number_tiles(first, last_of_lower);
+    number_tiles(first_of_upper, last);
 }
 
 ClusterGrid::Cell ClusterGrid::cell_of(std::int32_t column) const {
     const int per_tile = columns_per_tile_[0] * columns_per_tile_[1];
-    int tile = column / per_tile;
+    Cell cell = tile_cells_[static_cast<std::size_t>(column / per_tile)];
     int within = column % per_tile;
-    Cell cell{};
     for (std::size_t a = 0; a < 3; ++a) {
-        cell[a] = tile % tiles_along_[a] * columns_per_tile_[a] + within % columns_per_tile_[a];
-        tile /= tiles_along_[a];
+        cell[a] = cell[a] * columns_per_tile_[a] + within % columns_per_tile_[a];
         within /= columns_per_tile_[a];
     }
     return cell;

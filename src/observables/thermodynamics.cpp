@@ -9,15 +9,28 @@ namespace ljmd {
 
 namespace {
 
-/// sum m u u for u = (v, 1): sum m v v in the first three rows, sum m v and sum m in the last one.
-Eigen::Matrix4d kinetic_sums(const State& state) {
+struct KineticSums {
+    Mat3 tensor;    ///< sum m v v
+    Vec3 momentum;  ///< sum m v
+    double mass;    ///< sum m
+};
+
+KineticSums kinetic_sums(const State& state) {
+    using Numbers = Eigen::Matrix<double, 10, 1>;
     const auto v = state.velocities();
-    return sum_over(state.execution(), state.count(), Eigen::Matrix4d(Eigen::Matrix4d::Zero()), [&](Index i) {
-        // The three components of a velocity are followed by a zero.
-        const Eigen::Vector4d u = Eigen::Map<const Eigen::Vector4d>(v.col(i).data()) + Eigen::Vector4d::UnitW();
+    const auto s = sum_over<Numbers>(state.execution(), state.count(), [&](Index i) {
         const double mass = state.masses()[static_cast<std::size_t>(i)];
-        return Eigen::Matrix4d((mass * u) * u.transpose());
+        const Vec3 u = v.col(i);
+        const Vec3 p = mass * u;
+        Numbers of_atom;
+        of_atom << p[0] * u[0], p[1] * u[1], p[2] * u[2], p[0] * u[1], p[0] * u[2], p[1] * u[2], p, mass;
+        return of_atom;
     });
+    KineticSums sums;
+    sums.tensor << s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2];
+    sums.momentum = s.segment<3>(6);
+    sums.mass = s[9];
+    return sums;
 }
 
 }  // namespace
@@ -27,10 +40,7 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
     const double volume = state.box().volume();
     const double density = atoms / volume;
 
-    const Eigen::Matrix4d sums = kinetic_sums(state);
-    const Mat3 kinetic_tensor = sums.topLeftCorner<3, 3>();
-    const Vec3 momentum = sums.topRightCorner<3, 1>();
-    const double mass = sums(3, 3);
+    const auto [kinetic_tensor, momentum, mass] = kinetic_sums(state);
     const double kinetic_energy = 0.5 * kinetic_tensor.trace();
 
     Thermodynamics result;
@@ -69,7 +79,7 @@ Vec3 virial_pressures(const State& state, const Evaluation& evaluation, const Ta
 }
 
 Mat3 mechanical_stress(const State& state, const Evaluation& evaluation) {
-    return (kinetic_sums(state).topLeftCorner<3, 3>() + evaluation.virial) / state.box().volume();
+    return (kinetic_sums(state).tensor + evaluation.virial) / state.box().volume();
 }
 
 }  // namespace ljmd

@@ -8,7 +8,7 @@ namespace ljmd {
 void TimeStepError::add(const State& state, double time_step) {
     const auto v = state.velocities();
     excess_ += 0.25 * time_step * time_step * squared_forces_over_mass(state);
-    motion_ += sum_over(state.execution(), state.count(), 0.0,
+    motion_ += sum_over(state.execution(), state.count(),
                         [&](Index i) { return state.masses()[static_cast<std::size_t>(i)] * v.col(i).squaredNorm(); });
 }
 

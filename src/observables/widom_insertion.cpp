@@ -38,9 +38,9 @@ WidomInsertion::Weights WidomInsertion::mean_weights(const State& state, double 
     const ConstVectorView points = std::as_const(scratch).positions_and_ghosts();
     const double tail = 2.0 * interaction_.tail.energy(static_cast<double>(state.count()) / box.volume());
 
-    const Eigen::Vector2d sum = interaction_.potential.visit([&](const auto& pair) {
-        return sum_over(state.execution(), insertions_, Eigen::Vector2d(Eigen::Vector2d::Zero()),
-                        [&](Index place) -> Eigen::Vector2d {
+    const auto sum = interaction_.potential.visit([&](const auto& pair) {
+        return sum_over<Eigen::Vector2d>(
+            state.execution(), insertions_, [&](Index place) -> Eigen::Vector2d {
                             const Vec3 r = random_.uniform(state.step, place).cwiseProduct(box.edges());
                             double energy = 0.0;
                             grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
+#include "ljmd/core/exact_sum.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/execution/thread_team.hpp"
@@ -14,7 +17,7 @@ namespace ljmd {
 /// Atoms per block in loops without a sum. Blocks are so small that the threads of a small system move the same atoms
 /// whose forces they have just summed; otherwise data would pass between cores.
 inline constexpr Index loop_block = 128;
-/// Atoms per block in sums; the last digits of sums depend on it.
+/// Atoms per block in sums that are not exact; their last digits depend on it.
 inline constexpr Index sum_block = 1024;
 
 /// ThreadTeam::for_each_block of the execution's threads.
@@ -54,19 +57,53 @@ template <class T, class Yield, class Join>
     return start;
 }
 
-/// Sum of term(i) for i in [0, count), by all threads: each block is summed from `zero`, then the blocks are added in
-/// order.
-/// @param term  returns something that can be added to a T; an Eigen value, not an expression  @pre as for_each_block
-template <class T, class Term>
-[[nodiscard]] T sum_over(const Execution& execution, Index count, const T& zero, Term&& term) {
-    const auto sum_of_block = [&](Index first, Index last) {
-        T sum = zero;
-        for (Index i = first; i < last; ++i) {
-            sum += term(i);
-        }
-        return sum;
+/// The numbers that sum_over() adds up: a double itself, or the elements of an Eigen matrix of fixed size.
+template <class T>
+struct Summands {
+    static constexpr std::size_t count = T::SizeAtCompileTime;
+    [[nodiscard]] static const double* of(const T& value) { return value.data(); }
+    [[nodiscard]] static double* of(T& value) { return value.data(); }
+};
+template <>
+struct Summands<double> {
+    static constexpr std::size_t count = 1;
+    [[nodiscard]] static const double* of(const double& value) { return &value; }
+    [[nodiscard]] static double* of(double& value) { return &value; }
+};
+
+/// Sum of term(i) for i in [0, count), by all threads. It is exact but for one rounding at its end (see ExactSum), so it
+/// depends neither on the order of the terms nor on the number of threads.
+/// @tparam T    double, or an Eigen matrix of fixed size
+/// @param term  T term(i); or what a T can be made from  @pre as for_each_block
+template <class T = double, class Term>
+[[nodiscard]] T sum_over(const Execution& execution, Index count, Term&& term) {
+    constexpr std::size_t numbers = Summands<T>::count;
+    struct alignas(cache_lines) OfThread {
+        std::array<ExactSum, numbers> sums;
     };
-    return join_blocks(execution, count, sum_block, zero, sum_of_block, [](T& sum, const T& block) { sum += block; });
+    std::vector<OfThread> of_threads(static_cast<std::size_t>(execution.threads()));
+    for_each_block(execution, count, static_cast<Index>(ExactBlock::most_terms), [&](Index first, Index last) {
+        auto& sums = of_threads[static_cast<std::size_t>(number_in_team())].sums;
+        std::array<ExactBlock, numbers> blocks;
+        for (Index i = first; i < last; ++i) {
+            const T value = term(i);
+            for (std::size_t k = 0; k < numbers; ++k) {
+                blocks[k].add(Summands<T>::of(value)[k], sums[k]);
+            }
+        }
+        for (std::size_t k = 0; k < numbers; ++k) {
+            blocks[k].move_to(sums[k]);
+        }
+    });
+    T total;
+    for (std::size_t k = 0; k < numbers; ++k) {
+        ExactSum sum;
+        for (const OfThread& thread : of_threads) {
+            sum.add(thread.sums[k]);
+        }
+        Summands<T>::of(total)[k] = sum.value();
+    }
+    return total;
 }
 
 }  // namespace ljmd

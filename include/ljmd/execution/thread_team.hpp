@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -12,6 +13,9 @@
 namespace ljmd {
 
 class CallerAccount;
+
+/// What two threads write lies so far apart [bytes]. Processors load lines of 64 bytes in pairs.
+inline constexpr std::size_t cache_lines = 128;
 
 /// Reference to a function of (first, last), which must outlive the call.
 class BlockFunction {

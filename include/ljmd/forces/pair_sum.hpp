@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ljmd/execution/loops.hpp"
+#include "ljmd/forces/evaluation_sum.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/forces/force_sum.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
@@ -35,6 +36,11 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
         Index atom;
         std::array<double, 3> force;
     };
+    struct PartSums {
+        double energy = 0.0;
+        std::array<double, 6> virial{};  // xx yy zz xy xz yz
+    };
+    std::vector<PartSums> of_parts(what.energy ? static_cast<std::size_t>(search.part_count(atoms)) : 0);
     // Reaction forces of each part on atoms of other parts, kept apart because another thread may be writing to these.
     std::vector<std::vector<OnOther>> on_others(static_cast<std::size_t>(search.part_count(atoms)));
 
@@ -70,20 +76,19 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
                 virial[5] += w * dy * dz;
             }
         });
-        Evaluation block;
         if constexpr (what.energy) {
-            block.potential_energy = 0.5 * u;  // each pair was counted from both sides
-            block.virial << virial[0], virial[3], virial[4], virial[3], virial[1], virial[5], virial[4], virial[5],
-                virial[2];
-            block.virial *= 0.5;
+            PartSums& sums_of_part = of_parts[static_cast<std::size_t>(part)];
+            sums_of_part.energy = 0.5 * u;  // each pair was counted from both sides
+            for (std::size_t k = 0; k < virial.size(); ++k) {
+                sums_of_part.virial[k] = 0.5 * virial[k];
+            }
         }
-        return block;
     };
-    const Evaluation total = join_blocks(atoms.execution(), search.part_count(atoms), 1, Evaluation{}, sum_part,
-                                         [](Evaluation& sum, const Evaluation& block) {
-                                             sum.potential_energy += block.potential_energy;
-                                             sum.virial += block.virial;
-                                         });
+    for_each_block(atoms.execution(), search.part_count(atoms), 1, sum_part);
+    EvaluationSum total;
+    for (const PartSums& part : of_parts) {
+        total.add(part.energy, part.virial);
+    }
     for (const std::vector<OnOther>& of_part : on_others) {
         for (const OnOther& other : of_part) {
             add(other.atom, other.force);
@@ -93,7 +98,7 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
         const auto& sum = sums[static_cast<std::size_t>(i)];
         forces.col(i) << sum[0].value(), sum[1].value(), sum[2].value();
     });
-    return total;
+    return total.value();
 }
 
 }  // namespace ljmd

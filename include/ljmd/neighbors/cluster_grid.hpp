@@ -22,7 +22,9 @@ namespace ljmd {
 /// tile by tile and column by column, and clusters are numbered in it.
 ///
 /// Tiles are the parts that threads share; one thread sums a tile. They depend on the box and the number of atoms
-/// alone. A tile also holds ghost clusters: clusters of other tiles, or of periodic images, that may be within `range`
+/// alone. They are numbered half by half: first all of one half of the box, then those of the other half, and likewise
+/// within each half, so that any run of consecutive tiles is compact, and threads that share the tiles in consecutive
+/// runs have few neighbours. A tile also holds ghost clusters: clusters of other tiles, or of periodic images, that may be within `range`
 /// of its own. Of two tiles only one holds the other's clusters as ghosts: the one from which the other lies towards
 /// higher z, or at the same z towards higher y, or else towards higher x. So each pair of atoms belongs to one tile.
 /// Source: Pall and Hess (2013), Comput. Phys. Commun. 184, 2641, doi:10.1016/j.cpc.2013.06.003, for clusters. Their
@@ -126,7 +128,24 @@ class ClusterGrid {
   private:
     friend class ColumnsAround;
     using Cell = std::array<int, 3>;
-    [[nodiscard]] std::int32_t column_at(const Cell& cell) const;
+    /// Number the tiles in [first, last), and all that follow, from tile_cells_.size() on.
+    void number_tiles(const Cell& first, const Cell& last);
+    /// Contribution of a column's place along an axis to the place of its tile in tile_numbers_, and to its number
+    /// within the tile.
+    struct Place {
+        std::int32_t tile;
+        std::int32_t within;
+        Place operator+(const Place& other) const { return {tile + other.tile, within + other.within}; }
+    };
+    [[nodiscard]] std::int32_t column_at(const Place& place) const {
+        return tile_numbers_[static_cast<std::size_t>(place.tile)] * columns_per_tile_[0] * columns_per_tile_[1] +
+               place.within;
+    }
+    [[nodiscard]] std::int32_t column_at(const Cell& cell) const {
+        const auto& [along_x, along_y, along_z] = places_along_;
+        return column_at(along_x[static_cast<std::size_t>(cell[0])] + along_y[static_cast<std::size_t>(cell[1])] +
+                         along_z[static_cast<std::size_t>(cell[2])]);
+    }
     [[nodiscard]] Cell cell_of(std::int32_t column) const;
     [[nodiscard]] Cell cell_at(const Vec3& position) const;
     /// How many whole boxes a column lies away from the box along an axis.
@@ -159,8 +178,10 @@ class ClusterGrid {
     /// For each column and slice: the first cluster that reaches up to the slice, and the first that begins above it.
     std::vector<std::int32_t> slices_;
     std::vector<Run> tiles_;
-    /// The number of a column is the sum of the entries for its places along x, y and z.
-    std::array<std::vector<std::int32_t>, 3> numbers_along_;
+    std::vector<std::int32_t> tile_numbers_;  ///< of the tiles as they lie along x, then y, then z
+    std::vector<Cell> tile_cells_;            ///< place of each tile along x, y and z
+    /// The place of a column is the sum of the entries for its cell along x, y and z.
+    std::array<std::vector<Place>, 3> places_along_;
 };
 
 class ClusterGrid::Neighborhood {

@@ -21,9 +21,9 @@ class ColumnsAround {
     bool any(const Vec3& center, double radius, Visit&& visit);
 
   private:
-    /// Contribution of one place along an axis to the number, shift and squared distance of the columns there.
+    /// Contribution of one cell along an axis to the place, shift and squared distance of the columns there.
     struct Layer {
-        std::int32_t number;
+        ClusterGrid::Place place;
         double shift;
         double gap2;
     };
@@ -45,7 +45,7 @@ bool ColumnsAround::any(const Vec3& center, double radius, Visit&& visit) {
                 continue;
             }
             for (const Layer& z : along_z) {
-                if (visit(x.number + y.number + z.number, Vec3(x.shift, y.shift, z.shift))) {
+                if (visit(grid_.column_at(x.place + y.place + z.place), Vec3(x.shift, y.shift, z.shift))) {
                     return true;
                 }
             }

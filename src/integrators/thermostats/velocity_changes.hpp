@@ -13,7 +13,7 @@ void change_velocities(State& state, const Change& change) {
     auto velocities = state.write_velocities();
     const std::vector<double>& masses = state.masses();
     const std::vector<Index>& ids = state.ids();
-    state.bath.front() += sum_over(state.execution(), state.count(), 0.0, [&](Index i) {
+    state.bath.front() += sum_over(state.execution(), state.count(), [&](Index i) {
         const auto k = static_cast<std::size_t>(i);
         const Vec3 before = velocities.col(i);
         const Vec3 after = change(before, masses[k], ids[k]);

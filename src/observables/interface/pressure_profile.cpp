@@ -79,7 +79,7 @@ Virials pair_virials(const Pair& pair, const PairsWithin& pairs, Index axis, con
 double film_centre(const State& state, Index axis) {
     const double edge = state.box().edges()[axis];
     const double per_length = 2.0 * std::numbers::pi / edge;
-    const Eigen::Vector2d sum = sum_over(state.execution(), state.count(), Eigen::Vector2d(0.0, 0.0), [&](Index i) {
+    const auto sum = sum_over<Eigen::Vector2d>(state.execution(), state.count(), [&](Index i) {
         const double turn = per_length * state.positions()(axis, i);
         return Eigen::Vector2d(std::cos(turn), std::sin(turn));
     });

@@ -42,7 +42,7 @@ Vec3 origin_by_phases(const State& state, const CrystalInBox& crystal) {
     const Vec3 grid = crystal.cell(state.box()) / static_cast<double>(points_per_cell(crystal.lattice));
     const auto r = state.positions();
     using Sums = Eigen::Matrix<double, 3, 2>;
-    const Sums sums = sum_over(state.execution(), state.count(), Sums(Sums::Zero()), [&](Index i) {
+    const auto sums = sum_over<Sums>(state.execution(), state.count(), [&](Index i) {
         const Vec3 phase = 2.0 * std::numbers::pi * Vec3(r.col(i)).cwiseQuotient(grid);
         Sums of_atom;
         of_atom << phase.array().cos(), phase.array().sin();
@@ -54,7 +54,7 @@ Vec3 origin_by_phases(const State& state, const CrystalInBox& crystal) {
     }
     if (crystal.lattice == Lattice::fcc) {
         // The density at (1 1 1) is negative where even and odd grid points are exchanged.
-        const double sign = sum_over(state.execution(), state.count(), 0.0, [&](Index i) {
+        const double sign = sum_over(state.execution(), state.count(), [&](Index i) {
             const Vec3 phase = std::numbers::pi * (Vec3(r.col(i)) - origin).cwiseQuotient(grid);
             return phase.array().cos().prod();
         });
@@ -95,8 +95,7 @@ CrystalDisplacements crystal_displacements(const State& state, const CrystalInBo
             site = nearest_site(crystal.lattice, from_origin.cwiseQuotient(grid));
             u.col(i) = from_origin - site.cast<double>().cwiseProduct(grid);
         });
-        mean = sum_over(state.execution(), atoms, Vec3(Vec3::Zero()), [&](Index i) { return Vec3(u.col(i)); }) /
-               static_cast<double>(atoms);
+        mean = sum_over<Vec3>(state.execution(), atoms, [&](Index i) { return u.col(i); }) / static_cast<double>(atoms);
         if (mean.cwiseQuotient(cell).cwiseAbs().maxCoeff() < still) {
             break;
         }

@@ -1,0 +1,74 @@
+#include "ljmd/core/exact_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ljmd {
+
+void ExactSum::add_special(double term) {
+    ++specials_[std::isnan(term) ? 2 : term < 0.0 ? 1 : 0];
+}
+
+void ExactSum::carry() {
+    for (std::size_t k = 0; k + 1 < digit_count; ++k) {
+        digits_[k + 1] += digits_[k] >> bits_per_digit;
+        digits_[k] &= lower_bits;
+    }
+    pending_ = 1;
+}
+
+void ExactSum::add(const ExactSum& other) {
+    if (pending_ + other.pending_ >= most_pending) {
+        carry();
+    }
+    for (std::size_t k = 0; k < digit_count; ++k) {
+        digits_[k] += other.digits_[k];
+    }
+    for (std::size_t k = 0; k < specials_.size(); ++k) {
+        specials_[k] += other.specials_[k];
+    }
+    pending_ += other.pending_;
+}
+
+double ExactSum::value() const {
+    const auto& [infinities, minus_infinities, nans] = specials_;
+    if (nans > 0 || (infinities > 0 && minus_infinities > 0)) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    if (infinities > 0 || minus_infinities > 0) {
+        return infinities > 0 ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+    }
+    ExactSum magnitude = *this;
+    magnitude.carry();
+    const bool negative = magnitude.digits_.back() < 0;
+    if (negative) {
+        for (std::int64_t& digit : magnitude.digits_) {
+            digit = -digit;
+        }
+        magnitude.carry();
+    }
+    const auto& digits = magnitude.digits_;
+    std::size_t top = digit_count - 1;
+    while (top > 0 && digits[top] == 0) {
+        --top;
+    }
+    // The three highest digits have at least 65 bits, of which 64 are kept. If others are not zero, the last one is
+    // set: then the conversion of the whole number to a double rounds as that of the sum would.
+    const auto digit = [&](std::size_t below) {
+        return below <= top ? static_cast<Uint128>(digits[top - below]) : 0;
+    };
+    const Uint128 highest = digit(0) << 64 | digit(1) << 32 | digit(2);
+    const auto upper = static_cast<std::uint64_t>(highest >> 64);
+    const int surplus = upper == 0 ? 0 : 64 - std::countl_zero(upper);
+    auto kept = static_cast<std::uint64_t>(highest >> surplus);
+    const bool more = (highest >> surplus) << surplus != highest ||
+                      (top > 2 && std::any_of(digits.begin(), digits.begin() + static_cast<std::ptrdiff_t>(top) - 2,
+                                              [](std::int64_t each) { return each != 0; }));
+    kept |= more ? 1 : 0;
+    const int place = bits_per_digit * (static_cast<int>(top) - 2) + surplus - 1074;
+    const double rounded = std::ldexp(static_cast<double>(kept), place);
+    return negative ? -rounded : rounded;
+}
+
+}  // namespace ljmd
