@@ -189,26 +189,26 @@ void ClusterGrid::put_in_order(State& state) {
         ++column_atoms_[c + 2];
     }
     std::partial_sum(column_atoms_.begin(), column_atoms_.end(), column_atoms_.begin());
-    struct Place {
+    struct Key {
         double z;
         Index id;
         Index atom;
     };
-    std::vector<Place> places(column.size());
+    std::vector<Key> keys(column.size());
     for (Index i = 0; i < state.count(); ++i) {
         const auto k = static_cast<std::size_t>(i);
-        places[column_atoms_[column[k] + 1]++] = {r(2, i), state.ids()[k], i};
+        keys[column_atoms_[column[k] + 1]++] = {r(2, i), state.ids()[k], i};
     }
     column_atoms_.pop_back();
 
     std::vector<Index> order(column.size());
     for_each_block(state.execution(), static_cast<Index>(columns), columns_per_block, [&](Index first, Index last) {
         for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
-            const auto begin = places.begin() + column_atoms_[c];
-            const auto end = places.begin() + column_atoms_[c + 1];
+            const auto begin = keys.begin() + column_atoms_[c];
+            const auto end = keys.begin() + column_atoms_[c + 1];
             std::sort(begin, end,
-                      [](const Place& a, const Place& b) { return std::tie(a.z, a.id) < std::tie(b.z, b.id); });
-            std::transform(begin, end, order.begin() + column_atoms_[c], [](const Place& place) { return place.atom; });
+                      [](const Key& a, const Key& b) { return std::tie(a.z, a.id) < std::tie(b.z, b.id); });
+            std::transform(begin, end, order.begin() + column_atoms_[c], [](const Key& key) { return key.atom; });
         }
     });
     state.reorder(order);

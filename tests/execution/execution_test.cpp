@@ -20,7 +20,7 @@ using Catch::Matchers::Contains;
 namespace {
 
 Index sum_to(const Execution& execution, Index count) {
-    return sum_over(execution, count, [](Index i) { return static_cast<double>(i); });
+    return static_cast<Index>(sum_over(execution, count, [](Index i) { return static_cast<double>(i); }));
 }
 
 }  // namespace

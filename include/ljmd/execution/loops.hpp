@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ljmd/core/exact_sum.hpp"
+#include "ljmd/execution/exact_sum.hpp"
 #include "ljmd/core/types.hpp"
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/execution/thread_team.hpp"

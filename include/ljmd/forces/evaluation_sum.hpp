@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "ljmd/core/exact_sum.hpp"
+#include "ljmd/execution/exact_sum.hpp"
 #include "ljmd/forces/force_field.hpp"
 
 namespace ljmd {

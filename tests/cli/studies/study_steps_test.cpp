@@ -49,7 +49,7 @@ TEST_CASE("a study has ended when each of its runs is finished or has failed") {
     std::ofstream(folder / "c.log") << "killed\nended with exit code 137\n";
     found = gathered(pointers_to(lines));
     CHECK(found.ended());
-    CHECK(lines[2].failure() == "c: exit code 137: killed");
+    CHECK(lines[2].failure() == "c: exit code 137 (signal 9): killed");
 }
 
 TEST_CASE("failures are counted and told") {
@@ -62,7 +62,7 @@ TEST_CASE("failures are counted and told") {
 TEST_CASE("a share that cannot be read is refused before anything is run") {
     const TemporaryFolder folder;
     std::vector<Line> lines{{folder, "a", true}};
-    const auto tell = [](RunLine&, std::size_t, std::size_t) {};
+    const auto tell = [](const RunLine&, std::size_t, std::size_t) {};
     const OpenDirectory directory(folder / "");
     CHECK_THROWS_AS(work_on(sweep_words(), {.work = "2/1"}, pointers_to(lines), directory, 1, tell), InputError);
     CHECK_THROWS_AS(work_on(sweep_words(), {.work = "1/1", .walltime = "soon"}, pointers_to(lines), directory, 1, tell),

@@ -1,4 +1,4 @@
-#include "ljmd/core/exact_sum.hpp"
+#include "ljmd/execution/exact_sum.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +13,7 @@ using namespace ljmd;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -98,11 +98,11 @@ TEST_CASE("terms that cancel leave nothing of each other") {
 }
 
 TEST_CASE("a sum is infinite or not a number as in floating point") {
-    CHECK(one_by_one({1.0, infinity}) == infinity);
-    CHECK(in_blocks({-infinity, 1e300, -infinity}) == -infinity);
-    CHECK(std::isnan(one_by_one({infinity, 1.0, -infinity})));
+    CHECK(one_by_one({1.0, endless}) == endless);
+    CHECK(in_blocks({-endless, 1e300, -endless}) == -endless);
+    CHECK(std::isnan(one_by_one({endless, 1.0, -endless})));
     CHECK(std::isnan(in_blocks({1.0, std::numeric_limits<double>::quiet_NaN()})));
-    CHECK(one_by_one({std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}) == infinity);
+    CHECK(one_by_one({std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}) == endless);
 }
 
 TEST_CASE("no order and no division of the terms changes a sum") {

@@ -1,4 +1,4 @@
-#include "ljmd/core/exact_sum.hpp"
+#include "ljmd/execution/exact_sum.hpp"
 
 #include <algorithm>
 #include <cmath>
