@@ -20,6 +20,11 @@ if(LJMD_OPENMM)
                         "without it, -D OpenMM_ROOT=<its folder> tells where it is.")
     endif()
 endif()
+# MPI is needed by a module alone, which the program loads when mpirun has started it.
+if(LJMD_MPI)
+    set(MPI_CXX_SKIP_MPICXX ON)
+    find_package(MPI 3.0 QUIET COMPONENTS CXX)
+endif()
 # Headers of OpenMM before 8.4 use vectors of what they only declared, which Clang takes in C++17 but not in C++20: the
 # sources that include them are written in C++17.
 function(ljmd_includes_openmm)

@@ -5,6 +5,9 @@ include(CMakePackageConfigHelpers)
 set(ljmd_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ljmd)
 
 install(TARGETS ljmd DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET ljmd_mpi)
+    install(TARGETS ljmd_mpi DESTINATION ${CMAKE_INSTALL_LIBDIR}/ljmd)
+endif()
 install(TARGETS ljmd_library EXPORT ljmd DESTINATION ${CMAKE_INSTALL_LIBDIR})
 # Public is what ljmd.hpp includes, directly or not; all other headers are for the library and its tests alone.
 set(found ljmd/ljmd.hpp)

@@ -6,6 +6,9 @@ list(TRANSFORM ljmd_program_sources PREPEND ${PROJECT_SOURCE_DIR}/src/cli/)
 list(REMOVE_ITEM ljmd_sources ${ljmd_program_sources} ${ljmd_simd_sources})
 list(FILTER ljmd_sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/python/")
 
+# What needs MPI is a module of its own.
+list(FILTER ljmd_sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/execution/mpi/")
+
 # What needs a library that may be absent has a stand-in that says so.
 if(OpenMM_FOUND)
     set(ljmd_unused_sources ${PROJECT_SOURCE_DIR}/src/compare/openmm_absent/)
@@ -54,7 +57,22 @@ set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/cli/plot_scripts.cpp
              APPEND PROPERTY COMPILE_DEFINITIONS LJMD_DATA_FROM_PROGRAM="${ljmd_data_from_program}")
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/analysis ${PROJECT_BINARY_DIR}/analysis SYMBOLIC)
 
+# Beside the program in the build, in a folder of its own when installed.
+file(RELATIVE_PATH ljmd_modules_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/ljmd)
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/cli/ranks.cpp
+             APPEND PROPERTY COMPILE_DEFINITIONS LJMD_MODULES_FROM_PROGRAM="${ljmd_modules_from_program}")
+if(MPI_CXX_FOUND)
+    add_library(ljmd_mpi MODULE ${PROJECT_SOURCE_DIR}/src/execution/mpi/mpi_ranks.cpp)
+    set_target_properties(ljmd_mpi PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden)
+    target_include_directories(ljmd_mpi PRIVATE ${PROJECT_SOURCE_DIR}/include)
+    target_compile_features(ljmd_mpi PRIVATE cxx_std_20)
+    target_link_libraries(ljmd_mpi PRIVATE ljmd_options MPI::MPI_CXX)
+endif()
+
 add_executable(ljmd ${ljmd_program_sources})
+if(TARGET ljmd_mpi)
+    add_dependencies(ljmd ljmd_mpi)
+endif()
 target_link_libraries(ljmd PRIVATE ljmd_library ljmd_options CLI11::CLI11 fmt::fmt)
 # They read the command line, once, and optimizing what CLI11 makes of that takes as long as the rest of a room.
 set_property(SOURCE ${ljmd_program_sources} APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)

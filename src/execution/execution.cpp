@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/ranks.hpp"
 #include "ljmd/execution/thread_team.hpp"
 #include "ljmd/execution/threads.hpp"
 
@@ -26,7 +27,18 @@ Execution::Execution() : Execution(ExecutionOptions{}) {}
 Execution::Execution(const ExecutionOptions& options)
     : team_(team_of(options.threads)),
       simd_(usable_simd_level(std::string(name(options.simd)))),
-      precision_(options.precision) {}
+      precision_(options.precision),
+      ranks_(options.ranks) {}
+
+Ranks& Execution::ranks() const {
+    return ranks_ ? *ranks_ : no_other_ranks();
+}
+
+Execution Execution::alone() const {
+    Execution copy = *this;
+    copy.ranks_.reset();
+    return copy;
+}
 
 int Execution::threads() const {
     return team_->size();

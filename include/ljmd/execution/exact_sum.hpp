@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace ljmd {
 
@@ -40,9 +41,9 @@ class ExactSum {
     void add_integer(std::int64_t n, int place) {
         const Int128 shifted = static_cast<Int128>(n) << (place % bits_per_digit);
         const auto k = static_cast<std::size_t>(place / bits_per_digit);
-        digits_[k] += static_cast<std::int64_t>(shifted & lower_bits);
-        digits_[k + 1] += static_cast<std::int64_t>(shifted >> bits_per_digit & lower_bits);
-        digits_[k + 2] += static_cast<std::int64_t>(shifted >> (2 * bits_per_digit));
+        words_[k] += static_cast<std::int64_t>(shifted & lower_bits);
+        words_[k + 1] += static_cast<std::int64_t>(shifted >> bits_per_digit & lower_bits);
+        words_[k + 2] += static_cast<std::int64_t>(shifted >> (2 * bits_per_digit));
         if (++pending_ == most_pending) {
             carry();
         }
@@ -55,11 +56,22 @@ class ExactSum {
     /// terms, and where they cancel.
     [[nodiscard]] double value() const;
 
+    /// Enough digits for the 2098 bits of all doubles and for the carries of 2^60 terms, and the number of terms that
+    /// are inf, -inf or NaN.
+    static constexpr std::size_t digit_count = 68;
+    using Words = std::array<std::int64_t, digit_count + 3>;
+
+    /// The sum as whole numbers. Added one by one to those of other sums, a million at most, they make the words of the
+    /// sum of all.
+    [[nodiscard]] Words words() const;
+    /// A sum from its words.
+    explicit ExactSum(const Words& words) : words_(words), pending_(most_sums) {}
+    ExactSum() = default;
+
   private:
     static constexpr int bits_per_digit = 32;
     static constexpr std::int64_t lower_bits = (std::int64_t{1} << bits_per_digit) - 1;
-    /// Enough for the 2098 bits of all doubles, and for the carries of 2^60 terms.
-    static constexpr std::size_t digit_count = 68;
+    static constexpr std::int64_t most_sums = std::int64_t{1} << 20;
     /// A term adds less than 2^32 to a digit, so that this many can be added before carries are passed on.
     static constexpr std::int64_t most_pending = std::int64_t{1} << 30;
 
@@ -67,14 +79,13 @@ class ExactSum {
     /// Pass carries on: all digits but the highest are in [0, 2^32) then.
     void carry();
 
-    std::array<std::int64_t, digit_count> digits_{};  ///< from the lowest up
-    std::int64_t pending_ = 0;                        ///< terms since carries were passed on
-    std::array<std::int64_t, 3> specials_{};          ///< number of terms that are inf, -inf, NaN
+    Words words_{};             ///< digits from the lowest up; then numbers of inf, -inf and NaN
+    std::int64_t pending_ = 0;  ///< terms since carries were passed on
 };
 
 /// Adds up to 1024 terms for an ExactSum. Those with 2^-21 <= |x| < 2^30, nearly all in reduced units, are cut into two
-/// whole numbers: x rounded to a multiple of 2^-21, and the rest, a multiple of 2^-73. Adding a number to x that is large
-/// enough rounds it so, and leaves the whole number in the lowest bits.
+/// whole numbers: x rounded to a multiple of 2^-21, and the rest, a multiple of 2^-73. Adding a number to x that is
+/// large enough rounds it so, and leaves the whole number in the lowest bits.
 class ExactBlock {
   public:
     static constexpr std::size_t most_terms = 1024;

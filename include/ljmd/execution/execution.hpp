@@ -6,6 +6,7 @@
 
 namespace ljmd {
 
+class Ranks;
 class ThreadTeam;
 
 /// What an Execution is made of.
@@ -13,11 +14,12 @@ struct ExecutionOptions {
     int threads = 1;
     SimdLevel simd = default_simd_level();
     Precision precision = Precision::double_precision;
+    std::shared_ptr<Ranks> ranks = nullptr;  ///< the processes that share the system; null: this one alone
 };
 
-/// How a system is computed: threads, SIMD level of the kernels, precision of the pair sum. It is given to whatever
-/// computes (State holds it), so that systems with different settings can be computed in one process, also at the same
-/// time. No result depends on the number of threads.
+/// How a system is computed: threads, SIMD level of the kernels, precision of the pair sum, and the processes that
+/// share it. It is given to whatever computes (State holds it), so that systems with different settings can be computed
+/// in one process, also at the same time. No result depends on the number of threads or processes.
 ///
 /// A value: copies are equal and share one team of threads, which ends with the last of them.
 class Execution {
@@ -33,6 +35,11 @@ class Execution {
     [[nodiscard]] SimdLevel simd() const { return simd_; }
     [[nodiscard]] Precision precision() const { return precision_; }
 
+    /// The processes that share the system. Most often there is one.
+    [[nodiscard]] Ranks& ranks() const;
+    /// The same without other processes: for systems that this one has to itself.
+    [[nodiscard]] Execution alone() const;
+
     /// The threads, for the loops of execution/loops.hpp.
     [[nodiscard]] ThreadTeam& team() const { return *team_; }
 
@@ -40,6 +47,7 @@ class Execution {
     std::shared_ptr<ThreadTeam> team_;
     SimdLevel simd_;
     Precision precision_;
+    std::shared_ptr<Ranks> ranks_;
 };
 
 }  // namespace ljmd

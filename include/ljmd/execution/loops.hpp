@@ -1,12 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include "ljmd/execution/exact_sum.hpp"
 #include "ljmd/core/types.hpp"
+#include "ljmd/execution/exact_sum.hpp"
 #include "ljmd/execution/execution.hpp"
+#include "ljmd/execution/ranks.hpp"
 #include "ljmd/execution/thread_team.hpp"
 
 namespace ljmd {
@@ -57,6 +61,26 @@ template <class T, class Yield, class Join>
     return start;
 }
 
+/// Add to each sum those of the other ranks. Collective.
+inline void add_other_ranks(Ranks& ranks, std::span<ExactSum> sums) {
+    if (ranks.alone()) {
+        return;
+    }
+    std::vector<std::int64_t> words;
+    for (const ExactSum& sum : sums) {
+        const ExactSum::Words& of_sum = sum.words();
+        words.insert(words.end(), of_sum.begin(), of_sum.end());
+    }
+    ranks.sum(words);
+    auto next = words.begin();
+    for (ExactSum& sum : sums) {
+        ExactSum::Words of_sum;
+        std::copy_n(next, of_sum.size(), of_sum.begin());
+        sum = ExactSum(of_sum);
+        next += static_cast<std::ptrdiff_t>(of_sum.size());
+    }
+}
+
 /// The numbers that sum_over() adds up: a double itself, or the elements of an Eigen matrix of fixed size.
 template <class T>
 struct Summands {
@@ -71,8 +95,9 @@ struct Summands<double> {
     [[nodiscard]] static double* of(double& value) { return &value; }
 };
 
-/// Sum of term(i) for i in [0, count), by all threads. It is exact but for one rounding at its end (see ExactSum), so it
-/// depends neither on the order of the terms nor on the number of threads.
+/// Sum of term(i) for i in [0, count), by all threads, and of the terms of all other ranks. It is exact but for one
+/// rounding at its end (see ExactSum), so it depends neither on the order of the terms nor on the number of threads and
+/// ranks. With other ranks it is collective.
 /// @tparam T    double, or an Eigen matrix of fixed size
 /// @param term  T term(i); or what a T can be made from  @pre as for_each_block
 template <class T = double, class Term>
@@ -95,15 +120,30 @@ template <class T = double, class Term>
             blocks[k].move_to(sums[k]);
         }
     });
+    std::array<ExactSum, numbers> sums;
+    for (std::size_t k = 0; k < numbers; ++k) {
+        for (const OfThread& thread : of_threads) {
+            sums[k].add(thread.sums[k]);
+        }
+    }
+    add_other_ranks(execution.ranks(), sums);
     T total;
     for (std::size_t k = 0; k < numbers; ++k) {
-        ExactSum sum;
-        for (const OfThread& thread : of_threads) {
-            sum.add(thread.sums[k]);
-        }
-        Summands<T>::of(total)[k] = sum.value();
+        Summands<T>::of(total)[k] = sums[k].value();
     }
     return total;
+}
+
+/// The exact sum of what the blocks of for_each_block yield, of all ranks.
+/// @tparam T  as sum_over()  @param yield  T yield(first, last), called by all threads
+template <class T, class Yield>
+[[nodiscard]] T sum_over_blocks(const Execution& execution, Index count, Index block_length, Yield&& yield) {
+    std::vector<T> yields(static_cast<std::size_t>((count + block_length - 1) / block_length));
+    for_each_block(execution, count, block_length, [&](Index first, Index last) {
+        yields[static_cast<std::size_t>(first / block_length)] = yield(first, last);
+    });
+    return sum_over<T>(execution, static_cast<Index>(yields.size()),
+                       [&](Index k) { return yields[static_cast<std::size_t>(k)]; });
 }
 
 }  // namespace ljmd

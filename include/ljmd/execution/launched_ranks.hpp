@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ljmd/execution/ranks.hpp"
+
+namespace ljmd {
+
+/// Names of the environment variables by which launchers tell a process that it is one of several ranks, those with
+/// which this process was started. SLURM_* alone are no sign: every program of a batch job has them.
+[[nodiscard]] std::vector<std::string> signs_of_ranks();
+
+/// Join the ranks that mpirun, mpiexec or srun has started, if it has started more than one.
+/// @param module  that was built with the MPI library
+/// @return null without a launcher, and if it has started one process alone
+/// @throws InputError if several were started and the module is not there, or does not fit the launcher
+[[nodiscard]] std::shared_ptr<Ranks> launched_ranks(const std::filesystem::path& module);
+
+}  // namespace ljmd

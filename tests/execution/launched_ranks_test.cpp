@@ -1,0 +1,35 @@
+#include "ljmd/execution/launched_ranks.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "core/environment_guard.hpp"
+#include "ljmd/core/errors.hpp"
+
+using namespace ljmd;
+using Catch::Matchers::Contains;
+
+// That ranks are joined is tried by tests/mpi, which starts them.
+
+TEST_CASE("a process is one of several ranks if mpirun says so, not because it is in a job of Slurm") {
+    const test::EnvironmentGuard slurm("SLURM_NTASKS", "4");
+    CHECK(signs_of_ranks().empty());
+    CHECK(launched_ranks("/nowhere/ljmd_mpi.so") == nullptr);
+    {
+        const test::EnvironmentGuard one("OMPI_COMM_WORLD_SIZE", "1");
+        CHECK(signs_of_ranks() == std::vector<std::string>{"OMPI_COMM_WORLD_SIZE"});
+        CHECK(launched_ranks("/nowhere/ljmd_mpi.so") == nullptr);
+    }
+    {
+        const test::EnvironmentGuard pmix("PMIX_RANK", "0");
+        const test::EnvironmentGuard one("SLURM_STEP_NUM_TASKS", "1");
+        CHECK(launched_ranks("/nowhere/ljmd_mpi.so") == nullptr);
+        const test::EnvironmentGuard two("SLURM_STEP_NUM_TASKS", "2");
+        CHECK_THROWS_AS(launched_ranks("/nowhere/ljmd_mpi.so"), InputError);
+    }
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+        const test::EnvironmentGuard two(name, "2");
+        CHECK_THROWS_WITH(launched_ranks("/nowhere/ljmd_mpi.so"),
+                          Contains(name) && Contains("built without MPI: there is no /nowhere/ljmd_mpi.so"));
+        CHECK_THROWS_WITH(launched_ranks("/dev/null"), Contains("cannot be loaded"));
+    }
+}
