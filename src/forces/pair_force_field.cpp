@@ -36,6 +36,8 @@ PairForceField::PairForceField(PairPotential potential, PairSearch search, const
         list->prepare_for(simd_, pair_kernels(simd_).row_shapes[static_cast<std::size_t>(precision_)]);
     } else if (precision_ == Precision::mixed) {
         throw ContractViolation("mixed precision needs a Verlet list");
+    } else if (!execution.ranks().alone()) {
+        throw ContractViolation("ranks share atoms only with a Verlet list");
     }
     if (precision_ == Precision::mixed && potential_.is_custom()) {
         throw ContractViolation("a potential without kernels is summed in double precision");
@@ -53,7 +55,7 @@ const SearchStatistics& PairForceField::search_statistics() const {
     return std::visit([](const auto& search) -> const SearchStatistics& { return search.statistics(); }, search_);
 }
 
-void PairForceField::archive(Archive& a, const State& state) {
+void PairForceField::archive(Archive& a, State& state) {
     a.mark("pair search");
     std::visit([&](auto& search) { search.archive(a, state, potential_.cutoff().radius); }, search_);
     a(seconds_summing_);
@@ -77,7 +79,7 @@ Evaluation PairForceField::compute(State& state, Request request) {
 
 Evaluation PairForceField::sum(State& state, Request request) {
     const double cutoff = potential_.cutoff().radius;
-    const auto* list = std::get_if<VerletList>(&search_);
+    auto* list = std::get_if<VerletList>(&search_);
     if (list != nullptr && !request.order_independent && !potential_.is_custom()) {
         return sum_by_kernel(*list, state, request.energy);
     }
@@ -100,7 +102,7 @@ Evaluation PairForceField::sum(State& state, Request request) {
         search_);
 }
 
-Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, bool energy) {
+Evaluation PairForceField::sum_by_kernel(VerletList& list, State& state, bool energy) {
     const State& atoms = state;
     const ClusterGrid& grid = list.clusters();
     const FixedPoint& fixed_point = list.fixed_point();
@@ -150,26 +152,27 @@ Evaluation PairForceField::sum_by_kernel(const VerletList& list, State& state, b
         const FlushSubnormals flush_subnormals;
         sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(number_in_team())]);
     });
+    list.routes().exchange(state.execution().ranks(), ghost_forces_);
     add_ghost_forces(list, state);
+    if (!energy) {
+        return {};
+    }
     EvaluationSum total;
     for (const PairKernelSums& tile : sums) {
         total.add(tile.energy, tile.virial);
     }
-    return total.value();
+    return total.value(state.execution().ranks());
 }
 
 /// Add the forces on a tile's clusters where these are ghosts of other tiles, in the order of those tiles.
 void PairForceField::add_ghost_forces(const VerletList& list, State& state) const {
     double* forces = state.write_forces().data();
     for_each_block(state.execution(), static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
-        for (const VerletList::ExportedGhosts& exported : list.exported_ghosts(tile)) {
-            const auto& all = list.tiles()[exported.tile].ghosts;
-            const ClusterGrid::GhostClusters& ghosts = all[exported.ghosts];
-            const double* from = ghost_forces_[exported.tile].data() +
-                                 Index{3} * ClusterGrid::slots * (ghosts.first - all.front().first);
-            // Only the last cluster of a column may have slots without an atom, so atoms and slots run in step.
-            const AtomRange atoms = list.clusters().atoms_of(ghosts.of);
-            for (Index i = atoms.first; i < atoms.last; ++i, from += 3) {
+        for (const auto& [finder, offset, first, count] : list.routes().of_tile(tile)) {
+            const double* from =
+                (finder < 0 ? list.routes().received() : ghost_forces_[static_cast<std::size_t>(finder)].data());
+            from += offset;
+            for (Index i = first; i < Index{first} + count; ++i, from += 3) {
                 Eigen::Map<Vec3>(forces + vector_stride * i) += Eigen::Map<const Vec3>(from);
             }
         }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/loops.hpp"
 
 namespace ljmd {
 
@@ -24,17 +26,15 @@ struct FireConstants {
     Index patience = 5;  // downhill iterations before the step may grow
 };
 
-/// Largest force; NaN if any force is NaN.
+/// Largest force; infinite if any force is NaN.
 double largest_force(const State& state) {
     const auto f = state.forces();
     double largest = 0.0;
     for (Index i = 0; i < state.count(); ++i) {
         const double force = f.col(i).norm();
-        if (std::isnan(force)) {
-            return force;
-        }
-        largest = std::max(largest, force);
+        largest = std::isnan(force) ? std::numeric_limits<double>::infinity() : std::max(largest, force);
     }
+    state.execution().ranks().largest({&largest, 1});
     return largest;
 }
 
@@ -43,14 +43,16 @@ double largest_force(const State& state) {
 bool steer(State& state, double mixing) {
     auto v = state.write_velocities();
     const auto f = static_cast<const State&>(state).forces();
-    const double power = v.cwiseProduct(f).sum();
-    const double force_norm = f.norm();
-    if (!(power > 0.0)) {
+    // f.v, f^2 and v^2 of all atoms together
+    const auto sums = sum_over<Vec3>(state.execution(), state.count(), [&](Index i) {
+        return Vec3(f.col(i).dot(v.col(i)), f.col(i).squaredNorm(), v.col(i).squaredNorm());
+    });
+    if (!(sums[0] > 0.0)) {
         v.setZero();
         return false;
     }
-    if (force_norm > 0.0) {
-        const double scale = mixing * v.norm() / force_norm;
+    if (sums[1] > 0.0) {
+        const double scale = mixing * std::sqrt(sums[2] / sums[1]);
         v = (1.0 - mixing) * v + scale * f;
     }
     return true;

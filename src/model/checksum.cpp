@@ -4,17 +4,19 @@
 #include <xxhash.h>
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <memory>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/ranks.hpp"
 
 namespace ljmd {
 
-std::string checksum(const State& state) {
+namespace {
+
+std::uint64_t hash_of(const State& state) {
     const auto r = state.positions();
-    if (!r.allFinite()) {
-        throw PhysicsError("a position is not finite: the run has blown up. Is the time step too large?");
-    }
     const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
     XXH3_64bits_reset(hash.get());
     for (const Index i : state.index_of()) {
@@ -26,7 +28,28 @@ std::string checksum(const State& state) {
                                          image[0] + 0.0,   image[1] + 0.0,   image[2] + 0.0};
         XXH3_64bits_update(hash.get(), atom.data(), sizeof(atom));
     }
-    return fmt::format("xxh3:{:016x}", XXH3_64bits_digest(hash.get()));
+    return XXH3_64bits_digest(hash.get());
+}
+
+}  // namespace
+
+std::string checksum(const State& state) {
+    Ranks& ranks = state.execution().ranks();
+    std::int64_t unsound = state.positions().allFinite() ? 0 : 1;
+    ranks.sum({&unsound, 1});
+    if (unsound > 0) {
+        throw PhysicsError("a position is not finite: the run has blown up. Is the time step too large?");
+    }
+    std::uint64_t hash = 0;
+    if (ranks.alone()) {
+        hash = hash_of(state);
+    } else {
+        const State all = state.gathered();
+        std::int64_t bits = ranks.is_root() ? std::bit_cast<std::int64_t>(hash_of(all)) : 0;
+        ranks.sum({&bits, 1});
+        hash = std::bit_cast<std::uint64_t>(bits);
+    }
+    return fmt::format("xxh3:{:016x}", hash);
 }
 
 }  // namespace ljmd

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "ljmd/core/archive.hpp"
@@ -68,17 +69,16 @@ std::size_t checked(Index count) {
 
 State::State(Index count, std::optional<Box> box, Execution execution)
     : execution_(std::move(execution)),
-      count_(count),
+      total_(static_cast<Index>(checked(count))),
+      count_(even_share(total_, execution_.ranks()).count()),
       box_(std::move(box)),
       positions_(),
-      velocities_(stride * checked(count)),
-      forces_(stride * checked(count)),
-      masses_(checked(count), 1.0),
-      ids_(checked(count)),
-      images_(checked(count), Eigen::Vector3i::Zero()) {
-    for (std::size_t i = 0; i < ids_.size(); ++i) {
-        ids_[i] = static_cast<Index>(i);
-    }
+      velocities_(stride * checked(count_)),
+      forces_(stride * checked(count_)),
+      masses_(checked(count_), 1.0),
+      ids_(checked(count_)),
+      images_(checked(count_), Eigen::Vector3i::Zero()) {
+    std::iota(ids_.begin(), ids_.end(), even_share(total_, execution_.ranks()).first);
     set_ghost_count(0);
 }
 
@@ -165,23 +165,26 @@ VectorView State::write_ghosts() {
 
 void State::wrap() {
     auto r = view(positions_, 0, count_);
-    for_each_index(execution_, count_, [&](Index i) {
-        if ((r.col(i).array() >= 0.0).all() && (r.col(i).array() < box().edges().array()).all()) {
-            return;  // nearly always
-        }
-        const Vec3 n = box().crossings(r.col(i));
-        if (!(n.array().abs() < max_crossings).all()) {  // true for NaN as well; maxCoeff may ignore NaN
-            const Vec3 outside = (r.col(i).array() - 0.5 * box().edges().array()).abs() - 0.5 * box().edges().array();
-            const std::string how = r.col(i).allFinite()
-                                        ? fmt::format("has left its box by {:.3g} sigma", outside.maxCoeff())
-                                        : "was pushed out of the range of numbers";
-            throw PhysicsError(
-                fmt::format("atom {} {}: the run has blown up. Is the time step too large, or do atoms overlap at "
-                            "the start?",
-                            ids_[static_cast<std::size_t>(i)] + 1, how));
-        }
-        r.col(i) -= n.cwiseProduct(box().edges());
-        images_[static_cast<std::size_t>(i)] += n.cast<int>();
+    fail_together(execution_.ranks(), [&] {
+        for_each_index(execution_, count_, [&](Index i) {
+            if ((r.col(i).array() >= 0.0).all() && (r.col(i).array() < box().edges().array()).all()) {
+                return;  // nearly always
+            }
+            const Vec3 n = box().crossings(r.col(i));
+            if (!(n.array().abs() < max_crossings).all()) {  // true for NaN as well; maxCoeff may ignore NaN
+                const Vec3 outside =
+                    (r.col(i).array() - 0.5 * box().edges().array()).abs() - 0.5 * box().edges().array();
+                const std::string how = r.col(i).allFinite()
+                                            ? fmt::format("has left its box by {:.3g} sigma", outside.maxCoeff())
+                                            : "was pushed out of the range of numbers";
+                throw PhysicsError(
+                    fmt::format("atom {} {}: the run has blown up. Is the time step too large, or do atoms overlap at "
+                                "the start?",
+                                ids_[static_cast<std::size_t>(i)] + 1, how));
+            }
+            r.col(i) -= n.cwiseProduct(box().edges());
+            images_[static_cast<std::size_t>(i)] += n.cast<int>();
+        });
     });
 }
 
@@ -225,8 +228,7 @@ void State::Registered::archive(Archive& a) {
     a(name, data);
 }
 
-void State::archive(Archive& a) {
-    finish_kick();
+void State::archive_all(Archive& a) {
     a.mark("state");
     const std::size_t length = stride * checked(count_);
     bool bounded = box_.has_value();
@@ -281,6 +283,9 @@ void State::archive(Archive& a) {
 }
 
 std::vector<Index> State::index_of() const {
+    if (!execution_.ranks().alone()) {
+        throw ContractViolation("one rank of several does not have the atoms of all");
+    }
     std::vector<Index> index(ids_.size());
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         index[static_cast<std::size_t>(ids_[i])] = static_cast<Index>(i);

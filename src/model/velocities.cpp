@@ -36,7 +36,7 @@ std::optional<double> temperature(Index atoms, double kinetic_energy, const Vec3
 }
 
 std::optional<double> temperature(const State& state) {
-    return temperature(state.count(), kinetic_energy(state), total_momentum(state), total_mass(state));
+    return temperature(state.total(), kinetic_energy(state), total_momentum(state), total_mass(state));
 }
 
 Vec3 total_momentum(const State& state) {
@@ -47,7 +47,7 @@ Vec3 total_momentum(const State& state) {
 void draw_velocities(State& state, double target, std::uint64_t seed) {
     const Random random(seed, RandomStream::velocities);
     auto v = state.write_velocities();
-    if (degrees_of_freedom(state.count()) == 0 || !(target > 0.0)) {
+    if (degrees_of_freedom(state.total()) == 0 || !(target > 0.0)) {
         v.setZero();
         return;
     }
@@ -60,7 +60,7 @@ void draw_velocities(State& state, double target, std::uint64_t seed) {
 }
 
 Vec3 centre_velocity(const State& state) {
-    return state.count() == 0 ? Vec3(Vec3::Zero()) : Vec3(total_momentum(state) / total_mass(state));
+    return state.total() == 0 ? Vec3(Vec3::Zero()) : Vec3(total_momentum(state) / total_mass(state));
 }
 
 void shift_velocities(State& state, const Vec3& by) {

@@ -59,10 +59,12 @@ int columns_along(double edge, double cube, double range) {
 
 }  // namespace
 
-void ClusterGrid::configure(const Box& box, double range, Index atoms) {
+void ClusterGrid::configure(const Box& box, double range, Index atoms, std::optional<Index> tile, double halo,
+                            const Ranks& ranks) {
     range_ = range * safety;
     const double count = std::max(1.0, static_cast<double>(atoms));
-    const double atoms_per_tile = std::clamp(count / min_tiles, min_atoms_per_tile, max_atoms_per_tile);
+    const double atoms_per_tile =
+        tile ? static_cast<double>(*tile) : std::clamp(count / min_tiles, min_atoms_per_tile, max_atoms_per_tile);
     const double density = count / box.volume();
     // Cut the longest edge of the tiles until they are small enough.
     tiles_along_ = {1, 1, 1};
@@ -101,6 +103,7 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms) {
     tile_numbers_.assign(static_cast<std::size_t>(step.tile), 0);
     tile_cells_.clear();
     number_tiles({0, 0, 0}, tiles_along_);
+    share_tiles(ranks, halo * safety);
 }
 
 void ClusterGrid::number_tiles(const Cell& first, const Cell& last) {
@@ -130,9 +133,12 @@ void ClusterGrid::number_tiles(const Cell& first, const Cell& last) {
 }
 
 ClusterGrid::Cell ClusterGrid::cell_of(std::int32_t column) const {
-    const int per_tile = columns_per_tile_[0] * columns_per_tile_[1];
-    Cell cell = tile_cells_[static_cast<std::size_t>(column / per_tile)];
-    int within = column % per_tile;
+    const int per_tile = columns_per_tile();
+    const std::int32_t own = own_column_count();
+    const std::int32_t of_all =
+        column < own ? own_columns_.first + column : halo_columns_[static_cast<std::size_t>(column - own)];
+    Cell cell = tile_cells_[static_cast<std::size_t>(of_all / per_tile)];
+    int within = of_all % per_tile;
     for (std::size_t a = 0; a < 3; ++a) {
         cell[a] = cell[a] * columns_per_tile_[a] + within % columns_per_tile_[a];
         within /= columns_per_tile_[a];
@@ -154,9 +160,8 @@ int ClusterGrid::boxes_away(int cell, std::size_t axis) const {
 }
 
 ClusterGrid::Run ClusterGrid::columns(std::size_t tile) const {
-    const int per_tile = columns_per_tile_[0] * columns_per_tile_[1];
-    const auto first = static_cast<std::int32_t>(tile) * per_tile;
-    return {first, first + per_tile};
+    const auto first = static_cast<std::int32_t>(tile) * columns_per_tile();
+    return {first, first + columns_per_tile()};
 }
 
 ClusterGrid::Run ClusterGrid::clusters_of_column(std::int32_t column) const {
@@ -164,20 +169,26 @@ ClusterGrid::Run ClusterGrid::clusters_of_column(std::int32_t column) const {
     return {column_clusters_[k], column_clusters_[k + 1]};
 }
 
-void ClusterGrid::sort(State& state) {
+void ClusterGrid::sort(State& state, State* companion) {
     if (state.count() > max_atoms) {
         throw InputError(fmt::format("{} atoms are more than one process can hold", state.count()));
     }
     state.wrap();
-    put_in_order(state);
+    const bool alone = state.execution().ranks().alone();
+    if (!alone) {
+        send_to_owners(state, companion);
+    }
+    put_in_order(state, companion);
+    if (!alone) {
+        fetch_halo(state);
+    }
     make_clusters(state);
 }
 
-void ClusterGrid::put_in_order(State& state) {
+void ClusterGrid::put_in_order(State& state, State* companion) {
     const State& atoms = state;
     const auto r = atoms.positions();
-    const auto columns =
-        static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(cells_[2]);
+    const auto columns = static_cast<std::size_t>(own_column_count());
     std::vector<std::uint32_t> column(static_cast<std::size_t>(state.count()));
     for_each_index(state.execution(), state.count(), [&](Index i) {
         column[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(column_at(cell_at(r.col(i))));
@@ -206,16 +217,18 @@ void ClusterGrid::put_in_order(State& state) {
         for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
             const auto begin = keys.begin() + column_atoms_[c];
             const auto end = keys.begin() + column_atoms_[c + 1];
-            std::sort(begin, end,
-                      [](const Key& a, const Key& b) { return std::tie(a.z, a.id) < std::tie(b.z, b.id); });
+            std::sort(begin, end, [](const Key& a, const Key& b) { return std::tie(a.z, a.id) < std::tie(b.z, b.id); });
             std::transform(begin, end, order.begin() + column_atoms_[c], [](const Key& key) { return key.atom; });
         }
     });
     state.reorder(order);
+    if (companion != nullptr) {
+        companion->reorder(order);
+    }
 }
 
 void ClusterGrid::make_clusters(const State& state) {
-    const auto r = state.positions();
+    const auto r = state.positions_and_ghosts();
     first_atoms_.clear();
     extents_.clear();
     column_clusters_.clear();
@@ -233,7 +246,7 @@ void ClusterGrid::make_clusters(const State& state) {
 
     cut_into_slices(state.execution());
     tiles_.clear();
-    for (std::int32_t c = 0; c + 1 < static_cast<std::int32_t>(column_clusters_.size());) {
+    for (std::int32_t c = 0; c < own_column_count();) {
         const Run of_tile = columns(tiles_.size());
         tiles_.push_back({clusters_of_column(of_tile.first).first, clusters_of_column(of_tile.last - 1).last});
         c = of_tile.last;
@@ -314,8 +327,8 @@ ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
                 Column column;
                 column.column = column_at(wrapped);
                 column.floor = cell[2] * height_;
-                column.slices =
-                    static_cast<std::size_t>(column.column) * 2 * static_cast<std::size_t>(slice_count_ + 2);
+                column.slices = static_cast<std::size_t>(std::max(column.column, 0)) * 2 *
+                                static_cast<std::size_t>(slice_count_ + 2);
                 column.ghost = side != 0;
                 if (side == 0) {
                     column.run = clusters_of_column(column.column);

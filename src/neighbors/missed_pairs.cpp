@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "ljmd/execution/loops.hpp"
@@ -48,6 +50,7 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const State& sta
     const auto fast_in_columns = [&](Index first, Index last) {
         std::vector<Move> fast;
         for (Index column = first; column < last; ++column) {
+            const bool own = column < grid.own_column_count();
             const ClusterGrid::Run clusters = grid.clusters_of_column(static_cast<std::int32_t>(column));
             double longest2_of_column = 0.0;
             for (Index cluster = clusters.first; cluster < clusters.last; ++cluster) {
@@ -56,7 +59,7 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const State& sta
                 for (Index i = atoms.first; i < atoms.last; ++i) {
                     const double length2 = squared_displacement(now, before, i);
                     longest2 = std::max(longest2, length2);
-                    if (!(length2 <= slow * slow)) {
+                    if (own && !(length2 <= slow * slow)) {
                         fast.push_back({i, std::sqrt(length2)});
                     }
                 }
@@ -82,15 +85,16 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
     const double harmless = std::max(0.0, range - reach);  // total displacement of a pair that cannot have been missed
     const Moves moves = find_moves(grid, before, state, 0.5 * harmless);
 
-    if (static_cast<Index>(moves.fast.size()) * min_atoms_per_fast_atom > state.count()) {
-        return true;
-    }
+    Ranks& ranks = state.execution().ranks();
+    std::int64_t fast_atoms = static_cast<std::int64_t>(moves.fast.size());
     double longest = 0.0;
     for (const Move& move : moves.fast) {
-        if (!(move.length <= skin)) {
-            return true;
-        }
-        longest = std::max(longest, move.length);
+        longest = std::isnan(move.length) ? std::numeric_limits<double>::infinity() : std::max(longest, move.length);
+    }
+    ranks.sum({&fast_atoms, 1});
+    ranks.largest({&longest, 1});
+    if (fast_atoms * min_atoms_per_fast_atom > state.total() || longest > skin) {
+        return true;
     }
 
     const auto missed_around = [&](ColumnsAround& around, const Move& move) {
@@ -128,7 +132,9 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
                            }
                        }
                    });
-    return missed;
+    std::int64_t ranks_that_missed = missed ? 1 : 0;
+    ranks.sum({&ranks_that_missed, 1});
+    return ranks_that_missed > 0;
 }
 
 }  // namespace ljmd

@@ -10,9 +10,10 @@ std::vector<std::string> pair_search_names() {
     return {std::string(VerletList::name), std::string(LinkedCells::name), std::string(AllPairs::name)};
 }
 
-PairSearch make_pair_search(const std::string& name, double skin, std::optional<Index> every) {
+PairSearch make_pair_search(const std::string& name, double skin, std::optional<Index> every,
+                            std::optional<Index> tile) {
     if (name == VerletList::name) {
-        return VerletList(skin, every);
+        return VerletList(skin, every, tile);
     }
     if (name == LinkedCells::name) {
         return LinkedCells();

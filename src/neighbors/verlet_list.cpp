@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
 
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
@@ -78,7 +78,7 @@ CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighb
     CandidateArrays candidates;
     candidates.resize(static_cast<std::size_t>(neighborhood.cluster_count() * slots));
     const Candidates to = candidates.write();
-    const auto r = state.positions();
+    const auto r = state.positions_and_ghosts();
     const auto place = [&](const ClusterGrid::Run& clusters, Index first, const Vec3& shift) {
         for (Index c = clusters.first; c < clusters.last; ++c) {
             const AtomRange atoms = grid.atoms_of_cluster(c);
@@ -105,6 +105,12 @@ CandidateArrays candidates_of(const ClusterGrid& grid, const ClusterGrid::Neighb
     return candidates;
 }
 
+/// Give the atoms other positions. @param positions  vector_stride numbers an atom
+void place(State& state, const double* positions) {
+    auto r = state.write_positions();
+    std::copy_n(positions, vector_stride * state.count(), r.data());
+}
+
 }  // namespace
 
 void VerletList::prepare_for(SimdLevel level, RowShape shape) {
@@ -120,6 +126,10 @@ void VerletList::prepare_for(SimdLevel level, RowShape shape) {
 void VerletList::prepare(State& state, double cutoff) {
     ++statistics_.preparations;
     Stopwatch watch;
+    const bool shared = !state.execution().ranks().alone();
+    if (shared && is_of(state, cutoff)) {
+        grid_.halo().refresh(state);
+    }
     if (still_valid(state, cutoff)) {
         ++age_;
     } else {
@@ -127,13 +137,19 @@ void VerletList::prepare(State& state, double cutoff) {
         if (is_of(state, cutoff) && every_ && !nothing_moved_too_far(state)) {
             ++statistics_.late_rebuilds;
         }
-        grid_.configure(state.box(), cutoff + skin_, state.count());
-        grid_.sort(state);
+        sort(state, cutoff);
         statistics_.seconds_sorting += watch.lap();
         build(state, cutoff);
         age_ = 1;
     }
     statistics_.seconds_listing += watch.lap();
+}
+
+void VerletList::sort(State& state, double cutoff, State* companion) {
+    // A search for missed pairs looks as far as this, see any_pair_missed().
+    const double halo = (cutoff + 2.0 * skin_) * (1.0 + 0x1p-20);
+    grid_.configure(state.box(), cutoff + skin_, state.total(), tile_, halo, state.execution().ranks());
+    grid_.sort(state, companion);
 }
 
 bool VerletList::is_of(const State& state, double cutoff) const {
@@ -165,15 +181,29 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
             valid = false;
         }
     });
-    return valid;
+    std::int64_t ranks_that_moved = valid ? 0 : 1;
+    state.execution().ranks().sum({&ranks_that_moved, 1});
+    return ranks_that_moved == 0;
 }
 
-void VerletList::archive(Archive& a, const State& state, double cutoff) {
+void VerletList::archive(Archive& a, State& state, double cutoff) {
     // A list for another cutoff, box or order of the atoms is rebuilt at the next evaluation in any case.
     bool built = built_for_cutoff_ == cutoff && built_for_order_ == state.order_version() &&
                  built_for_edges_ == state.box().edges();
+    Ranks& ranks = state.execution().ranks();
     if (!a.reading()) {
-        a(built, reference_, age_, statistics_);
+        AlignedVector<double> reference = reference_;
+        SearchStatistics statistics = statistics_;
+        if (!ranks.alone()) {
+            State then = state;
+            place(then, reference_.data());
+            const State all = then.gathered();
+            reference.assign(all.positions().data(), all.positions().data() + vector_stride * all.count());
+            ranks.sum({&statistics.distance_tests, 1});
+        }
+        if (ranks.is_root()) {
+            a(built, reference, age_, statistics);
+        }
         return;
     }
     AlignedVector<double> reference;
@@ -183,22 +213,25 @@ void VerletList::archive(Archive& a, const State& state, double cutoff) {
     require_count(age);
     built_for_cutoff_ = -1.0;
     if (built) {
-        State then = state;
-        auto r = then.write_positions();
-        if (static_cast<Index>(reference.size()) != vector_stride * then.count()) {
+        if (static_cast<Index>(reference.size()) != vector_stride * state.total()) {
             throw CheckpointError("its neighbour list is for another number of atoms");
         }
-        for (Index i = 0; i < then.count(); ++i) {
-            r.col(i) = ConstVectorView(reference.data(), 3, then.count()).col(i);
-        }
-        prepare(then, cutoff);
-        if (then.ids() != state.ids()) {
+        State then = state;
+        place(then, reference.data() + vector_stride * even_share(state.total(), ranks).first);
+        const std::vector<Index> ids = state.ids();
+        sort(then, cutoff, &state);
+        if (ranks.alone() && state.ids() != ids) {
             throw CheckpointError("its atoms are not in the order of its neighbour list");
         }
+        build(then, cutoff);
+        state.set_ghost_count(then.ghost_count());
         built_for_order_ = state.order_version();
     }
     age_ = age;
     statistics_ = statistics;
+    if (!ranks.is_root()) {
+        statistics_.distance_tests = 0;
+    }
 }
 
 void VerletList::build(const State& state, double cutoff) {
@@ -209,18 +242,39 @@ void VerletList::build(const State& state, double cutoff) {
         state.execution(), static_cast<Index>(tiles_.size()), 1, Index{0},
         [&](Index tile, Index) { return fill(static_cast<std::size_t>(tile), state, range); },
         [](Index& sum, Index tests) { sum += tests; });
-    find_ghost_owners();
+    std::vector<std::span<const ClusterGrid::GhostClusters>> ghosts;
+    ghosts.reserve(tiles_.size());
+    for (const Tile& tile : tiles_) {
+        ghosts.emplace_back(tile.ghosts);
+    }
+    routes_.find(grid_, ghosts, state.execution().ranks());
+    measure_work(state.execution().ranks());
 
-    reference_.resize(static_cast<std::size_t>(vector_stride * state.count()));
-    for_each_block(
-        state.execution(), state.count(), loop_block, [&, r = state.positions().data()](Index first, Index last) {
-            std::copy(r + vector_stride * first, r + vector_stride * last, reference_.data() + vector_stride * first);
-        });
+    const Index all = state.count() + state.ghost_count();
+    reference_.resize(static_cast<std::size_t>(vector_stride * all));
+    for_each_block(state.execution(), all, loop_block, [&, r = state.positions().data()](Index first, Index last) {
+        std::copy(r + vector_stride * first, r + vector_stride * last, reference_.data() + vector_stride * first);
+    });
     built_for_cutoff_ = cutoff;
     built_for_edges_ = state.box().edges();
     built_for_order_ = state.order_version();
     built_for_shape_ = shape_;
     ++statistics_.rebuilds;
+}
+
+void VerletList::measure_work(Ranks& ranks) {
+    if (ranks.alone()) {
+        return;
+    }
+    std::vector<std::int64_t> work(static_cast<std::size_t>(grid_.tiles_of_all()), 0);
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        // An atom makes work by itself, about that of ten entries.
+        const AtomRange atoms = grid_.atoms_of_tile(static_cast<Index>(t));
+        work[static_cast<std::size_t>(grid_.first_tile()) + t] =
+            1 + static_cast<std::int64_t>(tiles_[t].starts.back()) + 10 * atoms.count();
+    }
+    ranks.sum(work);
+    grid_.set_work(std::move(work));
 }
 
 Index VerletList::fill(std::size_t number, const State& state, double range) {
@@ -269,33 +323,6 @@ Index VerletList::fill(std::size_t number, const State& state, double range) {
     make_room(tile.entries, end + list_kernel_slack);
     std::fill_n(tile.entries.begin() + static_cast<std::ptrdiff_t>(end), list_kernel_slack, 0);
     return tests;
-}
-
-void VerletList::find_ghost_owners() {
-    std::vector<std::uint32_t> tile_of(static_cast<std::size_t>(grid_.cluster_count()));
-    const auto tiles = grid_.tiles();
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-        std::fill(tile_of.begin() + tiles[t].first, tile_of.begin() + tiles[t].last, static_cast<std::uint32_t>(t));
-    }
-    const auto owner = [&](const ClusterGrid::GhostClusters& ghosts) {
-        return tile_of[static_cast<std::size_t>(ghosts.of.first)];  // a GhostClusters is of one column, so of one tile
-    };
-    // Counting sort, as in ClusterGrid: exported_starts_[t + 1] is the next free place of tile t while exported_ghosts_
-    // is filled.
-    exported_starts_.assign(tiles.size() + 2, 0);
-    for (const Tile& tile : tiles_) {
-        for (const ClusterGrid::GhostClusters& ghosts : tile.ghosts) {
-            ++exported_starts_[owner(ghosts) + 2];
-        }
-    }
-    std::partial_sum(exported_starts_.begin(), exported_starts_.end(), exported_starts_.begin());
-    exported_ghosts_.resize(exported_starts_.back());
-    for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
-        for (std::uint32_t n = 0; n < tiles_[t].ghosts.size(); ++n) {
-            exported_ghosts_[exported_starts_[owner(tiles_[t].ghosts[n]) + 1]++] = {t, n};
-        }
-    }
-    exported_starts_.pop_back();
 }
 
 }  // namespace ljmd

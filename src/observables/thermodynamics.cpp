@@ -36,7 +36,7 @@ KineticSums kinetic_sums(const State& state) {
 }  // namespace
 
 Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, const TailCorrection& tail) {
-    const auto atoms = static_cast<double>(state.count());
+    const auto atoms = static_cast<double>(state.total());
     const double volume = state.box().volume();
     const double density = atoms / volume;
 
@@ -44,7 +44,7 @@ Thermodynamics thermodynamics(const State& state, const Evaluation& evaluation, 
     const double kinetic_energy = 0.5 * kinetic_tensor.trace();
 
     Thermodynamics result;
-    result.temperature = temperature(state.count(), kinetic_energy, momentum, mass);
+    result.temperature = temperature(state.total(), kinetic_energy, momentum, mass);
     result.potential_energy = evaluation.potential_energy / atoms + tail.energy(density);
     result.kinetic_energy = kinetic_energy / atoms;
     result.total_energy = result.potential_energy + result.kinetic_energy;
@@ -70,12 +70,12 @@ bool is_above_zero(double temperature) {
 
 double virial_pressure(const State& state, const Evaluation& evaluation, const TailCorrection& tail) {
     const double volume = state.box().volume();
-    return evaluation.virial.trace() / (3.0 * volume) + tail.pressure(static_cast<double>(state.count()) / volume);
+    return evaluation.virial.trace() / (3.0 * volume) + tail.pressure(static_cast<double>(state.total()) / volume);
 }
 
 Vec3 virial_pressures(const State& state, const Evaluation& evaluation, const TailCorrection& tail) {
     const double volume = state.box().volume();
-    return (evaluation.virial.diagonal() / volume).array() + tail.pressure(static_cast<double>(state.count()) / volume);
+    return (evaluation.virial.diagonal() / volume).array() + tail.pressure(static_cast<double>(state.total()) / volume);
 }
 
 Mat3 mechanical_stress(const State& state, const Evaluation& evaluation) {

@@ -39,22 +39,20 @@ WidomInsertion::Weights WidomInsertion::mean_weights(const State& state, double 
     const double tail = 2.0 * interaction_.tail.energy(static_cast<double>(state.count()) / box.volume());
 
     const auto sum = interaction_.potential.visit([&](const auto& pair) {
-        return sum_over<Eigen::Vector2d>(
-            state.execution(), insertions_, [&](Index place) -> Eigen::Vector2d {
-                            const Vec3 r = random_.uniform(state.step, place).cwiseProduct(box.edges());
-                            double energy = 0.0;
-                            grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {
-                                for (std::int32_t k = run.first; k < run.last; ++k) {
-                                    const double r2 =
-                                        (points.col(grid_.order()[static_cast<std::size_t>(k)]) - r).squaredNorm();
-                                    if (r2 < cutoff * cutoff) {
-                                        energy += pair_term(pair, r2).u;
-                                    }
-                                }
-                            });
-                            const double weight = std::exp(-(energy + tail) / temperature);
-                            return {weight, weight > 0.0 ? energy * weight : 0.0};
-                        });
+        return sum_over<Eigen::Vector2d>(state.execution(), insertions_, [&](Index place) -> Eigen::Vector2d {
+            const Vec3 r = random_.uniform(state.step, place).cwiseProduct(box.edges());
+            double energy = 0.0;
+            grid_.for_each_run(grid_.cell_at(r), [&](CellGrid::Run run) {
+                for (std::int32_t k = run.first; k < run.last; ++k) {
+                    const double r2 = (points.col(grid_.order()[static_cast<std::size_t>(k)]) - r).squaredNorm();
+                    if (r2 < cutoff * cutoff) {
+                        energy += pair_term(pair, r2).u;
+                    }
+                }
+            });
+            const double weight = std::exp(-(energy + tail) / temperature);
+            return {weight, weight > 0.0 ? energy * weight : 0.0};
+        });
     });
     return {sum[0] / static_cast<double>(insertions_), sum[1] / static_cast<double>(insertions_)};
 }

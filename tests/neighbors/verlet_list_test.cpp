@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
@@ -220,25 +223,30 @@ TEST_CASE("every ghost of a tile is known to the tile of its owner") {
     list.prepare(state, 2.5);
     const ClusterGrid& grid = list.clusters();
     REQUIRE(grid.tiles().size() > 2);
-    std::vector<std::vector<int>> known;
-    for (const VerletList::Tile& tile : list.tiles()) {
-        known.emplace_back(tile.ghosts.size());
+    using Place = std::pair<std::int32_t, std::uint32_t>;  // tile and offset of forces on ghosts
+    std::map<Place, ClusterGrid::Run> left;
+    for (std::size_t t = 0; t < list.tiles().size(); ++t) {
+        for (const ClusterGrid::GhostClusters& ghosts : list.tiles()[t].ghosts) {
+            const std::int32_t number = ghosts.first - list.tiles()[t].ghosts.front().first;
+            left[{static_cast<std::int32_t>(t), static_cast<std::uint32_t>(12 * number)}] = ghosts.of;
+        }
     }
     bool right = true;
     for (Index owner = 0; owner < static_cast<Index>(grid.tiles().size()); ++owner) {
         const ClusterGrid::Run own = grid.tiles()[static_cast<std::size_t>(owner)];
-        std::uint32_t last = 0;
-        for (const VerletList::ExportedGhosts& exported : list.exported_ghosts(owner)) {
-            ++known[exported.tile][exported.ghosts];
-            const ClusterGrid::Run& of = list.tiles()[exported.tile].ghosts[exported.ghosts].of;
-            right = right && of.first >= own.first && of.last <= own.last && exported.tile >= last;
+        std::int32_t last = 0;
+        for (const GhostRoutes::Export& exported : list.routes().of_tile(owner)) {
+            const auto found = left.find({exported.tile, exported.offset});
+            REQUIRE(found != left.end());
+            const AtomRange atoms = grid.atoms_of(found->second);
+            right = right && found->second.first >= own.first && found->second.last <= own.last &&
+                    exported.tile >= last && exported.first == atoms.first && exported.count == atoms.count();
             last = exported.tile;
+            left.erase(found);
         }
     }
     CHECK(right);
-    for (const std::vector<int>& of_tile : known) {
-        CHECK(std::all_of(of_tile.begin(), of_tile.end(), [](int times) { return times == 1; }));
-    }
+    CHECK(left.empty());
 }
 
 TEST_CASE("distance tests per atom do not grow with the number of atoms") {

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "ljmd/execution/exact_sum.hpp"
+#include "ljmd/execution/loops.hpp"
 #include "ljmd/forces/force_field.hpp"
 
 namespace ljmd {
@@ -14,26 +15,27 @@ class EvaluationSum {
   public:
     /// @param virial  of a part: xx, yy, zz, xy, xz, yz [epsilon]
     void add(double energy, const std::array<double, 6>& virial) {
-        energy_.add(energy);
+        sums_[0].add(energy);
         for (std::size_t k = 0; k < virial.size(); ++k) {
-            virial_[k].add(virial[k]);
+            sums_[k + 1].add(virial[k]);
         }
     }
 
-    [[nodiscard]] Evaluation value() const {
+    /// With the parts of all ranks. Collective.
+    [[nodiscard]] Evaluation value(Ranks& ranks) {
+        add_other_ranks(ranks, sums_);
         std::array<double, 6> w{};
         for (std::size_t k = 0; k < w.size(); ++k) {
-            w[k] = virial_[k].value();
+            w[k] = sums_[k + 1].value();
         }
         Evaluation total;
-        total.potential_energy = energy_.value();
+        total.potential_energy = sums_[0].value();
         total.virial << w[0], w[3], w[4], w[3], w[1], w[5], w[4], w[5], w[2];
         return total;
     }
 
   private:
-    ExactSum energy_;
-    std::array<ExactSum, 6> virial_;
+    std::array<ExactSum, 7> sums_;  ///< energy, virial
 };
 
 }  // namespace ljmd

@@ -41,9 +41,10 @@ class ForceField {
     }
 
     /// Read or write what a later evaluation depends on.
-    /// @param state  as the last evaluation left it, except that positions may have moved; is not changed
+    /// @param state  as the last evaluation left it, except that positions may have moved; is not changed, but that
+    /// its atoms pass from rank to rank where several share it
     /// @throws CheckpointError
-    virtual void archive(Archive& /*a*/, const State& /*state*/) {}
+    virtual void archive(Archive& /*a*/, State& /*state*/) {}
 
   protected:
     ForceField() = default;

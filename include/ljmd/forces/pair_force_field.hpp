@@ -42,13 +42,13 @@ class PairForceField : public ForceField {
     /// Wall time spent on pair sums and on the external force, without the neighbour search [s].
     [[nodiscard]] double seconds_summing() const { return seconds_summing_; }
 
-    void archive(Archive& a, const State& state) override;
+    void archive(Archive& a, State& state) override;
 
   private:
     Evaluation compute(State& state, Request request) override;
 
     [[nodiscard]] Evaluation sum(State& state, Request request);
-    [[nodiscard]] Evaluation sum_by_kernel(const VerletList& list, State& state, bool energy);
+    [[nodiscard]] Evaluation sum_by_kernel(VerletList& list, State& state, bool energy);
     void add_ghost_forces(const VerletList& list, State& state) const;
 
     /// Arrays of a thread for the tile that it works on, so that they stay in the cache next to a core.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <vector>
@@ -8,7 +9,9 @@
 #include "ljmd/forces/evaluation_sum.hpp"
 #include "ljmd/forces/force_field.hpp"
 #include "ljmd/forces/force_sum.hpp"
+#include "ljmd/neighbors/halo.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
+#include "ljmd/neighbors/verlet_list.hpp"
 #include "ljmd/potentials/pair_term.hpp"
 
 namespace ljmd {
@@ -32,17 +35,13 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
             sum[a].add(force[a]);
         }
     };
-    struct OnOther {
-        Index atom;
-        std::array<double, 3> force;
-    };
     struct PartSums {
         double energy = 0.0;
         std::array<double, 6> virial{};  // xx yy zz xy xz yz
     };
     std::vector<PartSums> of_parts(what.energy ? static_cast<std::size_t>(search.part_count(atoms)) : 0);
     // Reaction forces of each part on atoms of other parts, kept apart because another thread may be writing to these.
-    std::vector<std::vector<OnOther>> on_others(static_cast<std::size_t>(search.part_count(atoms)));
+    std::vector<std::vector<Halo::OnAtom>> on_others(static_cast<std::size_t>(search.part_count(atoms)));
 
     const auto sum_part = [&](Index part, Index) {
         const AtomRange range = search.atoms_of(atoms, part);
@@ -89,16 +88,44 @@ Evaluation sum_pairs(const Pair& pair, const Search& search, double cutoff, Stat
     for (const PartSums& part : of_parts) {
         total.add(part.energy, part.virial);
     }
-    for (const std::vector<OnOther>& of_part : on_others) {
-        for (const OnOther& other : of_part) {
+    const auto add_all = [&add](const std::vector<Halo::OnAtom>& all) {
+        for (const Halo::OnAtom& other : all) {
             add(other.atom, other.force);
         }
+    };
+    Ranks& ranks = atoms.execution().ranks();
+    if constexpr (std::is_same_v<Search, VerletList>) {
+        if (!ranks.alone()) {
+            // In the order of the parts of all ranks, as one process would add them.
+            std::vector<Halo::OnAtom> on_ghosts;
+            for (std::vector<Halo::OnAtom>& of_part : on_others) {
+                const auto ghosts =
+                    std::stable_partition(of_part.begin(), of_part.end(),
+                                          [&](const Halo::OnAtom& other) { return other.atom < atoms.count(); });
+                for (auto ghost = ghosts; ghost != of_part.end(); ++ghost) {
+                    on_ghosts.push_back({ghost->atom - atoms.count(), ghost->force});
+                }
+                of_part.erase(ghosts, of_part.end());
+            }
+            const auto from_ranks = search.clusters().halo().return_forces(ranks, on_ghosts);
+            for (std::size_t rank = 0; rank < from_ranks.size(); ++rank) {
+                if (static_cast<int>(rank) == ranks.rank()) {
+                    std::ranges::for_each(on_others, add_all);
+                } else {
+                    add_all(from_ranks[rank]);
+                }
+            }
+            on_others.clear();
+        }
     }
-    for_each_index(atoms.execution(), atoms.count(), [&](Index i) {
-        const auto& sum = sums[static_cast<std::size_t>(i)];
-        forces.col(i) << sum[0].value(), sum[1].value(), sum[2].value();
+    std::ranges::for_each(on_others, add_all);
+    fail_together(ranks, [&] {
+        for_each_index(atoms.execution(), atoms.count(), [&](Index i) {
+            const auto& sum = sums[static_cast<std::size_t>(i)];
+            forces.col(i) << sum[0].value(), sum[1].value(), sum[2].value();
+        });
     });
-    return total.value();
+    return total.value(ranks);
 }
 
 }  // namespace ljmd

@@ -35,19 +35,25 @@ using ConstPaddedView = Eigen::Map<const Eigen::Array<double, vector_stride, Eig
 /// an id, 0 ... N-1; observers and writers go by id. Positions hold the N local atoms first, then the ghosts (periodic
 /// images, which belong to the neighbour search and have no other properties).
 ///
+/// Where several ranks share a system (Execution::ranks()), each has a part of the atoms: count() of total(). Loops run
+/// over the atoms that are here; sum_over() adds up those of all ranks. Ghosts are then atoms of other ranks.
+///
 /// Fluids are in reduced units: sigma = epsilon = m = k_B = 1. Few-body systems have no box and use the units of their
 /// deck.
 class State {
   public:
-    /// N atoms of mass 1 at the origin, at rest, ids 0 ... N-1. @throws ContractViolation if count < 0
-    /// @param execution  for all loops over these atoms
+    /// N atoms of mass 1 at the origin, at rest, ids 0 ... N-1. Of several ranks each has an even share of the ids.
+    /// @param execution  for all loops over these atoms  @throws ContractViolation if count < 0
     explicit State(Index count, std::optional<Box> box = std::nullopt, Execution execution = {});
 
     /// Threads and SIMD level that work on these atoms. Not archived: a checkpoint can be read into a state with
     /// others.
     [[nodiscard]] const Execution& execution() const { return execution_; }
 
+    /// Number of the atoms that are here.
     [[nodiscard]] Index count() const { return count_; }
+    /// Number of the atoms of all ranks, N.
+    [[nodiscard]] Index total() const { return total_; }
     [[nodiscard]] Index ghost_count() const { return ghost_count_; }
 
     [[nodiscard]] bool has_box() const { return box_.has_value(); }
@@ -107,6 +113,15 @@ class State {
     /// @pre order is a permutation of 0 ... N-1
     void reorder(const std::vector<Index>& order);
 
+    /// Send atoms to other ranks, and take in what they send. Those that stay keep their order; those of other ranks
+    /// follow, rank by rank. Ghosts are dropped. Collective.
+    /// @param destinations  the rank of each atom here
+    void migrate(const std::vector<int>& destinations);
+
+    /// The atoms of all ranks, in the order of the ranks, as a state that is no longer shared: at rank 0. A state
+    /// without atoms elsewhere. Collective.
+    [[nodiscard]] State gathered() const;
+
     /// Increases whenever atoms are reordered; tells holders of indices whether these are still valid.
     [[nodiscard]] Index order_version() const { return order_version_; }
 
@@ -114,7 +129,7 @@ class State {
     void set_ghost_count(Index count);
     [[nodiscard]] VectorView write_ghosts();
 
-    /// index_of()[id] is the index of the atom with that id.
+    /// index_of()[id] is the index of the atom with that id. @pre the state is not shared (ContractViolation)
     [[nodiscard]] std::vector<Index> index_of() const;
 
     /// Register a per-atom vector that is reordered with the atoms, such as the half-step velocities of an integrator.
@@ -139,7 +154,8 @@ class State {
     [[nodiscard]] bool forces_are_current() const { return forces_current_; }
     void mark_forces_current() { forces_current_ = true; }
 
-    /// Everything except ghosts, in the order of the atoms in memory.
+    /// Everything except ghosts, in the order of the atoms in memory. Of several ranks rank 0 writes the atoms of all,
+    /// and the others nothing; each reads all, and keeps an even share in the order of the archive. Collective.
     /// @throws CheckpointError for another number of atoms, another box, or values that no state can have
     void archive(Archive& a);
 
@@ -161,7 +177,18 @@ class State {
         void archive(Archive& a);
     };
 
+    /// Length of the numbers of an atom, see pack().
+    [[nodiscard]] std::size_t packed_size() const;
+    /// Append all that belongs to an atom to `numbers`.
+    void pack(Index atom, std::vector<double>& numbers) const;
+    /// The inverse. @return the end of what was read
+    const double* unpack(Index atom, const double* numbers);
+    /// Change the number of atoms here; new ones are yet to be set. Drops ghosts.
+    void resize(Index count);
+    void archive_all(Archive& a);
+
     Execution execution_;
+    Index total_;
     Index count_;
     Index ghost_count_ = 0;
     Index order_version_ = 0;

@@ -41,7 +41,7 @@ class AllPairs {
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
     /// The statistics are all that outlives an evaluation.
-    void archive(Archive& a, const State& /*state*/, double /*cutoff*/) { a(statistics_); }
+    void archive(Archive& a, State& /*state*/, double /*cutoff*/) { a(statistics_); }
 
   private:
     SearchStatistics statistics_;

@@ -4,12 +4,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ljmd/core/types.hpp"
 #include "ljmd/execution/execution.hpp"
+#include "ljmd/execution/ranks.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/neighbors/halo.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
 
 namespace ljmd {
@@ -24,25 +28,60 @@ namespace ljmd {
 /// Tiles are the parts that threads share; one thread sums a tile. They depend on the box and the number of atoms
 /// alone. They are numbered half by half: first all of one half of the box, then those of the other half, and likewise
 /// within each half, so that any run of consecutive tiles is compact, and threads that share the tiles in consecutive
-/// runs have few neighbours. A tile also holds ghost clusters: clusters of other tiles, or of periodic images, that may be within `range`
-/// of its own. Of two tiles only one holds the other's clusters as ghosts: the one from which the other lies towards
-/// higher z, or at the same z towards higher y, or else towards higher x. So each pair of atoms belongs to one tile.
-/// Source: Pall and Hess (2013), Comput. Phys. Commun. 184, 2641, doi:10.1016/j.cpc.2013.06.003, for clusters. Their
-/// clusters meet clusters; here rows of a cluster's atoms meet parts of clusters (RowShape), which leaves fewer lanes
-/// unused when the range is short.
+/// runs have few neighbours. A tile also holds ghost clusters: clusters of other tiles, or of periodic images, that may
+/// be within `range` of its own. Of two tiles only one holds the other's clusters as ghosts: the one from which the
+/// other lies towards higher z, or at the same z towards higher y, or else towards higher x. So each pair of atoms
+/// belongs to one tile. Source: Pall and Hess (2013), Comput. Phys. Commun. 184, 2641, doi:10.1016/j.cpc.2013.06.003,
+/// for clusters. Their clusters meet clusters; here rows of a cluster's atoms meet parts of clusters (RowShape), which
+/// leaves fewer lanes unused when the range is short.
 class ClusterGrid {
   public:
     /// Number of atoms that a cluster has room for.
     static constexpr int slots = 4;
 
-    /// Set up tiles and columns. @pre range > 0
-    void configure(const Box& box, double range, Index atoms);
+    /// Set up tiles and columns. Several ranks share the tiles in consecutive runs. @pre range > 0
+    /// @param atoms  of all ranks
+    /// @param tile   atoms of a tile, at most about; none: as many as fit into the caches next to a core, and few
+    /// enough for two tiles, if these have some hundred atoms each
+    /// @param halo   how far from its own columns a rank sees the atoms of others [sigma], >= range
+    void configure(const Box& box, double range, Index atoms, std::optional<Index> tile = std::nullopt,
+                   double halo = 0.0, const Ranks& ranks = no_other_ranks());
+
+    /// How much work each tile of all ranks makes, so that configure() gives each rank about as much; it is used if it
+    /// has a number for each tile. Empty: as many tiles to each rank. The same at all ranks.
+    void set_work(std::vector<std::int64_t> of_tiles) { work_ = std::move(of_tiles); }
+
+    /// Number of the tiles of all ranks.
+    [[nodiscard]] Index tiles_of_all() const { return static_cast<Index>(tile_cells_.size()); }
 
     /// Wrap the atoms into the box, sort them and form their clusters. The order depends on positions alone, and on ids
-    /// where positions are equal. Ghosts of the state are dropped.
+    /// where positions are equal. Of several ranks each gets the atoms of its tiles, and as ghosts of the state those
+    /// of its halo. Other ghosts are dropped.
+    /// @param companion  another state with the same atoms in the same order, which gets the new order, too; or null
     /// @pre configured for the box and number of atoms of this state
     /// @throws InputError when there are more atoms than can be counted
-    void sort(State& state);
+    void sort(State& state, State* companion = nullptr);
+
+    /// The copies of atoms of other ranks.
+    [[nodiscard]] Halo& halo() { return halo_; }
+    [[nodiscard]] const Halo& halo() const { return halo_; }
+
+    // Clusters, columns and tiles are numbered as they are here: those of other ranks' tiles in the halo follow the own
+    // ones, and tile 0 is the first one of this rank.
+
+    /// Number of the first tile here among those of all ranks.
+    [[nodiscard]] Index first_tile() const { return first_tile_; }
+
+    /// Place of a cluster of the halo at its own rank.
+    struct Abroad {
+        int rank;
+        std::int32_t column;   ///< number of its column there
+        std::int32_t cluster;  ///< number within its column
+    };
+    [[nodiscard]] bool is_abroad(std::int32_t cluster) const {
+        return cluster >= column_clusters_[static_cast<std::size_t>(own_column_count())];
+    }
+    [[nodiscard]] Abroad abroad(std::int32_t cluster) const;
 
     [[nodiscard]] Index cluster_count() const { return static_cast<Index>(first_atoms_.size()) - 1; }
 
@@ -73,7 +112,9 @@ class ClusterGrid {
     [[nodiscard]] Run columns(std::size_t tile) const;
     /// Columns per block of a parallel loop, see for_each_block().
     static constexpr Index columns_per_block = 16;
-    /// Columns of all tiles.
+    /// Columns of the tiles here.
+    [[nodiscard]] std::int32_t own_column_count() const { return own_columns_.length(); }
+    /// Those and the columns of the halo.
     [[nodiscard]] Index column_count() const { return static_cast<Index>(column_clusters_.size()) - 1; }
     [[nodiscard]] Run clusters_of_column(std::int32_t column) const;
 
@@ -137,15 +178,28 @@ class ClusterGrid {
         std::int32_t within;
         Place operator+(const Place& other) const { return {tile + other.tile, within + other.within}; }
     };
+    /// Number of the column among those of all ranks.
+    [[nodiscard]] std::int32_t column_of_all(const Place& place) const {
+        return tile_numbers_[static_cast<std::size_t>(place.tile)] * columns_per_tile() + place.within;
+    }
+    /// Number of the column here; -1 if neither this rank nor its halo has it.
     [[nodiscard]] std::int32_t column_at(const Place& place) const {
-        return tile_numbers_[static_cast<std::size_t>(place.tile)] * columns_per_tile_[0] * columns_per_tile_[1] +
-               place.within;
+        const std::int32_t column = column_of_all(place);
+        return numbers_here_.empty() ? column : numbers_here_[static_cast<std::size_t>(column)];
     }
-    [[nodiscard]] std::int32_t column_at(const Cell& cell) const {
+    [[nodiscard]] std::int32_t columns_per_tile() const { return columns_per_tile_[0] * columns_per_tile_[1]; }
+    [[nodiscard]] Place place_of(const Cell& cell) const {
         const auto& [along_x, along_y, along_z] = places_along_;
-        return column_at(along_x[static_cast<std::size_t>(cell[0])] + along_y[static_cast<std::size_t>(cell[1])] +
-                         along_z[static_cast<std::size_t>(cell[2])]);
+        return along_x[static_cast<std::size_t>(cell[0])] + along_y[static_cast<std::size_t>(cell[1])] +
+               along_z[static_cast<std::size_t>(cell[2])];
     }
+    [[nodiscard]] std::int32_t column_at(const Cell& cell) const { return column_at(place_of(cell)); }
+    /// The rank of a column, by its number among those of all ranks.
+    [[nodiscard]] int rank_of(std::int32_t column) const;
+    void share_tiles(const Ranks& ranks, double halo);
+    void find_halo(double halo);
+    void send_to_owners(State& state, State* companion) const;
+    void fetch_halo(State& state);
     [[nodiscard]] Cell cell_of(std::int32_t column) const;
     [[nodiscard]] Cell cell_at(const Vec3& position) const;
     /// How many whole boxes a column lies away from the box along an axis.
@@ -156,7 +210,7 @@ class ClusterGrid {
         return std::clamp(static_cast<int>(above * inverse_slice_ + 1.0), 0, slice_count_ + 1);
     }
     void cut_into_slices(const Execution& execution);
-    void put_in_order(State& state);
+    void put_in_order(State& state, State* companion);
     void make_clusters(const State& state);
     [[nodiscard]] double gap2(int cells, std::size_t axis) const;
     [[nodiscard]] Run ghosts_of_column(std::int32_t column, double shift, double low, double high) const;
@@ -178,6 +232,13 @@ class ClusterGrid {
     /// For each column and slice: the first cluster that reaches up to the slice, and the first that begins above it.
     std::vector<std::int32_t> slices_;
     std::vector<Run> tiles_;
+    Run own_columns_{0, 0};  ///< among those of all ranks
+    Index first_tile_ = 0;
+    std::vector<std::int64_t> work_;
+    std::vector<std::int32_t> first_columns_;  ///< of each rank among those of all; then the number of all
+    std::vector<std::int32_t> halo_columns_;   ///< numbers among those of all, from the lowest up
+    std::vector<std::int32_t> numbers_here_;   ///< by the number among those of all; empty without other ranks
+    Halo halo_;
     std::vector<std::int32_t> tile_numbers_;  ///< of the tiles as they lie along x, then y, then z
     std::vector<Cell> tile_cells_;            ///< place of each tile along x, y and z
     /// The place of a column is the sum of the entries for its cell along x, y and z.

@@ -14,8 +14,8 @@ class ColumnsAround {
   public:
     explicit ColumnsAround(const ClusterGrid& grid) : grid_(grid) {}
 
-    /// Call visit(column, shift) for each column, or image of one, that may hold a point within a radius of a centre,
-    /// until a call returns true. The shift is the displacement of the image: whole box edges [sigma].
+    /// Call visit(column, shift) for each column here, or image of one, that may hold a point within a radius of a
+    /// centre, until a call returns true. The shift is the displacement of the image: whole box edges [sigma].
     /// @param center  anywhere [sigma]  @return whether a call returned true
     template <class Visit>
     bool any(const Vec3& center, double radius, Visit&& visit);
@@ -45,7 +45,8 @@ bool ColumnsAround::any(const Vec3& center, double radius, Visit&& visit) {
                 continue;
             }
             for (const Layer& z : along_z) {
-                if (visit(grid_.column_at(x.place + y.place + z.place), Vec3(x.shift, y.shift, z.shift))) {
+                const std::int32_t column = grid_.column_at(x.place + y.place + z.place);
+                if (column >= 0 && visit(column, Vec3(x.shift, y.shift, z.shift))) {
                     return true;
                 }
             }

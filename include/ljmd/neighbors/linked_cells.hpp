@@ -44,7 +44,7 @@ class LinkedCells {
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
     /// The statistics are all that outlives an evaluation.
-    void archive(Archive& a, const State& /*state*/, double /*cutoff*/) { a(statistics_); }
+    void archive(Archive& a, State& /*state*/, double /*cutoff*/) { a(statistics_); }
 
   private:
     CellGrid grid_;

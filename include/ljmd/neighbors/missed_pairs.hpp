@@ -23,8 +23,10 @@ namespace ljmd {
 /// by more than the whole skin, or if a position is not finite.
 ///
 /// Exact but for rounding: pairs count as missed within a cutoff that is wider by a factor of 1 + 5e-7.
+/// Collective where ranks share the atoms.
 /// @param grid    columns and clusters of the atoms in their present order
-/// @param before  positions when they were sorted, laid out as for squared_displacement() [sigma]
+/// @param before  positions when they were sorted, those of the ghosts after them, laid out as for
+/// squared_displacement() [sigma]
 /// @param cutoff  > 0 [sigma]  @param skin  >= 0 [sigma]
 [[nodiscard]] bool any_pair_missed(const ClusterGrid& grid, const double* before, const State& state, double cutoff,
                                    double skin);

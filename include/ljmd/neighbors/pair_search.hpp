@@ -22,7 +22,7 @@ namespace ljmd {
 ///         cutoff. Either each pair is visited once from each side, and j may be a ghost; or it is visited only once,
 ///         and j is an atom of any part (PairVisit::once). Candidates beyond the cutoff must be expected;
 ///     const SearchStatistics& statistics() const;
-///     void archive(Archive&, const State&, double cutoff)
+///     void archive(Archive&, State&, double cutoff)
 ///         reads or writes what a later evaluation depends on.
 ///
 /// @pre for all: cutoff <= L/2, so that an atom has at most one image of another one within the cutoff.
@@ -33,8 +33,10 @@ using PairSearch = std::variant<AllPairs, LinkedCells, VerletList>;
 
 /// @param skin   added to the cutoff as the radius of the list [sigma], >= 0; only `verlet-list` uses it
 /// @param every  number of evaluations to keep each list for, see VerletList; only `verlet-list` uses it
+/// @param tile   atoms of a tile, see ClusterGrid::configure(); only `verlet-list` uses it
 /// @throws InputError for an unknown name
 [[nodiscard]] PairSearch make_pair_search(const std::string& name, double skin,
-                                          std::optional<Index> every = std::nullopt);
+                                          std::optional<Index> every = std::nullopt,
+                                          std::optional<Index> tile = std::nullopt);
 
 }  // namespace ljmd

@@ -13,6 +13,7 @@
 #include "ljmd/neighbors/candidates.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"
 #include "ljmd/neighbors/fixed_point.hpp"
+#include "ljmd/neighbors/ghost_routes.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
 #include "ljmd/neighbors/row_shape.hpp"
 #include "ljmd/neighbors/search_statistics.hpp"
@@ -30,7 +31,7 @@ namespace ljmd {
 ///
 /// The list holds clusters (see ClusterGrid): for each atom, all that have a member within cutoff + skin, each pair of
 /// atoms once. One thread sums the pairs of a tile, in an order that the configuration decides. Forces on its ghost
-/// clusters are added to their owners afterwards, see ExportedGhosts. See PairSearch for the contract.
+/// clusters are added to their owners afterwards, see GhostRoutes. See PairSearch for the contract.
 /// Source: Verlet (1967), doi:10.1103/PhysRev.159.98; Chialvo and Debenedetti (1990), doi:10.1016/0010-4655(90)90007-N.
 class VerletList {
   public:
@@ -39,7 +40,10 @@ class VerletList {
     /// @param skin   [sigma], >= 0
     /// @param every  number of evaluations (>= 1) to keep each list for, however far atoms move; none: rebuild by
     ///               displacement
-    explicit VerletList(double skin, std::optional<Index> every = std::nullopt) : skin_(skin), every_(every) {}
+    /// @param tile   see ClusterGrid::configure()
+    explicit VerletList(double skin, std::optional<Index> every = std::nullopt,
+                        std::optional<Index> tile = std::nullopt)
+        : skin_(skin), every_(every), tile_(tile) {}
 
     /// Choose the level of the kernel that builds lists (by default the level of the state's execution) and the shape
     /// of their rows. Takes effect at the next rebuild.
@@ -67,16 +71,9 @@ class VerletList {
         std::vector<ClusterGrid::GhostClusters> ghosts;
         std::int32_t cluster_count = 0;  ///< ghosts included
     };
-    /// Ghost clusters of another tile that are copies or images of a tile's own clusters.
-    struct ExportedGhosts {
-        std::uint32_t tile;
-        std::uint32_t ghosts;  ///< index into that tile's ghosts
-    };
-    /// All ghosts that other tiles, or the tile itself, hold of a tile's clusters, in the order of the holding tiles.
-    [[nodiscard]] std::span<const ExportedGhosts> exported_ghosts(Index tile) const {
-        const auto t = static_cast<std::size_t>(tile);
-        return std::span(exported_ghosts_).subspan(exported_starts_[t], exported_starts_[t + 1] - exported_starts_[t]);
-    }
+    /// Where the forces on ghost clusters belong.
+    [[nodiscard]] const GhostRoutes& routes() const { return routes_; }
+    [[nodiscard]] GhostRoutes& routes() { return routes_; }
     [[nodiscard]] const RowShape& row_shape() const { return built_for_shape_; }
     [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
     [[nodiscard]] const ClusterGrid& clusters() const { return grid_; }
@@ -88,9 +85,10 @@ class VerletList {
     [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
 
     /// Store the positions that the list was built from, or read them and build the same list again, to the last entry.
-    /// @param state  with the atoms in the order that they had when the list was last used; is not changed
+    /// @param state  with the atoms in the order that they had when the list was last used. Of several ranks, reading
+    /// gives each the atoms of its tiles; else the state is not changed.
     /// @throws CheckpointError
-    void archive(Archive& a, const State& state, double cutoff);
+    void archive(Archive& a, State& state, double cutoff);
 
   private:
     /// True if the list was built for this cutoff and box, this order of atoms, and the present shape of rows.
@@ -99,13 +97,16 @@ class VerletList {
     [[nodiscard]] bool still_valid(const State& state, double cutoff) const;
     /// True if no atom has moved by more than skin/2.
     [[nodiscard]] bool nothing_moved_too_far(const State& state) const;
+    void sort(State& state, double cutoff, State* companion = nullptr);
     void build(const State& state, double cutoff);
+    /// Let the next sort() share the tiles by their work.
+    void measure_work(Ranks& ranks);
     /// Build the lists of a tile. @return number of distance tests
     [[nodiscard]] Index fill(std::size_t tile, const State& state, double range);
-    void find_ghost_owners();
 
     double skin_;
     std::optional<Index> every_;
+    std::optional<Index> tile_;
     std::optional<SimdLevel> level_;  ///< none: the level of the state
     RowShape shape_{2, 2};
     Index age_ = 0;  ///< evaluations since the last rebuild
@@ -115,10 +116,9 @@ class VerletList {
     RowShape built_for_shape_{0, 0};
     ClusterGrid grid_;
     FixedPoint fixed_point_;
-    AlignedVector<double> reference_;  ///< positions at the rebuild, 4 numbers per atom
+    AlignedVector<double> reference_;  ///< positions at the rebuild, ghosts included, 4 numbers per atom
     std::vector<Tile> tiles_;
-    std::vector<ExportedGhosts> exported_ghosts_;  ///< tile by tile
-    std::vector<std::size_t> exported_starts_;  ///< each tile's first index in exported_ghosts_, then the size of that
+    GhostRoutes routes_;
     SearchStatistics statistics_;
 };
 
@@ -128,7 +128,7 @@ void VerletList::for_each_candidate(const State& state, Index part, Visit&& visi
         AtomRange atoms{0, 0};
         Vec3 shift = Vec3::Zero();
     };
-    const auto r = state.positions();
+    const auto r = state.positions_and_ghosts();
     const Tile& tile = tiles_[static_cast<std::size_t>(part)];
     const ClusterGrid::Run own = grid_.tiles()[static_cast<std::size_t>(part)];
     std::vector<Cluster> clusters(static_cast<std::size_t>(tile.cluster_count));  // by their numbers within the tile

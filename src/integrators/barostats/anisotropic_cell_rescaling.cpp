@@ -28,7 +28,7 @@ class AnisotropicCellRescaling : public Barostat {
 
     void apply(State& state, const VirialPressure& of_pairs) const override {
         const double volume = state.box().volume();
-        const Vec3 pressure = of_pairs.along.array() + static_cast<double>(state.count()) * bath_.temperature / volume;
+        const Vec3 pressure = of_pairs.along.array() + static_cast<double>(state.total()) * bath_.temperature / volume;
         const Vec3 drift = mobility_ * (pressure.array() - pressure_);
         const Vec3 noise = std::sqrt(2.0 * mobility_ * bath_.temperature / volume) * random_.normal(state.step, 0);
         const Vec3 change = free_.cwiseProduct(drift + noise);

@@ -27,7 +27,7 @@ class StochasticCellRescaling : public Barostat {
 
     void apply(State& state, const VirialPressure& of_pairs) const override {
         const double volume = state.box().volume();
-        const double pressure = static_cast<double>(state.count()) * bath_.temperature / volume + of_pairs.mean;
+        const double pressure = static_cast<double>(state.total()) * bath_.temperature / volume + of_pairs.mean;
         const double root = std::sqrt(volume);
         const double drift = -0.5 * mobility_ * root * (pressure_ - pressure - 0.5 * bath_.temperature / volume);
         const double noise = std::sqrt(0.5 * mobility_ * bath_.temperature) * random_.normal(state.step, 0)[0];

@@ -14,15 +14,13 @@ double TranslationalOrder::operator()(const State& state) const {
     const Eigen::Vector4d turns(planes_per_length[0], planes_per_length[1], planes_per_length[2], 0.0);
     const CosineKernel kernel = cosine_kernel(state.execution().simd());
     const double* r = state.positions().data();  // the three coordinates of an atom are followed by a zero
-    const Eigen::Vector4d sums = join_blocks(
-        state.execution(), state.count(), sum_block, Eigen::Vector4d(Eigen::Vector4d::Zero()),
-        [&](Index first, Index last) {
+    const auto sums =
+        sum_over_blocks<Eigen::Vector4d>(state.execution(), state.count(), sum_block, [&](Index first, Index last) {
             Eigen::Vector4d of_block;
             kernel.sums_of_cosines(r + vector_stride * first, last - first, turns.data(), of_block.data());
             return of_block;
-        },
-        [](Eigen::Vector4d& sum, const Eigen::Vector4d& of_block) { sum += of_block; });
-    return sums.head<3>().sum() / (3.0 * static_cast<double>(state.count()));
+        });
+    return sums.head<3>().sum() / (3.0 * static_cast<double>(state.total()));
 }
 
 }  // namespace ljmd

@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+#include "ljmd/core/errors.hpp"
+#include "ljmd/execution/loops.hpp"
+#include "ljmd/neighbors/cluster_grid.hpp"
+
+// A grid whose tiles are shared among ranks: who has which tile, and which columns of others are near.
+
+namespace ljmd {
+
+namespace {
+
+template <class T>
+Ranks::Bytes message_of(const std::vector<T>& numbers) {
+    Ranks::Bytes message(numbers.size() * sizeof(T));
+    std::memcpy(message.data(), numbers.data(), message.size());
+    return message;
+}
+
+template <class T>
+std::vector<T> numbers_of(const Ranks::Bytes& message) {
+    std::vector<T> numbers(message.size() / sizeof(T));
+    std::memcpy(numbers.data(), message.data(), message.size());
+    return numbers;
+}
+
+/// The first tile of each rank, and the number of tiles: runs of about the same work.
+/// @param work  of each tile, or of another number of tiles: then all are alike
+std::vector<Index> first_tiles(const std::vector<std::int64_t>& work, Index tiles, int ranks) {
+    std::vector<Index> first;
+    if (static_cast<Index>(work.size()) != tiles) {
+        for (int rank = 0; rank <= ranks; ++rank) {
+            first.push_back(even_share(tiles, rank, ranks).first);
+        }
+        return first;
+    }
+    const std::int64_t all = std::accumulate(work.begin(), work.end(), std::int64_t{0});
+    std::int64_t before = 0;  // of the tiles before this one
+    for (Index tile = 0; tile < tiles; ++tile) {
+        // A rank begins with the tile whose middle is the first one behind the end of its predecessor's share.
+        const double middle =
+            static_cast<double>(before) + 0.5 * static_cast<double>(work[static_cast<std::size_t>(tile)]);
+        while (static_cast<int>(first.size()) < ranks &&
+               middle * ranks >= static_cast<double>(all) * static_cast<double>(first.size())) {
+            first.push_back(tile);
+        }
+        before += work[static_cast<std::size_t>(tile)];
+    }
+    first.resize(static_cast<std::size_t>(ranks) + 1, tiles);
+    return first;
+}
+
+}  // namespace
+
+void ClusterGrid::share_tiles(const Ranks& ranks, double halo) {
+    first_columns_.clear();
+    for (const Index tile : first_tiles(work_, tiles_of_all(), ranks.size())) {
+        first_columns_.push_back(static_cast<std::int32_t>(tile) * columns_per_tile());
+    }
+    const auto rank = static_cast<std::size_t>(ranks.rank());
+    own_columns_ = {first_columns_[rank], first_columns_[rank + 1]};
+    first_tile_ = own_columns_.first / columns_per_tile();
+    halo_columns_.clear();
+    numbers_here_.clear();
+    if (!ranks.alone()) {
+        find_halo(halo);
+    }
+}
+
+int ClusterGrid::rank_of(std::int32_t column) const {
+    const auto after = std::upper_bound(first_columns_.begin(), first_columns_.end(), column);
+    return static_cast<int>(after - first_columns_.begin()) - 1;
+}
+
+void ClusterGrid::find_halo(double halo) {
+    Cell reach{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        reach[a] = static_cast<int>(std::ceil(halo * inverse_width_[static_cast<Index>(a)]));
+    }
+    const auto all = static_cast<std::size_t>(first_columns_.back());
+    std::vector<bool> near(all, false);
+    Cell cell{};
+    for (std::int32_t tile = own_columns_.first / columns_per_tile(); tile < own_columns_.last / columns_per_tile();
+         ++tile) {
+        Cell first = tile_cells_[static_cast<std::size_t>(tile)];
+        Cell last{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            first[a] = first[a] * columns_per_tile_[a] - reach[a];
+            last[a] = first[a] + columns_per_tile_[a] + 2 * reach[a];
+            if (last[a] - first[a] > cells_[a]) {  // all of them, once
+                first[a] = 0;
+                last[a] = cells_[a];
+            }
+        }
+        for (cell[2] = first[2]; cell[2] < last[2]; ++cell[2]) {
+            for (cell[1] = first[1]; cell[1] < last[1]; ++cell[1]) {
+                for (cell[0] = first[0]; cell[0] < last[0]; ++cell[0]) {
+                    Cell wrapped{};
+                    for (std::size_t a = 0; a < 3; ++a) {
+                        wrapped[a] = cell[a] - boxes_away(cell[a], a) * cells_[a];
+                    }
+                    near[static_cast<std::size_t>(column_of_all(place_of(wrapped)))] = true;
+                }
+            }
+        }
+    }
+    numbers_here_.assign(all, -1);
+    std::int32_t number = own_column_count();
+    for (std::size_t column = 0; column < all; ++column) {
+        const auto of_all = static_cast<std::int32_t>(column);
+        if (own_columns_.first <= of_all && of_all < own_columns_.last) {
+            numbers_here_[column] = of_all - own_columns_.first;
+        } else if (near[column]) {
+            numbers_here_[column] = number++;
+            halo_columns_.push_back(of_all);
+        }
+    }
+}
+
+void ClusterGrid::send_to_owners(State& state, State* companion) const {
+    const auto r = std::as_const(state).positions();
+    std::vector<int> destinations(static_cast<std::size_t>(state.count()));
+    for_each_index(state.execution(), state.count(), [&](Index i) {
+        destinations[static_cast<std::size_t>(i)] = rank_of(column_of_all(place_of(cell_at(r.col(i)))));
+    });
+    state.migrate(destinations);
+    if (companion != nullptr) {
+        companion->migrate(destinations);
+    }
+}
+
+void ClusterGrid::fetch_halo(State& state) {
+    Ranks& ranks = state.execution().ranks();
+    const auto size = static_cast<std::size_t>(ranks.size());
+    // Ask for columns, by their numbers at the rank that has them.
+    std::vector<std::vector<std::int32_t>> wanted(size);
+    for (const std::int32_t column : halo_columns_) {
+        const auto rank = static_cast<std::size_t>(rank_of(column));
+        wanted[rank].push_back(column - first_columns_[rank]);
+    }
+    std::vector<Ranks::Bytes> requests;
+    requests.reserve(size);
+    for (const std::vector<std::int32_t>& columns : wanted) {
+        requests.push_back(message_of(columns));
+    }
+    const std::vector<Ranks::Bytes> asked = ranks.exchange(std::move(requests));
+
+    halo_.clear();
+    std::vector<Ranks::Bytes> answers;
+    for (std::size_t rank = 0; rank < size; ++rank) {
+        std::vector<std::uint32_t> counts;
+        std::vector<AtomRange> atoms;
+        for (const std::int32_t column : numbers_of<std::int32_t>(asked[rank])) {
+            const auto k = static_cast<std::size_t>(column);
+            atoms.push_back({column_atoms_[k], column_atoms_[k + 1]});
+            counts.push_back(column_atoms_[k + 1] - column_atoms_[k]);
+        }
+        halo_.send(static_cast<int>(rank), std::move(atoms));
+        answers.push_back(message_of(counts));
+    }
+    const std::vector<Ranks::Bytes> answered = ranks.exchange(std::move(answers));
+    for (std::size_t rank = 0; rank < size; ++rank) {
+        const std::uint32_t before = column_atoms_.back();
+        for (const std::uint32_t count : numbers_of<std::uint32_t>(answered[rank])) {
+            column_atoms_.push_back(column_atoms_.back() + count);
+        }
+        halo_.receive(static_cast<int>(rank), column_atoms_.back() - before);
+    }
+    state.set_ghost_count(halo_.count());
+    halo_.refresh(state);
+}
+
+ClusterGrid::Abroad ClusterGrid::abroad(std::int32_t cluster) const {
+    const auto after = std::upper_bound(column_clusters_.begin(), column_clusters_.end(), cluster);
+    const auto column = static_cast<std::int32_t>(after - column_clusters_.begin()) - 1;
+    const std::int32_t of_all = halo_columns_[static_cast<std::size_t>(column - own_column_count())];
+    const int rank = rank_of(of_all);
+    return {rank, of_all - first_columns_[static_cast<std::size_t>(rank)],
+            cluster - column_clusters_[static_cast<std::size_t>(column)]};
+}
+
+}  // namespace ljmd

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <mutex>
+#include <vector>
+
+#include "ljmd/model/lattice.hpp"
+#include "ljmd/neighbors/cluster_grid.hpp"
+#include "model/shared_state.hpp"
+
+using namespace ljmd;
+using test::RankTeam;
+
+namespace {
+
+constexpr double range = 1.6;
+constexpr double halo = 2.0;
+constexpr Index tile = 60;
+
+}  // namespace
+
+TEST_CASE("of several ranks each has the atoms of its tiles, in the order of one process") {
+    const Index atoms = 700;
+    const Box box = GENERATE(Box({9.0, 10.0, 11.0}), Box({5.0, 6.0, 30.0}));
+    const std::vector<Vec3> positions = random_positions(atoms, box, 5);
+    State alone = test::share_of(positions, box, nullptr);
+    ClusterGrid expected;
+    expected.configure(box, range, atoms, tile);
+    expected.sort(alone);
+    const int size = GENERATE(2, 3, 8, 20);
+    const auto all = static_cast<Index>(expected.tiles().size());
+    REQUIRE(all > 6);
+    std::mutex mutex;
+    std::vector<std::vector<Index>> ids(static_cast<std::size_t>(size));
+    bool right = true;
+    RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
+        const int rank = ranks->rank();
+        const Ranks& here = *ranks;
+        State state = test::share_of(positions, box, std::move(ranks));
+        ClusterGrid grid;
+        grid.configure(box, range, atoms, tile, halo, here);
+        grid.sort(state);
+        const Share share = even_share(all, here);
+        const std::lock_guard lock(mutex);
+        right = right && grid.first_tile() == share.first && static_cast<Index>(grid.tiles().size()) == share.count();
+        for (Index t = 0; t < share.count(); ++t) {
+            const AtomRange ours = grid.atoms_of_tile(t);
+            const AtomRange theirs = expected.atoms_of_tile(share.first + t);
+            right = right && ours.count() == theirs.count();
+        }
+        ids[static_cast<std::size_t>(rank)] = state.ids();
+    });
+    CHECK(right);
+    std::vector<Index> joined;
+    for (const std::vector<Index>& of_rank : ids) {
+        joined.insert(joined.end(), of_rank.begin(), of_rank.end());
+    }
+    CHECK(joined == alone.ids());
+}
+
+TEST_CASE("the halo of a rank has every atom of others that is near one of its own") {
+    const Index atoms = 900;
+    const Box box({8.0, 9.0, 16.0});
+    const std::vector<Vec3> positions = random_positions(atoms, box, 6);
+    const int size = GENERATE(2, 5);
+    std::mutex mutex;
+    bool complete = true;
+    bool own_alone = true;
+    Index ghosts = 0;
+    RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
+        const Ranks& here = *ranks;
+        State state = test::share_of(positions, box, std::move(ranks));
+        ClusterGrid grid;
+        grid.configure(box, range, atoms, tile, halo, here);
+        grid.sort(state);
+        const auto known = std::as_const(state).positions_and_ghosts();
+        const auto is_known = [&](const Vec3& r, Index first) {
+            for (Index i = first; i < known.cols(); ++i) {
+                if (known.col(i) == r) {
+                    return true;
+                }
+            }
+            return false;
+        };
+        bool all_near = true;
+        bool none_twice = true;
+        for (Index id = 0; id < atoms; ++id) {
+            const Vec3 r = box.snap(positions[static_cast<std::size_t>(id)]);
+            const bool is_here = std::find(state.ids().begin(), state.ids().end(), id) != state.ids().end();
+            if (is_here) {
+                none_twice = none_twice && !is_known(r, state.count());
+                continue;
+            }
+            bool near = false;
+            for (Index i = 0; i < state.count() && !near; ++i) {
+                const Vec3 d = known.col(i) - r;
+                near = (d - box.crossings(d + 0.5 * box.edges()).cwiseProduct(box.edges())).norm() < halo;
+            }
+            all_near = all_near && (!near || is_known(r, state.count()));
+        }
+        const std::lock_guard lock(mutex);
+        complete = complete && all_near;
+        own_alone = own_alone && none_twice;
+        ghosts += state.ghost_count();
+    });
+    CHECK(complete);
+    CHECK(own_alone);
+    CHECK(ghosts > 0);
+}
+
+TEST_CASE("ranks share the work, not the tiles, where it is known") {
+    const Box box({8.0, 8.0, 32.0});
+    std::vector<Vec3> positions = random_positions(1200, box, 9);
+    for (Vec3& r : positions) {
+        r[2] *= 0.25;  // three quarters of the box are empty
+    }
+    const int size = GENERATE(2, 4);
+    std::mutex mutex;
+    Index most = 0;
+    Index most_evenly = 0;
+    RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
+        Ranks& here = *ranks;
+        State state = test::share_of(positions, box, std::move(ranks));
+        ClusterGrid grid;
+        grid.configure(box, range, 1200, tile, halo, here);
+        grid.sort(state);
+        const Index evenly = state.count();
+        std::vector<std::int64_t> work(static_cast<std::size_t>(grid.tiles_of_all()), 0);
+        for (Index t = 0; t < static_cast<Index>(grid.tiles().size()); ++t) {
+            work[static_cast<std::size_t>(grid.first_tile() + t)] = grid.atoms_of_tile(t).count();
+        }
+        here.sum(work);
+        grid.set_work(work);
+        grid.configure(box, range, 1200, tile, halo, here);
+        grid.sort(state);
+        const std::lock_guard lock(mutex);
+        most = std::max(most, state.count());
+        most_evenly = std::max(most_evenly, evenly);
+    });
+    CHECK(most_evenly > 1200 / size * 3 / 2);
+    CHECK(most < 1200 / size * 5 / 3);  // tiles are large here
+}
+
+TEST_CASE("a companion of a state gets its order, and passes from rank to rank with it") {
+    const Index atoms = 500;
+    const Box box({9.0, 9.0, 9.0});
+    const std::vector<Vec3> positions = random_positions(atoms, box, 8);
+    const int size = GENERATE(1, 3);
+    std::mutex mutex;
+    bool same = true;
+    RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
+        const Ranks& here = *ranks;
+        State state = test::share_of(positions, box, std::move(ranks));
+        State companion = state;
+        companion.write_positions().setZero();
+        ClusterGrid grid;
+        grid.configure(box, range, atoms, tile, halo, here);
+        grid.sort(state, &companion);
+        const std::lock_guard lock(mutex);
+        same = same && state.ids() == companion.ids();
+    });
+    CHECK(same);
+}
