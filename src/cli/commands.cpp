@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 #include "ljmd/cli/bench.hpp"
 #include "ljmd/cli/judge/judge_command.hpp"
 #include "ljmd/cli/progress.hpp"
+#include "ljmd/cli/ranks.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/compare/compare_gsl.hpp"
@@ -63,8 +66,9 @@ Deck load_melt(const DeckOptions& options, Diagnostics& diagnostics) {
 }
 
 /// The start of a deck after all checks, and the threads that the system has granted. Prints the warnings.
-CheckedRun checked(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics) {
-    CheckedRun run = checked_run(deck, options.threads, options.simd, diagnostics);
+CheckedRun checked(const Deck& deck, const DeckOptions& options, Diagnostics& diagnostics,
+                   const std::shared_ptr<Ranks>& ranks = nullptr) {
+    CheckedRun run = checked_run(deck, options.threads, options.simd, diagnostics, ranks);
     if (!options.quiet) {
         print_warnings(diagnostics);
     }
@@ -210,16 +214,53 @@ void show_asked_report(const Deck& deck) {
 
 }  // namespace
 
-void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
-    RunControl control{.interruption = until_signal(wall_time(walltime))};
+namespace {
+
+class Silent : public RunListener {};
+
+struct ReadDeck {
+    Deck deck;
+    CheckedRun run;
+};
+
+ReadDeck read_deck(const DeckOptions& options, const std::string& out, const std::shared_ptr<Ranks>& ranks) {
     Diagnostics diagnostics;
     Deck deck = load(options, diagnostics);
     if (!out.empty()) {
         deck.directory = out;
     }
-    CheckedRun run = checked(deck, options, diagnostics);
-    // Make the system before any file is touched: if that fails, an earlier run must not be lost.
-    check_directory(deck, options.force);
+    CheckedRun run = checked(deck, options, diagnostics, ranks);
+    return {std::move(deck), std::move(run)};
+}
+
+/// The part of a rank other than rank 0, whose options have no effect on files and screen.
+void run_as_member(DeckOptions options, const std::shared_ptr<Ranks>& ranks) {
+    options.quiet = true;
+    ignore_stop_signals();
+    std::optional<ReadDeck> read;
+    prepare_together(ranks, [&] { read = read_deck(options, "", ranks); });
+    require_shareable(ranks, read->deck);
+    Silent silent;
+    AnySystem system = make_system(read->deck, std::move(read->run.start), read->run.execution, [](const auto&) {});
+    run_deck(read->deck, system, silent);
+}
+
+}  // namespace
+
+void run_command(const DeckOptions& options, const std::string& out, const std::string& walltime) {
+    const std::shared_ptr<Ranks> ranks = shared_ranks();
+    if (ranks && !ranks->is_root()) {
+        run_as_member(options, ranks);
+        return;
+    }
+    RunControl control{.interruption = until_signal(wall_time(walltime))};
+    std::optional<ReadDeck> read;
+    prepare_together(ranks, [&] {
+        read = read_deck(options, out, ranks);
+        check_directory(read->deck, options.force);
+    });
+    auto& [deck, run] = *read;
+    require_shareable(ranks, deck);
     Progress progress(run.atoms(), total_steps(deck.stages), options.quiet);
     AnySystem system = make_system(deck, std::move(run.start), run.execution,
                                    [&](const std::string& text) { progress.warning(text); });
@@ -231,10 +272,40 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
     show_asked_report(deck);
 }
 
+namespace {
+
+void resume_as_member(const ResumeOptions& options, const std::shared_ptr<Ranks>& ranks) {
+    ignore_stop_signals();
+    std::optional<HeldRun> run;
+    prepare_together(ranks, [] {});  // rank 0 holds the directory
+    prepare_together(ranks, [&] {
+        run.emplace(
+            options.directory, options.more_steps, options.threads, [](const std::string&) {}, GivenAgain{}, ranks);
+    });
+    require_shareable(ranks, run->deck());
+    const CheckpointHead from = run->checkpoint();
+    AnySystem system = empty_system(run->deck(), from.atoms, from.edges, run->execution());
+    Silent silent;
+    run_deck(run->deck(), system, silent, {.continuation = run->take()});
+}
+
+}  // namespace
+
 void resume_command(const ResumeOptions& options) {
+    const std::shared_ptr<Ranks> ranks = shared_ranks();
+    if (ranks && !ranks->is_root()) {
+        resume_as_member(options, ranks);
+        return;
+    }
     RunControl control{.interruption = until_signal(wall_time(options.walltime))};
     install_stop_handlers();
-    HeldRun run(options.directory, options.more_steps, options.threads, warn);
+    std::optional<HeldRun> held;
+    prepare_together(ranks, [&] {
+        held.emplace(options.directory, options.more_steps, options.threads, warn, GivenAgain{}, ranks);
+    });
+    prepare_together(ranks, [] {});  // the others have read the checkpoint
+    HeldRun& run = *held;
+    require_shareable(ranks, run.deck());
     const CheckpointHead from = run.checkpoint();
     const Index steps = total_steps(run.deck().stages);
     AnySystem system = empty_system(run.deck(), from.atoms, from.edges, run.execution());

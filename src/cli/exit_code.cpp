@@ -8,6 +8,7 @@
 
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/ranks.hpp"
 #include "ljmd/execution/thread_team.hpp"
 #include "ljmd/io/files/process.hpp"
 #include "ljmd/run/interruption.hpp"
@@ -17,18 +18,35 @@ namespace ljmd {
 
 namespace {
 
-/// @return the exit code
-int say(const std::string& message, int code) {
-    // Diagnostics already have "error:" in front of each line that needs it.
-    print_message(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
-    return code;
-}
+/// Prints the message of an exception, or not.
+class Reporter {
+  public:
+    explicit Reporter(bool aloud) : aloud_(aloud) {}
+
+    /// @return the exit code
+    int operator()(const std::string& message, int code) const {
+        // Diagnostics already have "error:" in front of each line that needs it.
+        print(fmt::format("{}{}\n", message.starts_with("error:") ? "" : "error: ", message));
+        return code;
+    }
+    void print(const std::string& text) const {
+        if (aloud_) {
+            print_message(text);
+        }
+    }
+
+  private:
+    bool aloud_;
+};
 
 }  // namespace
 
-int report_current_exception() {
+int report_current_exception(bool aloud) {
+    const Reporter say(aloud);
     try {
         throw;
+    } catch (const RankLost&) {
+        return 8;  // the rank that has failed says why
     } catch (const OutputRefused& e) {
         return say(e.for_commands(), 2);
     } catch (const InputError& e) {
@@ -50,10 +68,10 @@ int report_current_exception() {
     } catch (const InUseError& e) {
         return say(e.what(), 9);
     } catch (const Interrupted& e) {
-        print_message(fmt::format("{}\n", e.what()));
+        say.print(fmt::format("{}\n", e.what()));
         return e.exit_code();
     } catch (const std::exception& e) {
-        print_message(
+        say.print(
             fmt::format("internal error: {}\nThis is a bug in ljmd; please report it with the deck.\n", e.what()));
         return 1;
     }

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "ljmd/cli/commands.hpp"
+#include "ljmd/cli/ranks.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/compare/openmm.hpp"
 #include "ljmd/compare/recorded_comparison.hpp"
@@ -68,6 +69,7 @@ std::string info_text() {
     text += fmt::format("threads       {} of {} processors, unless --threads says otherwise\n", default_thread_count(),
                         available_processors());
     text += fmt::format("openmm        {}\n", openmm_line());
+    text += fmt::format("mpi           {}\n", mpi_is_built_in() ? mpi_module().string() : "not built in");
     for (const auto& [word, names] : selectable()) {
         text += fmt::format("{:<14}{}\n", word, fmt::join(names, ", "));
     }
@@ -94,6 +96,7 @@ std::string info_json() {
                        {"simd_levels", usable_levels()},
                        {"processors", available_processors()},
                        {"openmm", openmm_version()},
+                       {"mpi", mpi_is_built_in() ? Data(mpi_module().string()) : Data(nullptr)},
                        {"openmm_platforms", openmm_platforms()},
                        {"potentials", PairPotential::formula_names()},
                        {"truncations", PairPotential::truncation_names()},

@@ -9,6 +9,7 @@
 #include "ljmd/cli/evaluate/evaluate_options.hpp"
 #include "ljmd/cli/exit_code.hpp"
 #include "ljmd/cli/own_commands.hpp"
+#include "ljmd/cli/ranks.hpp"
 #include "ljmd/cli/signals.hpp"
 #include "ljmd/cli/streams.hpp"
 #include "ljmd/cli/studies/reference_options.hpp"
@@ -324,6 +325,10 @@ int main(int argc, char** argv) {
         return ljmd::report_usage(app, error);
     }
     try {
+        if (!(run.parsed() && several.replicas == 0) &&
+            !(resume.parsed() && !ljmd::holds_replicas(resumed.directory))) {
+            ljmd::refuse_ranks(app.get_subcommands().front()->get_name());
+        }
         if (run.parsed() && several.replicas > 0) {
             ljmd::replicas_command(options, out, several.replicas, several.jobs);
         } else if (run.parsed()) {
@@ -362,7 +367,7 @@ int main(int argc, char** argv) {
             ljmd::info_command(told);
         }
     } catch (...) {
-        return ljmd::report_current_exception();
+        return ljmd::end_after_exception();
     }
     return 0;
 }

@@ -93,6 +93,12 @@ void install_stop_handlers() {
     }
 }
 
+void ignore_stop_signals() {
+    for (const StopSignal& one : stop_signals) {
+        static_cast<void>(::signal(one.number, SIG_IGN));
+    }
+}
+
 std::optional<StopRequest> stop_signal() {
     const int number = received;
     return number == 0 ? std::nullopt : std::optional(StopRequest{number, name_of(number)});

@@ -9,12 +9,15 @@
 
 namespace ljmd {
 
-CheckedRun checked_run(const Deck& deck, int threads, const std::string& simd, Diagnostics& diagnostics) {
+CheckedRun checked_run(const Deck& deck, int threads, const std::string& simd, Diagnostics& diagnostics,
+                       const std::shared_ptr<Ranks>& ranks) {
     if (deck.kind() == DeckKind::few_body) {
         return {std::nullopt, Execution()};
     }
     Start start = find_start(deck);
-    Execution execution(execution_options(deck, threads, simd));
+    ExecutionOptions options = execution_options(deck, threads, simd);
+    options.ranks = ranks;
+    Execution execution(options);
     if (start.configuration) {  // the box is known only now
         check_start(deck, start, diagnostics);
         diagnostics.throw_if_errors();

@@ -114,7 +114,8 @@ void ConfigurationEvaluator::begin(const Positions& positions, const Vec3& edges
     parts_ = std::make_unique<Parts>(
         Parts{std::move(state),
               PairForceField(interaction_.potential,
-                             make_pair_search(neighbors_.method, neighbors_.skin, neighbors_.every), execution_),
+                             make_pair_search(neighbors_.method, neighbors_.skin, neighbors_.every, neighbors_.tile),
+                             execution_),
               edges});
 }
 

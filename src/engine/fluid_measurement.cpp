@@ -12,6 +12,7 @@
 #include "ljmd/core/text.hpp"
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/result_doubts.hpp"
+#include "ljmd/model/all_atoms.hpp"
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
 
@@ -33,7 +34,7 @@ FluidMeasurement::FluidMeasurement(const FluidSpec& spec, FluidSystem& fluid, Ru
       fluid_(fluid),
       outputs_(outputs),
       sample_every_(spec.sample_every),
-      averages_(fluid.state.count(), sampled_ensemble(spec.stages, spec.external != nullptr),
+      averages_(fluid.state.total(), sampled_ensemble(spec.stages, spec.external != nullptr),
                 spec.external && spec.external->has_energy()),
       analysed_edges_(fluid.state.box().edges()) {
     for (Observer* observer : observers) {
@@ -125,7 +126,7 @@ void FluidMeasurement::begin_to_watch(const Stage& stage) {
 
 void FluidMeasurement::started(const Evaluation& evaluation) {
     const Thermodynamics values = thermodynamics(fluid_.state, evaluation, fluid_.tail);
-    outputs_.frame(fluid_.state, std::nullopt);
+    look_at_all_atoms(fluid_.state, [this](const State& all) { outputs_.frame(all, std::nullopt); });
     put_row(values);
     first_ = values;
     // The time loop begins here: earlier time is not counted.
@@ -139,7 +140,7 @@ void FluidMeasurement::started(const Evaluation& evaluation) {
 }
 
 double FluidMeasurement::density() const {
-    return static_cast<double>(fluid_.state.count()) / fluid_.state.box().volume();
+    return static_cast<double>(fluid_.state.total()) / fluid_.state.box().volume();
 }
 
 std::optional<double> FluidMeasurement::order() const {
@@ -149,7 +150,7 @@ std::optional<double> FluidMeasurement::order() const {
 /// Per atom; nothing if this stage has no conserved energy.
 std::optional<double> FluidMeasurement::conserved_energy(const Thermodynamics& row) const {
     const State& state = fluid_.state;
-    return conserves_energy_ ? std::optional(row.total_energy - state.heat() / static_cast<double>(state.count()))
+    return conserves_energy_ ? std::optional(row.total_energy - state.heat() / static_cast<double>(state.total()))
                              : std::nullopt;
 }
 
@@ -162,22 +163,26 @@ void FluidMeasurement::put_row(const Thermodynamics& values) {
 }
 
 void FluidMeasurement::sample(const Evaluation& evaluation, bool always) {
-    const State& state = fluid_.state;
-    for (const auto& analysis : fluid_.analyses) {
-        if (always || analysis->due(state.step)) {
-            analysis->sample(state, evaluation);
-        }
+    const Index step = fluid_.state.step;
+    const auto is_wanted = [=](const auto& each) { return always || each->due(step); };
+    const auto is_needed = [=](const Observer* each) { return always || each->needs(step); };
+    if (std::ranges::none_of(fluid_.analyses, is_wanted) && std::ranges::none_of(observers_, is_needed)) {
+        return;
     }
-    std::optional<Snapshot> snapshot;
-    for (Observer* observer : observers_) {
-        if (always || observer->needs(state.step)) {
-            if (!snapshot) {
-                const bool known = always || wants_energy(state.step);
-                snapshot.emplace(state, fluid_.tail, known ? std::optional(evaluation) : std::nullopt);
+    look_at_all_atoms(fluid_.state, [&](const State& state) {
+        for (const auto& analysis : fluid_.analyses) {
+            if (is_wanted(analysis)) {
+                analysis->sample(state, evaluation);
             }
-            observer->sample(*snapshot);
         }
-    }
+        const bool known = always || wants_energy(step);
+        const Snapshot snapshot(state, fluid_.tail, known ? std::optional(evaluation) : std::nullopt);
+        for (Observer* observer : observers_) {
+            if (is_needed(observer)) {
+                observer->sample(snapshot);
+            }
+        }
+    });
 }
 
 void FluidMeasurement::stage_begins(const Stage& stage) {
@@ -206,7 +211,7 @@ void FluidMeasurement::stage_begins(const Stage& stage) {
 /// depend on the box: with others no stage with a barostat may come after the first sampled one.
 void FluidMeasurement::adapt_analyses() {
     const State& state = fluid_.state;
-    const std::vector<Mistake> wrong = box_mistakes(spec_, state.count(), state.box());
+    const std::vector<Mistake> wrong = box_mistakes(spec_, state.total(), state.box());
     if (!wrong.empty()) {
         throw PhysicsError(fmt::format("in the box that the barostat has made: {}", in_words(wrong.front())));
     }
@@ -262,7 +267,7 @@ void FluidMeasurement::step_done(const Stage& stage, const Evaluation& evaluatio
     }
     if (outputs_.frame_is_due(state)) {
         Stopwatch watch;
-        outputs_.frame(state, std::nullopt);
+        look_at_all_atoms(state, [this](const State& all) { outputs_.frame(all, std::nullopt); });
         seconds_.write += watch.lap();
     }
     outputs_.step_done(state.step);
@@ -352,7 +357,7 @@ PhaseSeconds FluidMeasurement::phases(const LoopSeconds& loop) const {
 RunResult FluidMeasurement::result(const LoopSeconds& loop) const {
     const State& state = fluid_.state;
     const auto equation = equation_of_fluid(spec_);
-    RunResult result{state.count(),
+    RunResult result{state.total(),
                      density(),
                      state.box().edges(),
                      averages_.averages(),

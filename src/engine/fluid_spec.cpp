@@ -122,6 +122,13 @@ void NeighborSpec::describe(Description& description) {
         .meaning(
             "rebuild the list every so many steps, whatever the atoms do, as other programs may: pairs can be missed; "
             "verlet-list only");
+    description.integer("tile", tile)
+        .at_least(min_tile)
+        .at_most(static_cast<double>(max_atoms))
+        .optional("4000, or half of all atoms if that is less, but at least 200")
+        .meaning(
+            "atoms that a thread works on at once, at most about: smaller tiles let more threads share a small system, "
+            "and take longer; changes the last digits of forces; verlet-list only");
 }
 
 Interaction FluidSpec::interaction() const {

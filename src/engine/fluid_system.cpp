@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/ranks.hpp"
 #include "ljmd/integrators/relaxation.hpp"
 #include "ljmd/model/velocities.hpp"
 
@@ -15,7 +16,7 @@ constexpr double noticeable_drift = 1e-6;  // speed of the centre of mass [sigma
 void place(State& state, const std::vector<Vec3>& positions) {
     auto r = state.write_positions();
     for (Index i = 0; i < state.count(); ++i) {
-        r.col(i) = positions[static_cast<std::size_t>(i)];
+        r.col(i) = positions[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])];
     }
 }
 
@@ -27,7 +28,7 @@ void set_velocities(State& state, const FluidSpec& spec, const std::function<voi
     if (spec.external) {
         return;  // the centre of mass moves with it
     }
-    const double drift = (total_momentum(state) / static_cast<double>(state.count())).norm();
+    const double drift = (total_momentum(state) / static_cast<double>(state.total())).norm();
     if (drift > noticeable_drift) {
         warn(fmt::format("the centre of mass moved with {:.3g} sigma/tau; its motion was removed", drift));
     }
@@ -38,7 +39,9 @@ void set_velocities(State& state, const FluidSpec& spec, const std::function<voi
 
 PairForceField make_force_field(const FluidSpec& spec, const Execution& execution) {
     PairForceField force_field{
-        spec.potential, make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every), execution};
+        spec.potential,
+        make_pair_search(spec.neighbors.method, spec.neighbors.skin, spec.neighbors.every, spec.neighbors.tile),
+        execution};
     force_field.set_external(spec.external);
     return force_field;
 }
@@ -48,7 +51,7 @@ std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, cons
     if (spec.analyses.empty()) {
         return analyses;
     }
-    SampledRun run = sampled_run(spec.stages, spec.seed, state.count(), state.box());
+    SampledRun run = sampled_run(spec.stages, spec.seed, state.total(), state.box());
     run.interaction = spec.interaction();
     for (const ChosenAnalysis& analysis : spec.analyses) {
         analyses.push_back(analysis.options->make(run));
@@ -71,10 +74,10 @@ void place_configuration(State& state, const Configuration& configuration) {
     auto r = state.write_positions();
     auto v = state.write_velocities();
     for (Index i = 0; i < state.count(); ++i) {
-        const auto k = static_cast<std::size_t>(i);
+        const auto k = static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)]);
         const Vec3 n = box.crossings(configuration.positions[k]);
         if (!(n.cwiseAbs().maxCoeff() < 1e6)) {
-            throw DataError(fmt::format("atom {} is more than a million edges away from its box", i + 1));
+            throw DataError(fmt::format("atom {} is more than a million edges away from its box", k + 1));
         }
         r.col(i) = box.snap(configuration.positions[k] - n.cwiseProduct(box.edges()));
         state.set_image(i, n.cast<int>());
@@ -95,6 +98,9 @@ FluidSystem make_fluid(const FluidSpec& spec, const Execution& execution,
                        const std::function<void(const std::string&)>& warn) {
     const Index atoms = atoms_of(spec);
     const Box box = box_of(spec);
+    if (spec.external && !execution.ranks().alone()) {
+        throw InputError("an external force acts on all atoms at once: several ranks cannot share them");
+    }
     FluidSystem fluid = empty_fluid(spec, atoms, box, execution);
     if (const auto* configuration = std::get_if<Configuration>(&spec.start)) {
         place_configuration(fluid.state, *configuration);

@@ -267,6 +267,13 @@ std::vector<Mistake> search_mistakes(const NeighborSpec& neighbors, Precision pr
     if (neighbors.every && *neighbors.every < 1) {
         found.add_of_key({"every"}, fmt::format("is {}, it must be at least 1", *neighbors.every));
     }
+    if (neighbors.tile && *neighbors.tile < min_tile) {
+        found.add_of_key({"tile"}, fmt::format("is {}, it must be at least {}", *neighbors.tile, min_tile));
+    }
+    if (neighbors.tile && !neighbors.keeps_list()) {
+        found.add_of_key({"tile", "method"}, fmt::format("has no meaning for method = \"{}\"", neighbors.method),
+                         "only a list has tiles");
+    }
     if (neighbors.every && !neighbors.keeps_list()) {
         found.add_of_key({"every", "method"}, fmt::format("has no meaning for method = \"{}\"", neighbors.method),
                          "only a list is kept for some steps");

@@ -41,8 +41,9 @@ FluidSpec seeded(FluidSpec spec) {
 /// specifications with the same text continue each other's runs.
 std::string identity(const FluidSpec& spec, const Execution& execution) {
     std::string text = identity(spec.potential);
-    text += fmt::format("; {}; {} {} {}; {}; {} {}", spec.tail, spec.neighbors.method, spec.neighbors.skin,
-                        spec.neighbors.every.value_or(0), spec.sample_every, spec.seed, name(execution.precision()));
+    text += fmt::format("; {}; {} {} {} {}; {}; {} {}", spec.tail, spec.neighbors.method, spec.neighbors.skin,
+                        spec.neighbors.every.value_or(0), spec.neighbors.tile.value_or(0), spec.sample_every, spec.seed,
+                        name(execution.precision()));
     for (const Stage& stage : spec.stages) {
         text += fmt::format("; stage {} {} {} {} {} {} {} {} {}", stage.name, stage.integrator.plugin.name,
                             settings_in_words(stage.integrator.values), stage.time_step, stage.steps, stage.temperature,
@@ -112,7 +113,7 @@ struct Simulation::Parts {
         if (position && position->stage > spec.stages.size()) {
             throw CheckpointError("the checkpoint is in a stage that the simulation does not have");
         }
-        fluid = empty_fluid(spec, fluid.state.count(), Box(edges), fluid.state.execution());
+        fluid = empty_fluid(spec, fluid.state.total(), Box(edges), fluid.state.execution());
         rows.all.clear();
         const std::vector<Observer*> observers = measurement->observers();
         measurement.emplace(spec, fluid, rows, observers);

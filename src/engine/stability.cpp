@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
@@ -48,13 +52,28 @@ void StabilityWatch::check_speeds(const State& state) const {
     const Fastest fastest =
         join_blocks(state.execution(), state.count(), loop_block, Fastest{}, fastest_of,
                     [](Fastest& so_far, const Fastest& block) { so_far.compare(block.atom, block.speed2); });
-    const double move = std::sqrt(fastest.speed2) * time_step_;
-    if (!(move < longest_move)) {
-        throw PhysicsError(
-            fmt::format("atom {} moves {:.3g} sigma in one step of {:.6g} tau: the run has blown up. Is the "
-                        "time step too large, or do atoms overlap at the start?",
-                        state.ids()[static_cast<std::size_t>(fastest.atom)] + 1, move, time_step_));
+    double move = std::sqrt(fastest.speed2) * time_step_;
+    // Of several ranks, all find the same atom: the first one that moves farthest, NaN above all.
+    Ranks& ranks = state.execution().ranks();
+    const double here = std::isnan(move) ? std::numeric_limits<double>::infinity() : move;
+    double farthest = here;
+    ranks.largest({&farthest, 1});
+    if (farthest < longest_move) {
+        return;
     }
+    double first_rank = here == farthest ? -ranks.rank() : -std::numeric_limits<double>::infinity();
+    ranks.largest({&first_rank, 1});
+    const bool is_ours = first_rank == -ranks.rank();
+    std::array<std::int64_t, 2> named{0, 0};
+    if (is_ours) {
+        named = {state.ids()[static_cast<std::size_t>(fastest.atom)] + 1, std::bit_cast<std::int64_t>(move)};
+    }
+    ranks.sum(named);
+    move = std::bit_cast<double>(named[1]);
+    throw PhysicsError(
+        fmt::format("atom {} moves {:.3g} sigma in one step of {:.6g} tau: the run has blown up. Is the "
+                    "time step too large, or do atoms overlap at the start?",
+                    named[0], move, time_step_));
 }
 
 void StabilityWatch::check_energy(const Thermodynamics& now) {

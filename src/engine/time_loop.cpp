@@ -29,7 +29,7 @@ std::unique_ptr<Thermostat> thermostat_of(const Stage& stage, const State& state
         return nullptr;
     }
     return stage.thermostat->options->make(
-        {stage.temperature, stage.time_step, stage.seed, degrees_of_freedom(state.count())});
+        {stage.temperature, stage.time_step, stage.seed, degrees_of_freedom(state.total())});
 }
 
 std::unique_ptr<Barostat> barostat_of(const Stage& stage, const std::optional<Interaction>& interaction) {

@@ -6,6 +6,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_execution.hpp"
+#include "ljmd/execution/ranks.hpp"
 #include "ljmd/io/files/input_file.hpp"
 
 namespace ljmd {
@@ -13,14 +14,24 @@ namespace ljmd {
 namespace {
 
 /// @return nothing where there is no directory: recorded_run() has the message for that
-std::unique_ptr<RunLock> lock_of(const std::filesystem::path& directory, const RunLock::Warn& warn) {
-    return input_is_directory(directory) ? std::make_unique<RunLock>(directory, warn) : nullptr;
+std::unique_ptr<RunLock> lock_of(const std::filesystem::path& directory, const RunLock::Warn& warn,
+                                 const std::shared_ptr<Ranks>& ranks) {
+    const bool has_files = !ranks || ranks->is_root();
+    return has_files && input_is_directory(directory) ? std::make_unique<RunLock>(directory, warn) : nullptr;
+}
+
+ExecutionOptions options_of(const RecordedRun& run, int threads, const std::shared_ptr<Ranks>& ranks) {
+    ExecutionOptions options = execution_options(run.deck, threads > 0 ? threads : run.threads, run.simd);
+    options.ranks = ranks;
+    return options;
 }
 
 RecordedRun locked_run(const std::filesystem::path& directory, Index more_steps, const GivenAgain& again,
                        const std::unique_ptr<RunLock>& lock) {
     RecordedRun run = recorded_run(directory, more_steps);
-    run.deck.locked = lock->directory();
+    if (lock) {
+        run.deck.locked = lock->directory();
+    }
     run.deck.given = resumed_parts(std::move(run.deck.given), again, directory);
     return run;
 }
@@ -38,11 +49,11 @@ Continuation newest_continuation(const RecordedRun& run) {
 }  // namespace
 
 HeldRun::HeldRun(const std::filesystem::path& directory, Index more_steps, int threads, const RunLock::Warn& warn,
-                 const GivenAgain& again)
-    : lock_(lock_of(directory, warn)),
+                 const GivenAgain& again, const std::shared_ptr<Ranks>& ranks)
+    : lock_(lock_of(directory, warn, ranks)),
       run_(locked_run(directory, more_steps, again, lock_)),
       continuation_(newest_continuation(run_)),
-      execution_(execution_options(run_.deck, threads > 0 ? threads : run_.threads, run_.simd)) {
+      execution_(options_of(run_, threads, ranks)) {
     continue_past_errors(run_, continuation_, more_steps);
 }
 

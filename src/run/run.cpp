@@ -3,7 +3,9 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/engine/fluid_measurement.hpp"
-#include "ljmd/run/directory_outputs.hpp"
+#include "ljmd/model/all_atoms.hpp"
+#include "ljmd/run/outputs/directory_outputs.hpp"
+#include "ljmd/run/outputs/shared_outputs.hpp"
 #include "ljmd/run/results.hpp"
 #include "ljmd/run/run_lock.hpp"
 
@@ -18,7 +20,9 @@ auto saving_failure(const Deck& deck, State& state, const Work& work) {
         return work();
     } catch (const PhysicsError& error) {
         state.finish_kick();
-        throw PhysicsError(error.what() + save_failure(deck, state));
+        std::string saved;
+        look_at_all_atoms(state, [&](const State& all) { saved = save_failure(deck, all); });
+        throw PhysicsError(error.what() + saved);
     }
 }
 
@@ -32,9 +36,16 @@ std::optional<UntilEnd> until_end(const RunResult& result) {
 RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, const RunControl& control) {
     FluidSpec spec = fluid_spec(deck);
     spec.external = fluid.force_field.external();
-    DirectoryOutputs outputs(deck, listener, control);
+    // Of several ranks, rank 0 has the files.
+    Ranks& ranks = fluid.state.execution().ranks();
+    std::optional<DirectoryOutputs> directory;
+    if (ranks.is_root()) {
+        directory.emplace(deck, listener, control);
+    }
+    SharedOutputs outputs(deck, ranks, directory ? &*directory : nullptr);
     FluidMeasurement measurement(spec, fluid, outputs, control.observers);
-    const auto from = outputs.begin(measurement, fluid);
+    const auto from = restored(deck, control.continuation, measurement, fluid.state);
+    look_at_all_atoms(fluid.state, [&](const State& all) { directory->begin(fluid, all, from); });
     const LoopPosition end = saving_failure(deck, fluid.state, [&] {
         return run_stages(spec.stages, fluid.state, fluid.force_field, measurement, from, spec.interaction());
     });
@@ -42,18 +53,21 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
     for (const std::string& warning : result.warnings) {
         listener.doubted(warning);
     }
-    outputs.files().finish(fluid.state, {.report = results_report(deck, result),
-                                         .tables = result.tables,
-                                         .seconds = result.seconds.sum(),
-                                         .phases = result.seconds,
-                                         .until = until_end(result)});
+    look_at_all_atoms(fluid.state, [&](const State& all) {
+        directory->files().finish(all, {.report = results_report(deck, result),
+                                        .tables = result.tables,
+                                        .seconds = result.seconds.sum(),
+                                        .phases = result.seconds,
+                                        .until = until_end(result)});
+    });
     return result;
 }
 
 FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& listener, const RunControl& control) {
     DirectoryOutputs outputs(deck, listener, control);
     FewBodyMeasurement measurement(deck.stages, deck.thermo_every, system, outputs);
-    const auto from = outputs.begin(measurement, system);
+    const auto from = restored(deck, control.continuation, measurement, system.state);
+    outputs.begin(system, system.state, from);
     const LoopPosition end = saving_failure(deck, system.state, [&] {
         const LoopPosition last = run_stages(deck.stages, system.state, *system.force_field, measurement, from);
         measurement.record_end();

@@ -41,9 +41,9 @@ void RunCheckpoints::write(const State& state, const LoopPosition& position, con
                            const std::function<void(Archive&)>& archive) {
     Archive a;
     constexpr Index default_bytes_per_atom = 200;
-    a.reserve(static_cast<std::size_t>(default_bytes_per_atom * state.count()));
+    a.reserve(static_cast<std::size_t>(default_bytes_per_atom * state.total()));
     const Vec3 edges = state.has_box() ? state.box().edges() : Vec3::Zero();
-    CheckpointHead head{deck_hash(deck_), build_info().version, state.step, state.count(), edges, position, outputs};
+    CheckpointHead head{deck_hash(deck_), build_info().version, state.step, state.total(), edges, position, outputs};
     a(head);
     archive(a);
     store_.write(a.bytes());

@@ -141,21 +141,22 @@ void check_outputs(const Deck& deck, const Continuation& continuation) {
     }
 }
 
-RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<Continuation>& continuation)
+RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const State& all,
+                           const std::optional<Continuation>& continuation)
     : deck_(deck),
       energies_of_(deck.trajectory && deck.trajectory->energies ? std::optional(fluid.force_field.potential())
                                                                 : std::nullopt),
-      trajectory_(open_trajectory(deck, fluid.state, continuation)),
+      trajectory_(open_trajectory(deck, all, continuation)),
       thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
               thermo_columns(deck, fluid.order.has_value(), fluid.force_field.external().get()),
               kept(continuation, &CommittedOutputs::thermo)),
       record_(deck, fluid.state.execution(), continuation) {}
 
-RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system,
+RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system, const State& all,
                            const std::optional<Continuation>& continuation)
     : deck_(deck),
       csv_(open_csv(deck, system, continuation)),
-      trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state, continuation)),
+      trajectory_(csv_ ? nullptr : open_trajectory(deck, all, continuation)),
       thermo_(std::in_place_type<FewBodyThermoCsv>, deck.outputs() / "thermo.csv", system.dimensions,
               kept(continuation, &CommittedOutputs::thermo)),
       record_(deck, system.state.execution(), continuation) {}

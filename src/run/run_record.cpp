@@ -12,6 +12,7 @@
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/deck_system.hpp"
+#include "ljmd/execution/ranks.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 #include "ljmd/io/tables/json_text.hpp"
@@ -124,6 +125,9 @@ void RunRecord::write(bool finished, double seconds, const std::optional<PhaseSe
                    {"resumed_at_steps", parts_.resumed_at_steps},
                    {"steps_added", parts_.steps_added},
                    {"last_stage_steps", parts_.last_stage_steps}};
+    if (const Ranks& ranks = execution_.ranks(); !ranks.alone()) {
+        record["ranks"] = ranks.size();
+    }
     if (until_) {
         record["until_reached"] = until_->reached;
         record["steps_taken"] = until_->steps;

@@ -145,6 +145,9 @@ std::string neighbors_text(const NeighborSpec& neighbors) {
     if (neighbors.every) {
         settings.emplace_back("every", std::int64_t{*neighbors.every});
     }
+    if (neighbors.tile) {
+        settings.emplace_back("tile", std::int64_t{*neighbors.tile});
+    }
     return "\n[neighbors]\n" + lines(settings);
 }
 

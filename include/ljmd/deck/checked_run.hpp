@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,9 +22,11 @@ struct CheckedRun {
 /// Do the checks that need more than the text of a deck: those of its start file, and whether the system grants the
 /// threads.
 /// @param threads, simd  of a fluid, see execution_options()
+/// @param ranks          that share the fluid; null: this process alone
 /// @param diagnostics    receives the warnings; those about few bodies are all known when the deck has been read
 /// @throws InputError with all mistakes; DataError as find_start(), ThreadsError
-[[nodiscard]] CheckedRun checked_run(const Deck& deck, int threads, const std::string& simd, Diagnostics& diagnostics);
+[[nodiscard]] CheckedRun checked_run(const Deck& deck, int threads, const std::string& simd, Diagnostics& diagnostics,
+                                     const std::shared_ptr<Ranks>& ranks = nullptr);
 
 /// The report of `ljmd check`: what is run, and what it costs. A fluid runs for less than a second for it, see
 /// forecast().

@@ -37,6 +37,9 @@ struct RandomStart {
     Index atoms = 864;
 };
 
+/// The fewest atoms of a tile that may be asked for: smaller ones are mostly ghosts.
+inline constexpr Index min_tile = 50;
+
 /// The longest skin that is allowed [sigma]: a longer list has all pairs, many times over in a small box.
 inline constexpr double max_skin = 10.0;
 
@@ -48,6 +51,7 @@ struct NeighborSpec {
     std::string method = "verlet-list";  ///< one of pair_search_names()
     double skin = 0.3;                   ///< [sigma]
     std::optional<Index> every = {};     ///< steps between rebuilds of the list; none: when a pair could be missed
+    std::optional<Index> tile = {};      ///< atoms of a tile, at most about; none: see ClusterGrid
 
     /// Whether the method keeps a list for several steps: only then do skin and every have a meaning.
     [[nodiscard]] bool keeps_list() const;

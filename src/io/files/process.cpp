@@ -52,7 +52,13 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 
 using Variables = std::vector<std::pair<std::string, std::string>>;
 
-/// The environment of this process with variables added or replaced.
+/// Whether a variable tells a process that it is one of those that mpirun has started. A child is not: with it, a
+/// program that knows MPI would wait for ranks that there are not.
+bool is_of_ranks(std::string_view variable) {
+    return variable.starts_with("OMPI_") || variable.starts_with("PMI_") || variable.starts_with("PMIX_");
+}
+
+/// The environment of this process with variables added or replaced, without those of mpirun.
 std::vector<std::string> environment_with(const Variables& added) {
     std::vector<std::string> result;
     for (const auto& [name, value] : added) {
@@ -60,7 +66,7 @@ std::vector<std::string> environment_with(const Variables& added) {
     }
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view text(*entry);
-        bool replaced = false;
+        bool replaced = is_of_ranks(text);
         for (const auto& [name, value] : added) {
             replaced = replaced || text.substr(0, text.find('=')) == name;
         }

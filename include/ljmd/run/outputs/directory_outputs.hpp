@@ -10,20 +10,29 @@
 
 namespace ljmd {
 
+/// Bring a run back to the checkpoint that it is resumed from, if it is. Collective where ranks share it.
+/// @return the position to resume the time loop from  @throws CheckpointError
+[[nodiscard]] std::optional<LoopPosition> restored(const Deck& deck, const std::optional<Continuation>& continuation,
+                                                   RunMeasurement& measurement, const State& state);
+
 /// The outputs of a run with a directory: its files, its checkpoints, and the listener.
 class DirectoryOutputs : public RunOutputs {
   public:
     DirectoryOutputs(const Deck& deck, RunListener& listener, const RunControl& control);
 
-    /// Bring a run back to the checkpoint that it is resumed from, if it is, and open the files. Nothing was changed if
-    /// this throws before the files are opened.
-    /// @param system  a FluidSystem or FewBodySystem, which the measurement measures
-    /// @return the position to resume the time loop from  @throws CheckpointError, FileError
+    /// Open the files. Nothing was changed before.
+    /// @param system  a FluidSystem or FewBodySystem that was restored, see restored()
+    /// @param all     its atoms; of several ranks, those of all
+    /// @param from    what restored() has returned  @throws FileError
     template <class System>
-    [[nodiscard]] std::optional<LoopPosition> begin(RunMeasurement& measurement, System& system) {
-        restore(measurement, system.state);
-        files_.emplace(deck_, system, control_.continuation);
-        return control_.continuation ? std::optional(control_.continuation->head.position) : std::nullopt;
+    void begin(const System& system, const State& all, const std::optional<LoopPosition>& from) {
+        if (from) {
+            check_outputs(deck_, *control_.continuation);
+            if (from->begun) {
+                listener_.stage_begins(deck_.stages.at(from->stage));
+            }
+        }
+        files_.emplace(deck_, system, all, control_.continuation);
     }
 
     [[nodiscard]] RunDirectory& files() { return *files_; }
@@ -46,8 +55,6 @@ class DirectoryOutputs : public RunOutputs {
                     const std::function<void(Archive&)>& archive) override;
 
   private:
-    void restore(RunMeasurement& measurement, const State& state);
-
     const Deck& deck_;
     RunListener& listener_;
     const RunControl& control_;

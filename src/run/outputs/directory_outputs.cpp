@@ -1,4 +1,4 @@
-#include "ljmd/run/directory_outputs.hpp"
+#include "ljmd/run/outputs/directory_outputs.hpp"
 
 namespace ljmd {
 
@@ -8,18 +8,16 @@ DirectoryOutputs::DirectoryOutputs(const Deck& deck, RunListener& listener, cons
       control_(control),
       checkpoints_(deck, control.interruption, control.continuation, control.has_begun) {}
 
-void DirectoryOutputs::restore(RunMeasurement& measurement, const State& state) {
-    if (!control_.continuation) {
-        return;
+std::optional<LoopPosition> restored(const Deck& deck, const std::optional<Continuation>& continuation,
+                                     RunMeasurement& measurement, const State& state) {
+    if (!continuation) {
+        return std::nullopt;
     }
-    const LoopPosition& position = control_.continuation->head.position;
+    const LoopPosition& position = continuation->head.position;
     measurement.resume_at(position);
-    control_.continuation->restore(deck_, state, [&measurement](Archive& a) { measurement.archive(a); });
+    continuation->restore(deck, state, [&measurement](Archive& a) { measurement.archive(a); });
     measurement.require_begun(position);
-    check_outputs(deck_, *control_.continuation);
-    if (position.begun) {
-        listener_.stage_begins(deck_.stages.at(position.stage));
-    }
+    return position;
 }
 
 bool DirectoryOutputs::checkpoint_is_due(Index step, bool last_of_stage) {

@@ -1,4 +1,4 @@
-#include "ljmd/run/directory_outputs.hpp"
+#include "ljmd/run/outputs/directory_outputs.hpp"
 
 #include "ljmd/core/errors.hpp"
 #include "run/run_fixtures.hpp"
@@ -33,7 +33,10 @@ TEST_CASE("files are there once the run begins, and not before") {
     DirectoryOutputs outputs(deck, listener, control);
     CHECK(std::filesystem::is_empty(deck.directory));
     Idle measurement;
-    CHECK_FALSE(outputs.begin(measurement, fluid));
+    const auto from = restored(deck, control.continuation, measurement, fluid.state);
+    CHECK_FALSE(from);
+    CHECK(std::filesystem::is_empty(deck.directory));
+    outputs.begin(fluid, fluid.state, from);
     CHECK(std::filesystem::exists(deck.directory / "run.json"));
 
     outputs.stage_begins(deck.stages[1]);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "ljmd/deck/deck.hpp"
+#include "ljmd/execution/ranks.hpp"
+
+namespace ljmd {
+
+/// The ranks that share the run of this process, if mpirun has started several (see launched_ranks()); null: it runs
+/// alone. The same ones at every call.
+/// @throws InputError as launched_ranks()
+[[nodiscard]] std::shared_ptr<Ranks> shared_ranks();
+
+/// Where the part of the program for MPI is, or would be.
+[[nodiscard]] std::filesystem::path mpi_module();
+[[nodiscard]] bool mpi_is_built_in();
+
+/// Refuse a command that shares no work where mpirun has started several processes. @throws InputError
+void refuse_ranks(const std::string& command);
+
+/// Do what each rank does by itself before the work is shared. If it fails at one of them, all end, and one says why.
+/// @param ranks  null: this process alone
+/// @throws what `work` throws; RankLost if another rank says why
+void prepare_together(const std::shared_ptr<Ranks>& ranks, const std::function<void()>& work);
+
+/// Require that all ranks have the same deck, and that ranks can share its run. Collective.
+/// @throws InputError, at rank 0; RankLost elsewhere
+void require_shareable(const std::shared_ptr<Ranks>& ranks, const Deck& deck);
+
+/// Report the exception that is being handled, and end this rank: by an exit code, if all ranks end because of it; else
+/// it ends all of them. What all ranks find, rank 0 says. Without other ranks: report_current_exception().
+/// @return the exit code
+[[nodiscard]] int end_after_exception();
+
+}  // namespace ljmd

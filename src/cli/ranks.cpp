@@ -1,0 +1,154 @@
+#include "ljmd/cli/ranks.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <exception>
+#include <optional>
+
+#include "ljmd/cli/exit_code.hpp"
+#include "ljmd/core/errors.hpp"
+#include "ljmd/deck/deck_system.hpp"
+#include "ljmd/execution/launched_ranks.hpp"
+#include "ljmd/io/files/file_system.hpp"
+#include "ljmd/neighbors/verlet_list.hpp"
+#include "ljmd/run/interruption.hpp"
+#include "ljmd/run/run_record.hpp"
+#include "ljmd/study/job_pool.hpp"
+
+namespace ljmd {
+
+namespace {
+
+std::optional<std::shared_ptr<Ranks>> joined;
+bool ends_together = false;  ///< all ranks end because of the present error
+
+/// Why ranks cannot share the run of a deck; empty if they can.
+std::string unshareable(const Deck& deck) {
+    if (deck.kind() != DeckKind::fluid) {
+        return "is of few bodies, which one process computes";
+    }
+    if (deck.neighbors().method != VerletList::name) {
+        return fmt::format("finds pairs by method = \"{}\": ranks share a {}", deck.neighbors().method,
+                           VerletList::name);
+    }
+    for (const Stage& stage : deck.stages) {
+        if (stage.integrator.plugin.name == "prince-dormand") {
+            return fmt::format("has the integrator {}, which one process computes", stage.integrator.plugin.name);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::filesystem::path mpi_module() {
+    const std::filesystem::path folder = this_program().parent_path();
+    const std::filesystem::path built = folder / "ljmd_mpi.so";
+    const std::filesystem::path installed = (folder / LJMD_MODULES_FROM_PROGRAM / "ljmd_mpi.so").lexically_normal();
+    return files::is_regular_file(built) ? built : installed;
+}
+
+bool mpi_is_built_in() {
+    return files::is_regular_file(mpi_module());
+}
+
+std::shared_ptr<Ranks> shared_ranks() {
+    if (!joined) {
+        joined = launched_ranks(mpi_module());
+    }
+    return *joined;
+}
+
+void refuse_ranks(const std::string& command) {
+    const std::shared_ptr<Ranks> ranks = shared_ranks();
+    if (!ranks) {
+        return;
+    }
+    ends_together = true;
+    if (!ranks->is_root()) {
+        throw RankLost("rank 0 says why");
+    }
+    throw InputError(
+        fmt::format("{} processes were started for one command, and `ljmd {}` shares no work among them: "
+                    "`ljmd run` and `ljmd resume` do",
+                    ranks->size(), command));
+}
+
+void prepare_together(const std::shared_ptr<Ranks>& ranks, const std::function<void()>& work) {
+    if (!ranks) {
+        work();
+        return;
+    }
+    std::exception_ptr failure;
+    try {
+        work();
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    // The first rank that has failed says why.
+    double first = failure ? -ranks->rank() : -static_cast<double>(ranks->size());
+    ranks->largest({&first, 1});
+    if (first == -static_cast<double>(ranks->size())) {
+        return;
+    }
+    ends_together = true;
+    if (failure && first == -static_cast<double>(ranks->rank())) {
+        std::rethrow_exception(failure);
+    }
+    throw RankLost("another rank says why");
+}
+
+void require_shareable(const std::shared_ptr<Ranks>& ranks, const Deck& deck) {
+    if (!ranks) {
+        return;
+    }
+    prepare_together(ranks, [&] {
+        if (const std::string why = unshareable(deck); !why.empty()) {
+            throw InputError(fmt::format("{} {}", deck.path, why));
+        }
+    });
+    // Each hash is compared with that of rank 0.
+    std::vector<std::int64_t> hash;
+    for (const char each : deck_hash(deck)) {
+        hash.push_back(each);
+    }
+    std::vector<std::int64_t> of_root(hash.size(), 0);
+    if (ranks->is_root()) {
+        of_root = hash;
+    }
+    ranks->sum(of_root);
+    std::int64_t different = hash == of_root ? 0 : 1;
+    ranks->sum({&different, 1});
+    prepare_together(ranks, [&] {
+        if (different > 0) {
+            throw InputError(fmt::format("{} of {} ranks read another deck than rank 0", different, ranks->size()));
+        }
+    });
+}
+
+int end_after_exception() {
+    constexpr int lost = 8;
+    if (!joined || !*joined) {
+        return report_current_exception();
+    }
+    Ranks& ranks = **joined;
+    bool found_by_all = false;
+    try {
+        throw;
+    } catch (const RankLost&) {
+        return ends_together ? 0 : lost;  // the code of the job is that of the rank that says why
+    } catch (const PhysicsError&) {
+        found_by_all = true;
+    } catch (const Interrupted&) {
+        found_by_all = true;
+    } catch (...) {
+    }
+    const int exit_code = report_current_exception(!found_by_all || ranks.is_root());
+    if (!found_by_all && !ends_together) {
+        ranks.abandon(ranks.is_root() ? exit_code : lost);
+    }
+    return exit_code;
+}
+
+}  // namespace ljmd

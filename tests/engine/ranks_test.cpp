@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/engine_fixtures.hpp"
+#include "execution/rank_team.hpp"
+#include "ljmd/engine/choices.hpp"
+#include "ljmd/engine/simulation.hpp"
+#include "ljmd/model/checksum.hpp"
+
+using namespace ljmd;
+
+namespace {
+
+/// What a run leaves, to the last bit.
+struct Left {
+    std::vector<ThermoRow> rows;
+    std::string checkpoint;
+    std::string positions;
+    Index atoms_here = 0;  ///< the fewest that a rank had at the end
+};
+
+Left left_by(Simulation& simulation) {
+    Left left{simulation.samples(), simulation.checkpoint(), checksum(simulation.state()), simulation.state().count()};
+    return left;
+}
+
+Left run_alone(const FluidSpec& spec, ExecutionOptions options = {}) {
+    Simulation simulation(spec, Execution(options));
+    simulation.run();
+    return left_by(simulation);
+}
+
+Left run_by(int ranks, const FluidSpec& spec, ExecutionOptions options = {}) {
+    Left left;
+    test::RankTeam team(ranks);
+    std::mutex mutex;
+    Index fewest = atoms_of(spec);
+    team.run([&](std::shared_ptr<Ranks> here) {
+        const bool is_root = here->is_root();
+        ExecutionOptions mine = options;
+        mine.ranks = std::move(here);
+        Simulation simulation(spec, Execution(mine));
+        simulation.run();
+        Left found = left_by(simulation);
+        const std::lock_guard lock(mutex);
+        fewest = std::min(fewest, found.atoms_here);
+        if (is_root) {
+            left = std::move(found);
+        }
+    });
+    left.atoms_here = fewest;
+    return left;
+}
+
+/// Rows without the names of their values.
+std::vector<double> numbers_of(const std::vector<ThermoRow>& rows) {
+    std::vector<double> numbers;
+    for (const ThermoRow& row : rows) {
+        const Thermodynamics& v = row.values;
+        for (const double x : {v.potential_energy, v.kinetic_energy, v.total_energy, v.temperature.value_or(-1.0),
+                               v.pressure.value_or(-1.0), v.virial, v.density, row.conserved_energy.value_or(-1.0),
+                               row.order.value_or(-1.0), row.time}) {
+            numbers.push_back(x);
+        }
+    }
+    return numbers;
+}
+
+void check_same(const Left& found, const Left& expected) {
+    CHECK(numbers_of(found.rows) == numbers_of(expected.rows));
+    CHECK(found.positions == expected.positions);
+}
+
+FluidSpec liquid(Index cells) {
+    FluidSpec spec;
+    spec.start = LatticeStart{.cells = cells};
+    spec.density = 0.8442;
+    spec.temperature = 1.5;
+    spec.neighbors.tile = 50;
+    spec.stages = {
+        {.name = "melt", .time_step = 0.004, .steps = 40, .temperature = 1.5, .thermostat = thermostat("langevin")},
+        {.name = "go", .time_step = 0.004, .steps = 60, .sample = true}};
+    spec.sample_every = 5;
+    return spec;
+}
+
+}  // namespace
+
+TEST_CASE("ranks that go on from a checkpoint of others have the bits of one process") {
+    FluidSpec spec = liquid(5);
+    spec.analyses = {analysis("rdf", {{"every", 10}}), analysis("msd", {{"max_time", 0.08}, {"every", 2}})};
+    Simulation whole(spec);
+    whole.run();
+    const int first = GENERATE(1, 2, 5);
+    const int second = GENERATE(1, 3);
+    std::string checkpoint;
+    std::string positions;
+    std::vector<double> rdf;
+    const auto with = [&](int size, const std::function<void(Simulation&, bool)>& work) {
+        test::RankTeam(size).run([&](std::shared_ptr<Ranks> here) {
+            const bool is_root = here->is_root();
+            Simulation simulation(spec, Execution(ExecutionOptions{.ranks = std::move(here)}));
+            work(simulation, is_root);
+        });
+    };
+    with(first, [&](Simulation& simulation, bool is_root) {
+        simulation.advance(57);
+        std::string written = simulation.checkpoint();
+        if (is_root) {
+            checkpoint = std::move(written);
+        }
+    });
+    with(second, [&](Simulation& simulation, bool is_root) {
+        simulation.restore(checkpoint);
+        simulation.run();
+        const std::string found = checksum(simulation.state());
+        const RunResult result = simulation.result();
+        if (is_root) {
+            positions = found;
+            for (const auto& row : result.tables.front().rows) {
+                rdf.push_back(row[1]);
+            }
+        }
+    });
+    CHECK(positions == checksum(whole.state()));
+    std::vector<double> expected;
+    const RunResult whole_result = whole.result();
+    for (const auto& row : whole_result.tables.front().rows) {
+        expected.push_back(row[1]);
+    }
+    CHECK(rdf == expected);
+    CHECK(!expected.empty());
+}
+
+TEST_CASE("a run by several ranks has the bits of one process") {
+    const int ranks = GENERATE(1, 2, 3, 4, 7, 8);
+    const int threads = GENERATE(1, 2);
+    const FluidSpec spec = liquid(6);
+    const Left found = run_by(ranks, spec, {.threads = threads});
+    check_same(found, run_alone(spec));
+    CHECK(found.atoms_here > 0);
+}
