@@ -119,8 +119,8 @@ void ClusterGrid::number_tiles(const Cell& first, const Cell& last) {
     }
     if (length == 0.0) {  // one tile
         const auto [x, y, z] = first;
-        const auto place = static_cast<std::size_t>((z * tiles_along_[1] + y) * tiles_along_[0] + x);
-        tile_numbers_[place] = static_cast<std::int32_t>(tile_cells_.size());
+        const Index place = (Index{z} * tiles_along_[1] + y) * tiles_along_[0] + x;
+        tile_numbers_[static_cast<std::size_t>(place)] = static_cast<std::int32_t>(tile_cells_.size());
         tile_cells_.push_back(first);
         return;
     }
