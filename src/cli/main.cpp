@@ -19,6 +19,7 @@
 #include "ljmd/compare/export.hpp"
 #include "ljmd/core/build_info.hpp"
 #include "ljmd/core/registry.hpp"
+#include "ljmd/execution/launched_ranks.hpp"
 #include "ljmd/execution/threads.hpp"
 #include "ljmd/input/reduced_number.hpp"
 #include "ljmd/observables/analysis.hpp"
@@ -314,15 +315,16 @@ int main(int argc, char** argv) {
     ljmd::OwnCommands own(app);
 
     if (argc < 2) {
-        ljmd::print_message(app.help());
+        ljmd::print_message(ljmd::is_first_launched() ? app.help() : "");
         return usage_error;
     }
+    const bool is_heard = ljmd::is_first_launched();
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return print_help(app, help);
+        return is_heard ? print_help(app, help) : 0;
     } catch (const CLI::ParseError& error) {
-        return ljmd::report_usage(app, error);
+        return is_heard ? ljmd::report_usage(app, error) : usage_error;
     }
     try {
         if (!(run.parsed() && several.replicas == 0) &&

@@ -46,6 +46,15 @@ std::vector<std::string> signs_of_ranks() {
     return found;
 }
 
+bool is_first_launched() {
+    for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", pmix_rank}) {
+        if (const char* text = std::getenv(name)) {
+            return std::atoi(text) == 0;
+        }
+    }
+    return true;
+}
+
 std::shared_ptr<Ranks> launched_ranks(const std::filesystem::path& module) {
     const std::vector<std::string> signs = signs_of_ranks();
     if (signs.empty() || started() == 1) {

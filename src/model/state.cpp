@@ -165,26 +165,35 @@ VectorView State::write_ghosts() {
 
 void State::wrap() {
     auto r = view(positions_, 0, count_);
+    const auto is_inside = [&](Index i) {
+        return (r.col(i).array() >= 0.0).all() && (r.col(i).array() < box().edges().array()).all();
+    };
+    // No atom is moved unless all can be: what a failing run leaves must not depend on who found it first.
     fail_together(execution_.ranks(), [&] {
         for_each_index(execution_, count_, [&](Index i) {
-            if ((r.col(i).array() >= 0.0).all() && (r.col(i).array() < box().edges().array()).all()) {
+            if (is_inside(i)) {
                 return;  // nearly always
             }
             const Vec3 n = box().crossings(r.col(i));
-            if (!(n.array().abs() < max_crossings).all()) {  // true for NaN as well; maxCoeff may ignore NaN
-                const Vec3 outside =
-                    (r.col(i).array() - 0.5 * box().edges().array()).abs() - 0.5 * box().edges().array();
-                const std::string how = r.col(i).allFinite()
-                                            ? fmt::format("has left its box by {:.3g} sigma", outside.maxCoeff())
-                                            : "was pushed out of the range of numbers";
-                throw PhysicsError(
-                    fmt::format("atom {} {}: the run has blown up. Is the time step too large, or do atoms overlap at "
-                                "the start?",
-                                ids_[static_cast<std::size_t>(i)] + 1, how));
+            if ((n.array().abs() < max_crossings).all()) {  // false for NaN as well; maxCoeff may ignore NaN
+                return;
             }
+            const Vec3 outside = (r.col(i).array() - 0.5 * box().edges().array()).abs() - 0.5 * box().edges().array();
+            const std::string how = r.col(i).allFinite()
+                                        ? fmt::format("has left its box by {:.3g} sigma", outside.maxCoeff())
+                                        : "was pushed out of the range of numbers";
+            throw PhysicsError(
+                fmt::format("atom {} {}: the run has blown up. Is the time step too large, or do atoms overlap at "
+                            "the start?",
+                            ids_[static_cast<std::size_t>(i)] + 1, how));
+        });
+    });
+    for_each_index(execution_, count_, [&](Index i) {
+        if (!is_inside(i)) {
+            const Vec3 n = box().crossings(r.col(i));
             r.col(i) -= n.cwiseProduct(box().edges());
             images_[static_cast<std::size_t>(i)] += n.cast<int>();
-        });
+        }
     });
 }
 

@@ -26,6 +26,15 @@ TEST_CASE("a process is one of several ranks if mpirun says so, not because it i
         const test::EnvironmentGuard two("SLURM_STEP_NUM_TASKS", "2");
         CHECK_THROWS_AS(launched_ranks("/nowhere/ljmd_mpi.so"), InputError);
     }
+    CHECK(is_first_launched());
+    for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"}) {
+        {
+            const test::EnvironmentGuard first(name, "0");
+            CHECK(is_first_launched());
+        }
+        const test::EnvironmentGuard second(name, "1");
+        CHECK_FALSE(is_first_launched());
+    }
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
         const test::EnvironmentGuard two(name, "2");
         CHECK_THROWS_WITH(launched_ranks("/nowhere/ljmd_mpi.so"),

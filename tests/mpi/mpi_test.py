@@ -262,12 +262,13 @@ def told_once(done, words):
 def case_failing(t):
     ranks = t.options.ranks[0]
     # All ranks find that it blows up.
-    deck = t.written(deck_of().replace('time_step = 0.004\nsteps = 60', 'time_step = 0.05\nsteps = 2000'))
+    deck = t.written(deck_of().replace('time_step = 0.004\nsteps = 60', 'time_step = 0.5\nsteps = 2000'))
     done = t.run(ranks, "run", deck, "--quiet", "--force")
     check("a run that blows up: exit code", done.returncode, 5, 0)
     told_once(done, "the run has blown up")
     check("its last configuration is kept", int((t.folder / "out/failed.xyz").exists()), 1, 0)
     alone = t.run(0, "run", deck, "--quiet", "--force", "--out", "alone")
+    check("it is that of one process", int((t.folder / "out/failed.xyz").read_bytes() == (t.folder / "alone/failed.xyz").read_bytes()), 1, 0)
     ours = [line for line in done.stderr.splitlines() if "blown up" in line]
     theirs = [line.replace("alone", "out") for line in alone.stderr.splitlines() if "blown up" in line]
     check("it says what one process says", int(ours == theirs and ours != []), 1, 0)
@@ -293,7 +294,8 @@ def case_refused(t):
             (("run", t.folder / "absent.toml"), 2, "absent.toml"),
             (("run", ROOT / "inputs/fewbody/pendulum.toml", "--out", t.new()), 2, "few bodies"),
             (("run", good, "--set", 'neighbors.method="cells"', "--set", "neighbors.tile=50", "--out", t.new()), 2, "error"),
-            (("resume", t.folder / "nowhere"), 3, "nowhere")):
+            (("resume", t.folder / "nowhere"), 3, "nowhere"),
+            (("run", good, "--bogus"), 2, "--bogus")):
         done = t.run(ranks, *command)
         check(f"{command[0]} {Path(str(command[1])).name}: exit code", done.returncode, code, 0)
         check(f"it is told once: {words}", done.stderr.count("error: ") - done.stderr.count("errors: "), 1, 0)

@@ -31,7 +31,7 @@ SIGMAS = 3.0
 def check_film(ljmd: str, deck: pathlib.Path, temperature: float, steps: int, largest: float) -> None:
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "run"
-        settings = [f"system.temperature={temperature}", "system.seed=11", f"stage.production.steps={steps}"]
+        settings = [f"system.temperature={temperature}", "system.seed=12", f"stage.production.steps={steps}"]
         options = [part for setting in settings for part in ("--set", setting)]
         subprocess.run([ljmd, "run", str(deck), "--out", str(out), "--quiet", *options], check=True, capture_output=True)
         found = json.loads((out / "results.json").read_text())["observables"]

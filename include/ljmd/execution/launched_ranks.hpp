@@ -13,6 +13,10 @@ namespace ljmd {
 /// which this process was started. SLURM_* alone are no sign: every program of a batch job has them.
 [[nodiscard]] std::vector<std::string> signs_of_ranks();
 
+/// Whether this process is rank 0 by these variables, or was started alone. What all processes say before they are
+/// joined, this one says.
+[[nodiscard]] bool is_first_launched();
+
 /// Join the ranks that mpirun, mpiexec or srun has started, if it has started more than one.
 /// @param module  that was built with the MPI library
 /// @return null without a launcher, and if it has started one process alone

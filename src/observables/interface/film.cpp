@@ -72,7 +72,8 @@ std::optional<double> Film::surface() const {
     while (outside < half && density[outside] > level) {
         ++outside;
     }
-    if (outside == half) {
+    // The layer in the middle may be thin by chance, where few samples are no film.
+    if (outside == half || !(density[outside - 1] > level)) {
         return std::nullopt;
     }
     const double above = density[outside - 1];

@@ -85,6 +85,18 @@ TEST_CASE("where there is no film there are no densities of one") {
             film.sample(test::random_state(400, box, seed), {});
         }
     }
+    SECTION("two films so close that their middle is empty") {
+        std::mt19937_64 generator(3);
+        std::uniform_real_distribution<double> uniform(1.0, 6.0);
+        for (int n = 0; n < 16; ++n) {
+            std::vector<Vec3> positions;
+            for (int i = 0; i < 400; ++i) {
+                const double z = uniform(generator);
+                positions.emplace_back(uniform(generator), uniform(generator), 20.0 + (i % 2 == 0 ? z : -z));
+            }
+            film.sample(test::state_of(positions, box), {});
+        }
+    }
     SECTION("a film with next to no room for vapour") {
         for (unsigned seed = 0; seed < 16; ++seed) {
             State state = test::random_state(400, box, seed);
