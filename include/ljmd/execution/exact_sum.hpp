@@ -15,10 +15,10 @@ __extension__ using Uint128 = unsigned __int128;
 /// depends neither on the order of the terms nor on how they are divided among threads, and two sums are added without
 /// rounding.
 ///
-/// The sum is a number in fixed point that is wide enough for every double: digits of 32 bits, the lowest of which is
-/// worth 2^-1074. Each is kept in 64 bits, so that carries can wait. Terms of usual size (ExactBlock) take no longer
-/// than an ordinary sum.
-/// Source: R. M. Neal (2015), Fast exact summation using small and large superaccumulators, arXiv:1505.05571
+/// The sum is a fixed-point number, wide enough for every double. It has digits of 32 bits; the lowest digit counts
+/// units of 2^-1074. Each digit is kept in 64 bits, so that carries can wait. Terms of usual size (ExactBlock) take no
+/// longer than an ordinary sum. Source: R. M. Neal (2015), Fast exact summation using small and large
+/// superaccumulators, arXiv:1505.05571
 class ExactSum {
   public:
     /// Add a term. Infinities add up as in floating point, and a NaN makes the sum a NaN.

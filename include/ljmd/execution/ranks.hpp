@@ -10,14 +10,14 @@
 
 namespace ljmd {
 
-/// Another rank has failed, and this one cannot go on without it.
+/// Another rank has failed. This one cannot go on without it.
 class RankLost : public Error {
   public:
     using Error::Error;
 };
 
-/// The processes that simulate one system together: ranks 0 to size() - 1, each of which runs the same program and
-/// holds some of the atoms. Alone, which is the usual case, is one rank that holds all.
+/// The processes that simulate one system together: ranks 0 to size() - 1. Each runs the same program and holds some of
+/// the atoms. Usually there is one rank, which holds all.
 ///
 /// All functions are collective where nothing else is said: every rank makes the same calls in the same order, with
 /// messages that fit each other. @throws RankLost from all of them
