@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <utility>
 
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
-#include "ljmd/execution/ranks.hpp"
+#include "ljmd/execution/rank_messages.hpp"
 #include "ljmd/model/state.hpp"
 
 // A state whose atoms are shared among ranks: how atoms pass from one to another.
@@ -15,18 +14,6 @@ namespace ljmd {
 namespace {
 
 constexpr auto stride = static_cast<std::size_t>(vector_stride);
-
-std::vector<double> numbers_of(const Ranks::Bytes& message) {
-    std::vector<double> numbers(message.size() / sizeof(double));
-    std::memcpy(numbers.data(), message.data(), message.size());
-    return numbers;
-}
-
-Ranks::Bytes message_of(const std::vector<double>& numbers) {
-    Ranks::Bytes message(numbers.size() * sizeof(double));
-    std::memcpy(message.data(), numbers.data(), message.size());
-    return message;
-}
 
 }  // namespace
 
@@ -128,7 +115,7 @@ void State::migrate(const std::vector<int>& destinations) {
     }
     resize(atom + static_cast<Index>(bytes / (packed_size() * sizeof(double))));
     for (const Ranks::Bytes& message : arriving) {
-        const std::vector<double> numbers = numbers_of(message);
+        const std::vector<double> numbers = values_of<double>(message);
         for (const double* next = numbers.data(); next != numbers.data() + numbers.size(); ++atom) {
             next = unpack(atom, next);
         }
@@ -157,7 +144,7 @@ State State::gathered() const {
     }
     Index atom = 0;
     for (const Ranks::Bytes& message : received) {
-        const std::vector<double> of_rank = numbers_of(message);
+        const std::vector<double> of_rank = values_of<double>(message);
         for (const double* next = of_rank.data(); next != of_rank.data() + of_rank.size(); ++atom) {
             next = all.unpack(atom, next);
         }

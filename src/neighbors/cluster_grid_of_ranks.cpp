@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
+#include "ljmd/execution/rank_messages.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"
 
 // A grid whose tiles are shared among ranks: who has which tile, and which columns of others are near.
@@ -13,20 +13,6 @@
 namespace ljmd {
 
 namespace {
-
-template <class T>
-Ranks::Bytes message_of(const std::vector<T>& numbers) {
-    Ranks::Bytes message(numbers.size() * sizeof(T));
-    std::memcpy(message.data(), numbers.data(), message.size());
-    return message;
-}
-
-template <class T>
-std::vector<T> numbers_of(const Ranks::Bytes& message) {
-    std::vector<T> numbers(message.size() / sizeof(T));
-    std::memcpy(numbers.data(), message.data(), message.size());
-    return numbers;
-}
 
 /// The first tile of each rank, and the number of tiles: runs of about the same work.
 /// @param work  of each tile, or of another number of tiles: then all are alike
@@ -154,7 +140,7 @@ void ClusterGrid::fetch_halo(State& state) {
     for (std::size_t rank = 0; rank < size; ++rank) {
         std::vector<std::uint32_t> counts;
         std::vector<AtomRange> atoms;
-        for (const std::int32_t column : numbers_of<std::int32_t>(asked[rank])) {
+        for (const std::int32_t column : values_of<std::int32_t>(asked[rank])) {
             const auto k = static_cast<std::size_t>(column);
             atoms.push_back({column_atoms_[k], column_atoms_[k + 1]});
             counts.push_back(column_atoms_[k + 1] - column_atoms_[k]);
@@ -165,7 +151,7 @@ void ClusterGrid::fetch_halo(State& state) {
     const std::vector<Ranks::Bytes> answered = ranks.exchange(std::move(answers));
     for (std::size_t rank = 0; rank < size; ++rank) {
         const std::uint32_t before = column_atoms_.back();
-        for (const std::uint32_t count : numbers_of<std::uint32_t>(answered[rank])) {
+        for (const std::uint32_t count : values_of<std::uint32_t>(answered[rank])) {
             column_atoms_.push_back(column_atoms_.back() + count);
         }
         halo_.receive(static_cast<int>(rank), column_atoms_.back() - before);

@@ -1,9 +1,10 @@
 #include "ljmd/neighbors/ghost_routes.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 #include <utility>
+
+#include "ljmd/execution/rank_messages.hpp"
 
 namespace ljmd {
 
@@ -58,9 +59,7 @@ void GhostRoutes::find(const ClusterGrid& grid, std::span<const std::span<const 
     } else {
         std::vector<Ranks::Bytes> messages;
         for (std::size_t rank = 0; rank < size; ++rank) {
-            Ranks::Bytes message(names[rank].size() * sizeof(Named));
-            std::memcpy(message.data(), names[rank].data(), message.size());
-            messages.push_back(std::move(message));
+            messages.push_back(message_of(names[rank]));
             std::size_t numbers = 0;
             for (const Export& one : to[rank].exports) {
                 numbers += std::size_t{3} * one.count;
@@ -79,9 +78,7 @@ void GhostRoutes::find(const ClusterGrid& grid, std::span<const std::span<const 
                 continue;
             }
             const std::size_t before = numbers;
-            std::vector<Named> of_rank(received[rank].size() / sizeof(Named));
-            std::memcpy(of_rank.data(), received[rank].data(), received[rank].size());
-            for (const Named& each : of_rank) {
+            for (const Named& each : values_of<Named>(received[rank])) {
                 const std::int32_t first = grid.clusters_of_column(each.column).first + each.cluster;
                 const AtomRange atoms = grid.atoms_of({first, first + each.clusters});
                 all.push_back({-1, static_cast<std::uint32_t>(numbers), static_cast<std::uint32_t>(atoms.first),

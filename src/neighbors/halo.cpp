@@ -1,10 +1,9 @@
 #include "ljmd/neighbors/halo.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
-#include "ljmd/execution/ranks.hpp"
+#include "ljmd/execution/rank_messages.hpp"
 
 namespace ljmd {
 
@@ -59,15 +58,12 @@ std::vector<std::vector<Halo::OnAtom>> Halo::return_forces(Ranks& ranks, const s
     }
     std::vector<Ranks::Bytes> messages;
     for (const std::vector<OnAtom>& of_rank : to) {
-        Ranks::Bytes message(of_rank.size() * sizeof(OnAtom));
-        std::memcpy(message.data(), of_rank.data(), message.size());
-        messages.push_back(std::move(message));
+        messages.push_back(message_of(of_rank));
     }
     const std::vector<Ranks::Bytes> received = ranks.exchange(std::move(messages));
     std::vector<std::vector<OnAtom>> found(size);
     for (std::size_t rank = 0; rank < size; ++rank) {
-        found[rank].resize(received[rank].size() / sizeof(OnAtom));
-        std::memcpy(found[rank].data(), received[rank].data(), received[rank].size());
+        found[rank] = values_of<OnAtom>(received[rank]);
     }
     // They name the atoms by their places in the message of positions.
     for (const Sent& sent : sent_) {
