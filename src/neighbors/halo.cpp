@@ -57,6 +57,7 @@ std::vector<std::vector<Halo::OnAtom>> Halo::return_forces(Ranks& ranks, const s
         to[static_cast<std::size_t>(from->from)].push_back({ghost - from->ghosts.first, force});
     }
     std::vector<Ranks::Bytes> messages;
+    messages.reserve(size);
     for (const std::vector<OnAtom>& of_rank : to) {
         messages.push_back(message_of(of_rank));
     }
