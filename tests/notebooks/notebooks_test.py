@@ -36,7 +36,7 @@ CASES = {
         assert abs(einstein.mean - kubo.mean) < 5 * np.hypot(einstein.error, kubo.error)
         assert abs(einstein.mean * unit / (einstein.si.mean * 1e-9) - 1) < 1e-3             # nm^2/ns
         """),
-    "phase-diagram": (dict(steps=2000, temperatures=[0.9, 1.5]), """
+    "phase-diagram": (dict(steps=4000, temperatures=[0.9, 1.5]), """
         assert len(deviations) > 20 and np.median(np.abs(deviations)) < 1.5, deviations   # short runs have guessed errors
         assert all(p.min() < -0.05 for p, _ in loops.values())                       # a loop, in boxes of both sizes
         pressure, vapour, liquid = binodal[0.9][0]
