@@ -113,7 +113,7 @@ Agreement double_agreement(const Situation& situation) {
             .positions = limits_in(
                 situation, coarser,
                 is_hot ? Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 1e-9}}
-                       : Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 5e-11}, {500, 5e-9}, {1000, 1e-5}}),
+                       : Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 5e-11}, {500, 5e-9}}),
             .positions_in_the_same_order =
                 limits_in(situation, coarser_grid(situation),
                           is_hot ? Limits{{1, 5e-15}, {100, 1e-12}} : Limits{{1, 5e-15}, {100, 2e-13}, {500, 1e-10}})};

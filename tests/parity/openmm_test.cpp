@@ -108,7 +108,7 @@ class Remembering : public Peer {
 };
 
 const std::vector<Index> short_steps{1, 10, 100, 200};
-const std::vector<Index> every_step_judged{1, 10, 100, 200, 500, 1000};
+const std::vector<Index> every_step_judged{1, 10, 100, 200, 500};
 
 Agreement doubles(const Fluid& fluid) {
     return double_agreement(situation_of(fluid, argon_step));
