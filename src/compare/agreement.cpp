@@ -110,10 +110,9 @@ Agreement double_agreement(const Situation& situation) {
             .rms_force = 1e-13 * coarser,
             .pressure = 1e-12 * coarser,
             .kinetic_energy = kinetic_energy_limit(situation, 1e-12),
-            .positions = limits_in(
-                situation, coarser,
-                is_hot ? Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 1e-9}}
-                       : Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 5e-11}, {500, 5e-9}}),
+            .positions = limits_in(situation, coarser,
+                                   is_hot ? Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 1e-9}}
+                                          : Limits{{1, 1e-14}, {10, 5e-13}, {100, 1e-11}, {200, 5e-11}, {500, 5e-9}}),
             .positions_in_the_same_order =
                 limits_in(situation, coarser_grid(situation),
                           is_hot ? Limits{{1, 5e-15}, {100, 1e-12}} : Limits{{1, 5e-15}, {100, 2e-13}, {500, 1e-10}})};

@@ -8,29 +8,60 @@
 
 namespace ljmd {
 
+namespace {
+
+/// Bytes that are passed on at once.
+constexpr std::size_t large = std::size_t{1} << 16;
+
+}  // namespace
+
 void Archive::refuse(const char* why) {
     throw CheckpointError(why);
 }
 
+Archive::Archive(std::span<const std::byte> bytes)
+    : read_([rest = bytes](std::span<std::byte> piece) mutable {
+          std::memcpy(piece.data(), rest.data(), piece.size());
+          rest = rest.subspan(piece.size());
+      }),
+      left_(bytes.size()),
+      reading_(true) {}
+
 void Archive::raw(void* data, std::size_t size) {
-    if (!reading_) {
-        const auto* first = static_cast<const std::byte*>(data);
-        bytes_.insert(bytes_.end(), first, first + size);
+    if (size == 0) {
+        return;  // a null pointer may come with it
+    }
+    if (reading_) {
+        if (size > left_) {
+            refuse("it ends too early");
+        }
+        read_({static_cast<std::byte*>(data), size});
+        left_ -= size;
         return;
     }
-    if (size > rest_.size()) {
-        refuse("it ends too early");
+    const std::span bytes(static_cast<const std::byte*>(data), size);
+    if (write_ && size >= large) {
+        flush();
+        write_(bytes);
+        return;
     }
-    if (size > 0) {  // memcpy takes no null pointer, even for zero bytes
-        std::memcpy(data, rest_.data(), size);
-        rest_ = rest_.subspan(size);
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    if (write_ && bytes_.size() >= large) {
+        flush();
+    }
+}
+
+void Archive::flush() {
+    if (write_) {
+        write_(bytes_);
+        bytes_.clear();
     }
 }
 
 std::size_t Archive::length(std::size_t length, std::size_t min_bytes) {
     std::uint64_t count = length;
     one(count);
-    if (reading_ && count > rest_.size() / min_bytes) {
+    if (reading_ && count > left_ / min_bytes) {
         refuse("a list is longer than the rest of the file");
     }
     return static_cast<std::size_t>(count);
@@ -62,7 +93,7 @@ void Archive::mark(std::string_view name) {
 }
 
 void Archive::expect_end() const {
-    if (!rest_.empty()) {
+    if (left_ > 0) {
         refuse("something follows its end");
     }
 }

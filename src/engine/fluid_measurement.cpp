@@ -13,6 +13,7 @@
 #include "ljmd/engine/mistakes.hpp"
 #include "ljmd/engine/result_doubts.hpp"
 #include "ljmd/model/all_atoms.hpp"
+#include "ljmd/model/atoms_by_id.hpp"
 #include "ljmd/model/checksum.hpp"
 #include "ljmd/observables/transport/finite_size.hpp"
 
@@ -126,11 +127,10 @@ void FluidMeasurement::begin_to_watch(const Stage& stage) {
 
 void FluidMeasurement::started(const Evaluation& evaluation) {
     const Thermodynamics values = thermodynamics(fluid_.state, evaluation, fluid_.tail);
-    look_at_all_atoms(fluid_.state, [this](const State& all) { outputs_.frame(all, std::nullopt); });
+    look_by_id(fluid_.state, [this] { outputs_.frame(fluid_.state, std::nullopt); });
     put_row(values);
     first_ = values;
-    // The time loop begins here: earlier time is not counted.
-    seconds_ = {};
+    seconds_ = {};  // the time loop begins here: earlier time is not counted
     force_before_ = fluid_.force_field.seconds_summing();
     search_before_ = fluid_.force_field.search_statistics();
     if (total_steps(spec_.stages) == 0) {
@@ -267,7 +267,7 @@ void FluidMeasurement::step_done(const Stage& stage, const Evaluation& evaluatio
     }
     if (outputs_.frame_is_due(state)) {
         Stopwatch watch;
-        look_at_all_atoms(state, [this](const State& all) { outputs_.frame(all, std::nullopt); });
+        look_by_id(state, [&] { outputs_.frame(state, std::nullopt); });
         seconds_.write += watch.lap();
     }
     outputs_.step_done(state.step);

@@ -13,10 +13,12 @@ namespace {
 
 constexpr double noticeable_drift = 1e-6;  // speed of the centre of mass [sigma/tau]
 
-void place(State& state, const std::vector<Vec3>& positions) {
+/// @param place_of  the position of an atom by its id
+template <class PlaceOf>
+void place(State& state, const PlaceOf& place_of) {
     auto r = state.write_positions();
     for (Index i = 0; i < state.count(); ++i) {
-        r.col(i) = positions[static_cast<std::size_t>(state.ids()[static_cast<std::size_t>(i)])];
+        r.col(i) = place_of(state.ids()[static_cast<std::size_t>(i)]);
     }
 }
 
@@ -110,9 +112,10 @@ FluidSystem make_fluid(const FluidSpec& spec, const Execution& execution,
         if (crystal->height) {
             edges.z() = crystal_edges(crystal->lattice, crystal->cells, layers, spec.density).z();
         }
-        place(fluid.state, lattice_sites(crystal->lattice, crystal->cells, layers, edges, box));
+        place(fluid.state,
+              [&](Index id) { return lattice_site(crystal->lattice, crystal->cells, layers, edges, box, id); });
     } else {
-        place(fluid.state, random_positions(atoms, box, spec.seed));
+        place(fluid.state, [&](Index id) { return random_position(box, spec.seed, id); });
         fluid.force_field.set_external(nullptr);  // overlaps are pushed apart, but atoms do not fall meanwhile
         fluid.relaxation_iterations = relax(fluid.state, fluid.force_field).iterations;
         fluid.force_field.set_external(spec.external);

@@ -10,24 +10,28 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/ranks.hpp"
+#include "ljmd/model/atoms_by_id.hpp"
 
 namespace ljmd {
 
 namespace {
 
+/// At rank 0.
 std::uint64_t hash_of(const State& state) {
-    const auto r = state.positions();
     const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
     XXH3_64bits_reset(hash.get());
-    for (const Index i : state.index_of()) {
-        const Vec3 n = state.has_box() ? state.box().crossings(r.col(i)) : Vec3::Zero();
-        const Vec3 wrapped = state.has_box() ? Vec3(r.col(i) - n.cwiseProduct(state.box().edges())) : Vec3(r.col(i));
-        const Vec3 image = state.image(i).cast<double>() + n;
-        // Adding zero turns -0 into +0.
-        const std::array<double, 6> atom{wrapped[0] + 0.0, wrapped[1] + 0.0, wrapped[2] + 0.0,
-                                         image[0] + 0.0,   image[1] + 0.0,   image[2] + 0.0};
-        XXH3_64bits_update(hash.get(), atom.data(), sizeof(atom));
-    }
+    visit_by_id(state, {.positions = true}, [&](const AtomPiece& piece) {
+        for (std::size_t k = 0; k < piece.positions.size(); ++k) {
+            const Vec3& r = piece.positions[k];
+            const Vec3 n = state.has_box() ? state.box().crossings(r) : Vec3::Zero();
+            const Vec3 wrapped = state.has_box() ? Vec3(r - n.cwiseProduct(state.box().edges())) : r;
+            const Vec3 image = piece.images[k].cast<double>() + n;
+            // Adding zero turns -0 into +0.
+            const std::array<double, 6> atom{wrapped[0] + 0.0, wrapped[1] + 0.0, wrapped[2] + 0.0,
+                                             image[0] + 0.0,   image[1] + 0.0,   image[2] + 0.0};
+            XXH3_64bits_update(hash.get(), atom.data(), sizeof(atom));
+        }
+    });
     return XXH3_64bits_digest(hash.get());
 }
 
@@ -40,16 +44,10 @@ std::string checksum(const State& state) {
     if (unsound > 0) {
         throw PhysicsError("a position is not finite: the run has blown up. Is the time step too large?");
     }
-    std::uint64_t hash = 0;
-    if (ranks.alone()) {
-        hash = hash_of(state);
-    } else {
-        const State all = state.gathered();
-        std::int64_t bits = ranks.is_root() ? std::bit_cast<std::int64_t>(hash_of(all)) : 0;
-        ranks.sum({&bits, 1});
-        hash = std::bit_cast<std::uint64_t>(bits);
-    }
-    return fmt::format("xxh3:{:016x}", hash);
+    std::int64_t bits = 0;
+    look_by_id(state, [&] { bits = std::bit_cast<std::int64_t>(hash_of(state)); });
+    ranks.sum({&bits, 1});  // of the others it is zero
+    return fmt::format("xxh3:{:016x}", std::bit_cast<std::uint64_t>(bits));
 }
 
 }  // namespace ljmd

@@ -24,11 +24,10 @@ const std::vector<NamedLattice>& all_lattices() {
 }
 
 /// Sites in units of the edge of the cubic cell.
-std::vector<Vec3> basis(Lattice lattice) {
-    if (lattice == Lattice::fcc) {
-        return {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}, {0.5, 0.0, 0.5}, {0.0, 0.5, 0.5}};
-    }
-    return {{0.0, 0.0, 0.0}};
+const std::vector<Vec3>& basis(Lattice lattice) {
+    static const std::vector<Vec3> fcc{{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}, {0.5, 0.0, 0.5}, {0.0, 0.5, 0.5}};
+    static const std::vector<Vec3> simple_cubic{{0.0, 0.0, 0.0}};
+    return lattice == Lattice::fcc ? fcc : simple_cubic;
 }
 
 }  // namespace
@@ -78,19 +77,19 @@ Vec3 crystal_edges(Lattice lattice, Index cells, Index layers, double density) {
     return {edge, edge, edge * (static_cast<double>(layers) / static_cast<double>(cells))};
 }
 
-std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, Index layers, const Vec3& edges, const Box& box) {
+Vec3 lattice_site(Lattice lattice, Index cells, Index layers, const Vec3& edges, const Box& box, Index site) {
+    const std::vector<Vec3>& sites = basis(lattice);
     const Vec3 cell = edges.cwiseQuotient(Eigen::Matrix<Index, 3, 1>(cells, cells, layers).cast<double>());
-    std::vector<Vec3> sites;
-    sites.reserve(static_cast<std::size_t>(lattice_atoms(lattice, cells, layers)));
-    for (Index z = 0; z < layers; ++z) {
-        for (Index y = 0; y < cells; ++y) {
-            for (Index x = 0; x < cells; ++x) {
-                const Vec3 corner(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
-                for (const Vec3& site : basis(lattice)) {
-                    sites.push_back(box.snap((corner + site).cwiseProduct(cell)));
-                }
-            }
-        }
+    const Index number = site / std::ssize(sites);
+    const Eigen::Matrix<Index, 3, 1> corner(number % cells, number / cells % cells, number / cells / cells);
+    const Vec3 place = corner.cast<double>() + sites[static_cast<std::size_t>(site % std::ssize(sites))];
+    return box.snap(place.cwiseProduct(cell));
+}
+
+std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, Index layers, const Vec3& edges, const Box& box) {
+    std::vector<Vec3> sites(static_cast<std::size_t>(lattice_atoms(lattice, cells, layers)));
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        sites[k] = lattice_site(lattice, cells, layers, edges, box, static_cast<Index>(k));
     }
     return sites;
 }
@@ -99,13 +98,15 @@ std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box) {
     return lattice_sites(lattice, cells, cells, box.edges(), box);
 }
 
+Vec3 random_position(const Box& box, std::uint64_t seed, Index id) {
+    const Vec3 r = box.snap(Random(seed, RandomStream::positions).uniform(0, id).cwiseProduct(box.edges()));
+    return r - box.crossings(r).cwiseProduct(box.edges());
+}
+
 std::vector<Vec3> random_positions(Index atoms, const Box& box, std::uint64_t seed) {
-    const Random random(seed, RandomStream::positions);
-    std::vector<Vec3> positions;
-    positions.reserve(static_cast<std::size_t>(atoms));
-    for (Index id = 0; id < atoms; ++id) {
-        const Vec3 r = box.snap(random.uniform(0, id).cwiseProduct(box.edges()));
-        positions.push_back(r - box.crossings(r).cwiseProduct(box.edges()));
+    std::vector<Vec3> positions(static_cast<std::size_t>(atoms));
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        positions[k] = random_position(box, seed, static_cast<Index>(k));
     }
     return positions;
 }

@@ -7,12 +7,14 @@
 #include <cstring>
 #include <memory>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
+#include "ljmd/model/shared_archive.hpp"
 #include "ljmd/model/time_over_mass.hpp"
 
 namespace ljmd {
@@ -49,7 +51,7 @@ void permute(const Execution& execution, Vector& data, const std::vector<Index>&
 }
 
 /// Whether the padding of each vector is zero, as it must be.
-bool padding_is_zero(const AlignedVector<double>& data) {
+bool padding_is_zero(std::span<const double> data) {
     for (std::size_t i = stride - 1; i < data.size(); i += stride) {
         if (data[i] != 0.0) {
             return false;
@@ -233,62 +235,103 @@ void State::Phase::archive(Archive& a) {
     a(integrator, steps);
 }
 
-void State::Registered::archive(Archive& a) {
-    a(name, data);
-}
-
-void State::archive_all(Archive& a) {
-    a.mark("state");
-    const std::size_t length = stride * checked(count_);
-    bool bounded = box_.has_value();
-    Vec3 edges = bounded ? box_->edges() : Vec3::Zero();
-    AlignedVector<double> positions(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(length));
-    std::vector<int> images;
-    for (const Eigen::Vector3i& image : images_) {
-        images.insert(images.end(), {image[0], image[1], image[2]});
-    }
-    a(count_, bounded, edges, positions, velocities_, forces_, masses_, ids_, images, registered_, forces_current_,
-      phase_, time, step, bath);
-    if (!a.reading()) {
+void State::archive(Archive& a) {
+    finish_kick();
+    Ranks& ranks = execution_.ranks();
+    SharedArchive atoms(a, ranks, count_, total_);
+    if (a.reading()) {
+        read(a, atoms);
         return;
     }
+    const auto number = static_cast<std::size_t>(count_);
+    const auto vectors = [&](const AlignedVector<double>& data) {
+        atoms.write(std::span<const double>(data.data(), stride * number), vector_stride);
+    };
+    const bool writes = ranks.is_root();
+    if (writes) {
+        a.mark("state");
+        bool bounded = box_.has_value();
+        Vec3 edges = bounded ? box_->edges() : Vec3::Zero();
+        a(total_, bounded, edges);
+    }
+    vectors(positions_);
+    vectors(velocities_);
+    vectors(forces_);
+    atoms.write(std::span<const double>(masses_), 1);
+    atoms.write(std::span<const Index>(ids_), 1);
+    static_assert(sizeof(Eigen::Vector3i) == 3 * sizeof(int));
+    atoms.write(std::span<const int>(reinterpret_cast<const int*>(images_.data()), 3 * number), 3);
+    auto extra_vectors = static_cast<std::uint64_t>(registered_.size());
+    if (writes) {
+        a(extra_vectors);
+    }
+    for (Registered& extra : registered_) {
+        if (writes) {
+            a(extra.name);
+        }
+        vectors(extra.data);
+    }
+    if (writes) {
+        a(forces_current_, phase_, time, step, bath);
+    }
+}
+
+void State::read(Archive& a, SharedArchive& atoms) {
     const auto refuse_unless = [](bool sound, const char* what) {
         if (!sound) {
             throw CheckpointError(what);
         }
     };
-    const std::size_t count = length / stride;
-    refuse_unless(static_cast<std::size_t>(count_) == count, "it has another number of atoms");
-    bool whole = positions.size() == length && velocities_.size() == length && forces_.size() == length &&
-                 masses_.size() == count && ids_.size() == count && images.size() == 3 * count;
-    for (const Registered& extra : registered_) {
-        whole = whole && extra.data.size() == length;
-    }
-    refuse_unless(whole, "some of its atoms lack data");
-    bool padded = padding_is_zero(positions) && padding_is_zero(velocities_) && padding_is_zero(forces_);
-    for (const Registered& extra : registered_) {
-        padded = padded && padding_is_zero(extra.data);
-    }
-    refuse_unless(padded, "its atoms have a fourth coordinate");
-    std::vector<bool> seen(count, false);
-    for (const Index id : ids_) {
-        const bool new_one = id >= 0 && id < count_ && !seen[static_cast<std::size_t>(id)];
-        refuse_unless(new_one, "its ids are not 0 to N - 1, each once");
-        seen[static_cast<std::size_t>(id)] = true;
-    }
+    a.mark("state");
+    Index total = 0;
+    bool bounded = false;
+    Vec3 edges = Vec3::Zero();
+    a(total, bounded, edges);
+    refuse_unless(total == total_, "it has another number of atoms");
     refuse_unless(bounded == box_.has_value(), "it is a fluid and the run one of a few bodies, or the other way round");
     refuse_unless(!bounded || edges == box_->edges(), "its box differs from that of the run");
-    require_count(step);
-    require_count(phase_.steps);
+    const auto vectors = [&](AlignedVector<double>& data) {
+        atoms.read(data, vector_stride, [&](std::span<const double> piece) {
+            refuse_unless(padding_is_zero(piece), "its atoms have a fourth coordinate");
+        });
+    };
+    const auto anything = [](auto) {};
+    AlignedVector<double> positions;
+    vectors(positions);
+    resize(static_cast<Index>(positions.size() / stride));
+    std::copy(positions.begin(), positions.end(), positions_.begin());
+    vectors(velocities_);
+    vectors(forces_);
+    atoms.read(masses_, 1, anything);
+    std::vector<bool> seen(static_cast<std::size_t>(total_), false);
+    atoms.read(ids_, 1, [&](std::span<const Index> piece) {
+        for (const Index id : piece) {
+            const bool new_one = id >= 0 && id < total_ && !seen[static_cast<std::size_t>(id)];
+            refuse_unless(new_one, "its ids are not 0 to N - 1, each once");
+            seen[static_cast<std::size_t>(id)] = true;
+        }
+    });
     constexpr int max_edges = 1 << 30;  // no run takes an atom so far, and further counting does not overflow
-    refuse_unless(std::all_of(images.begin(), images.end(), [](int n) { return n > -max_edges && n < max_edges; }),
-                  "an atom is too far from its box");
-    for (std::size_t i = 0; i < count; ++i) {
+    std::vector<int> images;
+    atoms.read(images, 3, [&](std::span<const int> piece) {
+        refuse_unless(std::ranges::all_of(piece, [](int n) { return n > -max_edges && n < max_edges; }),
+                      "an atom is too far from its box");
+    });
+    for (std::size_t i = 0; i < images_.size(); ++i) {
         images_[i] = Eigen::Vector3i(images[3 * i], images[3 * i + 1], images[3 * i + 2]);
     }
+    registered_.clear();
+    std::uint64_t extra_vectors = 0;
+    a(extra_vectors);
+    for (; extra_vectors > 0; --extra_vectors) {
+        registered_.emplace_back();
+        a(registered_.back().name);
+        vectors(registered_.back().data);
+    }
+    a(forces_current_, phase_, time, step, bath);
+    require_count(step);
+    require_count(phase_.steps);
     ++order_version_;
-    set_ghost_count(0);
-    std::copy(positions.begin(), positions.end(), positions_.begin());
 }
 
 std::vector<Index> State::index_of() const {

@@ -2,7 +2,6 @@
 #include <bit>
 #include <utility>
 
-#include "ljmd/core/archive.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/rank_messages.hpp"
 #include "ljmd/model/state.hpp"
@@ -60,15 +59,32 @@ const double* State::unpack(Index atom, const double* numbers) {
 void State::resize(Index count) {
     count_ = count;
     const auto atoms = static_cast<std::size_t>(count);
-    velocities_.resize(stride * atoms);
-    forces_.resize(stride * atoms);
-    masses_.resize(atoms);
-    ids_.resize(atoms);
-    images_.resize(atoms);
+    const auto set = [](auto& list, std::size_t size) {
+        list.reserve(size > list.capacity() ? size + size / 32 : 0);  // resize alone may double it
+        list.resize(size);
+    };
+    set(positions_, stride * atoms);
+    set(velocities_, stride * atoms);
+    set(forces_, stride * atoms);
+    set(masses_, atoms);
+    set(ids_, atoms);
+    set(images_, atoms);
     for (Registered& extra : registered_) {
-        extra.data.resize(stride * atoms);
+        set(extra.data, stride * atoms);
     }
     set_ghost_count(0);
+}
+
+void State::give_back_room() {
+    positions_.shrink_to_fit();
+    velocities_.shrink_to_fit();
+    forces_.shrink_to_fit();
+    masses_.shrink_to_fit();
+    ids_.shrink_to_fit();
+    images_.shrink_to_fit();
+    for (Registered& extra : registered_) {
+        extra.data.shrink_to_fit();
+    }
 }
 
 void State::migrate(const std::vector<int>& destinations) {
@@ -79,46 +95,68 @@ void State::migrate(const std::vector<int>& destinations) {
     finish_kick();
     set_ghost_count(0);
     ++order_version_;
-    std::vector<std::vector<double>> leaving(static_cast<std::size_t>(ranks.size()));
-    std::vector<double> staying;
-    for (Index i = 0; i < count_; ++i) {
-        const int to = destinations[static_cast<std::size_t>(i)];
-        if (to != ranks.rank()) {
-            pack(i, leaving[static_cast<std::size_t>(to)]);
-        }
-    }
+    const auto size = static_cast<std::size_t>(ranks.size());
+    std::vector<std::vector<Index>> leaving(size);
     std::vector<Index> kept;
     for (Index i = 0; i < count_; ++i) {
-        if (destinations[static_cast<std::size_t>(i)] == ranks.rank()) {
-            kept.push_back(i);
-        }
+        const int to = destinations[static_cast<std::size_t>(i)];
+        (to == ranks.rank() ? kept : leaving[static_cast<std::size_t>(to)]).push_back(i);
     }
     std::vector<Ranks::Bytes> messages;
-    messages.reserve(leaving.size());
-    for (const std::vector<double>& numbers : leaving) {
-        messages.push_back(message_of(numbers));
+    double longest = 0.0;
+    for (const std::vector<Index>& atoms : leaving) {
+        messages.push_back(message_of(std::vector<Index>{std::ssize(atoms)}));
+        longest = std::max(longest, static_cast<double>(atoms.size()));
     }
-    const std::vector<Ranks::Bytes> arriving = ranks.exchange(std::move(messages));
+    ranks.largest({&longest, 1});
+    const Index before = count_;
+    std::vector<Index> place;  // of the next atom from each rank, after those that are here
+    Index after = before;
+    for (const Ranks::Bytes& message : ranks.exchange(std::move(messages))) {
+        place.push_back(after);
+        after += values_of<Index>(message).front();
+    }
+    resize(after);
+    // Not all at once: when a run begins, nearly all atoms change their rank.
+    constexpr Index atoms_under_way = 1 << 15;
+    const Index piece = std::max<Index>(64, atoms_under_way / ranks.size());
+    std::vector<double> numbers;
+    for (Index first = 0; first < static_cast<Index>(longest); first += piece) {
+        messages.assign(size, {});
+        for (std::size_t to = 0; to < size; ++to) {
+            numbers.clear();
+            for (Index k = first; k < std::min(first + piece, std::ssize(leaving[to])); ++k) {
+                pack(leaving[to][static_cast<std::size_t>(k)], numbers);
+            }
+            messages[to] = message_of(numbers);
+        }
+        const std::vector<Ranks::Bytes> arriving = ranks.exchange(std::move(messages));
+        for (std::size_t from = 0; from < size; ++from) {
+            numbers = values_of<double>(arriving[from]);
+            for (const double* next = numbers.data(); next != numbers.data() + numbers.size();) {
+                next = unpack(place[from]++, next);
+            }
+        }
+    }
     // Each moves to a place that is not after its own, so nothing is overwritten that is still to be moved.
     Index atom = 0;
-    for (const Index from : kept) {
+    const auto move = [&](Index from) {
         if (from != atom) {
-            staying.clear();
-            pack(from, staying);
-            unpack(atom, staying.data());
+            numbers.clear();
+            pack(from, numbers);
+            unpack(atom, numbers.data());
         }
         ++atom;
+    };
+    for (const Index from : kept) {
+        move(from);
     }
-    std::size_t bytes = 0;
-    for (const Ranks::Bytes& message : arriving) {
-        bytes += message.size();
+    for (Index from = before; from < after; ++from) {
+        move(from);
     }
-    resize(atom + static_cast<Index>(bytes / (packed_size() * sizeof(double))));
-    for (const Ranks::Bytes& message : arriving) {
-        const std::vector<double> numbers = values_of<double>(message);
-        for (const double* next = numbers.data(); next != numbers.data() + numbers.size(); ++atom) {
-            next = unpack(atom, next);
-        }
+    resize(atom);
+    if (after > atom + atom / 4) {
+        give_back_room();
     }
 }
 
@@ -150,42 +188,6 @@ State State::gathered() const {
         }
     }
     return all;
-}
-
-void State::archive(Archive& a) {
-    finish_kick();
-    const Ranks& ranks = execution_.ranks();
-    if (ranks.alone()) {
-        archive_all(a);
-        return;
-    }
-    if (!a.reading()) {
-        State all = gathered();
-        if (ranks.is_root()) {
-            all.archive_all(a);
-        }
-        return;
-    }
-    State all(total_, box_, execution_.alone());
-    all.archive_all(a);
-    const Share share = even_share(total_, ranks);
-    registered_.clear();
-    for (const Registered& extra : all.registered_) {
-        static_cast<void>(register_vectors(extra.name));
-    }
-    resize(share.count());
-    std::vector<double> numbers;
-    for (Index i = 0; i < share.count(); ++i) {
-        numbers.clear();
-        all.pack(share.first + i, numbers);
-        unpack(i, numbers.data());
-    }
-    time = all.time;
-    step = all.step;
-    bath = all.bath;
-    phase_ = all.phase_;
-    forces_current_ = all.forces_current_;
-    ++order_version_;
 }
 
 }  // namespace ljmd

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -51,6 +52,7 @@ void ClusterGrid::share_tiles(const Ranks& ranks, double halo) {
     own_columns_ = {first_columns_[rank], first_columns_[rank + 1]};
     first_tile_ = own_columns_.first / columns_per_tile();
     halo_columns_.clear();
+    halo_heights_.clear();
     numbers_here_.clear();
     if (!ranks.alone()) {
         find_halo(halo);
@@ -68,7 +70,8 @@ void ClusterGrid::find_halo(double halo) {
         reach[a] = static_cast<int>(std::ceil(halo * inverse_width_[static_cast<Index>(a)]));
     }
     const auto all = static_cast<std::size_t>(first_columns_.back());
-    std::vector<bool> near(all, false);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<Heights> near(all, Heights{infinity, -infinity});
     Cell cell{};
     for (std::int32_t tile = own_columns_.first / columns_per_tile(); tile < own_columns_.last / columns_per_tile();
          ++tile) {
@@ -82,14 +85,20 @@ void ClusterGrid::find_halo(double halo) {
                 last[a] = cells_[a];
             }
         }
+        const double floor = tile_cells_[static_cast<std::size_t>(tile)][2] * height_;
         for (cell[2] = first[2]; cell[2] < last[2]; ++cell[2]) {
+            // Where all layers are near, they stand here in another order than around the tile.
+            const double above = floor - cell[2] * height_;  // of the tile's floor over that of the column
+            const bool whole = last[2] - first[2] == cells_[2];
+            const Heights heights{whole ? 0.0 : above - halo, whole ? height_ : above + height_ + halo};
             for (cell[1] = first[1]; cell[1] < last[1]; ++cell[1]) {
                 for (cell[0] = first[0]; cell[0] < last[0]; ++cell[0]) {
                     Cell wrapped{};
                     for (std::size_t a = 0; a < 3; ++a) {
                         wrapped[a] = cell[a] - boxes_away(cell[a], a) * cells_[a];
                     }
-                    near[static_cast<std::size_t>(column_of_all(place_of(wrapped)))] = true;
+                    Heights& of_column = near[static_cast<std::size_t>(column_of_all(place_of(wrapped)))];
+                    of_column = {std::min(of_column.low, heights.low), std::max(of_column.high, heights.high)};
                 }
             }
         }
@@ -100,9 +109,10 @@ void ClusterGrid::find_halo(double halo) {
         const auto of_all = static_cast<std::int32_t>(column);
         if (own_columns_.first <= of_all && of_all < own_columns_.last) {
             numbers_here_[column] = of_all - own_columns_.first;
-        } else if (near[column]) {
+        } else if (near[column].low < near[column].high) {
             numbers_here_[column] = number++;
             halo_columns_.push_back(of_all);
+            halo_heights_.push_back(near[column]);
         }
     }
 }
@@ -123,36 +133,51 @@ void ClusterGrid::fetch_halo(State& state) {
     Ranks& ranks = state.execution().ranks();
     const auto size = static_cast<std::size_t>(ranks.size());
     // Ask for columns, by their numbers at the rank that has them.
-    std::vector<std::vector<std::int32_t>> wanted(size);
-    for (const std::int32_t column : halo_columns_) {
-        const auto rank = static_cast<std::size_t>(rank_of(column));
-        wanted[rank].push_back(column - first_columns_[rank]);
+    std::vector<std::vector<WantedColumn>> wanted(size);
+    for (std::size_t k = 0; k < halo_columns_.size(); ++k) {
+        const auto rank = static_cast<std::size_t>(rank_of(halo_columns_[k]));
+        wanted[rank].push_back({halo_columns_[k] - first_columns_[rank], halo_heights_[k]});
     }
     std::vector<Ranks::Bytes> requests;
     requests.reserve(size);
-    for (const std::vector<std::int32_t>& columns : wanted) {
+    for (const std::vector<WantedColumn>& columns : wanted) {
         requests.push_back(message_of(columns));
     }
     const std::vector<Ranks::Bytes> asked = ranks.exchange(std::move(requests));
 
     halo_.clear();
+    clusters_below_halo_.clear();
+    const auto r = std::as_const(state).positions();
     std::vector<Ranks::Bytes> answers;
     for (std::size_t rank = 0; rank < size; ++rank) {
-        std::vector<std::uint32_t> counts;
+        std::vector<GivenColumn> given;
         std::vector<AtomRange> atoms;
-        for (const std::int32_t column : values_of<std::int32_t>(asked[rank])) {
-            const auto k = static_cast<std::size_t>(column);
-            atoms.push_back({column_atoms_[k], column_atoms_[k + 1]});
-            counts.push_back(column_atoms_[k + 1] - column_atoms_[k]);
+        for (const WantedColumn& column : values_of<WantedColumn>(asked[rank])) {
+            const auto k = static_cast<std::size_t>(column.column);
+            const double floor = cell_of(column.column)[2] * height_;
+            AtomRange part{column_atoms_[k], column_atoms_[k + 1]};
+            // Whole clusters, from both ends.
+            while (part.count() > slots && r(2, part.first + slots - 1) < floor + column.heights.low) {
+                part.first += slots;
+            }
+            const Index before = part.first - column_atoms_[k];
+            Index last_cluster = part.first + (std::max<Index>(part.count(), 1) - 1) / slots * slots;
+            while (last_cluster > part.first && r(2, last_cluster) > floor + column.heights.high) {
+                part.last = last_cluster;
+                last_cluster -= slots;
+            }
+            atoms.push_back(part);
+            given.push_back({static_cast<std::uint32_t>(part.count()), static_cast<std::int32_t>(before / slots)});
         }
         halo_.send(static_cast<int>(rank), std::move(atoms));
-        answers.push_back(message_of(counts));
+        answers.push_back(message_of(given));
     }
     const std::vector<Ranks::Bytes> answered = ranks.exchange(std::move(answers));
     for (std::size_t rank = 0; rank < size; ++rank) {
         const std::uint32_t before = column_atoms_.back();
-        for (const std::uint32_t count : values_of<std::uint32_t>(answered[rank])) {
-            column_atoms_.push_back(column_atoms_.back() + count);
+        for (const GivenColumn& given : values_of<GivenColumn>(answered[rank])) {
+            column_atoms_.push_back(column_atoms_.back() + given.atoms);
+            clusters_below_halo_.push_back(given.clusters_below);
         }
         halo_.receive(static_cast<int>(rank), column_atoms_.back() - before);
     }
@@ -163,10 +188,11 @@ void ClusterGrid::fetch_halo(State& state) {
 ClusterGrid::Abroad ClusterGrid::abroad(std::int32_t cluster) const {
     const auto after = std::upper_bound(column_clusters_.begin(), column_clusters_.end(), cluster);
     const auto column = static_cast<std::int32_t>(after - column_clusters_.begin()) - 1;
-    const std::int32_t of_all = halo_columns_[static_cast<std::size_t>(column - own_column_count())];
+    const auto k = static_cast<std::size_t>(column - own_column_count());
+    const std::int32_t of_all = halo_columns_[k];
     const int rank = rank_of(of_all);
     return {rank, of_all - first_columns_[static_cast<std::size_t>(rank)],
-            cluster - column_clusters_[static_cast<std::size_t>(column)]};
+            cluster - column_clusters_[static_cast<std::size_t>(column)] + clusters_below_halo_[k]};
 }
 
 }  // namespace ljmd

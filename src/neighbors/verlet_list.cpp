@@ -6,11 +6,13 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/execution/loops.hpp"
+#include "ljmd/model/shared_archive.hpp"
 #include "ljmd/neighbors/missed_pairs.hpp"
 #include "simd/list_kernel.hpp"
 
@@ -191,33 +193,28 @@ void VerletList::archive(Archive& a, State& state, double cutoff) {
     bool built = built_for_cutoff_ == cutoff && built_for_order_ == state.order_version() &&
                  built_for_edges_ == state.box().edges();
     Ranks& ranks = state.execution().ranks();
+    SharedArchive atoms(a, ranks, state.count(), state.total());
     if (!a.reading()) {
-        AlignedVector<double> reference = reference_;
         SearchStatistics statistics = statistics_;
-        if (!ranks.alone()) {
-            State then = state;
-            place(then, reference_.data());
-            const State all = then.gathered();
-            reference.assign(all.positions().data(), all.positions().data() + vector_stride * all.count());
-            ranks.sum({&statistics.distance_tests, 1});
-        }
+        ranks.sum({&statistics.distance_tests, 1});
         if (ranks.is_root()) {
-            a(built, reference, age_, statistics);
+            a(built, age_, statistics);
+        }
+        if (built) {
+            atoms.write(std::span<const double>(reference_), vector_stride);
         }
         return;
     }
     AlignedVector<double> reference;
     Index age = 0;
     SearchStatistics statistics;
-    a(built, reference, age, statistics);
+    a(built, age, statistics);
     require_count(age);
     built_for_cutoff_ = -1.0;
     if (built) {
-        if (static_cast<Index>(reference.size()) != vector_stride * state.total()) {
-            throw CheckpointError("its neighbour list is for another number of atoms");
-        }
+        atoms.read(reference, vector_stride, [](std::span<const double>) {});
         State then = state;
-        place(then, reference.data() + vector_stride * even_share(state.total(), ranks).first);
+        place(then, reference.data());
         const std::vector<Index> ids = state.ids();
         sort(then, cutoff, &state);
         if (ranks.alone() && state.ids() != ids) {

@@ -17,7 +17,7 @@ namespace {
 constexpr Index bytes_per_atom = 3 * 4 * 8 + 8 + 8 + 3 * 4;
 
 /// Why no run of the deck can have written this checkpoint; empty if one can.
-std::string impossible(const CheckpointHead& head, const Deck& deck, std::size_t bytes) {
+std::string impossible(const CheckpointHead& head, const Deck& deck, std::uint64_t bytes) {
     const LoopPosition& position = head.position;
     if (position.stage >= deck.stages.size()) {
         return "is in a stage that the deck does not have";
@@ -65,7 +65,8 @@ std::optional<Continuation> find_continuation(const Deck& deck, EarlierParts ear
     continuation.file = std::move(found.whole.front());
     const std::string name = continuation.file.path.string();
     try {
-        Archive(continuation.file.content)(continuation.head);
+        Archive content = continuation.file.content();
+        content(continuation.head);
     } catch (const CheckpointError& why) {
         throw CheckpointError(fmt::format("{}: {}", name, why.what()));
     }
@@ -77,7 +78,7 @@ std::optional<Continuation> find_continuation(const Deck& deck, EarlierParts ear
         throw CheckpointError(
             fmt::format("{} belongs to another deck than {} shows", name, (deck.directory / "run.json").string()));
     }
-    if (const std::string why = impossible(continuation.head, deck, continuation.file.content.size()); !why.empty()) {
+    if (const std::string why = impossible(continuation.head, deck, continuation.file.length); !why.empty()) {
         throw CheckpointError(fmt::format("{} {}", name, why));
     }
     for (const std::string& line : found.damaged) {
@@ -88,7 +89,7 @@ std::optional<Continuation> find_continuation(const Deck& deck, EarlierParts ear
 }
 
 void Continuation::restore(const Deck& deck, const State& state, const std::function<void(Archive&)>& archive) const {
-    Archive a(file.content);
+    Archive a = file.content();
     CheckpointHead known;
     a(known);
     try {

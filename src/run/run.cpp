@@ -3,7 +3,7 @@
 #include "ljmd/core/errors.hpp"
 #include "ljmd/deck/fluid.hpp"
 #include "ljmd/engine/fluid_measurement.hpp"
-#include "ljmd/model/all_atoms.hpp"
+#include "ljmd/model/atoms_by_id.hpp"
 #include "ljmd/run/outputs/directory_outputs.hpp"
 #include "ljmd/run/outputs/shared_outputs.hpp"
 #include "ljmd/run/results.hpp"
@@ -21,7 +21,7 @@ auto saving_failure(const Deck& deck, State& state, const Work& work) {
     } catch (const PhysicsError& error) {
         state.finish_kick();
         std::string saved;
-        look_at_all_atoms(state, [&](const State& all) { saved = save_failure(deck, all); });
+        look_by_id(state, [&] { saved = save_failure(deck, state); });
         throw PhysicsError(error.what() + saved);
     }
 }
@@ -45,7 +45,7 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
     SharedOutputs outputs(deck, ranks, directory ? &*directory : nullptr);
     FluidMeasurement measurement(spec, fluid, outputs, control.observers);
     const auto from = restored(deck, control.continuation, measurement, fluid.state);
-    look_at_all_atoms(fluid.state, [&](const State& all) { directory->begin(fluid, all, from); });
+    look_by_id(fluid.state, [&] { directory->begin(fluid, from); });
     const LoopPosition end = saving_failure(deck, fluid.state, [&] {
         return run_stages(spec.stages, fluid.state, fluid.force_field, measurement, from, spec.interaction());
     });
@@ -53,12 +53,12 @@ RunResult run_deck(const Deck& deck, FluidSystem& fluid, RunListener& listener, 
     for (const std::string& warning : result.warnings) {
         listener.doubted(warning);
     }
-    look_at_all_atoms(fluid.state, [&](const State& all) {
-        directory->files().finish(all, {.report = results_report(deck, result),
-                                        .tables = result.tables,
-                                        .seconds = result.seconds.sum(),
-                                        .phases = result.seconds,
-                                        .until = until_end(result)});
+    look_by_id(fluid.state, [&] {
+        directory->files().finish(fluid.state, {.report = results_report(deck, result),
+                                                .tables = result.tables,
+                                                .seconds = result.seconds.sum(),
+                                                .phases = result.seconds,
+                                                .until = until_end(result)});
     });
     return result;
 }
@@ -67,7 +67,7 @@ FewBodyResult run_deck(const Deck& deck, FewBodySystem& system, RunListener& lis
     DirectoryOutputs outputs(deck, listener, control);
     FewBodyMeasurement measurement(deck.stages, deck.thermo_every, system, outputs);
     const auto from = restored(deck, control.continuation, measurement, system.state);
-    outputs.begin(system, system.state, from);
+    outputs.begin(system, from);
     const LoopPosition end = saving_failure(deck, system.state, [&] {
         const LoopPosition last = run_stages(deck.stages, system.state, *system.force_field, measurement, from);
         measurement.record_end();

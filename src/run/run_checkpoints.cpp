@@ -39,14 +39,12 @@ bool RunCheckpoints::due(Index step, bool last_of_stage) {
 
 void RunCheckpoints::write(const State& state, const LoopPosition& position, const CommittedOutputs& outputs,
                            const std::function<void(Archive&)>& archive) {
-    Archive a;
-    constexpr Index default_bytes_per_atom = 200;
-    a.reserve(static_cast<std::size_t>(default_bytes_per_atom * state.total()));
     const Vec3 edges = state.has_box() ? state.box().edges() : Vec3::Zero();
     CheckpointHead head{deck_hash(deck_), build_info().version, state.step, state.total(), edges, position, outputs};
-    a(head);
-    archive(a);
-    store_.write(a.bytes());
+    store_.write([&](Archive& a) {
+        a(head);
+        archive(a);
+    });
     last_ = Clock::now();
     if (has_begun_) {
         std::exchange(has_begun_, nullptr)();

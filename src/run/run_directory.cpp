@@ -15,6 +15,7 @@
 #include "ljmd/io/tables/data_table_csv.hpp"
 #include "ljmd/io/tables/json_file.hpp"
 #include "ljmd/io/tables/json_text.hpp"
+#include "ljmd/model/atoms_by_id.hpp"
 #include "ljmd/observables/few_body/few_body_analysis.hpp"
 #include "ljmd/run/given/given_record.hpp"
 #include "ljmd/run/output_guard.hpp"
@@ -34,6 +35,11 @@ std::optional<TrajectoryCsv> open_csv(const Deck& deck, const FewBodySystem& sys
     const auto frames = kept(continuation, &CommittedOutputs::trajectory);
     return TrajectoryCsv(deck.outputs() / "trajectory.csv", trajectory_columns(deck, system),
                          frames ? std::optional(frames->bytes) : std::nullopt);
+}
+
+std::vector<double> energies_by_id(const State& state, const PairPotential& potential) {
+    return state.execution().ranks().alone() ? atom_energies(state, potential)
+                                             : atom_energies(gathered_for_root(state), potential);
 }
 
 /// Whether the record of a run says that it has come to its end. True where it cannot be read: nothing is known then.
@@ -141,22 +147,21 @@ void check_outputs(const Deck& deck, const Continuation& continuation) {
     }
 }
 
-RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const State& all,
-                           const std::optional<Continuation>& continuation)
+RunDirectory::RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<Continuation>& continuation)
     : deck_(deck),
       energies_of_(deck.trajectory && deck.trajectory->energies ? std::optional(fluid.force_field.potential())
                                                                 : std::nullopt),
-      trajectory_(open_trajectory(deck, all, continuation)),
+      trajectory_(open_trajectory(deck, fluid.state, continuation)),
       thermo_(std::in_place_type<ThermoCsv>, deck.outputs() / "thermo.csv",
               thermo_columns(deck, fluid.order.has_value(), fluid.force_field.external().get()),
               kept(continuation, &CommittedOutputs::thermo)),
       record_(deck, fluid.state.execution(), continuation) {}
 
-RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system, const State& all,
+RunDirectory::RunDirectory(const Deck& deck, const FewBodySystem& system,
                            const std::optional<Continuation>& continuation)
     : deck_(deck),
       csv_(open_csv(deck, system, continuation)),
-      trajectory_(csv_ ? nullptr : open_trajectory(deck, all, continuation)),
+      trajectory_(csv_ ? nullptr : open_trajectory(deck, system.state, continuation)),
       thermo_(std::in_place_type<FewBodyThermoCsv>, deck.outputs() / "thermo.csv", system.dimensions,
               kept(continuation, &CommittedOutputs::thermo)),
       record_(deck, system.state.execution(), continuation) {}
@@ -195,7 +200,7 @@ void RunDirectory::write_frame(const State& state, const std::optional<double>& 
     if (csv_) {
         csv_->write(state, angle);
     } else if (trajectory_) {
-        trajectory_->write(state, energies_of_ ? atom_energies(state, *energies_of_) : std::vector<double>());
+        trajectory_->write(state, energies_of_ ? energies_by_id(state, *energies_of_) : std::vector<double>());
     }
 }
 

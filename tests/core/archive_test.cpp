@@ -178,3 +178,37 @@ TEST_CASE("a mark must be found again") {
     Archive other(archive.bytes());
     CHECK_THROWS_WITH(other.mark("list"), Contains("'list' was expected, and something else was found"));
 }
+
+TEST_CASE("an archive that passes its bytes on has those of one in memory, and is read in the same way") {
+    const std::vector<std::byte> bytes = written(example());
+    std::vector<double> many(100'000, 0.5);
+    Archive in_memory;
+    Everything all = example();
+    in_memory(all, many, all);
+    std::vector<std::byte> passed_on;
+    std::size_t calls = 0;
+    Archive through([&](std::span<const std::byte> piece) {
+        passed_on.insert(passed_on.end(), piece.begin(), piece.end());
+        ++calls;
+    });
+    through(all, many, all);
+    through.flush();
+    CHECK(std::ranges::equal(passed_on, in_memory.bytes()));
+    CHECK(calls == 3);  // small values together, the long list by itself
+
+    std::size_t next = 0;
+    Archive back(passed_on.size(), [&](std::span<std::byte> piece) {
+        std::copy_n(passed_on.begin() + static_cast<std::ptrdiff_t>(next), piece.size(), piece.begin());
+        next += piece.size();
+    });
+    Everything first;
+    Everything last;
+    std::vector<double> list;
+    back(first, list);
+    CHECK(back.left() == bytes.size());
+    back(last);
+    CHECK_NOTHROW(back.expect_end());
+    CHECK(list == many);
+    CHECK(written(last) == bytes);
+    CHECK_THROWS_WITH(back(last), Contains("ends too early"));
+}

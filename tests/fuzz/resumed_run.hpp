@@ -67,12 +67,11 @@ inline Continuation found_again(const RunFolder& folder, CheckpointContent conte
     const Deck& deck = folder.deck();
     content.head.version = build_info().version;
     content.head.deck_hash = deck_hash(deck);
-    Archive head;
-    head(content.head);
-    std::vector<std::byte> bytes(head.bytes().begin(), head.bytes().end());
-    bytes.insert(bytes.end(), content.rest.begin(), content.rest.end());
     folder.prepare();
-    CheckpointStore(deck.directory, 1).write(bytes);
+    CheckpointStore(deck.directory, 1).write([&content](Archive& a) {
+        a(content.head);
+        a.numbers(std::span(reinterpret_cast<const char*>(content.rest.data()), content.rest.size()));
+    });
     return find_continuation(deck).value();
 }
 

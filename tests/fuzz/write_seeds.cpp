@@ -60,7 +60,9 @@ void write_checkpoints(const fuzz::FuzzedDeck& fuzzed, const fs::path& corpora, 
         } catch (const Stopped&) {
         }
         const auto point = find_continuation(deck);
-        write(corpora / target / fmt::format("{}-after-{}", name, point->head.step), point->file.content);
+        std::vector<char> content(point->file.length);
+        point->file.content().numbers(std::span(content));
+        write(corpora / target / fmt::format("{}-after-{}", name, point->head.step), std::as_bytes(std::span(content)));
         if (step == stage) {
             fs::copy_file(point->file.path, corpora / "checkpoint_file" / name, fs::copy_options::overwrite_existing);
         }

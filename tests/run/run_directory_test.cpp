@@ -66,7 +66,7 @@ Names files_of(const std::string& text, const std::vector<std::string>& settings
     prepare_directory(deck.directory);
     FewBodySystem system = make_few_body_system(deck);
     system.force_field->evaluate(system.state, Request::forces);
-    RunDirectory files(deck, system, system.state);
+    RunDirectory files(deck, system);
     files.write(no_totals);
     files.write_frame(system.state, std::nullopt);
     files.finish(system.state, {.tables = tables});
@@ -176,7 +176,7 @@ TEST_CASE("the frames and files that a deck asks for are written, and no others"
         }
         FluidSystem simulation = simulation_of(deck);
         prepare_directory(deck.directory);
-        RunDirectory files(deck, simulation, simulation.state);
+        RunDirectory files(deck, simulation);
         files.write_frame(simulation.state);
         for (Index step = 1; step <= 10; ++step) {
             simulation.state.step = step;
@@ -215,7 +215,7 @@ TEST_CASE("rows of a few-body run are on the disk before it ends, every hundredt
     const Deck deck = folder.load({"output.trajectory.every=1"});
     prepare_directory(deck.directory);
     const FewBodySystem system = make_few_body_system(deck);
-    RunDirectory files(deck, system, system.state);
+    RunDirectory files(deck, system);
     CHECK(std::filesystem::exists(deck.directory / "run.json"));
     for (int n = 0; n < 100; ++n) {
         files.write_frame(system.state, std::nullopt);
@@ -231,7 +231,7 @@ TEST_CASE("the last configuration of few bodies is kept with velocities and all 
     prepare_directory(deck.directory);
     FewBodySystem system = make_few_body_system(deck);
     system.state.write_positions()(1, 0) = 1.0 / 3.0;
-    RunDirectory files(deck, system, system.state);
+    RunDirectory files(deck, system);
     files.finish(system.state, {});
     const std::string last = content_of(deck.directory / "final.xyz");
     CHECK_THAT(last,

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,13 +23,24 @@ namespace ljmd {
 /// Supports arithmetic types, enumerations, strings, vectors, arrays, pairs, optionals, Eigen matrices, and classes
 /// with such a function. Numbers are stored bit for bit, little-endian; lengths precede elements. Input is not trusted:
 /// it cannot make an archive read beyond its end, nor allocate more than a few times its own length.
+///
+/// An archive is in memory, or passes its bytes on to a file and takes them from there, so that it may be larger than
+/// memory.
 class Archive {
   public:
-    /// For writing.
+    /// For writing into memory.
     Archive() = default;
 
+    /// For writing. @param write  takes the bytes, in order; those of small values come together
+    using Write = std::function<void(std::span<const std::byte>)>;
+    explicit Archive(Write write) : write_(std::move(write)) {}
+
     /// For reading. @param bytes  must outlive the archive
-    explicit Archive(std::span<const std::byte> bytes) : rest_(bytes), reading_(true) {}
+    explicit Archive(std::span<const std::byte> bytes);
+
+    /// For reading. @param read  fills a piece of memory with the next bytes  @param length  of all of them
+    using Read = std::function<void(std::span<std::byte>)>;
+    Archive(std::uint64_t length, Read read) : read_(std::move(read)), left_(length), reading_(true) {}
 
     [[nodiscard]] bool reading() const { return reading_; }
 
@@ -43,11 +55,26 @@ class Archive {
     /// @throws CheckpointError
     void mark(std::string_view name);
 
-    /// Reserve memory; growing step by step takes up to twice as much.
-    void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
+    /// Write or read numbers whose count is known.
+    template <class T>
+    void numbers(std::span<T> values) {
+        static_assert(std::is_arithmetic_v<T>);
+        raw(values.data(), values.size_bytes());
+    }
+    /// Write them. @pre writing
+    template <class T>
+    void numbers(std::span<const T> values) {
+        raw(const_cast<T*>(values.data()), values.size_bytes());  // which are only read
+    }
 
-    /// All bytes written so far.
+    /// Bytes that are still to be read. @pre reading
+    [[nodiscard]] std::uint64_t left() const { return left_; }
+
+    /// All bytes written so far. @pre written into memory
     [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+    /// Pass on what has not been passed on yet. @pre writing
+    void flush();
 
     /// Require that everything has been read. @pre reading  @throws CheckpointError
     void expect_end() const;
@@ -74,8 +101,10 @@ class Archive {
     void one(bool& value);
     void one(std::string& text);
 
-    std::vector<std::byte> bytes_;     // bytes written
-    std::span<const std::byte> rest_;  // bytes still to be read
+    std::vector<std::byte> bytes_;  // written; of an archive that passes them on, those that wait
+    Write write_;                   // empty: into memory
+    Read read_;
+    std::uint64_t left_ = 0;  // bytes still to be read
     bool reading_ = false;
 };
 
@@ -93,7 +122,7 @@ void Archive::one(T& value) {
         one(rows);
         one(columns);
         if (reading_) {
-            const auto most = static_cast<std::int64_t>(rest_.size() / sizeof(Scalar));
+            const auto most = static_cast<std::int64_t>(left_ / sizeof(Scalar));
             if (rows < 0 || columns < 0 || (columns > 0 && rows > most / columns)) {
                 refuse("a matrix is larger than the rest of the file");
             }

@@ -47,10 +47,14 @@ struct NearestCells {
 /// @pre cells, layers > 0, density > 0
 [[nodiscard]] Vec3 crystal_edges(Lattice lattice, Index cells, Index layers, double density);
 
-/// Sites of cells x cells x layers cubic cells; the first one lies at the origin.
+/// A site of cells x cells x layers cubic cells; site 0 lies at the origin.
 /// @param edges  of the crystal [sigma], at most those of the box
 /// @param box    on whose grid the sites lie
-/// @return positions [sigma] inside the box
+/// @return position [sigma] inside the box
+[[nodiscard]] Vec3 lattice_site(Lattice lattice, Index cells, Index layers, const Vec3& edges, const Box& box,
+                                Index site);
+
+/// All sites, as lattice_site() has them.
 [[nodiscard]] std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, Index layers, const Vec3& edges,
                                               const Box& box);
 
@@ -58,7 +62,10 @@ struct NearestCells {
 /// @param cells  number of cells along each edge, at least 1
 [[nodiscard]] std::vector<Vec3> lattice_sites(Lattice lattice, Index cells, const Box& box);
 
-/// Positions drawn uniformly in the box; atoms may overlap. They depend on box, seed and atom id only.
+/// A position drawn uniformly in the box. It depends on box, seed and atom id only.
+[[nodiscard]] Vec3 random_position(const Box& box, std::uint64_t seed, Index id);
+
+/// Those of the atoms 0 to N - 1; atoms may overlap.
 [[nodiscard]] std::vector<Vec3> random_positions(Index atoms, const Box& box, std::uint64_t seed);
 
 }  // namespace ljmd

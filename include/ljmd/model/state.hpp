@@ -13,6 +13,7 @@
 namespace ljmd {
 
 class Archive;
+class SharedArchive;
 
 /// Views of per-atom vectors: column i is atom i. A view is valid until the next call that may reorder atoms or change
 /// their number (ForceField::evaluate, State::reorder, State::set_ghost_count).
@@ -173,8 +174,6 @@ class State {
     struct Registered {
         std::string name;
         AlignedVector<double> data;
-
-        void archive(Archive& a);
     };
 
     /// Length of the numbers of an atom, see pack().
@@ -185,7 +184,10 @@ class State {
     const double* unpack(Index atom, const double* numbers);
     /// Change the number of atoms here; new ones are yet to be set. Drops ghosts.
     void resize(Index count);
-    void archive_all(Archive& a);
+    /// Give back memory that a former, larger number of atoms took.
+    void give_back_room();
+    /// The rest of archive(), for reading.
+    void read(Archive& a, SharedArchive& atoms);
 
     Execution execution_;
     Index total_;

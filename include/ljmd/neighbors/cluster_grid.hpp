@@ -237,7 +237,22 @@ class ClusterGrid {
     std::vector<std::int64_t> work_;
     std::vector<std::int32_t> first_columns_;  ///< of each rank among those of all; then the number of all
     std::vector<std::int32_t> halo_columns_;   ///< numbers among those of all, from the lowest up
-    std::vector<std::int32_t> numbers_here_;   ///< by the number among those of all; empty without other ranks
+    /// The part of a column that is wanted, over its lowest z [sigma].
+    struct Heights {
+        double low;
+        double high;
+    };
+    std::vector<Heights> halo_heights_;              ///< of those columns
+    std::vector<std::int32_t> clusters_below_halo_;  ///< of those columns: clusters that were not wanted
+    struct WantedColumn {
+        std::int32_t column;  ///< number at the rank that has it
+        Heights heights;
+    };
+    struct GivenColumn {
+        std::uint32_t atoms;
+        std::int32_t clusters_below;
+    };
+    std::vector<std::int32_t> numbers_here_;  ///< by the number among those of all; empty without other ranks
     Halo halo_;
     std::vector<std::int32_t> tile_numbers_;  ///< of the tiles as they lie along x, then y, then z
     std::vector<Cell> tile_cells_;            ///< place of each tile along x, y and z

@@ -67,12 +67,9 @@ struct FinalOutputs {
 class RunDirectory {
   public:
     /// Opens the outputs and writes run.json.
-    /// @param all           the atoms of the system; of several ranks, those of all
     /// @param continuation  continue the files of an interrupted run  @throws FileError, CheckpointError
-    RunDirectory(const Deck& deck, const FluidSystem& fluid, const State& all,
-                 const std::optional<Continuation>& continuation = {});
-    RunDirectory(const Deck& deck, const FewBodySystem& system, const State& all,
-                 const std::optional<Continuation>& continuation = {});
+    RunDirectory(const Deck& deck, const FluidSystem& fluid, const std::optional<Continuation>& continuation = {});
+    RunDirectory(const Deck& deck, const FewBodySystem& system, const std::optional<Continuation>& continuation = {});
 
     /// @pre the row is one of the kind of system that the directory was opened for
     void write(const ThermoRow& row);

@@ -7,9 +7,10 @@
 #include <array>
 #include <cstring>
 #include <fstream>
-#include <initializer_list>
 #include <memory>
 #include <new>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "LJMDCKPT";
 constexpr std::string_view end_mark = "LJMDEND\n";
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 constexpr int max_generations = 9;
 
 /// The header of a file, before the content.
@@ -35,61 +36,52 @@ struct Head {
     std::uint32_t version;
     std::uint32_t zero;
     std::uint64_t generation;
-    std::uint64_t length;
 };
-static_assert(sizeof(Head) == 32);
+static_assert(sizeof(Head) == 24);
 constexpr std::size_t hash_length = sizeof(XXH128_canonical_t);
 constexpr std::size_t tail_length = hash_length + end_mark.size();
+constexpr std::size_t piece_length = std::size_t{1} << 20;
 
 std::string name_of(std::uint64_t slot) {
     return fmt::format("checkpoint.{}", slot + 1);
 }
 
-/// Hash of the concatenated texts.
-XXH128_canonical_t hash_of(std::initializer_list<std::string_view> texts) {
-    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
-    if (state == nullptr) {
-        throw std::bad_alloc();
-    }
-    XXH3_128bits_reset(state.get());
-    for (const std::string_view text : texts) {
-        XXH3_128bits_update(state.get(), text.data(), text.size());
-    }
-    XXH128_canonical_t hash;
-    XXH128_canonicalFromHash(&hash, XXH3_128bits_digest(state.get()));
-    return hash;
-}
-
-/// The three parts of a file. A large checkpoint is written and read back piece by piece: a full copy would be a large
-/// part of the memory of a run.
-using Parts = std::array<std::string_view, 3>;
-constexpr std::size_t piece_length = std::size_t{1} << 20;
-
-void write_parts(OutputFile& file, const Parts& parts) {
-    for (const std::string_view part : parts) {
-        for (std::size_t from = 0; from < part.size(); from += piece_length) {
-            file.write(part.substr(from, piece_length));
+/// The hash of bytes that come piece by piece.
+class Hash {
+  public:
+    Hash() : state_(XXH3_createState(), XXH3_freeState) {
+        if (state_ == nullptr) {
+            throw std::bad_alloc();
         }
+        XXH3_128bits_reset(state_.get());
     }
-    file.flush();
+    void add(std::string_view text) { XXH3_128bits_update(state_.get(), text.data(), text.size()); }
+    [[nodiscard]] std::string digest() const {
+        XXH128_canonical_t hash;
+        XXH128_canonicalFromHash(&hash, XXH3_128bits_digest(state_.get()));
+        return {reinterpret_cast<const char*>(&hash), hash_length};
+    }
+
+  private:
+    std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state_;
+};
+
+void read_exactly(std::ifstream& file, char* to, std::size_t size) {
+    file.read(to, static_cast<std::streamsize>(size));
+    if (!file) {
+        throw CheckpointError("it " + why_reading_failed());
+    }
 }
 
-bool reads_back(const OutputFile& file, const Parts& parts) {
-    std::int64_t begin = 0;
-    for (const std::string_view part : parts) {
-        for (std::size_t from = 0; from < part.size(); from += piece_length) {
-            const std::string_view piece = part.substr(from, piece_length);
-            if (!file.holds(piece, begin)) {
-                return false;
-            }
-            begin += std::ssize(piece);
-        }
-    }
-    return true;
+/// The next bytes of a file, as a text.
+std::string next(std::ifstream& file, std::size_t size) {
+    std::string text(size, '\0');
+    read_exactly(file, text.data(), size);
+    return text;
 }
 
-/// A file whose length is not the one in its header is not read: the claimed length may not fit into memory.
-std::string read_whole(const fs::path& path) {
+/// @throws CheckpointError with the fault
+CheckpointFile checked(const fs::path& path) {
     const std::optional<std::uintmax_t> found = files::size_of(path);
     if (!found) {  // opening a pipe could block
         throw CheckpointError("it is not a file");
@@ -98,36 +90,25 @@ std::string read_whole(const fs::path& path) {
     if (size == 0) {  // so are files of /proc, which may block
         throw CheckpointError("it is empty");
     }
-    std::ifstream file = open_input(path);
+    const auto file = std::make_shared<std::ifstream>(open_input(path));
     Head head{};
-    file.read(reinterpret_cast<char*>(&head), sizeof(Head));
-    if (file.bad()) {
+    file->read(reinterpret_cast<char*>(&head), sizeof(Head));
+    if (file->bad()) {
         throw CheckpointError("it " + why_reading_failed());
     }
     if (std::string_view(head.word.data(), head.word.size()) != magic) {
         throw CheckpointError("it is not a checkpoint");
     }
-    if (!file || size < sizeof(Head) + tail_length || head.length != size - sizeof(Head) - tail_length) {
-        throw CheckpointError("it is damaged: its length is not what it says");
+    if (!*file || size < sizeof(Head) + tail_length) {
+        throw CheckpointError("it is damaged: it is too short");
     }
-    std::string text(size, '\0');
-    file.seekg(0);
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    if (!file) {
-        throw CheckpointError("it " + why_reading_failed());
+    const std::uintmax_t length = size - sizeof(Head) - tail_length;
+    Hash hash;
+    hash.add({reinterpret_cast<const char*>(&head), sizeof(Head)});
+    for (std::uintmax_t done = 0; done < length; done += piece_length) {
+        hash.add(next(*file, static_cast<std::size_t>(std::min<std::uintmax_t>(piece_length, length - done))));
     }
-    return text;
-}
-
-/// @throws CheckpointError with the fault
-CheckpointFile parse(const fs::path& path) {
-    const std::string text = read_whole(path);
-    Head head{};
-    std::memcpy(&head, text.data(), sizeof(Head));
-    const std::size_t hashed = text.size() - tail_length;
-    const XXH128_canonical_t hash = hash_of({std::string_view(text).substr(0, hashed)});
-    const bool sound = std::memcmp(&hash, text.data() + hashed, hash_length) == 0 && text.ends_with(end_mark);
-    if (!sound) {
+    if (next(*file, hash_length) != hash.digest() || next(*file, end_mark.size()) != end_mark) {
         throw CheckpointError("it is damaged: its checksum is not that of its content");
     }
     if (head.version != format_version) {
@@ -137,11 +118,18 @@ CheckpointFile parse(const fs::path& path) {
     if (head.zero != 0) {
         throw CheckpointError("its head holds something unknown");
     }
-    const auto content = std::as_bytes(std::span(text)).subspan(sizeof(Head), static_cast<std::size_t>(head.length));
-    return {path, head.generation, {content.begin(), content.end()}};
+    return {path, head.generation, length, file};
 }
 
 }  // namespace
+
+Archive CheckpointFile::content() const {
+    stream->clear();
+    stream->seekg(sizeof(Head));
+    return {length, [file = stream](std::span<std::byte> piece) {
+                read_exactly(*file, reinterpret_cast<char*>(piece.data()), piece.size());
+            }};
+}
 
 CheckpointStore::CheckpointStore(OpenDirectory directory, int keep) : directory_(std::move(directory)), keep_(keep) {
     if (keep < 1 || keep > max_generations) {
@@ -149,20 +137,32 @@ CheckpointStore::CheckpointStore(OpenDirectory directory, int keep) : directory_
     }
 }
 
-void CheckpointStore::write(std::span<const std::byte> content) {
+void CheckpointStore::write(const std::function<void(Archive&)>& fill) {
     const std::uint64_t generation = generation_ + 1;
-    Head head{{}, format_version, 0, generation, content.size()};
-    magic.copy(head.word.data(), magic.size());
-    const std::string_view first(reinterpret_cast<const char*>(&head), sizeof(Head));
-    const std::string_view second(reinterpret_cast<const char*>(content.data()), content.size());
-    const XXH128_canonical_t hash = hash_of({first, second});
-    std::string last(reinterpret_cast<const char*>(&hash), hash_length);
-    last += end_mark;
-    const Parts parts{first, second, last};
     const OutputPlace place = directory_ / name_of(generation % static_cast<std::uint64_t>(keep_));
     write_file_atomically(place, [&](OutputFile& file) {
-        write_parts(file, parts);
-        if (!reads_back(file, parts)) {
+        Hash hash;
+        const auto put = [&](std::string_view text) {
+            hash.add(text);
+            file.write(text);
+        };
+        Head head{{}, format_version, 0, generation};
+        magic.copy(head.word.data(), magic.size());
+        put({reinterpret_cast<const char*>(&head), sizeof(Head)});
+        Archive content([&put](std::span<const std::byte> bytes) {
+            const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+            for (std::size_t from = 0; from < text.size(); from += piece_length) {
+                put(text.substr(from, piece_length));  // the file has a buffer, which a long text would lengthen
+            }
+        });
+        fill(content);
+        content.flush();
+        put(hash.digest());
+        put(end_mark);
+        file.flush();
+        Hash found;
+        file.read_back([&found](std::string_view piece) { found.add(piece); });
+        if (found.digest() != hash.digest()) {
             throw FileError(
                 fmt::format("cannot write '{}': it does not read back as it was written", file.path().string()));
         }
@@ -186,7 +186,7 @@ FoundCheckpoints find_checkpoints(const fs::path& directory) {
             if (!files::is_taken(path)) {
                 continue;
             }
-            found.whole.push_back(parse(path));
+            found.whole.push_back(checked(path));
         } catch (const CheckpointError& why) {
             found.damaged.push_back(fmt::format("{}: {}", path.string(), why.what()));
         } catch (const Error& why) {  // the file system failed

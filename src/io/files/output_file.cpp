@@ -157,21 +157,21 @@ std::int64_t OutputFile::commit() {
     return committed_;
 }
 
-bool OutputFile::holds(std::string_view bytes, std::int64_t from) const {
-    std::string found(bytes.size(), '\0');
-    std::size_t read = 0;
-    while (read < found.size()) {
-        const ssize_t count = ::pread(descriptor_, found.data() + read, found.size() - read,
-                                      static_cast<off_t>(from + static_cast<std::int64_t>(read)));
+void OutputFile::read_back(const std::function<void(std::string_view)>& look) const {
+    std::string piece(std::size_t{1} << 20, '\0');
+    std::int64_t from = 0;
+    for (;;) {
+        const ssize_t count = ::pread(descriptor_, piece.data(), piece.size(), static_cast<off_t>(from));
+        if (count == 0) {
+            return;
+        }
         if (count > 0) {
-            read += static_cast<std::size_t>(count);
-        } else if (count == 0) {
-            return false;
+            look(std::string_view(piece).substr(0, static_cast<std::size_t>(count)));
+            from += count;
         } else if (errno != EINTR) {
             throw file_error("read back", path(), errno);
         }
     }
-    return found == bytes;
 }
 
 void OutputFile::close() {

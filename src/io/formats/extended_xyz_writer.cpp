@@ -8,6 +8,7 @@
 
 #include "ase_units.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
+#include "ljmd/model/atoms_by_id.hpp"
 #include "unit_scale.hpp"
 
 namespace ljmd {
@@ -22,7 +23,7 @@ double energy_scale(const std::optional<SubstanceUnits>& si) {
 }
 
 std::string header(const State& state, const FrameContents& contents, bool si, const UnitScale& scale) {
-    std::string text = fmt::format("{}\n", state.count());
+    std::string text = fmt::format("{}\n", state.total());
     if (state.has_box()) {
         const Vec3 edges = scale.length * state.box().edges();
         text += fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" ", edges[0], edges[1], edges[2]);
@@ -44,29 +45,32 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, const FrameC
     const char* species = si ? "Ar" : "X";
     const double momentum = ase_mass(species).value() / (si ? ase_velocity : 1.0);
     const double energy = energy_scale(si);
-    const std::vector<Index> index_of = state.index_of();
     std::string line;
-    for (std::size_t id = 0; id < index_of.size(); ++id) {
-        const Index i = index_of[id];
-        const Vec3 r = scale.length * state.unwrapped(i);
-        line.clear();
-        fmt::format_to(std::back_inserter(line), "{} {} {} {}", species, r[0], r[1], r[2]);
-        if (contents.velocities) {
-            const Vec3 v = scale.velocity * state.velocities().col(i);
-            fmt::format_to(std::back_inserter(line), " {} {} {}", v[0], v[1], v[2]);
-            const Vec3 p = momentum * v;
-            fmt::format_to(std::back_inserter(line), " {} {} {}", p[0], p[1], p[2]);
+    const AtomParts parts{.positions = true, .velocities = contents.velocities, .forces = contents.forces};
+    visit_by_id(state, parts, [&](const AtomPiece& piece) {
+        const std::vector<Vec3> places = piece.unwrapped(state);
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto id = static_cast<std::size_t>(piece.first) + k;
+            const Vec3 r = scale.length * places[k];
+            line.clear();
+            fmt::format_to(std::back_inserter(line), "{} {} {} {}", species, r[0], r[1], r[2]);
+            if (contents.velocities) {
+                const Vec3 v = scale.velocity * piece.velocities[k];
+                fmt::format_to(std::back_inserter(line), " {} {} {}", v[0], v[1], v[2]);
+                const Vec3 p = momentum * v;
+                fmt::format_to(std::back_inserter(line), " {} {} {}", p[0], p[1], p[2]);
+            }
+            if (contents.forces) {
+                const Vec3 f = energy / scale.length * piece.forces[k];
+                fmt::format_to(std::back_inserter(line), " {} {} {}", f[0], f[1], f[2]);
+            }
+            if (!contents.energies.empty()) {
+                fmt::format_to(std::back_inserter(line), " {}", energy * contents.energies[id]);
+            }
+            fmt::format_to(std::back_inserter(line), " {}\n", id + 1);
+            file.write(line);
         }
-        if (contents.forces) {
-            const Vec3 f = energy / scale.length * state.forces().col(i);
-            fmt::format_to(std::back_inserter(line), " {} {} {}", f[0], f[1], f[2]);
-        }
-        if (!contents.energies.empty()) {
-            fmt::format_to(std::back_inserter(line), " {}", energy * contents.energies[id]);
-        }
-        fmt::format_to(std::back_inserter(line), " {}\n", id + 1);
-        file.write(line);
-    }
+    });
 }
 
 void write_configuration(const OutputPlace& place, const State& state, bool velocities) {

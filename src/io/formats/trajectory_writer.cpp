@@ -36,7 +36,7 @@ class TextTrajectory : public TrajectoryWriter {
 }  // namespace
 
 void TrajectoryWriter::write(const State& state, std::span<const double> energies) {
-    if (state.count() != count_ || state.has_box() != has_box_) {
+    if (state.total() != count_ || state.has_box() != has_box_) {
         throw ContractViolation("a trajectory keeps its number of atoms and its kind of box");
     }
     if (has_forces_ && !state.forces_are_current()) {

@@ -31,14 +31,6 @@ std::string padded(const std::vector<std::string>& texts, std::size_t length) {
 
 }  // namespace
 
-template <class Result>
-Result Hdf5Output::checked(Result result, const std::string& doing) {
-    if (result < 0) {
-        fail(doing, hdf5_error_text());
-    }
-    return result;
-}
-
 void Hdf5Output::abandon() {
     for (Hdf5Handle& dataset : datasets_) {
         dataset.abandon();
@@ -217,7 +209,7 @@ void Hdf5Output::link(const std::string& existing, const std::string& name) {
 }
 
 void Hdf5Output::finish_objects() {
-    if (!objects_.empty()) {
+    if (layout_) {
         return;
     }
     const Hdf5Silence silence;
@@ -225,13 +217,14 @@ void Hdf5Output::finish_objects() {
     checked(memory_.flush(file_.get()), doing);
     checked(file_.close(), doing);
     objects_ = memory_.take_bytes();
+    std::array<unsigned, 3> version{};
+    H5get_libversion(&version[0], &version[1], &version[2]);
+    layout_ = XXH3_64bits_withSeed(objects_.data(), objects_.size(), XXH3_64bits(version.data(), sizeof version));
 }
 
 std::uint64_t Hdf5Output::layout() {
     finish_objects();
-    std::array<unsigned, 3> version{};
-    H5get_libversion(&version[0], &version[1], &version[2]);
-    return XXH3_64bits_withSeed(objects_.data(), objects_.size(), XXH3_64bits(version.data(), sizeof version));
+    return *layout_;
 }
 
 void Hdf5Output::open_file(const OutputPlace& place) {
@@ -252,6 +245,7 @@ void Hdf5Output::start_appending() {
     OutputFile file(replacement);
     file.write(objects_);
     file.close();
+    objects_ = {};
     const Hdf5Silence silence;
     open_file(replacement.growing());
     switch_to_appending();
@@ -261,6 +255,7 @@ void Hdf5Output::start_appending() {
 void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t entries, hsize_t stride) {
     finish_objects();
     overwrite_beginning(place_, objects_);
+    objects_ = {};
     const Hdf5Silence silence;
     try {
         open_file(place_);
@@ -273,83 +268,10 @@ void Hdf5Output::continue_appending(const std::vector<Series*>& series, hsize_t 
     }
 }
 
-void Hdf5Output::repeat_records(const std::vector<Series*>& series, hsize_t entries, hsize_t stride) {
-    for (hsize_t begin = 0; begin < entries; begin += stride) {
-        for (Series* one : series) {
-            extend(*one, std::min(begin + stride, entries));
-        }
-    }
-    for (Series* one : series) {
-        one->dataset = -1;
-    }
-    datasets_.clear();  // to be reopened in SWMR mode
-}
-
 void Hdf5Output::switch_to_appending() {
     checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flushing");
     checked(H5Fstart_swmr_write(file_.get()), "switching to appending");
     commit();
-}
-
-void Hdf5Output::open_series(Series& series) {
-    if (series.dataset >= 0) {
-        return;
-    }
-    const std::string doing = "opening " + series.name;
-    const Hdf5Handle access(checked(H5Pcreate(H5P_DATASET_ACCESS), doing), H5Pclose);
-    // No cache: entries go straight to the file, while a cache would write the whole chunk for each of them.
-    checked(H5Pset_chunk_cache(access.get(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT), doing);
-    series.dataset = checked(H5Dopen2(file_.get(), series.name.c_str(), access.get()), doing);
-    datasets_.emplace_back(series.dataset, H5Dclose);
-}
-
-void Hdf5Output::extend(Series& series, hsize_t entries) {
-    open_series(series);
-    std::vector<hsize_t> extent{entries};
-    extent.insert(extent.end(), series.entry.begin(), series.entry.end());
-    checked(H5Dset_extent(series.dataset, extent.data()), fmt::format("making {} longer", series.name));
-    series.length = entries;
-}
-
-void Hdf5Output::append(Series& series, const void* data) {
-    if (!file_ || !is_on_disk_) {
-        throw ContractViolation(fmt::format("'{}' is not open for appending", path().string()));
-    }
-    const Hdf5Silence silence;
-    extend(series, series.length + 1);
-    const std::string doing = fmt::format("appending entry {} to {}", series.length, series.name);
-    std::vector<hsize_t> start{series.length - 1};
-    std::vector<hsize_t> count{1};
-    for (const hsize_t n : series.entry) {
-        start.push_back(0);
-        count.push_back(n);
-    }
-    const Hdf5Handle where(checked(H5Dget_space(series.dataset), doing), H5Sclose);
-    checked(H5Sselect_hyperslab(where.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), doing);
-    const Hdf5Handle what(checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), doing),
-                          H5Sclose);
-    checked(H5Dwrite(series.dataset, series.type, what.get(), where.get(), H5P_DEFAULT, data), doing);
-    checked(H5Dflush(series.dataset), doing);
-}
-
-std::uint64_t Hdf5Output::place_of_last(Series& series) {
-    const Hdf5Silence silence;
-    open_series(series);
-    const std::string doing = fmt::format("asking where entry {} of {} lies", series.length, series.name);
-    const Hdf5Handle creation(checked(H5Dget_create_plist(series.dataset), doing), H5Pclose);
-    std::vector<hsize_t> chunk(series.entry.size() + 1);
-    checked(H5Pget_chunk(creation.get(), static_cast<int>(chunk.size()), chunk.data()), doing);
-    std::vector<hsize_t> corner(chunk.size());
-    const hsize_t before = (series.length - 1) % chunk[0];  // entries before it in the same chunk
-    corner[0] = series.length - 1 - before;
-    unsigned filters = 0;
-    haddr_t place = HADDR_UNDEF;
-    hsize_t bytes = 0;
-    checked(H5Dget_chunk_info_by_coord(series.dataset, corner.data(), &filters, &place, &bytes), doing);
-    if (place == HADDR_UNDEF) {
-        fail(doing, "it has no place");
-    }
-    return place + before * (bytes / chunk[0]);
 }
 
 int Hdf5Output::descriptor() {

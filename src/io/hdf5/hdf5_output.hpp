@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,6 +83,11 @@ class Hdf5Output {
     /// @param data  one entry, numbers of series.type
     void append(Series& series, const void* data);
 
+    /// The same for an entry that comes in parts of its first axis.
+    /// @param fill  calls write(first, count, data) with numbers of series.type for count places from `first` on
+    using WritePart = std::function<void(hsize_t first, hsize_t count, const void* data)>;
+    void append_in_parts(Series& series, const std::function<void(const WritePart&)>& fill);
+
     /// Offset of the last entry in the file. Slow: HDF5 searches all chunks, so do not call it for each entry.
     /// @pre there is an entry
     [[nodiscard]] std::uint64_t place_of_last(Series& series);
@@ -95,7 +102,12 @@ class Hdf5Output {
 
   private:
     template <class Result>
-    Result checked(Result result, const std::string& doing);
+    Result checked(Result result, const std::string& doing) {
+        if (result < 0) {
+            fail(doing, hdf5_error_text());
+        }
+        return result;
+    }
     [[noreturn]] void fail(const std::string& doing, const std::string& cause);
     /// Leave the file as it is on the disk: HDF5 neither writes to it nor shortens it any more.
     void abandon();
@@ -122,7 +134,8 @@ class Hdf5Output {
 
     OutputPlace place_;
     Hdf5MemoryFile memory_;
-    std::string objects_;  // the file without entries, once all objects are created
+    std::string objects_;  // the file without entries, from when all objects are created until it is on the disk
+    std::optional<std::uint64_t> layout_;
     bool is_on_disk_ = false;
     Hdf5Handle file_;                   // in memory first, then on the disk
     std::vector<Hdf5Handle> datasets_;  // of the series; closed before the file

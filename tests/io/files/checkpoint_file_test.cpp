@@ -14,25 +14,24 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::vector<std::byte> bytes_of(const std::string& text) {
-    std::vector<std::byte> bytes(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        bytes[i] = static_cast<std::byte>(text[i]);
-    }
-    return bytes;
+/// What writes a text as the content of a checkpoint.
+std::function<void(Archive&)> content(const std::string& text) {
+    return [text](Archive& a) { a.numbers(std::span<const char>(text)); };
 }
 
 void overwrite(const std::filesystem::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }
 
-using Contents = std::vector<std::vector<std::byte>>;
-
 /// The contents of the whole checkpoints, newest first.
-Contents contents(const FoundCheckpoints& found) {
-    Contents all;
+std::vector<std::string> contents(const FoundCheckpoints& found) {
+    std::vector<std::string> all;
     for (const CheckpointFile& file : found.whole) {
-        all.push_back(file.content);
+        std::string text(file.length, '\0');
+        Archive a = file.content();
+        a.numbers(std::span(text));
+        a.expect_end();
+        all.push_back(text);
     }
     return all;
 }
@@ -43,44 +42,44 @@ TEST_CASE("the newest generations are kept, and found newest first") {
     const ScratchDirectory folder;
     CheckpointStore store(folder.path(), 2);
     CHECK(find_checkpoints(folder.path()).whole.empty());
-    store.write(bytes_of("first"));
-    CHECK(contents(find_checkpoints(folder.path())) == Contents{bytes_of("first")});
-    store.write(bytes_of(""));
-    store.write(bytes_of("third"));
+    store.write(content("first"));
+    CHECK(contents(find_checkpoints(folder.path())) == std::vector<std::string>{"first"});
+    store.write(content(""));
+    store.write(content("third"));
     const FoundCheckpoints found = find_checkpoints(folder.path());
-    CHECK(contents(found) == Contents{bytes_of("third"), bytes_of("")});
+    CHECK(contents(found) == std::vector<std::string>{"third", ""});
     CHECK(found.damaged.empty());
     CHECK(found.whole[0].generation == 3);
 
     CheckpointStore later(folder.path(), 2);
     later.continue_after(3);
-    later.write(bytes_of("fourth"));
-    CHECK(contents(find_checkpoints(folder.path())) == Contents{bytes_of("fourth"), bytes_of("third")});
+    later.write(content("fourth"));
+    CHECK(contents(find_checkpoints(folder.path())) == std::vector<std::string>{"fourth", "third"});
 }
 
 TEST_CASE("after going on from the older of two generations, that one is not what is replaced") {
     const ScratchDirectory folder;
     CheckpointStore store(folder.path(), 2);
-    store.write(bytes_of("first"));
-    store.write(bytes_of("second"));
+    store.write(content("first"));
+    store.write(content("second"));
     const auto newest = find_checkpoints(folder.path()).whole[0].path;
     overwrite(newest, "damaged");
     CheckpointStore later(folder.path(), 2);
     later.continue_after(1);
-    later.write(bytes_of("another second"));
-    CHECK(contents(find_checkpoints(folder.path())) == Contents{bytes_of("another second"), bytes_of("first")});
+    later.write(content("another second"));
+    CHECK(contents(find_checkpoints(folder.path())) == std::vector<std::string>{"another second", "first"});
 }
 
 TEST_CASE("a checkpoint of which any bit is wrong, or that ends anywhere, is not taken, and the older one is") {
     const ScratchDirectory folder;
     CheckpointStore store(folder.path(), 2);
-    store.write(bytes_of("older"));
-    store.write(bytes_of("newer"));
+    store.write(content("older"));
+    store.write(content("newer"));
     const auto path = find_checkpoints(folder.path()).whole[0].path;
     const std::string whole = content_of(path);
     const auto check_refused = [&] {
         const FoundCheckpoints found = find_checkpoints(folder.path());
-        CHECK(contents(found) == Contents{bytes_of("older")});
+        CHECK(contents(found) == std::vector<std::string>{"older"});
         REQUIRE(found.damaged.size() == 1);
         CHECK_THAT(found.damaged[0], Contains(path.string() + ": it "));
     };
@@ -97,7 +96,7 @@ TEST_CASE("a checkpoint of which any bit is wrong, or that ends anywhere, is not
     overwrite(path, whole + "x");
     check_refused();
     overwrite(path, whole);
-    CHECK(contents(find_checkpoints(folder.path())) == Contents{bytes_of("newer"), bytes_of("older")});
+    CHECK(contents(find_checkpoints(folder.path())) == std::vector<std::string>{"newer", "older"});
 }
 
 TEST_CASE("what is no file is told, and nothing waits for it") {
@@ -116,16 +115,16 @@ TEST_CASE("what is no file is told, and nothing waits for it") {
 TEST_CASE("a checkpoint that cannot be written leaves the earlier ones") {
     const ScratchDirectory folder;
     CheckpointStore store(folder.path(), 2);
-    store.write(bytes_of("first"));
-    store.write(bytes_of("second"));
+    store.write(content("first"));
+    store.write(content("second"));
     const auto oldest = find_checkpoints(folder.path()).whole[1].path;
     std::filesystem::remove(oldest);
     std::filesystem::create_directories(oldest / "in the way");
-    CHECK_THROWS_AS(store.write(bytes_of("third")), FileError);
-    CHECK(contents(find_checkpoints(folder.path())) == Contents{bytes_of("second")});
+    CHECK_THROWS_AS(store.write(content("third")), FileError);
+    CHECK(contents(find_checkpoints(folder.path())) == std::vector<std::string>{"second"});
     std::filesystem::remove_all(oldest);
-    store.write(bytes_of("third"));
-    CHECK(contents(find_checkpoints(folder.path())) == Contents{bytes_of("third"), bytes_of("second")});
+    store.write(content("third"));
+    CHECK(contents(find_checkpoints(folder.path())) == std::vector<std::string>{"third", "second"});
 }
 
 TEST_CASE("at least one generation is kept, and at most nine") {

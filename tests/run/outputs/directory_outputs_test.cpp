@@ -36,7 +36,7 @@ TEST_CASE("files are there once the run begins, and not before") {
     const auto from = restored(deck, control.continuation, measurement, fluid.state);
     CHECK_FALSE(from);
     CHECK(std::filesystem::is_empty(deck.directory));
-    outputs.begin(fluid, fluid.state, from);
+    outputs.begin(fluid, from);
     CHECK(std::filesystem::exists(deck.directory / "run.json"));
 
     outputs.stage_begins(deck.stages[1]);

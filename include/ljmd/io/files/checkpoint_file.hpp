@@ -1,13 +1,14 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <span>
+#include <fstream>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "ljmd/core/archive.hpp"
 #include "ljmd/io/files/open_directory.hpp"
 
 namespace ljmd {
@@ -16,16 +17,18 @@ namespace ljmd {
 /// the oldest file, so the newest intact one is never touched.
 ///
 /// File format, little-endian: "LJMDCKPT"; format version (32 bits); zero (32 bits); generation (64 bits), which grows
-/// by one from file to file; length of the content (64 bits); content; XXH3 (128 bits) of everything before it;
-/// "LJMDEND\n".
+/// by one from file to file; content; XXH3 (128 bits) of everything before it; "LJMDEND\n". Contents are written and
+/// read piece by piece: they may be larger than memory.
 class CheckpointStore {
   public:
     /// @param keep  number of generations, from 1 to 9
     CheckpointStore(OpenDirectory directory, int keep);
 
-    /// Write the next generation through a ReplacementFile. It is read back and compared before it takes its place.
-    /// @throws FileError; the earlier generations are then unchanged
-    void write(std::span<const std::byte> content);
+    /// Write the next generation through a ReplacementFile. It is read back and its hash compared before it takes its
+    /// place.
+    /// @param fill  writes the content
+    /// @throws FileError, and what `fill` throws; the earlier generations are then unchanged
+    void write(const std::function<void(Archive&)>& fill);
 
     /// Continue after this generation even if newer ones exist: with keep > 1 the next write does not replace it.
     void continue_after(std::uint64_t generation) { generation_ = generation; }
@@ -36,11 +39,15 @@ class CheckpointStore {
     std::uint64_t generation_ = 0;
 };
 
-/// An intact generation.
+/// An intact generation. The file stays open.
 struct CheckpointFile {
     std::filesystem::path path;
     std::uint64_t generation = 0;
-    std::vector<std::byte> content;
+    std::uint64_t length = 0;  ///< of the content
+    std::shared_ptr<std::ifstream> stream;
+
+    /// The content, from its beginning. Only one may be read at a time.
+    [[nodiscard]] Archive content() const;
 };
 
 /// The checkpoint files found in a directory.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,8 +49,8 @@ class OutputFile {
     /// sync(). @return length of the file in bytes  @throws FileError
     std::int64_t commit();
 
-    /// Whether the file holds these bytes from this offset on. @pre they were flushed  @throws FileError
-    [[nodiscard]] bool holds(std::string_view bytes, std::int64_t from) const;
+    /// Read back what was flushed. @param look  gets it piece by piece  @throws FileError
+    void read_back(const std::function<void(std::string_view)>& look) const;
 
     /// flush() and close. Does nothing when closed. @throws FileError
     void close();

@@ -49,7 +49,7 @@ struct TrajectoryOptions {
 };
 
 /// Writes frames to a trajectory file. Atoms are in the order of ids, with unwrapped positions. The state is not
-/// changed.
+/// changed. Of several ranks that share it, rank 0 has the writer, and uses it in look_by_id().
 class TrajectoryWriter {
   public:
     virtual ~TrajectoryWriter() = default;
@@ -75,7 +75,7 @@ class TrajectoryWriter {
     /// @param first    has as many atoms as every frame, and a box if the frames have one
     /// @param options  what the frames contain
     TrajectoryWriter(const State& first, const TrajectoryOptions& options)
-        : count_(first.count()),
+        : count_(first.total()),
           has_box_(first.has_box()),
           has_forces_(options.forces),
           has_energies_(options.energies) {}

@@ -22,17 +22,16 @@ class DirectoryOutputs : public RunOutputs {
 
     /// Open the files. Nothing was changed before.
     /// @param system  a FluidSystem or FewBodySystem that was restored, see restored()
-    /// @param all     its atoms; of several ranks, those of all
     /// @param from    what restored() has returned  @throws FileError
     template <class System>
-    void begin(const System& system, const State& all, const std::optional<LoopPosition>& from) {
+    void begin(const System& system, const std::optional<LoopPosition>& from) {
         if (from) {
             check_outputs(deck_, *control_.continuation);
             if (from->begun) {
                 listener_.stage_begins(deck_.stages.at(from->stage));
             }
         }
-        files_.emplace(deck_, system, all, control_.continuation);
+        files_.emplace(deck_, system, control_.continuation);
     }
 
     [[nodiscard]] RunDirectory& files() { return *files_; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "ljmd/io/files/input_file.hpp"
 #include "ljmd/io/files/output_file.hpp"
 #include "ljmd/io/formats/trajectory_writer.hpp"
+#include "ljmd/model/atoms_by_id.hpp"
 
 namespace ljmd {
 
@@ -45,21 +47,20 @@ std::vector<hsize_t> vector_chunk(Index atoms) {
     return {frames_per_chunk(atoms), static_cast<hsize_t>(atoms_per_chunk(atoms)), 3};
 }
 
-/// Vectors in the order of ids, (N, 3) in row-major order.
-template <class VectorOf>
-std::vector<double> gathered(const State& state, double scale, VectorOf vector_of) {
+/// (N, 3) in row-major order.
+std::vector<double> scaled(const std::vector<Vec3>& vectors, double scale) {
     std::vector<double> result;
-    result.reserve(3 * static_cast<std::size_t>(state.count()));
-    for (const Index i : state.index_of()) {
-        const Vec3 v = scale * vector_of(i);
+    result.reserve(3 * vectors.size());
+    for (const Vec3& vector : vectors) {
+        const Vec3 v = scale * vector;
         result.insert(result.end(), {v[0], v[1], v[2]});
     }
     return result;
 }
 
 /// Checksum of the part of a frame that is in its first chunk.
-std::uint64_t checksum(const std::vector<double>& positions, Index atoms) {
-    return XXH3_64bits(positions.data(), 3 * static_cast<std::size_t>(atoms_per_chunk(atoms)) * sizeof(double));
+std::uint64_t checksum(const std::vector<double>& first_positions) {
+    return XXH3_64bits(first_positions.data(), first_positions.size() * sizeof(double));
 }
 
 /// The numbers at this offset in a file; zeros after its end.
@@ -109,7 +110,7 @@ class H5mdWriter : public TrajectoryWriter {
 
 H5mdWriter::H5mdWriter(const State& first, const TrajectoryOptions& options)
     : TrajectoryWriter(first, options),
-      count_(first.count()),
+      count_(first.total()),
       has_box_(first.has_box()),
       has_velocities_(options.velocities),
       has_forces_(options.forces),
@@ -168,7 +169,7 @@ void H5mdWriter::require_kept(const TrajectoryOptions& options) {
         return;
     }
     const auto numbers = 3 * static_cast<std::size_t>(atoms_per_chunk(count_));
-    if (checksum(numbers_at(options.path.path(), kept.last.place, numbers), count_) != kept.last.checksum) {
+    if (checksum(numbers_at(options.path.path(), kept.last.place, numbers)) != kept.last.checksum) {
         throw CheckpointError(
             fmt::format("the frame of step {} in '{}' is not what was written", kept.last.step, name));
     }
@@ -238,10 +239,10 @@ void H5mdWriter::create_particles(const State& first, bool si) {
     }
     std::vector<std::int64_t> ids;
     std::vector<double> masses;
-    for (const Index i : first.index_of()) {
-        ids.push_back(std::ssize(ids) + 1);
-        masses.push_back(first.masses()[static_cast<std::size_t>(i)]);
-    }
+    visit_by_id(first, {.masses = true},
+                [&](const AtomPiece& piece) { masses.insert(masses.end(), piece.masses.begin(), piece.masses.end()); });
+    ids.resize(masses.size());
+    std::iota(ids.begin(), ids.end(), 1);
     file_.write_numbers(particles + "/species", std::vector<std::int64_t>(ids.size(), 0));
     file_.write_numbers(particles + "/id", ids);
     if (!si) {
@@ -292,27 +293,36 @@ void H5mdWriter::append(const State& state, std::span<const double> energies) {
         const Mat3 edges = (scale_.length * state.box().edges()).asDiagonal();
         file_.append(edges_, edges.data());
     }
+    FrameMark mark{.step = step};
+    const auto append_vectors = [&](Hdf5Output::Series& series, const AtomParts& parts, const auto& vectors_of) {
+        file_.append_in_parts(series, [&](const Hdf5Output::WritePart& write) {
+            const auto pass_on = [&](const AtomPiece& piece) {
+                const std::vector<double> numbers = vectors_of(piece);
+                write(static_cast<hsize_t>(piece.first), static_cast<hsize_t>(piece.count), numbers.data());
+                mark.checksum = piece.first == 0 ? checksum(numbers) : mark.checksum;
+            };
+            visit_by_id(state, parts, pass_on, atoms_per_chunk(count_));
+        });
+    };
     if (has_velocities_) {
-        const auto v = state.velocities();
-        const auto velocities = gathered(state, scale_.velocity, [&v](Index i) -> Vec3 { return v.col(i); });
-        file_.append(velocity_, velocities.data());
+        append_vectors(velocity_, {.velocities = true},
+                       [&](const AtomPiece& piece) { return scaled(piece.velocities, scale_.velocity); });
     }
     if (has_forces_) {
-        const auto f = state.forces();
-        const auto forces = gathered(state, energy_scale_ / scale_.length, [&f](Index i) -> Vec3 { return f.col(i); });
-        file_.append(force_, forces.data());
+        append_vectors(force_, {.forces = true},
+                       [&](const AtomPiece& piece) { return scaled(piece.forces, energy_scale_ / scale_.length); });
     }
     if (has_energies_) {
-        std::vector<double> scaled(energies.begin(), energies.end());
-        for (double& energy : scaled) {
+        std::vector<double> in_unit(energies.begin(), energies.end());
+        for (double& energy : in_unit) {
             energy *= energy_scale_;
         }
-        file_.append(energy_, scaled.data());
+        file_.append(energy_, in_unit.data());
     }
     // Positions go last: readers take the number of frames from them, so a frame that they count is complete.
-    const auto positions = gathered(state, scale_.length, [&state](Index i) { return state.unwrapped(i); });
-    file_.append(position_, positions.data());
-    last_ = {step, 0, checksum(positions, count_)};
+    append_vectors(position_, {.positions = true},
+                   [&](const AtomPiece& piece) { return scaled(piece.unwrapped(state), scale_.length); });
+    last_ = mark;
     failed_ = false;
 }
 
