@@ -117,6 +117,25 @@ void ClusterGrid::find_halo(double halo) {
     }
 }
 
+std::vector<ClusterGrid::HaloPart> ClusterGrid::halo_parts() const {
+    std::vector<HaloPart> parts;
+    const double area = 1.0 / (inverse_width_[0] * inverse_width_[1]);
+    for (std::size_t k = 0; k < halo_columns_.size(); ++k) {
+        const int rank = rank_of(halo_columns_[k]);
+        if (parts.empty() || parts.back().rank != rank) {
+            parts.push_back({rank, 0, 0.0});
+        }
+        const double height = std::min(halo_heights_[k].high, height_) - std::max(halo_heights_[k].low, 0.0);
+        parts.back().columns += 1;
+        parts.back().volume += area * std::max(0.0, height);
+    }
+    return parts;
+}
+
+double ClusterGrid::own_volume() const {
+    return own_column_count() * height_ / (inverse_width_[0] * inverse_width_[1]);
+}
+
 void ClusterGrid::send_to_owners(State& state, State* companion) const {
     const auto r = std::as_const(state).positions();
     std::vector<int> destinations(static_cast<std::size_t>(state.count()));

@@ -25,6 +25,7 @@ import lammps_program  # noqa: E402
 import ljmd_program  # noqa: E402
 import machine  # noqa: E402
 import numpy as np  # noqa: E402
+import ranks  # noqa: E402
 import ratios  # noqa: E402
 import report  # noqa: E402
 import roofline  # noqa: E402
@@ -324,6 +325,27 @@ def test_systems_of_scaling(tmp: Path) -> None:
     assert 'lattice = { type = "fcc", cells = 6 }' in systems[0].section(tmp)
     assert slab.section(tmp) == ljmd_program.from_file(tmp / "half-empty-along-z.data")
     assert f"0.0 {start.edges.tolist()[2]!r} zlo zhi" in (tmp / "half-empty-along-z.data").read_text()
+
+
+def test_model_of_ranks(tmp: Path) -> None:
+    """The slowest rank counts; one rank alone has nothing but its atoms."""
+    asked = [{"rank": 0, "atoms": 1000.0, "ghosts": 0.0, "messages": 0}]
+    alone = ranks.modelled({"atoms": 1000, "ranks": 1, "asked": asked, "tiles": 2}, 1e-7)
+    assert alone["efficiency"] == 1.0 and abs(alone["terms"]["computing"] - 1e-4) < 1e-18, alone
+    asked = [{"rank": 0, "atoms": 500.0, "ghosts": 1000.0, "messages": 3}, {"rank": 9, "atoms": 600.0, "ghosts": 2000.0, "messages": 5}]
+    many = ranks.modelled({"atoms": 8000, "ranks": 16, "asked": asked, "tiles": 16}, 1e-7)
+    step = 6e-5 + 2 * 5 * ranks.LATENCY + 44 * 2000 / ranks.BANDWIDTH + 2 * ranks.LATENCY * 4
+    assert many["slowest"]["rank"] == 9 and abs(many["efficiency"] - 1e-7 * 500 / step) < 1e-12, many
+    rounds = [{"program": "ljmd", "round": k, "alone": 1e7, "shared": 1.8e7 + k, "parts": 2e7} for k in range(3)]
+    record = {"schema": ranks.SCHEMA, "version": ranks.VERSION, "date": "2026", "host": machine.describe(), "rounds": rounds,
+              "options": {"cells": 8, "ranks": 2, "steps": 10, "repeats": 3, "policy": "fixed"},
+              "decompositions": [{"atoms": atoms, "ranks": 16, "asked": asked, "tiles": 16} for atoms in ranks.SIZES]}
+    (tmp / "ranks.json").write_text(json.dumps(record))
+    assert run("ranks.py", os.environ["PATH"], "--redraw", tmp).returncode == 0
+    assert png_size(tmp / "ranks.png") > (500, 200) and "0.900 (0.900 .. 0.900)" in (tmp / "ranks.md").read_text()
+    (tmp / "ranks.json").write_text('{"schema": "something"}')
+    assert run("ranks.py", os.environ["PATH"], "--redraw", tmp).returncode == 3
+    assert run("ranks.py", os.environ["PATH"], "--cells", "7").returncode == 2
 
 
 def test_line_of_cost(tmp: Path) -> None:

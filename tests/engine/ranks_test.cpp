@@ -92,6 +92,40 @@ FluidSpec liquid(Index cells) {
 
 }  // namespace
 
+TEST_CASE("a step without a new list takes two messages from each rank to each near one, as long at every step") {
+    FluidSpec spec = liquid(5);
+    spec.neighbors.every = 100;
+    spec.sample_every = 1000;
+    spec.stages = {{.name = "go", .time_step = 0.004, .steps = 60}};
+    const int size = GENERATE(2, 3, 4);
+    test::RankTeam::Traffic before;
+    test::RankTeam::Traffic after;
+    std::vector<Index> atoms(static_cast<std::size_t>(size));
+    const auto run = [&](Index steps) {
+        test::RankTeam team(size);
+        team.run([&](std::shared_ptr<Ranks> here) {
+            const auto rank = static_cast<std::size_t>(here->rank());
+            Simulation simulation(spec, Execution(ExecutionOptions{.ranks = std::move(here)}));
+            simulation.advance(steps);
+            atoms[rank] = simulation.state().count();
+        });
+        return team.traffic();
+    };
+    before = run(20);
+    after = run(50);
+    const Index steps = 30;
+    CAPTURE(size, atoms, (after.messages - before.messages) / steps, (after.reductions - before.reductions) / steps,
+            (after.bytes - before.bytes) / steps);
+    for (const Index here : atoms) {
+        CHECK(here >= 80);  // two tiles
+    }
+    CHECK((after.messages - before.messages) % steps == 0);
+    CHECK((after.messages - before.messages) / steps == 2 * size * (size - 1));  // all are near in a box so small
+    CHECK((after.bytes - before.bytes) % steps == 0);
+    // With a list for so many steps nothing is agreed on, but every ten steps whether an atom is too fast.
+    CHECK(after.reductions - before.reductions == size * steps / 10);
+}
+
 TEST_CASE("ranks that go on from a checkpoint of others have the bits of one process") {
     FluidSpec spec = liquid(5);
     spec.analyses = {analysis("rdf", {{"every", 10}}), analysis("msd", {{"max_time", 0.08}, {"every", 2}})};

@@ -65,6 +65,7 @@ TEST_CASE("the halo of a rank has every atom of others that is near one of its o
     std::mutex mutex;
     bool complete = true;
     bool own_alone = true;
+    double volume = 0.0;
     Index ghosts = 0;
     RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
         const Ranks& here = *ranks;
@@ -97,11 +98,24 @@ TEST_CASE("the halo of a rank has every atom of others that is near one of its o
             }
             all_near = all_near && (!near || is_known(r, state.count()));
         }
+        double halo_volume = 0.0;
+        Index halo_columns = 0;
+        for (const ClusterGrid::HaloPart& part : grid.halo_parts()) {
+            halo_volume += part.volume;
+            halo_columns += part.columns;
+        }
+        const double expected = static_cast<double>(atoms) / box.volume() * halo_volume;
         const std::lock_guard lock(mutex);
+        // Whole clusters: up to three atoms more at both ends of a column.
+        CHECK(static_cast<double>(state.ghost_count()) > 0.8 * expected);
+        CHECK(static_cast<double>(state.ghost_count()) < 1.2 * expected + 6.0 * static_cast<double>(halo_columns));
+        CHECK(halo_columns == grid.column_count() - grid.own_column_count());
+        volume += grid.own_volume();
         complete = complete && all_near;
         own_alone = own_alone && none_twice;
         ghosts += state.ghost_count();
     });
+    CHECK(volume == Approx(box.volume()));
     CHECK(complete);
     CHECK(own_alone);
     CHECK(ghosts > 0);

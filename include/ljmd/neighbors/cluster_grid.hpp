@@ -62,6 +62,17 @@ class ClusterGrid {
     /// @throws InputError when there are more atoms than can be counted
     void sort(State& state, State* companion = nullptr);
 
+    /// What the halo takes of another rank: columns, and their volume [sigma^3].
+    struct HaloPart {
+        int rank;
+        Index columns;
+        double volume;
+    };
+    /// By rank, those alone from which something is taken. @pre configured
+    [[nodiscard]] std::vector<HaloPart> halo_parts() const;
+    /// Volume of the tiles here [sigma^3]. @pre configured
+    [[nodiscard]] double own_volume() const;
+
     /// The copies of atoms of other ranks.
     [[nodiscard]] Halo& halo() { return halo_; }
     [[nodiscard]] const Halo& halo() const { return halo_; }
