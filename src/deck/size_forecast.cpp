@@ -85,8 +85,8 @@ SizeForecast forecast_size(const Deck& deck, const Start& start) {
     const AnalysisSize analyzed = analyses(deck, start);
     const auto atoms = static_cast<double>(start.atoms);
     const double one_checkpoint = checkpoint(deck, start, analyzed);
-    const double memory =
-        program_itself + (atom_itself + search(deck, start)) * atoms + analyzed.kept + analyzed.fixed + analyzed.passing;
+    const double memory = program_itself + (atom_itself + search(deck, start)) * atoms + analyzed.kept +
+                          analyzed.fixed + analyzed.passing;
     const Index rows_after_start = total_steps(deck.stages) / deck.thermo_every;
     const double rows = 1.0 + static_cast<double>(rows_after_start);
     const double disk = records + rows * (deck.units ? thermo_row_si : thermo_row) + trajectory(deck, start) +
