@@ -26,7 +26,7 @@ import decks  # noqa: E402
 from figures import check, exit_code  # noqa: E402
 
 SKIPPED = 77
-PATIENCE = 600  # seconds; beside other work a step takes several time slices of each processor
+PATIENCE = 600  # seconds; beside other work a message may take a time slice of each process
 TILE = 50
 # Words of the end of a run that tell of time, place and the machine.
 OF_ONE_RUN = ("run.json", "results.txt", "checkpoint.1", "checkpoint.2", "report.html")
