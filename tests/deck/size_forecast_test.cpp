@@ -95,7 +95,8 @@ TEST_CASE("memory and disk grow with atoms and frames") {
     const SizeForecast small = with("system.lattice.cells=20");
     const SizeForecast large = with("system.lattice.cells=40");
     const double atoms = 4.0 * 20 * 20 * 20;
-    CHECK(large.memory - small.memory == Approx(7.0 * 300.0 * atoms).epsilon(0.1));  // runs took 250 to 318 bytes an atom
+    CHECK(large.memory - small.memory ==
+          Approx(7.0 * 300.0 * atoms).epsilon(0.1));  // runs took 250 to 318 bytes an atom
     CHECK(large.disk / small.disk == Approx(8.0).epsilon(0.01));
     // 1001 frames of three doubles an atom
     CHECK(small.disk == Approx(1001.0 * atoms * 24.0).epsilon(0.05));
