@@ -5,7 +5,7 @@
 # portable is compiled with the flags of everything else, and is the only level where the processor is no x86-64.
 set(ljmd_simd_levels portable)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
-    list(APPEND ljmd_simd_levels x86_64_v2 x86_64_v3 x86_64_v4 x86_64_v4_intel)
+    list(APPEND ljmd_simd_levels x86_64_v2 x86_64_v3 x86_64_v4 x86_64_v4_256 x86_64_v4_intel)
 endif()
 
 file(GLOB ljmd_simd_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/simd/*.cpp)
@@ -13,11 +13,15 @@ set(ljmd_simd_objects "")
 foreach(level IN LISTS ljmd_simd_levels)
     add_library(ljmd_simd_${level} OBJECT ${ljmd_simd_sources})
     string(REGEX REPLACE "^x86_64_(v[0-9]).*" "x86-64-\\1" architecture ${level})
-    # 512-bit registers are what v4 is for; the compilers' own choice would be half of them. Without -O3 and inlining,
-    # which the code counts on, a debugging build would be too slow for its tests.
+    # 512-bit registers are what v4 is for; the compilers' own choice would be half of them, which v4_256 is for. Without
+    # -O3 and inlining, which the code counts on, a debugging build would be too slow for its tests.
+    set(bits 512)
+    if(level STREQUAL x86_64_v4_256)
+        set(bits 256)
+    endif()
     target_compile_options(ljmd_simd_${level} PRIVATE
         $<$<NOT:$<STREQUAL:${level},portable>>:-march=${architecture}>
-        $<$<STREQUAL:${architecture},x86-64-v4>:-mprefer-vector-width=512>
+        $<$<STREQUAL:${architecture},x86-64-v4>:-mprefer-vector-width=${bits}>
         $<$<NOT:$<CONFIG:Debug>>:-O3>
         # All functions with vectors as arguments are inlined: how they would be passed is of no account.
         -Wno-psabi
@@ -27,6 +31,7 @@ foreach(level IN LISTS ljmd_simd_levels)
         $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_compile_definitions(ljmd_simd_${level} PRIVATE LJMD_SIMD_LEVEL=${level}
+        $<$<STREQUAL:${level},x86_64_v4_256>:LJMD_SIMD_256>
         $<$<STREQUAL:${level},x86_64_v4_intel>:LJMD_SIMD_FOR_INTEL>)
     target_include_directories(ljmd_simd_${level} PRIVATE ${PROJECT_SOURCE_DIR}/include
                                                           ${PROJECT_BINARY_DIR}/generated/include)

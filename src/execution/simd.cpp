@@ -13,7 +13,7 @@ namespace ljmd {
 
 namespace {
 
-constexpr std::array level_names{"portable", "x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-intel"};
+constexpr std::array level_names{"portable", "x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-256", "x86-64-v4-intel"};
 
 #if defined(__x86_64__)
 bool processor_has(SimdLevel level) {
@@ -29,6 +29,7 @@ bool processor_has(SimdLevel level) {
         case SimdLevel::x86_64_v3:
             return v3;
         case SimdLevel::x86_64_v4:
+        case SimdLevel::x86_64_v4_256:
         case SimdLevel::x86_64_v4_intel:
             return v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                    __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
@@ -37,27 +38,29 @@ bool processor_has(SimdLevel level) {
     return false;
 }
 
-bool is_from_intel() {
+/// The level of AVX-512 that is made for this processor.
+SimdLevel best_of_v4() {
     __builtin_cpu_init();
-    return __builtin_cpu_is("intel") != 0;
+    if (__builtin_cpu_is("intel") != 0) {
+        return SimdLevel::x86_64_v4_intel;
+    }
+    // Zen 4: the processors of this family with AVX-512
+    return __builtin_cpu_is("amdfam19h") != 0 ? SimdLevel::x86_64_v4_256 : SimdLevel::x86_64_v4;
 }
 #else
 bool processor_has(SimdLevel level) {
     return level == SimdLevel::portable;
 }
 
-bool is_from_intel() {
-    return false;
+SimdLevel best_of_v4() {
+    return SimdLevel::x86_64_v4;
 }
 #endif
 
 /// The highest usable level that is made for this processor.
 SimdLevel best_simd_level() {
-    std::vector<SimdLevel> usable = usable_simd_levels();
-    if (usable.back() == SimdLevel::x86_64_v4_intel && !is_from_intel()) {
-        usable.pop_back();
-    }
-    return usable.back();
+    const SimdLevel highest = usable_simd_levels().back();
+    return highest < SimdLevel::x86_64_v4 ? highest : best_of_v4();
 }
 
 std::vector<std::string_view> names(const std::vector<SimdLevel>& levels) {

@@ -24,7 +24,7 @@ TEST_CASE("the usable SIMD levels are among those compiled in, lowest first, por
 TEST_CASE("a SIMD level that is unknown, or that this processor lacks, is refused with those there are") {
     CHECK_THROWS_WITH(usable_simd_level("avx3"), Catch::StartsWith("unknown SIMD level 'avx3', usable here: portable"));
     const auto usable = usable_simd_levels();
-    for (const char* level : {"x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-intel"}) {
+    for (const char* level : {"x86-64-v2", "x86-64-v3", "x86-64-v4", "x86-64-v4-256", "x86-64-v4-intel"}) {
         if (std::none_of(usable.begin(), usable.end(), [&](SimdLevel here) { return name(here) == level; })) {
             CHECK_THROWS_WITH(usable_simd_level(level), Catch::Contains("cannot be used here"));
         }
@@ -36,12 +36,14 @@ TEST_CASE("the default SIMD level is the highest usable one made for this proces
         const test::EnvironmentGuard nothing("LJMD_SIMD", "");
         const SimdLevel best = default_simd_level();
         const SimdLevel highest = usable_simd_levels().back();
+        if (highest < SimdLevel::x86_64_v4) {
+            CHECK(best == highest);
+        } else {
 #if defined(__x86_64__)
-        const bool for_another = highest == SimdLevel::x86_64_v4_intel && __builtin_cpu_is("intel") == 0;
-#else
-        const bool for_another = false;
+            CHECK((best == SimdLevel::x86_64_v4_intel) == (__builtin_cpu_is("intel") != 0));
+            CHECK((best == SimdLevel::x86_64_v4_256) == (__builtin_cpu_is("amdfam19h") != 0));
 #endif
-        CHECK(best == (for_another ? SimdLevel::x86_64_v4 : highest));
+        }
     }
     {
         const test::EnvironmentGuard portable("LJMD_SIMD", "portable");

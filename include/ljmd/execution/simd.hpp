@@ -7,12 +7,13 @@
 namespace ljmd {
 
 /// Instruction sets that the kernels (pair sum, list building) are compiled for. The levels of x86-64 are those of its
-/// psABI: v2 has SSE4.2, v3 AVX2 and FMA, v4 AVX-512. v4_intel is AVX-512 arranged for processors whose divisions are
-/// slow and whose multipliers also add, as Intel's do. `portable` is the same code compiled for the processor that the
-/// rest of the program is compiled for.
+/// psABI: v2 has SSE4.2, v3 AVX2 and FMA, v4 AVX-512. v4_256 is AVX-512 with vectors of 256 bits, for processors whose
+/// units have half the width of its registers, as AMD's Zen 4. v4_intel is AVX-512 arranged for processors whose
+/// divisions are slow and whose multipliers also add, as Intel's do. `portable` is the same code compiled for the
+/// processor that the rest of the program is compiled for.
 ///
 /// Results of two levels differ by rounding, because a sum is split into one partial sum per lane.
-enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_intel };
+enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_256, x86_64_v4_intel };
 
 /// "portable", "x86-64-v2", ...
 [[nodiscard]] std::string_view name(SimdLevel level);
@@ -27,7 +28,7 @@ enum class SimdLevel { portable, x86_64_v2, x86_64_v3, x86_64_v4, x86_64_v4_inte
 [[nodiscard]] SimdLevel usable_simd_level(const std::string& name);
 
 /// Level of an Execution that is not given one: the one named by the environment variable LJMD_SIMD, else the highest
-/// usable (v4_intel on Intel's processors only).
+/// usable; with AVX-512 v4_intel on Intel's processors, v4_256 on Zen 4, v4 on others.
 /// @throws InputError as usable_simd_level
 [[nodiscard]] SimdLevel default_simd_level();
 

@@ -8,8 +8,19 @@
 
 namespace ljmd::simd {
 
-/// Width of the vector registers that this translation unit is compiled for, and alignment of their types.
+/// Width of the vector registers that this translation unit uses, and alignment of their types.
+#if defined(LJMD_SIMD_256)
+inline constexpr int register_bytes = 32;
+#else
 inline constexpr int register_bytes = __BIGGEST_ALIGNMENT__;
+#endif
+
+/// Whether there are 32 vector registers and not 16.
+#if defined(__AVX512VL__)
+inline constexpr bool many_registers = true;
+#else
+inline constexpr bool many_registers = false;
+#endif
 
 /// A vector type of the compilers' extension.
 template <class T, int lanes>

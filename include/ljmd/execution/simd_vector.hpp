@@ -14,7 +14,8 @@
 /// function compiled for one processor in place of the same one compiled for another. Of the standard library only
 /// plain functions are called.
 ///
-/// LJMD_SIMD_FOR_INTEL marks the level for processors whose divisions are slow and whose multipliers also add.
+/// LJMD_SIMD_256 marks the level with the instructions and registers of AVX-512 for vectors of 256 bits,
+/// LJMD_SIMD_FOR_INTEL the one for processors whose divisions are slow and whose multipliers also add.
 ///
 /// The arithmetic is that of the compilers' vector extension (gcc 12, clang); simd_intrinsics.hpp adds what it lacks.
 namespace ljmd::simd {

@@ -45,6 +45,7 @@ LJMD_INLINE RawVector<double, 4> larger(RawVector<double, 4> a, RawVector<double
 LJMD_INLINE RawVector<float, 8> larger(RawVector<float, 8> a, RawVector<float, 8> b) {
     return _mm256_max_ps(a, b);
 }
+#if !defined(__AVX512VL__)  // with it the compilers' operators become a mask and one instruction
 // The compilers' operator becomes the integer instruction, whose result takes a cycle longer to reach a floating-point
 // one.
 LJMD_INLINE RawVector<double, 4> keep_where(RawVector<std::int64_t, 4> condition, RawVector<double, 4> x) {
@@ -53,6 +54,7 @@ LJMD_INLINE RawVector<double, 4> keep_where(RawVector<std::int64_t, 4> condition
 LJMD_INLINE RawVector<float, 8> keep_where(RawVector<std::int32_t, 8> condition, RawVector<float, 8> x) {
     return _mm256_and_ps(reinterpret<__m256>(condition), x);
 }
+#endif
 LJMD_INLINE RawVector<double, 4> widened(RawVector<float, 4> x) {
     return _mm256_cvtps_pd(x);
 }

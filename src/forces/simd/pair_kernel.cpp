@@ -9,12 +9,11 @@ namespace ljmd {
 
 namespace {
 
-/// Whether distances to two clusters are begun while forces from the previous two are computed. Out-of-order execution
+/// Whether distances to two parts are begun while forces from the previous two are computed. Out-of-order execution
 /// covers one or two hundred instructions, too few for the latencies between a separation and a force. Only the
-/// 32 registers of AVX-512 suffice for working so far ahead. 16 registers hold the separations of one cluster beside
-/// those of the next.
-template <class V>
-constexpr bool by_twos = sizeof(typename V::Raw) == 64;
+/// 32 registers of AVX-512 suffice for working so far ahead. 16 registers hold the separations of one part beside those
+/// of the next.
+constexpr bool by_twos = simd::many_registers;
 
 /// Sums over the pairs of a row, lane by lane.
 template <class Arithmetic, bool with_energy>
@@ -113,9 +112,8 @@ class Row {
     /// @param end    end of the list
     LJMD_INLINE void meet_all(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
                               const std::int32_t* end) {
-        if constexpr (by_twos<V>) {
-            static_assert(parts == 1);
-            meet_by_twos(own, *mask, end);
+        if constexpr (by_twos) {
+            meet_by_twos(own, first, mask, end);
         } else {
             meet_one_by_one(own, first, mask, end);
         }
@@ -149,12 +147,17 @@ class Row {
         sums.add(arithmetic_, pair_, cutoff2_, d, begun, partial_ + there * width);
     }
 
+    /// Meet a part of the row's own cluster. @param mask  see SelfPairMask; for that part
+    LJMD_INLINE void meet_own(std::size_t there, const Real* mask) {
+        const Separation<V> d = separation_from_own(there, mask);
+        meet(d, Started(arithmetic_, d.square), there);
+    }
+
     LJMD_INLINE void meet_one_by_one(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
                                      const std::int32_t* end) {
         Separation<V> next = arithmetic_.separation(place(0));
         for (std::size_t part = first; part < parts; ++part, ++mask) {
-            const Separation<V> d = separation_from_own(own + part * others, *mask);
-            meet(d, Started(arithmetic_, d.square), own + part * others);
+            meet_own(own + part * others, *mask);
         }
         while (entry_ < end) {
             const Separation<V> d = next;
@@ -165,25 +168,30 @@ class Row {
         }
     }
 
-    LJMD_INLINE void meet_by_twos(std::size_t own, const Real* mask, const std::int32_t* end) {
+    LJMD_INLINE void meet_by_twos(std::size_t own, std::size_t first, const Real (*mask)[V::lanes],
+                                  const std::int32_t* end) {
+        for (; first + 1 < parts; ++first, ++mask) {
+            meet_own(own + first * others, *mask);
+        }
+        const std::size_t last_own = own + first * others;
         Two now, next;
         const bool odd = (end - entry_) % 2 != 0;
-        now.d[0] = separation_from_own(own, mask);
+        now.d[0] = separation_from_own(last_own, *mask);
         if (odd) {  // the first entry of the list goes with the row's own cluster
             now.d[1] = arithmetic_.separation(place(0));
             Started::begin(arithmetic_, now.d[0].square, now.d[1].square, now.begun);
         } else {
             now.begun[0] = Started(arithmetic_, now.d[0].square);
         }
-        const std::size_t first = place(0);
+        const std::size_t first_entry = place(0);
         entry_ += odd ? 1 : 0;
         const bool more = entry_ < end;
         if (more) {
             begin(next, 0);
         }
-        meet(now.d[0], now.begun[0], own);
+        meet(now.d[0], now.begun[0], last_own);
         if (odd) {
-            meet(now.d[1], now.begun[1], first);
+            meet(now.d[1], now.begun[1], first_entry);
         }
         while (more && take_turn(next, now, end) && take_turn(now, next, end)) {
         }
