@@ -13,6 +13,7 @@
 #include "ljmd/core/archive.hpp"
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/resize_tightly.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/model/shared_archive.hpp"
 #include "ljmd/model/time_over_mass.hpp"
@@ -209,25 +210,24 @@ void State::reorder(const std::vector<Index>& order) {
     }
     finish_kick();
     ++order_version_;
-    const auto spare = std::make_unique_for_overwrite<std::byte[]>(stride * sizeof(double) * order.size());
-    permute<stride>(execution_, positions_, order, spare.get());
-    permute<stride>(execution_, velocities_, order, spare.get());
+    resize_tightly(spare_.room, stride * order.size());
+    auto* spare = reinterpret_cast<std::byte*>(spare_.room.data());
+    permute<stride>(execution_, positions_, order, spare);
+    permute<stride>(execution_, velocities_, order, spare);
     if (forces_current_) {
-        permute<stride>(execution_, forces_, order, spare.get());
+        permute<stride>(execution_, forces_, order, spare);
     }
-    permute<1>(execution_, masses_, order, spare.get());
-    permute<1>(execution_, ids_, order, spare.get());
-    permute<1>(execution_, images_, order, spare.get());
+    permute<1>(execution_, masses_, order, spare);
+    permute<1>(execution_, ids_, order, spare);
+    permute<1>(execution_, images_, order, spare);
     for (auto& extra : registered_) {
-        permute<stride>(execution_, extra.data, order, spare.get());
+        permute<stride>(execution_, extra.data, order, spare);
     }
     set_ghost_count(0);
 }
 
 void State::set_ghost_count(Index count) {
-    const std::size_t size = stride * (checked(count_) + checked(count));
-    positions_.reserve(size > positions_.capacity() ? size + size / 32 : 0);  // resize alone may double it
-    positions_.resize(size);
+    resize_tightly(positions_, stride * (checked(count_) + checked(count)));
     ghost_count_ = count;
 }
 

@@ -82,6 +82,7 @@ void State::give_back_room() {
     masses_.shrink_to_fit();
     ids_.shrink_to_fit();
     images_.shrink_to_fit();
+    spare_.room = {};
     for (Registered& extra : registered_) {
         extra.data.shrink_to_fit();
     }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/execution/loops.hpp"
@@ -86,6 +86,15 @@ void ClusterGrid::configure(const Box& box, double range, Index atoms, std::opti
         reach_[a] = columns_to_look(columns_per_tile_[a], edge_of_tile, range_);
         cells_[a] = tiles_along_[a] * columns_per_tile_[a];
         inverse_width_[static_cast<Index>(a)] = cells_[a] / edge;
+    }
+    columns_within_reach_.clear();
+    for (int dy = -reach_[1]; dy <= reach_[1]; ++dy) {
+        for (int dx = -reach_[0]; dx <= reach_[0]; ++dx) {
+            const double left2 = range_ * range_ - gap2(dx, 0) - gap2(dy, 1);
+            if (left2 >= 0.0) {
+                columns_within_reach_.push_back({dx, dy, std::sqrt(left2)});
+            }
+        }
     }
     edges_ = box.edges();
     height_ = edges_[2] / cells_[2];
@@ -186,63 +195,45 @@ void ClusterGrid::sort(State& state, State* companion) {
 }
 
 void ClusterGrid::put_in_order(State& state, State* companion) {
-    const State& atoms = state;
-    const auto r = atoms.positions();
-    const auto columns = static_cast<std::size_t>(own_column_count());
-    std::vector<std::uint32_t> column(static_cast<std::size_t>(state.count()));
-    for_each_index(state.execution(), state.count(), [&](Index i) {
-        column[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(column_at(cell_at(r.col(i))));
-    });
-    // Counting sort: column_atoms_[c + 1] is the next free place of column c while it is filled, and then the start of
-    // c + 1.
-    column_atoms_.assign(columns + 2, 0);
-    for (const std::uint32_t c : column) {
-        ++column_atoms_[c + 2];
-    }
-    std::partial_sum(column_atoms_.begin(), column_atoms_.end(), column_atoms_.begin());
-    struct Key {
-        double z;
-        Index id;
-        Index atom;
-    };
-    std::vector<Key> keys(column.size());
-    for (Index i = 0; i < state.count(); ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        keys[column_atoms_[column[k] + 1]++] = {r(2, i), state.ids()[k], i};
-    }
-    column_atoms_.pop_back();
-
-    std::vector<Index> order(column.size());
-    for_each_block(state.execution(), static_cast<Index>(columns), columns_per_block, [&](Index first, Index last) {
-        for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
-            const auto begin = keys.begin() + column_atoms_[c];
-            const auto end = keys.begin() + column_atoms_[c + 1];
-            std::sort(begin, end, [](const Key& a, const Key& b) { return std::tie(a.z, a.id) < std::tie(b.z, b.id); });
-            std::transform(begin, end, order.begin() + column_atoms_[c], [](const Key& key) { return key.atom; });
-        }
-    });
-    state.reorder(order);
+    const auto r = static_cast<const State&>(state).positions();
+    sort_.sort(state, static_cast<std::size_t>(own_column_count()),
+               [&](Index first, Index last, std::uint32_t* column) {
+                   for (Index i = first; i < last; ++i) {
+                       column[i] = static_cast<std::uint32_t>(column_at(cell_at(r.col(i))));
+                   }
+               });
+    column_atoms_ = sort_.first_atoms();
+    state.reorder(sort_.order());
     if (companion != nullptr) {
-        companion->reorder(order);
+        companion->reorder(sort_.order());
     }
 }
 
 void ClusterGrid::make_clusters(const State& state) {
     const auto r = state.positions_and_ghosts();
-    first_atoms_.clear();
-    extents_.clear();
-    column_clusters_.clear();
-    for (std::size_t c = 0; c + 1 < column_atoms_.size(); ++c) {
-        column_clusters_.push_back(static_cast<std::int32_t>(first_atoms_.size()));
-        for (std::uint32_t first = column_atoms_[c]; first < column_atoms_[c + 1];
-             first += static_cast<std::uint32_t>(slots)) {
-            const std::uint32_t last = std::min(first + static_cast<std::uint32_t>(slots), column_atoms_[c + 1]) - 1;
-            first_atoms_.push_back(first);
-            extents_.push_back({r(2, first), r(2, last)});
-        }
+    const std::size_t all_columns = column_atoms_.size() - 1;
+    const auto slots_of_cluster = static_cast<std::uint32_t>(slots);
+    column_clusters_.resize(all_columns + 1);
+    column_clusters_[0] = 0;
+    for (std::size_t c = 0; c < all_columns; ++c) {
+        const std::uint32_t atoms = column_atoms_[c + 1] - column_atoms_[c];
+        column_clusters_[c + 1] =
+            column_clusters_[c] + static_cast<std::int32_t>((atoms + slots_of_cluster - 1) / slots_of_cluster);
     }
-    column_clusters_.push_back(static_cast<std::int32_t>(first_atoms_.size()));
-    first_atoms_.push_back(column_atoms_.back());
+    const auto clusters = static_cast<std::size_t>(column_clusters_[all_columns]);
+    first_atoms_.resize(clusters + 1);
+    extents_.resize(clusters);
+    first_atoms_[clusters] = column_atoms_[all_columns];
+    for_each_block(state.execution(), static_cast<Index>(all_columns), columns_per_block, [&](Index first, Index last) {
+        for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
+            auto cluster = static_cast<std::size_t>(column_clusters_[c]);
+            for (std::uint32_t atom = column_atoms_[c]; atom < column_atoms_[c + 1]; atom += slots_of_cluster) {
+                const std::uint32_t highest = std::min(atom + slots_of_cluster, column_atoms_[c + 1]) - 1;
+                first_atoms_[cluster] = atom;
+                extents_[cluster++] = {r(2, atom), r(2, highest)};
+            }
+        }
+    });
 
     cut_into_slices(state.execution());
     tiles_.clear();
@@ -354,20 +345,13 @@ void ClusterGrid::find_near(const Neighborhood& neighborhood, std::int32_t colum
     const auto& [corner, cells] = std::tie(neighborhood.corner_, neighborhood.cells_);
     const Cell center = cell_of(column);
     for (int dz = -reach_[2]; dz <= reach_[2]; ++dz) {
-        for (int dy = -reach_[1]; dy <= reach_[1]; ++dy) {
-            for (int dx = -reach_[0]; dx <= reach_[0]; ++dx) {
-                const double left2 = range_ * range_ - gap2(dx, 0) - gap2(dy, 1);
-                if (left2 < 0.0) {
-                    continue;
-                }
-                const Index x = center[0] + dx - corner[0];
-                const Index y = center[1] + dy - corner[1];
-                const Index z = center[2] + dz - corner[2];
-                const Column& other =
-                    neighborhood.columns_[static_cast<std::size_t>((z * cells[1] + y) * cells[0] + x)];
-                if (other.run.length() > 0 && (other.ghost || other.column >= column)) {
-                    near.push_back({other, std::sqrt(left2)});
-                }
+        for (const auto& [dx, dy, reach] : columns_within_reach_) {
+            const Index x = center[0] + dx - corner[0];
+            const Index y = center[1] + dy - corner[1];
+            const Index z = center[2] + dz - corner[2];
+            const Column& other = neighborhood.columns_[static_cast<std::size_t>((z * cells[1] + y) * cells[0] + x)];
+            if (other.run.length() > 0 && (other.ghost || other.column >= column)) {
+                near.push_back({other, reach});
             }
         }
     }

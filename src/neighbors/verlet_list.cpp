@@ -10,6 +10,7 @@
 
 #include "ljmd/core/archived_count.hpp"
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/resize_tightly.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/execution/loops.hpp"
 #include "ljmd/model/shared_archive.hpp"
@@ -20,12 +21,10 @@ namespace ljmd {
 
 namespace {
 
-/// Grow to a sixteenth more than `size`. A vector would double its memory, which wastes too much for long lists.
 void make_room(std::vector<std::int32_t>& entries, std::size_t size) {
     if (entries.size() < size) {
-        const std::size_t room = size + size / 16;
-        entries.reserve(room);
-        entries.resize(room);
+        resize_tightly(entries, size);
+        entries.resize(entries.capacity());
     }
 }
 

@@ -3,7 +3,10 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 using namespace ljmd;
 
@@ -187,13 +190,47 @@ TEST_CASE("exp is right to two units in the last place, over the range of its nu
     CHECK(exp(Vec<float, 8>(-1e6)).raw[0] < 1e-37F);
 }
 
-TEMPLATE_TEST_CASE_SIG("lanes that compare true have their bits set", "", ((int lanes), lanes), 4, 8, 16) {
-    for (unsigned wanted = 0; wanted < (1U << lanes); wanted += lanes == 16 ? 37 : 1) {
-        simd::RawVector<std::int32_t, lanes> condition;
+TEMPLATE_TEST_CASE_SIG("lanes that are less have their bits set, and numbers whose bit is set are packed", "",
+                       ((int lanes), lanes), 4, 8, 16) {
+    constexpr unsigned step = lanes == 16 ? 37 : 1;
+    for (unsigned wanted = 0; wanted < (1U << lanes); wanted += step) {
+        simd::RawVector<float, lanes> a;
+        simd::RawVector<float, lanes> b;
+        std::array<std::int32_t, static_cast<std::size_t>(lanes)> numbers;
+        std::vector<std::int32_t> kept;
+        std::vector<std::int32_t> kept_of_even;
         for (int k = 0; k < lanes; ++k) {
-            condition[k] = (wanted >> k & 1U) != 0 ? -1 : 0;
+            const bool is_wanted = (wanted >> k & 1U) != 0;
+            a[k] = static_cast<float>(k);
+            b[k] = static_cast<float>(is_wanted ? k + 1 : k);
+            numbers[static_cast<std::size_t>(k)] = 100 + k;
+            if (is_wanted) {
+                kept.push_back(100 + k);
+            }
+            if (is_wanted && k % 2 == 0) {
+                kept_of_even.push_back(100 + k);
+            }
         }
-        CHECK(simd::bits_of<lanes>(condition) == wanted);
+        CHECK(simd::bits_of_less<lanes>(a, b) == wanted);
+        std::array<std::int32_t, static_cast<std::size_t>(lanes)> packed;
+        CHECK(simd::pack<lanes, 1>(numbers.data(), wanted, packed.data()) == static_cast<int>(kept.size()));
+        CHECK(std::equal(kept.begin(), kept.end(), packed.begin()));
+        CHECK(simd::pack<lanes, 2>(numbers.data(), wanted & 0x5555U, packed.data()) ==
+              static_cast<int>(kept_of_even.size()));
+        CHECK(std::equal(kept_of_even.begin(), kept_of_even.end(), packed.begin()));
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("the smaller number of each lane", "", ((int lanes), lanes), 4, 8, 16) {
+    simd::RawVector<float, lanes> a;
+    simd::RawVector<float, lanes> b;
+    for (int k = 0; k < lanes; ++k) {
+        a[k] = static_cast<float>(k % 3);
+        b[k] = 1.0F;
+    }
+    const auto least = simd::smaller<float, lanes>(a, b);
+    for (int k = 0; k < lanes; ++k) {
+        CHECK(least[k] == std::min(a[k], b[k]));
     }
 }
 

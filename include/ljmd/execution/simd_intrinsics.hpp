@@ -12,12 +12,14 @@ namespace ljmd::simd::native {
 struct None {};
 void keep_where(None);
 void larger(None);
+void smaller(None);
 void multiply_add(None);
 void square_root(None);
 void widened(None);
 void joined(None);
 void inverse_root(None);
-void bits_of(None);
+void bits_of_less(None);
+void pack(None);
 void repeated(None);
 void each_repeated(None);
 
@@ -119,6 +121,16 @@ LJMD_INLINE RawVector<T, lanes> larger(RawVector<T, lanes> a, RawVector<T, lanes
     }
 }
 
+/// Smaller one of each lane; b where a is NaN.
+template <class T, int lanes>
+LJMD_INLINE RawVector<T, lanes> smaller(RawVector<T, lanes> a, RawVector<T, lanes> b) {
+    if constexpr (requires { native::smaller(a, b); }) {
+        return native::smaller(a, b);
+    } else {
+        return a < b ? a : b;
+    }
+}
+
 template <class T, int lanes>
 LJMD_INLINE RawVector<T, lanes> square_root(RawVector<T, lanes> x) {
     if constexpr (requires { native::square_root(x); }) {
@@ -135,17 +147,37 @@ LJMD_INLINE RawVector<T, lanes> square_root(RawVector<T, lanes> x) {
     }
 }
 
-/// One bit per lane. @param condition  all bits of a lane set, or none
+/// One bit per lane: set where a < b.
 template <int lanes>
-LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, lanes> condition) {
-    if constexpr (requires { native::bits_of(condition); }) {
-        return native::bits_of(condition);
+LJMD_INLINE unsigned bits_of_less(RawVector<float, lanes> a, RawVector<float, lanes> b) {
+    if constexpr (requires { native::bits_of_less(a, b); }) {
+        return native::bits_of_less(a, b);
     } else {
         unsigned bits = 0;
         for (int k = 0; k < lanes; ++k) {
-            bits |= condition[k] != 0 ? 1U << k : 0U;
+            bits |= a[k] < b[k] ? 1U << k : 0U;
         }
         return bits;
+    }
+}
+
+/// Write numbers whose bit is set to consecutive places, of every `step`-th lane.
+/// @param bits  one per lane; only those of the lanes 0, step, 2 step, ... may be set
+/// @return how many  @pre room at `to` for all lanes
+template <int lanes, int step>
+LJMD_INLINE int pack(const std::int32_t* numbers, unsigned bits, std::int32_t* to) {
+    if constexpr (requires(RawVector<std::int32_t, lanes> v) { native::pack(v, bits, to); }) {
+        RawVector<std::int32_t, lanes> v;
+        __builtin_memcpy(&v, numbers, sizeof v);
+        return native::pack(v, bits, to);
+    } else {
+        int count = 0;
+        for (int k = 0; k < lanes;
+             k += step) {  // always written, kept if its bit is set: a branch would be mispredicted
+            to[count] = numbers[k];
+            count += static_cast<int>(bits >> k & 1U);
+        }
+        return count;
     }
 }
 

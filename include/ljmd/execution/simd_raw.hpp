@@ -8,11 +8,14 @@
 
 namespace ljmd::simd {
 
-/// Width of the vector registers that this translation unit uses, and alignment of their types.
+/// Width of the widest vector registers.
+inline constexpr int widest_register_bytes = __BIGGEST_ALIGNMENT__;
+
+/// Width of the vector registers that this translation unit computes with, and alignment of their types.
 #if defined(LJMD_SIMD_256)
 inline constexpr int register_bytes = 32;
 #else
-inline constexpr int register_bytes = __BIGGEST_ALIGNMENT__;
+inline constexpr int register_bytes = widest_register_bytes;
 #endif
 
 /// Whether there are 32 vector registers and not 16.

@@ -22,8 +22,11 @@ LJMD_INLINE RawVector<double, 2> larger(RawVector<double, 2> a, RawVector<double
 LJMD_INLINE RawVector<float, 4> larger(RawVector<float, 4> a, RawVector<float, 4> b) {
     return _mm_max_ps(a, b);
 }
-LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 4> condition) {
-    return static_cast<unsigned>(_mm_movemask_ps(reinterpret<__m128>(condition)));
+LJMD_INLINE RawVector<float, 4> smaller(RawVector<float, 4> a, RawVector<float, 4> b) {
+    return _mm_min_ps(a, b);
+}
+LJMD_INLINE unsigned bits_of_less(RawVector<float, 4> a, RawVector<float, 4> b) {
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(a, b)));
 }
 
 #if defined(__AVX2__) && defined(__FMA__)
@@ -62,8 +65,11 @@ LJMD_INLINE RawVector<std::int32_t, 8> joined(RawVector<std::int32_t, 4> low, Ra
     return reinterpret<RawVector<std::int32_t, 8>>(
         _mm256_inserti128_si256(_mm256_castsi128_si256(reinterpret<__m128i>(low)), reinterpret<__m128i>(high), 1));
 }
-LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 8> condition) {
-    return static_cast<unsigned>(_mm256_movemask_ps(reinterpret<__m256>(condition)));
+LJMD_INLINE RawVector<float, 8> smaller(RawVector<float, 8> a, RawVector<float, 8> b) {
+    return _mm256_min_ps(a, b);
+}
+LJMD_INLINE unsigned bits_of_less(RawVector<float, 8> a, RawVector<float, 8> b) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)));
 }
 
 // From memory these compile to loads alone.
@@ -81,6 +87,14 @@ LJMD_INLINE RawVector<std::int32_t, 8> each_repeated(RawVector<std::int32_t, 2> 
     return reinterpret<RawVector<std::int32_t, 8>>(
         _mm256_permutevar8x32_epi32(_mm256_castsi128_si256(_mm_cvtsi64_si128(reinterpret<std::int64_t>(two))),
                                     _mm256_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1)));
+}
+#endif
+
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+LJMD_INLINE int pack(RawVector<std::int32_t, 8> v, unsigned bits, std::int32_t* to) {
+    _mm256_storeu_si256(reinterpret<__m256i*>(to),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), reinterpret<__m256i>(v)));
+    return __builtin_popcount(bits);
 }
 #endif
 
@@ -113,8 +127,16 @@ LJMD_INLINE RawVector<std::int32_t, 16> joined(RawVector<std::int32_t, 8> low, R
     return reinterpret<RawVector<std::int32_t, 16>>(
         _mm512_inserti64x4(_mm512_castsi256_si512(reinterpret<__m256i>(low)), reinterpret<__m256i>(high), 1));
 }
-LJMD_INLINE unsigned bits_of(RawVector<std::int32_t, 16> condition) {
-    return _mm512_movepi32_mask(reinterpret<__m512i>(condition));
+LJMD_INLINE RawVector<float, 16> smaller(RawVector<float, 16> a, RawVector<float, 16> b) {
+    return _mm512_min_ps(a, b);
+}
+LJMD_INLINE unsigned bits_of_less(RawVector<float, 16> a, RawVector<float, 16> b) {
+    return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ);
+}
+// Packed in a register, then stored: processors of AMD take a hundred cycles to pack into memory.
+LJMD_INLINE int pack(RawVector<std::int32_t, 16> v, unsigned bits, std::int32_t* to) {
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), reinterpret<__m512i>(v)));
+    return __builtin_popcount(bits);
 }
 LJMD_INLINE RawVector<double, 8> repeated(RawVector<double, 4> four, RawVector<double, 8>) {
     return _mm512_broadcast_f64x4(four);

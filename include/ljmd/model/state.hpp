@@ -176,6 +176,19 @@ class State {
         AlignedVector<double> data;
     };
 
+    /// Room for one per-atom vector while atoms are reordered. It is kept, because fresh memory costs more than the
+    /// copies. A copy of a state begins without.
+    struct Spare {
+        AlignedVector<double> room;
+
+        Spare() = default;
+        Spare(const Spare& /*other*/) {}
+        Spare(Spare&&) = default;
+        Spare& operator=(const Spare& /*other*/) { return *this; }
+        Spare& operator=(Spare&&) = default;
+        ~Spare() = default;
+    };
+
     /// Length of the numbers of an atom, see pack().
     [[nodiscard]] std::size_t packed_size() const;
     /// Append all that belongs to an atom to `numbers`.
@@ -203,6 +216,7 @@ class State {
     std::vector<Index> ids_;
     std::vector<Eigen::Vector3i> images_;
     std::vector<Registered> registered_;
+    Spare spare_;
     bool forces_current_ = false;
     Phase phase_;
 };

@@ -13,6 +13,7 @@
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/execution/ranks.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/neighbors/column_sort.hpp"
 #include "ljmd/neighbors/halo.hpp"
 #include "ljmd/neighbors/pair_visit.hpp"
 
@@ -234,6 +235,14 @@ class ClusterGrid {
     double height_ = 0.0;  ///< height of a column [sigma]
     Vec3 inverse_width_ = Vec3::Zero();
     Vec3 edges_ = Vec3::Zero();
+    /// A place of a column beside another one in the same layer.
+    struct Beside {
+        int dx;
+        int dy;
+        double reach;  ///< see Near
+    };
+    std::vector<Beside> columns_within_reach_;
+    ColumnSort sort_;
     std::vector<std::uint32_t> column_atoms_;    ///< first atom of each column, followed by the number of atoms
     std::vector<std::int32_t> column_clusters_;  ///< first cluster of each column, followed by the number of clusters
     std::vector<std::uint32_t> first_atoms_{0};  ///< first atom of each cluster, followed by the number of atoms
