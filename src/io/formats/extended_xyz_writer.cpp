@@ -1,14 +1,15 @@
 #include "ljmd/io/formats/extended_xyz_writer.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "ase_units.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/model/atoms_by_id.hpp"
+#include "row_writer.hpp"
 #include "unit_scale.hpp"
 
 namespace ljmd {
@@ -45,31 +46,35 @@ void write_extended_xyz_frame(OutputFile& file, const State& state, const FrameC
     const char* species = si ? "Ar" : "X";
     const double momentum = ase_mass(species).value() / (si ? ase_velocity : 1.0);
     const double energy = energy_scale(si);
-    std::string line;
     const AtomParts parts{.positions = true, .velocities = contents.velocities, .forces = contents.forces};
     visit_by_id(state, parts, [&](const AtomPiece& piece) {
         const std::vector<Vec3> places = piece.unwrapped(state);
-        for (std::size_t k = 0; k < places.size(); ++k) {
+        write_rows(file, state.execution(), places.size(), [&](std::size_t k, fmt::memory_buffer& text) {
             const auto id = static_cast<std::size_t>(piece.first) + k;
-            const Vec3 r = scale.length * places[k];
-            line.clear();
-            fmt::format_to(std::back_inserter(line), "{} {} {} {}", species, r[0], r[1], r[2]);
+            const auto to = fmt::appender(text);
+            fmt::format_to(to, FMT_COMPILE("{}"), species);
+            append_vector(scale.length * places[k], text);
             if (contents.velocities) {
                 const Vec3 v = scale.velocity * piece.velocities[k];
-                fmt::format_to(std::back_inserter(line), " {} {} {}", v[0], v[1], v[2]);
+                const std::size_t begin = text.size();
+                append_vector(v, text);
+                const std::size_t end = text.size();
                 const Vec3 p = momentum * v;
-                fmt::format_to(std::back_inserter(line), " {} {} {}", p[0], p[1], p[2]);
+                if (p == v) {  // the same text; to format numbers takes most of the time
+                    text.reserve(end + (end - begin));
+                    text.append(text.data() + begin, text.data() + end);
+                } else {
+                    append_vector(p, text);
+                }
             }
             if (contents.forces) {
-                const Vec3 f = energy / scale.length * piece.forces[k];
-                fmt::format_to(std::back_inserter(line), " {} {} {}", f[0], f[1], f[2]);
+                append_vector(energy / scale.length * piece.forces[k], text);
             }
             if (!contents.energies.empty()) {
-                fmt::format_to(std::back_inserter(line), " {}", energy * contents.energies[id]);
+                fmt::format_to(to, FMT_COMPILE(" {}"), energy * contents.energies[id]);
             }
-            fmt::format_to(std::back_inserter(line), " {}\n", id + 1);
-            file.write(line);
-        }
+            fmt::format_to(to, FMT_COMPILE(" {}\n"), id + 1);
+        });
     });
 }
 

@@ -1,21 +1,12 @@
 #include "ljmd/io/formats/lammps_dump_writer.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <iterator>
-#include <string>
-
 #include "ljmd/model/atoms_by_id.hpp"
+#include "row_writer.hpp"
 
 namespace ljmd {
-
-namespace {
-
-void append_numbers(std::string& line, const Vec3& v) {
-    fmt::format_to(std::back_inserter(line), " {} {} {}", v[0], v[1], v[2]);
-}
-
-}  // namespace
 
 void write_lammps_dump_frame(OutputFile& file, const State& state, const FrameContents& contents) {
     const Vec3 edges = state.box().edges();
@@ -24,26 +15,26 @@ void write_lammps_dump_frame(OutputFile& file, const State& state, const FrameCo
                     "ITEM: ATOMS id type x y z ix iy iz{}{}{}\n",
                     state.step, state.total(), edges[0], edges[1], edges[2], contents.velocities ? " vx vy vz" : "",
                     contents.forces ? " fx fy fz" : "", contents.energies.empty() ? "" : " c_pe"));
-    std::string line;
     const AtomParts parts{.positions = true, .velocities = contents.velocities, .forces = contents.forces};
     visit_by_id(state, parts, [&](const AtomPiece& piece) {
-        for (std::size_t k = 0; k < piece.positions.size(); ++k) {
+        write_rows(file, state.execution(), piece.positions.size(), [&](std::size_t k, fmt::memory_buffer& text) {
             const auto id = static_cast<std::size_t>(piece.first) + k;
-            line = fmt::format("{} 1", id + 1);
-            append_numbers(line, piece.positions[k]);
+            const auto to = fmt::appender(text);
+            fmt::format_to(to, FMT_COMPILE("{} 1"), id + 1);
+            append_vector(piece.positions[k], text);
             const Eigen::Vector3i& image = piece.images[k];
-            fmt::format_to(std::back_inserter(line), " {} {} {}", image[0], image[1], image[2]);
+            fmt::format_to(to, FMT_COMPILE(" {} {} {}"), image[0], image[1], image[2]);
             if (contents.velocities) {
-                append_numbers(line, piece.velocities[k]);
+                append_vector(piece.velocities[k], text);
             }
             if (contents.forces) {
-                append_numbers(line, piece.forces[k]);
+                append_vector(piece.forces[k], text);
             }
             if (!contents.energies.empty()) {
-                fmt::format_to(std::back_inserter(line), " {}", contents.energies[id]);
+                fmt::format_to(to, FMT_COMPILE(" {}"), contents.energies[id]);
             }
-            file.write(line += '\n');
-        }
+            text.push_back('\n');
+        });
     });
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <functional>
+
+#include "ljmd/core/types.hpp"
+#include "ljmd/execution/execution.hpp"
+#include "ljmd/io/files/output_file.hpp"
+
+namespace ljmd {
+
+/// Write a row of text for each of many atoms: threads share the formatting, which takes most of the time, and the file
+/// gets the rows in their order.
+/// @param append  appends row k, with its line end; called by all threads
+/// @throws what `append` and OutputFile::write() throw
+void write_rows(OutputFile& file, const Execution& execution, std::size_t rows,
+                const std::function<void(std::size_t k, fmt::memory_buffer& text)>& append);
+
+/// Append the three numbers of a vector, a space before each.
+void append_vector(const Vec3& v, fmt::memory_buffer& text);
+
+}  // namespace ljmd
