@@ -242,8 +242,12 @@ def test_other_work(tmp: Path) -> None:
     tick = os.sysconf("SC_CLK_TCK")
     text = f"cpu  {3 * tick} {tick} {2 * tick} {900 * tick} {50 * tick} {tick} 0 {4 * tick} 0 0\ncpu0 1 1 1 1 1 1 1 1\n"
     assert machine.busy_seconds(text) == 11.0 and machine.busy_seconds("") == 0.0
-    others = machine.OtherWork()
-    assert 0.0 <= others.cores() and others.cores() < float("inf")
+    watch = machine.Watch()
+    subprocess.run([sys.executable, "-c", "sum(range(2_000_000))"], check=True)
+    use = watch.use()
+    assert 0.0 < use.processor_seconds and 0.0 < use.wall_seconds and 0.0 <= use.other_work < float("inf"), use
+    assert machine.Use(1.0, 1.0, 0.9).is_crowded(2, 2) and not machine.Use(1.0, 1.0, 0.9).is_crowded(1, 2)
+    assert not machine.Use(1.0, 2.0, 0.1).is_crowded(2, 2)
     machine.wait_for_idle(1000, limit=0.0)  # does not wait
 
 
@@ -276,6 +280,81 @@ def test_benchmark(tmp: Path) -> None:
     (tmp / "out" / "benchmark.md").unlink()
     assert run("harness.py", path, "--redraw", tmp / "out").returncode == 0
     assert (tmp / "out" / "benchmark.md").read_text() == page and png_size(tmp / "out" / "ratios.png") == before
+
+
+ENGINE = """#!{python}
+import sys
+if sys.argv[1] == "--version":
+    print("Engine 7, by hand")
+    sys.exit()
+start, atoms, cells, steps, threads, every = sys.argv[1:]
+assert "Velocities" in open(start).read() and int(atoms) == 4 * int(cells) ** 3 and every == "20"
+print(f"step 0 U -6.773368053\\nstep {{steps}} U -5.7 E -4.6 rate 3.5 M")
+"""
+ADAPTER = r"""name = "engine"
+precision = "double"
+command = "./engine {start} {atoms} {cells} {steps} {threads} {every}"
+version = "./engine --version"
+rate = 'rate (\S+) M'
+unit = 1e6
+potential_energy_initial = '^step 0 U (\S+)'
+potential_energy_final = '^step [1-9]\d* U (\S+)'
+total_energy_final = ' E (\S+)'
+note = "a test"
+policies = ["fixed"]
+"""
+
+
+def test_a_foreign_engine(tmp: Path) -> None:
+    """It enters with an adapter, and stands beside ljmd in the ratios."""
+    ljmd, path = prepare(tmp, "")
+    write_program(tmp / "engine", ENGINE)
+    (tmp / "engine.toml").write_text(ADAPTER)
+    asked = ("--ljmd", ljmd, "--sizes", "864", "--threads", "1", "--repeats", "2", "--peers", "",
+             "--engine", tmp / "engine.toml", "--out", tmp / "out")
+    result = run("harness.py", path, *asked)
+    assert result.returncode == 0, result
+    record = report.read(tmp / "out" / "benchmark.json")
+    assert record["programs"]["engine"] == {"precision": "double", "note": "a test",
+                                            "identity": {"version": "Engine 7, by hand"}}
+    assert [one["rate"] for one in record["runs"] if one["program"] == "engine"] == [3.5e6, 3.5e6], record
+    assert all(one["wall_seconds"] > 0.0 and one["processor_seconds"] > 0.0 for one in record["runs"]), record
+    found = ratios.select(record["ratios"], program="ljmd double", peer="engine", atoms=864)
+    assert abs(found[0]["median"] - 2.0 / 3.5) < 1e-12, found
+    page = (tmp / "out" / "benchmark.md").read_text()
+    assert "Processor time over wall time" in page and "| 864 | 1 | 0.57 (0.57 .. 0.57) |" in page, page
+    result = run("harness.py", path, *asked, "--policy", "strict")
+    assert result.returncode == 1 and "engine: it has no lists of the policy strict" in result.stderr, result
+
+
+def test_crowded_runs_are_told_of(tmp: Path) -> None:
+    one = {"program": "ljmd double", "atoms": 864, "threads": 2, "round": 0, "rate": 1e6, "wall_seconds": 2.0,
+           "processor_seconds": 3.0, "other_work": 0.1}
+    record = {"programs": {"ljmd double": {"identity": {}}}, "host": {"cores": 2},
+              "runs": [one, {**one, "other_work": 0.9}], "rates": [], "ratios": []}
+    assert "**1 of 2 runs did not have the cores" in "\n".join(report.rate_table(record))
+    assert "| 864 | 2 | 1.50 (1.50 .. 1.50) |" in report.processor_table(record)
+    assert report.crowded({**record, "runs": [one]}) == []
+
+
+def test_adapters_that_make_no_sense(tmp: Path) -> None:
+    ljmd, path = prepare(tmp, "")
+    for old, new, complaint in (("precision =", "precison =", "unknown key 'precison'"),
+                                ('"double"', '"half"', "double or mixed"),
+                                ("rate = 'rate (\\S+) M'", "rate = 'rate'", "rate needs one group"),
+                                ("(\\S+) M", "(\\S+ M", "no regular expression"),
+                                ("{cells}", "{shells}", "shells"),
+                                ('note = "a test"', "note = 3", "note has the wrong type"),
+                                ('["fixed"]', '["loose"]', "policies are fixed, strict"),
+                                ('name = "engine"', "", "'name' is missing"),
+                                ('name = "engine"', 'name = "ljmd double"', "two programs would be called"),
+                                ("unit", "=", "not valid TOML")):
+        assert old in ADAPTER, old
+        (tmp / "engine.toml").write_text(ADAPTER.replace(old, new))
+        result = run("harness.py", path, "--ljmd", ljmd, "--sizes", "864", "--engine", tmp / "engine.toml",
+                     "--out", tmp / "out")
+        assert result.returncode == 2 and complaint in result.stderr and "Traceback" not in result.stderr, result
+    assert run("harness.py", path, "--ljmd", ljmd, "--engine", tmp / "none.toml").returncode == 2
 
 
 def test_a_peer_that_does_something_else(tmp: Path) -> None:

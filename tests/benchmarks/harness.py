@@ -2,14 +2,17 @@
 """Times ljmd beside other programs on exactly the same work, the melt of workload.py.
 
     harness.py --ljmd PATH [--sizes N,N] [--threads n,n] [--peers a,b] [--precision double,mixed] [--simd LEVEL]
-               [--policy fixed|strict] [--repeats 5] [--seconds 3] [--wait 0] [--share] [--out DIR] [--quick]
+               [--policy fixed|strict] [--repeats 5] [--seconds 3] [--wait 0] [--share] [--engine FILE]... [--out DIR]
+               [--quick]
     harness.py --redraw DIR        page and figures anew from DIR/benchmark.json
 
 All programs start from the same positions and velocities, and must find the same potential energy for them. For each
 size and number of threads, every round runs each program once, one after the other; what is reported of ljmd and a peer
 is the median over the rounds of the ratio of their rates, with minimum and maximum. A peer that is not installed is
 reported as absent; one that fails is reported, too, and the others go on. Every run is recorded with the number of
-cores that other work kept busy meanwhile.
+cores that other work kept busy meanwhile, and with its processor and wall time, start-up included. A run that did not
+have the cores that it wanted is named, and the page says so. Engines of others enter with an adapter, see
+foreign_program.py.
 
 Writes DIR/benchmark.json (see report.py), DIR/benchmark.md and the figures rates.png, ratios.png and roofline.png
 (DIR: runs/benchmark by default).
@@ -36,6 +39,7 @@ import report  # noqa: E402
 import roofline  # noqa: E402
 import style  # noqa: E402
 import workload  # noqa: E402
+from foreign_program import Foreign  # noqa: E402
 from gromacs_program import Gromacs  # noqa: E402
 from lammps_program import Lammps  # noqa: E402
 from ljmd_program import Ljmd, Variant  # noqa: E402
@@ -78,6 +82,8 @@ def parse(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     parser.add_argument("--peers", type=words, metavar="a,b", default=words(DEFAULT_PEERS),
                         help=f"of {', '.join(PEERS)}; '' for none")
     parser.add_argument("--precision", type=words, metavar="a,b", default=["double"], help="of double, mixed")
+    parser.add_argument("--engine", type=Path, metavar="FILE", action="append", default=[],
+                        help="an adapter for a program of yours; more than once for several")
     parser.add_argument("--wait", type=float, default=0.0, metavar="SECONDS",
                         help="wait at most so long before a run until other work leaves its cores idle")
     options = command_line.parse(parser, arguments,
@@ -105,7 +111,12 @@ class Benchmark:
     def __init__(self, options: argparse.Namespace):
         self.options = options
         own = [Ljmd(options.ljmd, Variant(precision, options.simd)) for precision in options.precision]
-        self.programs: list[Program] = [*own, *(PEERS[name]() for name in options.peers)]
+        self.programs: list[Program] = [*own, *(PEERS[name]() for name in options.peers),
+                                        *(Foreign(file) for file in options.engine)]
+        names = [program.name for program in self.programs]
+        for name in names:
+            if names.count(name) > 1 or (name.split()[0] == "ljmd" and name not in [one.name for one in own]):
+                raise InputError(f"two programs would be called '{name}'")
         identities = {program.name: program.identify() for program in self.programs}
         if identities[own[0].name] is None:
             raise InputError(f"{options.ljmd}: cannot be run; say where ljmd is with --ljmd")
@@ -159,11 +170,15 @@ class Benchmark:
 
     def time(self, program: Program, case: Case, steps: int, threads: int, turn: int) -> None:
         machine.wait_for_idle(threads, self.options.wait)
-        others = machine.OtherWork()
+        watch = machine.Watch()
         measurement = program.run(case, steps, threads)
-        self.keep(program, case, measurement, "runs", threads=threads, round=turn, other_work=others.cores())
+        use = watch.use()
+        self.keep(program, case, measurement, "runs", threads=threads, round=turn, **asdict(use))
         say(f"{case.atoms} atoms, threads {threads}, round {turn + 1}: {program.name:16} "
             f"{measurement.rate / 1e6:8.3f} million atom-steps/s")
+        if use.is_crowded(threads, machine.cores()):
+            say(f"warning: other work kept {use.other_work:.1f} of {machine.cores()} cores busy meanwhile: "
+                "this run says little")
 
     def keep(self, program: Program, case: Case, measurement: Measurement, place: str, **more: Any) -> None:
         """Put a measurement into the record, if it has the energy that all other runs of the case started with."""

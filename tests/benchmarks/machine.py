@@ -7,6 +7,7 @@ import platform
 import re
 import resource
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -44,8 +45,24 @@ def busy_seconds(text: str) -> float:
     return (user + nice + system + interrupt + soft_interrupt + stolen) / os.sysconf("SC_CLK_TCK")
 
 
-class OtherWork:
-    """How many cores have been busy with something else than this process' children, since this was made."""
+CROWDED = 0.2  # cores that a run may lack before its rate says little
+
+
+@dataclass(frozen=True)
+class Use:
+    """What this process' children have used, and what others have meanwhile."""
+
+    wall_seconds: float
+    processor_seconds: float  # of all threads and processes of the children
+    other_work: float  # mean number of cores busy with something else
+
+    def is_crowded(self, threads: int, available: int) -> bool:
+        """Whether others took a part of the cores that a run with that many threads wanted."""
+        return threads + self.other_work > available + CROWDED
+
+
+class Watch:
+    """Watches the cores from when it is made."""
 
     def __init__(self) -> None:
         self.start = self.now()
@@ -57,9 +74,9 @@ class OtherWork:
         busy = busy_seconds(statistics.read_text()) if statistics.exists() else 0.0
         return time.monotonic(), busy, usage.ru_utime + usage.ru_stime
 
-    def cores(self) -> float:
+    def use(self) -> Use:
         elapsed, busy, own = (after - before for before, after in zip(self.start, self.now()))
-        return max(0.0, (busy - own) / elapsed) if elapsed > 0.0 else 0.0
+        return Use(elapsed, own, max(0.0, (busy - own) / elapsed) if elapsed > 0.0 else 0.0)
 
 
 def share_cores() -> None:
@@ -76,7 +93,7 @@ def wait_for_idle(needed: int, limit: float) -> None:
     """Return once other work leaves `needed` cores idle, or after `limit` seconds."""
     deadline = time.monotonic() + limit
     while time.monotonic() < deadline:
-        others = OtherWork()
+        watch = Watch()
         time.sleep(1.0)
-        if cores() - others.cores() > needed - 0.2:
+        if not watch.use().is_crowded(needed, cores()):
             return

@@ -8,7 +8,8 @@
     peaks         of peaks.cpp; null without a compiler
     checks        runs of a fixed number of steps on one thread: energies per atom
     runs          every timed run: program, atoms, threads, round, steps, seconds, rate [atom-steps/s], energies per
-                  atom, details, other_work (mean number of cores busy with something else)
+                  atom, details; of the whole process, start-up included: wall_seconds, processor_seconds of its threads,
+                  other_work (mean number of cores busy with something else)
     failures      program, atoms, threads, round and words of every run that went wrong
     rates         program, atoms, threads: median, minimum, maximum, rounds
     ratios        program, peer, atoms, threads: of rate(program)/rate(peer) within a round
@@ -20,6 +21,7 @@ import json
 from pathlib import Path
 from typing import Any, Iterable, Sequence
 
+import machine
 import ratios
 from ljmd.errors import FileError
 from ljmd.reading.files import damaged, read_json
@@ -113,7 +115,34 @@ def rate_table(record: Record) -> list[str]:
         busy = cell([others] if others else [], 1.0, 1)
         rows.append([f"{atoms}", f"{threads}", *(cell(one, 1e-6, 2) for one in found), busy])
     header = ["atoms", "threads", *names, "cores busy with other work"]
-    return ["## Million atom-steps a second", "", *table(header, rows), ""]
+    return ["## Million atom-steps a second", "", *table(header, rows), "", *crowded(record)]
+
+
+def crowded(record: Record) -> list[str]:
+    """A warning, where other work took cores from runs."""
+    runs = record["runs"]
+    lacking = sum(lacked_cores(run, record) for run in runs)
+    if lacking == 0:
+        return []
+    return [f"**{lacking} of {len(runs)} runs did not have the cores that they wanted: other work was running. Ratios "
+            "within a round suffer less than rates, but repeat the measurement when the machine is quiet.**", ""]
+
+
+def lacked_cores(run: dict[str, Any], record: Record) -> bool:
+    return machine.Use(0.0, 0.0, run["other_work"]).is_crowded(run["threads"], record["host"]["cores"])
+
+
+def processor_table(record: Record) -> list[str]:
+    """Cores that each program had on the mean: fewer than its threads where these waited, or others had the cores."""
+    names = [*ours(record), *peers(record)]
+    rows = []
+    for atoms, threads in ratios.groups(record["runs"]):
+        used = [ratios.summary(run["processor_seconds"] / run["wall_seconds"] for run in record["runs"]
+                               if (run["program"], run["atoms"], run["threads"]) == (name, atoms, threads)
+                               and "wall_seconds" in run)  # older records have none
+                for name in names]
+        rows.append([f"{atoms}", f"{threads}", *(cell([one] if one else [], 1.0, 2) for one in used)])
+    return ["## Processor time over wall time, start-up included", "", *table(["atoms", "threads", *names], rows), ""]
 
 
 def check_table(record: Record) -> list[str]:
@@ -156,6 +185,6 @@ def markdown(record: Record) -> str:
         f"Medians of {record['options']['repeats']} interleaved rounds (minimum .. maximum); time loops alone, without "
         f"start-up.{shared}",
         "",
-        *ratio_tables(record), *rate_table(record), *check_table(record), *program_list(record), *failure_list(record),
+        *ratio_tables(record), *rate_table(record), *processor_table(record), *check_table(record), *program_list(record), *failure_list(record),
     ]
     return "\n".join(lines).rstrip() + "\n"
