@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/core/prefetch.hpp"
 #include "ljmd/core/stopwatch.hpp"
 #include "ljmd/execution/flush_subnormals.hpp"
 #include "ljmd/execution/loops.hpp"
@@ -168,11 +169,23 @@ Evaluation PairForceField::sum_by_kernel(VerletList& list, State& state, bool en
 void PairForceField::add_ghost_forces(const VerletList& list, State& state) const {
     double* forces = state.write_forces().data();
     for_each_block(state.execution(), static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
-        for (const auto& [finder, offset, first, count] : list.routes().of_tile(tile)) {
-            const double* from =
-                (finder < 0 ? list.routes().received() : ghost_forces_[static_cast<std::size_t>(finder)].data());
-            from += offset;
-            for (Index i = first; i < Index{first} + count; ++i, from += 3) {
+        const auto found_by = [&](const GhostRoutes::Export& one) {
+            return (one.tile < 0 ? list.routes().received()
+                                 : ghost_forces_[static_cast<std::size_t>(one.tile)].data()) +
+                   one.offset;
+        };
+        constexpr std::size_t ahead = 4;  // they lie here and there, and in large systems in no cache
+        const auto exports = list.routes().of_tile(tile);
+        for (std::size_t e = 0; e < exports.size(); ++e) {
+            if (e + ahead < exports.size()) {
+                const GhostRoutes::Export& soon = exports[e + ahead];
+                prefetch(found_by(soon), found_by(soon) + std::ptrdiff_t{3} * soon.count);
+                const double* to = forces + vector_stride * Index{soon.first};
+                prefetch(to, to + vector_stride * Index{soon.count});
+            }
+            const double* from = found_by(exports[e]);
+            const Index first = exports[e].first;
+            for (Index i = first; i < first + Index{exports[e].count}; ++i, from += 3) {
                 Eigen::Map<Vec3>(forces + vector_stride * i) += Eigen::Map<const Vec3>(from);
             }
         }

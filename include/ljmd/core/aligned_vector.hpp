@@ -1,23 +1,28 @@
 #pragma once
 
 #include <cstddef>
-#include <new>
 #include <vector>
 
 namespace ljmd {
 
-/// Allocator of memory that begins at a cache line, which is also as wide as the widest vector register.
+/// Memory that begins at a cache line, which is also as wide as the widest vector register. Of large blocks the system
+/// is asked for large pages: arrays of many atoms are read here and there, and each page that the processor has to look
+/// up costs it some ten nanoseconds.
+/// @throws std::bad_alloc
+[[nodiscard]] void* allocate_aligned(std::size_t bytes);
+/// @param bytes  as many as were allocated
+void free_aligned(void* memory, std::size_t bytes) noexcept;
+
 template <class T>
 struct AlignedAllocator {
     using value_type = T;  // NOLINT(readability-identifier-naming): the standard asks for this name
-    static constexpr std::align_val_t alignment{64};
 
     AlignedAllocator() = default;
     template <class Other>
     AlignedAllocator(const AlignedAllocator<Other>&) {}  // NOLINT(*-explicit-*): allocators convert
 
-    T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), alignment)); }
-    void deallocate(T* memory, std::size_t) { ::operator delete(memory, alignment); }
+    T* allocate(std::size_t count) { return static_cast<T*>(allocate_aligned(count * sizeof(T))); }
+    void deallocate(T* memory, std::size_t count) { free_aligned(memory, count * sizeof(T)); }
 
     friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
 };

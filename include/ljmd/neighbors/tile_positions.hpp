@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <type_traits>
 
 #include "ljmd/core/aligned_vector.hpp"
+#include "ljmd/core/prefetch.hpp"
 #include "ljmd/model/state.hpp"
 #include "ljmd/neighbors/cluster_grid.hpp"
 
@@ -76,7 +78,14 @@ void TilePositions<T>::update(const ClusterGrid& grid, const ClusterGrid::Run& o
         }
     };
     copy(own, positions_.data(), T{}, T{}, T{});
-    for (const ClusterGrid::GhostClusters& run : ghosts) {
+    // Ghosts lie here and there. In large systems none is in a cache.
+    constexpr std::size_t ahead = 4;
+    for (std::size_t g = 0; g < ghosts.size(); ++g) {
+        const ClusterGrid::GhostClusters& run = ghosts[g];
+        if (g + ahead < ghosts.size()) {
+            const AtomRange soon = grid.atoms_of(ghosts[g + ahead].of);
+            prefetch(r + vector_stride * soon.first, r + vector_stride * soon.last);
+        }
         copy(run.of, positions_.data() + run.first * stride, distance(run.shift[0]), distance(run.shift[1]),
              distance(run.shift[2]));
     }

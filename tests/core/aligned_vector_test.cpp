@@ -1,0 +1,31 @@
+#include "ljmd/core/aligned_vector.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <numeric>
+
+using namespace ljmd;
+
+namespace {
+
+template <class T>
+bool is_aligned(const AlignedVector<T>& numbers, std::size_t to) {
+    return reinterpret_cast<std::uintptr_t>(numbers.data()) % to == 0;
+}
+
+}  // namespace
+
+TEST_CASE("aligned vectors begin at a cache line, large ones at a large page, and keep what they have as they grow") {
+    AlignedVector<double> numbers(5);
+    CHECK(is_aligned(numbers, 64));
+    std::iota(numbers.begin(), numbers.end(), 1.0);
+    constexpr std::size_t large = (std::size_t{1} << 22) / sizeof(double);
+    for (const std::size_t size : {large - 1, large, large + 1, 3 * large, large / 2}) {
+        numbers.resize(size);
+        numbers.shrink_to_fit();
+        CHECK(is_aligned(numbers, size < large ? 64 : std::size_t{1} << 21));
+        CHECK(std::accumulate(numbers.begin(), numbers.end(), 0.0) == 15.0);
+    }
+    const AlignedVector<char> bytes(1);
+    CHECK(is_aligned(bytes, 64));
+}
