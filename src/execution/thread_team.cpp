@@ -60,14 +60,38 @@ struct Loop {
     Index count;
     Index block_length;
     BlockFunction function;
+    std::span<const std::int64_t> work_before;  // see ThreadTeam::for_each_block(); empty: blocks take equally long
 
     [[nodiscard]] Index blocks() const { return (count + block_length - 1) / block_length; }
     void call(Index block) const { function(block * block_length, std::min((block + 1) * block_length, count)); }
+    /// Work of blocks [first, last).
+    [[nodiscard]] double work(Index first, Index last) const {
+        return static_cast<double>(work_before.empty() ? last - first : before(last) - before(first));
+    }
+    /// First block of share k of so many, each of about the same work. Every share has a block.
+    [[nodiscard]] Index share_begin(Index k, Index shares) const {
+        if (k == shares) {
+            return blocks();
+        }
+        if (work_before.empty()) {
+            return k * (blocks() / shares) + std::min(k, blocks() % shares);
+        }
+        const auto wanted = static_cast<std::int64_t>(static_cast<double>(before(blocks())) * static_cast<double>(k) /
+                                                      static_cast<double>(shares));
+        auto found = std::lower_bound(work_before.begin(), work_before.end(), wanted);
+        if (found != work_before.begin() && wanted - *(found - 1) < *found - wanted) {
+            --found;
+        }
+        return std::clamp<Index>(found - work_before.begin(), k, blocks() - shares + k);
+    }
     void call_all() const {
         for (Index block = 0; block < blocks(); ++block) {
             call(block);
         }
     }
+
+  private:
+    [[nodiscard]] std::int64_t before(Index block) const { return work_before[static_cast<std::size_t>(block)]; }
 };
 
 /// The first block that threw, and its exception. An exception may not leave the loop before all threads have.
@@ -96,14 +120,14 @@ struct ThreadTeam::Caller {
     Loop loop;
     Clock::time_point now = Clock::now();  ///< last time that it read the clock
     const Clock::time_point began = now;
-    Index blocks = 0;       ///< number of blocks that it has computed
+    double work = 0.0;      ///< work of the blocks that it has computed
     Nanoseconds worked{0};  ///< time that these took
     Nanoseconds waited{0};  ///< time that it has waited for workers
     Failure failure{};      ///< of all blocks done so far
 
     void compute(Index block) {
         failure.call(loop, block);
-        ++blocks;
+        work += loop.work(block, block + 1);
     }
     /// Time since the last reading of the clock.
     Nanoseconds lap() {
@@ -140,9 +164,9 @@ class ThreadTeam::Worker {
     void begin(const Loop& loop, Index first, Index last) {
         loop_ = loop;
         last_ = last;
-        blocks_ = last - first;
-        done_at_end_ = done_.load() + blocks_;
-        comes_late_ = !give(blocks_);
+        work_ = loop.work(first, last);
+        done_at_end_ = done_.load() + (last - first);
+        comes_late_ = !give(last - first);
     }
 
     /// Compute the blocks that the worker has not begun in time, and wait for those that it has begun.
@@ -156,7 +180,7 @@ class ThreadTeam::Worker {
             }
             for (Index block = take(); block >= 0; block = take()) {
                 caller.compute(block);
-                --blocks_;
+                work_ -= caller.loop.work(block, block + 1);
                 --done_at_end_;
             }
             caller.worked += caller.lap();
@@ -175,10 +199,10 @@ class ThreadTeam::Worker {
     }
 
     /// Decide whether it takes part in the next loops. Called when all of a loop is done.
-    /// @param block  mean time that the caller took for a block
-    /// @param lost   time that the caller had no processor because of this worker
-    void settle(Nanoseconds block, Nanoseconds lost, Clock::time_point now) {
-        account_.settle(block * static_cast<double>(blocks_), waited_ + lost, now);
+    /// @param per_work  time that the caller took for its work
+    /// @param lost      time that the caller had no processor because of this worker
+    void settle(Nanoseconds per_work, Nanoseconds lost, Clock::time_point now) {
+        account_.settle(per_work * work_, waited_ + lost, now);
     }
 
   private:
@@ -245,15 +269,15 @@ class ThreadTeam::Worker {
     // caller, what both mostly only read, and what the caller uses alone.
     alignas(cache_lines) std::atomic<Index> left_ = 0;
     Index last_ = 0;
-    Loop loop_{0, 1, nothing};
+    Loop loop_{0, 1, nothing, {}};
     alignas(cache_lines) std::atomic<Index> done_ = 0;
     Failure failure_;
     alignas(cache_lines) std::atomic<State> state_ = State::awake;
     std::atomic<bool> caller_sleeps_ = false;
     std::mutex mutex_;
     std::condition_variable changed_;
-    alignas(cache_lines) Index blocks_ = 0;  // blocks of this loop that the worker computes
-    Index done_at_end_ = 0;                  // `done_` when it has computed them
+    alignas(cache_lines) double work_ = 0.0;  // of the blocks of this loop that the worker computes
+    Index done_at_end_ = 0;                   // `done_` when it has computed them
     bool comes_late_ = false;
     Nanoseconds waited_{0};
     WorkerAccount account_;
@@ -298,8 +322,9 @@ bool ThreadTeam::in_child_process() const {
     return forks_ != forks;
 }
 
-void ThreadTeam::for_each_block(Index count, Index block_length, BlockFunction function) {
-    const Loop loop{count, block_length, function};
+void ThreadTeam::for_each_block(Index count, Index block_length, BlockFunction function,
+                                std::span<const std::int64_t> work_before) {
+    const Loop loop{count, block_length, function, work_before};
     const IsCaller is_caller;
     if (workers_.empty() || loop.blocks() < 2 || in_child_process() || at_work_.exchange(true)) {
         loop.call_all();
@@ -327,7 +352,7 @@ void ThreadTeam::share_out(Caller& caller) {
         return;
     }
     const Index sharers = static_cast<Index>(present_.size()) + 1;
-    const auto share_begin = [=](Index k) { return k * (blocks / sharers) + std::min(k, blocks % sharers); };
+    const auto share_begin = [&](Index k) { return caller.loop.share_begin(k, sharers); };
     for (Index k = 1; k < sharers; ++k) {
         present_[static_cast<std::size_t>(k - 1)]->begin(caller.loop, share_begin(k), share_begin(k + 1));
     }
@@ -345,7 +370,7 @@ void ThreadTeam::share_out(Caller& caller) {
     for (Worker* worker : present_) {
         // The loss does not show which worker took the caller's processor, so the last one is charged for it. If the
         // caller still loses time with one worker fewer, the next one is left out.
-        worker->settle(caller.worked / static_cast<double>(caller.blocks),
+        worker->settle(caller.worked / std::max(caller.work, 1.0),
                        worker == present_.back() ? lost.by_team : Nanoseconds{0}, caller.now);
     }
     if (caller.failure.what) {

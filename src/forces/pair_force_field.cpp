@@ -149,10 +149,11 @@ Evaluation PairForceField::sum_by_kernel(VerletList& list, State& state, bool en
     const auto count = static_cast<Index>(tiles.size());
     workspaces_.resize(static_cast<std::size_t>(state.execution().threads()));
     ghost_forces_.resize(tiles.size());
-    for_each_block(state.execution(), count, 1, [&](Index tile, Index) {
+    const auto sum_in_workspace = [&](Index tile, Index) {
         const FlushSubnormals flush_subnormals;
         sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(number_in_team())]);
-    });
+    };
+    for_each_block(state.execution(), count, 1, sum_in_workspace, list.work_before());
     list.routes().exchange(state.execution().ranks(), ghost_forces_);
     add_ghost_forces(list, state);
     if (!energy) {
@@ -168,12 +169,11 @@ Evaluation PairForceField::sum_by_kernel(VerletList& list, State& state, bool en
 /// Add the forces on a tile's clusters where these are ghosts of other tiles, in the order of those tiles.
 void PairForceField::add_ghost_forces(const VerletList& list, State& state) const {
     double* forces = state.write_forces().data();
-    for_each_block(state.execution(), static_cast<Index>(list.tiles().size()), 1, [&](Index tile, Index) {
-        const auto found_by = [&](const GhostRoutes::Export& one) {
-            return (one.tile < 0 ? list.routes().received()
-                                 : ghost_forces_[static_cast<std::size_t>(one.tile)].data()) +
-                   one.offset;
-        };
+    const auto found_by = [&](const GhostRoutes::Export& one) {
+        return (one.tile < 0 ? list.routes().received() : ghost_forces_[static_cast<std::size_t>(one.tile)].data()) +
+               one.offset;
+    };
+    const auto add_to_tile = [&](Index tile, Index) {
         constexpr std::size_t ahead = 4;  // they lie here and there, and in large systems in no cache
         const auto exports = list.routes().of_tile(tile);
         for (std::size_t e = 0; e < exports.size(); ++e) {
@@ -189,7 +189,8 @@ void PairForceField::add_ghost_forces(const VerletList& list, State& state) cons
                 Eigen::Map<Vec3>(forces + vector_stride * i) += Eigen::Map<const Vec3>(from);
             }
         }
-    });
+    };
+    for_each_block(state.execution(), static_cast<Index>(list.tiles().size()), 1, add_to_tile, list.work_before());
 }
 
 }  // namespace ljmd

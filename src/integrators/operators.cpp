@@ -39,7 +39,7 @@ void kick_and_drift(State& state, double dt_kick, double dt_drift) {
     const double* f = static_cast<const State&>(state).forces().data();
     const double* m = state.masses().data();
     const double rounding = state.rounding();
-    for_each_block(state.execution(), state.count(), loop_block, [=](Index first, Index last) {
+    for_each_range(state.execution(), state.count(), [=](Index first, Index last) {
         TimeOverMass due(dt_due);
         TimeOverMass factor(dt_kick);
         for (Index i = first; i < last; ++i) {

@@ -41,7 +41,7 @@ template <std::size_t width, class Vector>
 void permute(const Execution& execution, Vector& data, const std::vector<Index>& order, std::byte* spare) {
     constexpr std::size_t bytes = width * sizeof(typename Vector::value_type);
     auto* moved = reinterpret_cast<std::byte*>(data.data());
-    for_each_block(execution, static_cast<Index>(order.size()), loop_block, [&](Index first, Index last) {
+    for_each_range(execution, static_cast<Index>(order.size()), [&](Index first, Index last) {
         std::memcpy(spare + bytes * static_cast<std::size_t>(first), moved + bytes * static_cast<std::size_t>(first),
                     bytes * static_cast<std::size_t>(last - first));
     });
@@ -153,7 +153,7 @@ void State::finish_kick() {
         return;
     }
     const double dt = std::exchange(kick_due_, 0.0);
-    for_each_block(execution_, count_, loop_block, [&](Index first, Index last) {
+    for_each_range(execution_, count_, [&](Index first, Index last) {
         TimeOverMass factor(dt);
         for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
             Eigen::Map<Eigen::Array4d>(velocities_.data() + stride * i) +=

@@ -170,7 +170,7 @@ bool VerletList::nothing_moved_too_far(const State& state) const {
     const double limit = 0.5 * skin_ * (1.0 - 0x1p-40);  // slightly less, for rounding of the distances
     const double limit2 = limit * limit;
     std::atomic<bool> valid = true;
-    for_each_block(state.execution(), state.count(), loop_block, [&](Index first, Index last) {
+    for_each_range(state.execution(), state.count(), [&](Index first, Index last) {
         if (!valid.load(std::memory_order_relaxed)) {
             return;
         }
@@ -247,8 +247,8 @@ void VerletList::build(const State& state, double cutoff) {
     measure_work(state.execution().ranks());
 
     const Index all = state.count() + state.ghost_count();
-    reference_.resize(static_cast<std::size_t>(vector_stride * all));
-    for_each_block(state.execution(), all, loop_block, [&, r = state.positions().data()](Index first, Index last) {
+    resize_tightly(reference_, static_cast<std::size_t>(vector_stride * all));
+    for_each_range(state.execution(), all, [&, r = state.positions().data()](Index first, Index last) {
         std::copy(r + vector_stride * first, r + vector_stride * last, reference_.data() + vector_stride * first);
     });
     built_for_cutoff_ = cutoff;
@@ -259,15 +259,19 @@ void VerletList::build(const State& state, double cutoff) {
 }
 
 void VerletList::measure_work(Ranks& ranks) {
+    work_before_.assign(1, 0);
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        // An atom makes work by itself, about that of ten entries.
+        const AtomRange atoms = grid_.atoms_of_tile(static_cast<Index>(t));
+        const std::int64_t work = 1 + static_cast<std::int64_t>(tiles_[t].starts.back()) + 10 * atoms.count();
+        work_before_.push_back(work_before_.back() + work);
+    }
     if (ranks.alone()) {
         return;
     }
     std::vector<std::int64_t> work(static_cast<std::size_t>(grid_.tiles_of_all()), 0);
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        // An atom makes work by itself, about that of ten entries.
-        const AtomRange atoms = grid_.atoms_of_tile(static_cast<Index>(t));
-        work[static_cast<std::size_t>(grid_.first_tile()) + t] =
-            1 + static_cast<std::int64_t>(tiles_[t].starts.back()) + 10 * atoms.count();
+        work[static_cast<std::size_t>(grid_.first_tile()) + t] = work_before_[t + 1] - work_before_[t];
     }
     ranks.sum(work);
     grid_.set_work(std::move(work));

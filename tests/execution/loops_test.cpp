@@ -1,7 +1,10 @@
 #include "ljmd/execution/loops.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,6 +29,37 @@ TEST_CASE("blocks cover every index once, for any number of threads") {
     CHECK(sound);
     CHECK(blocks == (count + 63) / 64);
     CHECK(times == std::vector<int>(times.size(), 1));
+}
+
+TEST_CASE("ranges give each thread as many atoms as the others, in whole cache lines") {
+    const int threads = GENERATE(1, 2, 3);
+    const Execution execution = test::with_threads(threads);
+    for (const Index count : {0, 1, 4, 127, 128, 129, 500, 864, 4000, 32001}) {
+        CAPTURE(threads, count);
+        std::mutex mutex;
+        std::map<Index, Index> ranges;
+        for_each_range(execution, count, [&](Index first, Index last) {
+            const std::lock_guard lock(mutex);
+            ranges[first] = last;
+        });
+        Index end = 0;
+        Index longest = 0;
+        for (const auto& [first, last] : ranges) {
+            CHECK(first == end);
+            CHECK(first % 4 == 0);
+            longest = std::max(longest, last - first);
+            end = last;
+        }
+        CHECK(end == count);
+        CHECK(longest <= loop_block);
+        if (count > loop_block) {
+            const auto blocks = static_cast<Index>(ranges.size());
+            CHECK(blocks * longest - count < threads * longest);
+        }
+        if (count == 864) {  // seven blocks would give one of two threads a seventh more
+            CHECK(static_cast<Index>(ranges.size()) % threads == 0);
+        }
+    }
 }
 
 TEST_CASE("for_each_index calls for each index") {

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cstdint>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -123,6 +124,35 @@ TEST_CASE("blocks that a worker has not begun are computed by the caller") {
         }
     });
     CHECK(by_caller >= 9);
+}
+
+TEST_CASE("threads get shares of equal work, and each at least one block") {
+    const auto others_by_worker = [](const std::vector<std::int64_t>& work_before, Index of_caller) {
+        ThreadTeam team(2);  // a new one, which leaves no worker out
+        const Index blocks = static_cast<Index>(work_before.size()) - 1;
+        std::atomic<Index> by_worker = 0;
+        const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        team.for_each_block(
+            blocks, 1,
+            [&, caller = std::this_thread::get_id()](Index block, Index) {
+                if (std::this_thread::get_id() != caller) {
+                    ++by_worker;
+                }
+                // The caller holds its last block until the worker has computed all others.
+                while (block == of_caller - 1 && by_worker < blocks - of_caller &&
+                       std::chrono::steady_clock::now() < give_up) {
+                    std::this_thread::sleep_for(std::chrono::microseconds(100));
+                }
+            },
+            work_before);
+        return by_worker.load();
+    };
+    CHECK(others_by_worker({0, 8, 9, 10, 11, 12, 13, 14, 15, 16}, 1) == 8);
+    CHECK(others_by_worker({0, 1, 2, 3, 4, 5, 6, 7, 8, 16}, 8) == 1);
+    CHECK(others_by_worker({0, 1, 1000}, 1) == 1);
+    CHECK(others_by_worker({0, 1000, 1001, 1002}, 1) == 2);
+    CHECK(others_by_worker({0, 5, 10, 10, 10}, 1) == 3);
+    CHECK(others_by_worker({0, 0, 0, 0, 0}, 1) == 3);
 }
 
 TEST_CASE("a hundred thousand short loops come to their end, with right sums") {

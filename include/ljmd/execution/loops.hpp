@@ -18,21 +18,36 @@ namespace ljmd {
 /// Loops over atoms, shared by the threads of an Execution. No result depends on their number: loops are cut into
 /// blocks of fixed length, and the results of blocks are joined in their order.
 
-/// Atoms per block in loops without a sum. Blocks are so small that the threads of a small system move the same atoms
-/// whose forces they have just summed; otherwise data would pass between cores.
+/// About the number of atoms of a block in loops without a sum.
 inline constexpr Index loop_block = 128;
 /// Atoms per block in sums that are not exact; their last digits depend on it.
 inline constexpr Index sum_block = 1024;
 
 /// ThreadTeam::for_each_block of the execution's threads.
-inline void for_each_block(const Execution& execution, Index count, Index block_length, BlockFunction function) {
-    execution.team().for_each_block(count, block_length, function);
+inline void for_each_block(const Execution& execution, Index count, Index block_length, BlockFunction function,
+                           std::span<const std::int64_t> work_before = {}) {
+    execution.team().for_each_block(count, block_length, function, work_before);
+}
+
+/// Call function(first, last) for ranges that cover [0, count), by all threads. Each thread has the same number of
+/// atoms, as it has of tiles: in a small system, too, threads move the atoms whose forces they have just summed, and
+/// hardly any data pass between cores. No two threads have a part of one cache line of a per-atom vector.
+/// @pre as for_each_block
+inline void for_each_range(const Execution& execution, Index count, BlockFunction function) {
+    constexpr Index atoms_of_lines = static_cast<Index>(cache_lines / sizeof(double)) / vector_stride;
+    const Index threads = execution.threads();
+    Index length = loop_block;
+    if (threads > 1 && count > loop_block) {
+        const Index blocks = (count + threads * loop_block - 1) / (threads * loop_block) * threads;
+        length = ((count + blocks - 1) / blocks + atoms_of_lines - 1) / atoms_of_lines * atoms_of_lines;
+    }
+    for_each_block(execution, count, length, function);
 }
 
 /// Call function(i) for i in [0, count), by all threads. @pre as for_each_block
 template <class F>
 void for_each_index(const Execution& execution, Index count, F&& function) {
-    for_each_block(execution, count, loop_block, [&function](Index first, Index last) {
+    for_each_range(execution, count, [&function](Index first, Index last) {
         for (Index i = first; i < last; ++i) {
             function(i);
         }

@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -46,8 +48,8 @@ class ThreadsError : public Error {
 
 /// Threads that share the blocks of a loop: the calling thread, and workers that live as long as the team.
 ///
-/// Each thread has a share of consecutive blocks, the same in every loop with that many blocks, so its atoms stay in
-/// its cache. Which thread computes a block changes no result. The caller makes use of that:
+/// Each thread has a share of consecutive blocks, the same in every loop with that many blocks of that work, so its
+/// atoms stay in its cache. Which thread computes a block changes no result. The caller makes use of that:
 ///
 /// - A waiting thread spins for about as long as it takes to wake a sleeping thread (tens of microseconds; a worker up
 ///   to 1 ms after long work), then sleeps.
@@ -56,7 +58,8 @@ class ThreadsError : public Error {
 /// - If the caller waits longer for a worker than its blocks have saved, because another program has its processor or
 ///   because the loops are too small, the worker is left out for ten times the loss (src/execution/worker_account.hpp).
 ///   So is the last worker if the caller has less of a processor with the team than alone, where other programs have
-///   the rest (src/execution/caller_account.hpp). So a team is at most about a tenth slower than the caller alone.
+///   the rest (src/execution/caller_account.hpp). So a team is at most about a tenth slower than the caller alone, a
+///   sixth where loops are shorter than 50 microseconds.
 class ThreadTeam {
   public:
     /// @param threads  number of threads, the caller included  @pre threads >= 1
@@ -73,9 +76,12 @@ class ThreadTeam {
     ///
     /// The caller computes all blocks if there is only one, if the team is busy (a nested loop, or one in another
     /// thread), and in a child process made by fork(), which has no workers.
+    /// @param work_before  the work of all blocks before block k, in any unit, for k = 0 ... number of blocks: threads
+    ///                     get shares of equal work. Without it, of equally many blocks.
     /// @pre blocks do not write what other blocks read or write; block_length > 0
     /// @throws the exception of the first block that threw; later blocks may not have been called
-    void for_each_block(Index count, Index block_length, BlockFunction function);
+    void for_each_block(Index count, Index block_length, BlockFunction function,
+                        std::span<const std::int64_t> work_before = {});
 
   private:
     struct Caller;

@@ -74,6 +74,9 @@ class VerletList {
     /// Where the forces on ghost clusters belong.
     [[nodiscard]] const GhostRoutes& routes() const { return routes_; }
     [[nodiscard]] GhostRoutes& routes() { return routes_; }
+    /// Work of the tiles before each one, in list entries; then that of all. For loops in which threads share the
+    /// tiles.
+    [[nodiscard]] std::span<const std::int64_t> work_before() const { return work_before_; }
     [[nodiscard]] const RowShape& row_shape() const { return built_for_shape_; }
     [[nodiscard]] std::span<const Tile> tiles() const { return tiles_; }
     [[nodiscard]] const ClusterGrid& clusters() const { return grid_; }
@@ -99,7 +102,7 @@ class VerletList {
     [[nodiscard]] bool nothing_moved_too_far(const State& state) const;
     void sort(State& state, double cutoff, State* companion = nullptr);
     void build(const State& state, double cutoff);
-    /// Let the next sort() share the tiles by their work.
+    /// Measure the work of the tiles, by which threads share them, and ranks at the next sort().
     void measure_work(Ranks& ranks);
     /// Build the lists of a tile. @return number of distance tests
     [[nodiscard]] Index fill(std::size_t tile, const State& state, double range);
@@ -118,6 +121,7 @@ class VerletList {
     FixedPoint fixed_point_;
     AlignedVector<double> reference_;  ///< positions at the rebuild, ghosts included, 4 numbers per atom
     std::vector<Tile> tiles_;
+    std::vector<std::int64_t> work_before_;
     GhostRoutes routes_;
     SearchStatistics statistics_;
 };
