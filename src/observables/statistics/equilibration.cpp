@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ljmd/core/errors.hpp"
-#include "ljmd/core/fourier.hpp"
+#include "ljmd/observables/fourier.hpp"
 
 namespace ljmd {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "ljmd/core/fourier.hpp"
 #include "ljmd/model/state.hpp"
+#include "ljmd/observables/fourier.hpp"
 
 namespace ljmd {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ljmd/core/fourier.hpp"
 #include "ljmd/core/schedule.hpp"
 #include "ljmd/observables/analysis.hpp"
+#include "ljmd/observables/fourier.hpp"
 #include "ljmd/observables/statistics/blocking.hpp"
 #include "ljmd/observables/structure/coordination_number.hpp"
 

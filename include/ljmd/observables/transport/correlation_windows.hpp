@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ljmd/core/archive.hpp"
-#include "ljmd/core/fourier.hpp"
 #include "ljmd/execution/execution.hpp"
+#include "ljmd/observables/fourier.hpp"
 
 namespace ljmd {
 

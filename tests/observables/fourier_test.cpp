@@ -1,4 +1,4 @@
-#include "ljmd/core/fourier.hpp"
+#include "ljmd/observables/fourier.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ljmd/core/fourier.hpp"
+#include "ljmd/observables/fourier.hpp"
 
 #include <fftw3.h>
 #include <fmt/format.h>
