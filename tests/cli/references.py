@@ -21,9 +21,9 @@ def found(t, *arguments, out="out"):
 
 def values_reach_their_errors(t):
     """Energy and pressure are those of the equation of state, within errors that are as small as was asked for."""
-    data = found(t, *GAS, "--error", "energy=0.006,pressure=0.012")
+    data = found(t, *GAS, "--error", "energy=0.01,pressure=0.012")
     t.equal((data["phase"], data["density"], data["temperature"], data["warnings"]), ("supercritical fluid", 0.5, 2, []), "state")
-    for name, error in (("potential_energy", 0.006), ("pressure", 0.012)):
+    for name, error in (("potential_energy", 0.01), ("pressure", 0.012)):
         value = data[name]
         t.check(0 < value["statistical_error"] <= error, f"error of {name}: {value}")
         t.check(data["errors"][name]["reached"], f"{name} is not reached")
@@ -33,7 +33,7 @@ def values_reach_their_errors(t):
         t.check(value["total_error"] >= value["statistical_error"], f"total error of {name}: {value}")
     t.equal(t.json("out/results.json"), data, "results.json")
     t.check(data["runs"]["equilibration_steps"] >= 2 * data["runs"]["equilibration_found"], f"runs: {data['runs']}")
-    text = reference(t, *GAS, "--error", "energy=0.006,pressure=0.012").out
+    text = reference(t, *GAS, "--error", "energy=0.01,pressure=0.012").out
     t.contains(text, "Lennard-Jones fluid at T = 2, rho = 0.5: supercritical fluid")
     t.contains(text, "to cite:")
     t.contains(text, "files: out\n")
