@@ -86,7 +86,7 @@ std::vector<std::string> warnings_of(const ReferenceSetup& setup, const Referenc
         if (wanted != findings.errors.end() && value.systematic_error > wanted->wanted.error) {
             warnings.push_back(
                 fmt::format("the systematic error of {}, {:.2g}, is larger than the error wanted: longer "
-                            "runs do not make it smaller, more atoms may",
+                            "runs hardly make it smaller, more atoms do",
                             value.name, value.systematic_error));
         }
         if (value.mean && !value.converged) {
