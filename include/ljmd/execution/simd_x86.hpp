@@ -90,15 +90,12 @@ LJMD_INLINE RawVector<std::int32_t, 8> each_repeated(RawVector<std::int32_t, 2> 
 }
 #endif
 
-#if defined(__AVX512F__) && defined(__AVX512VL__)
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 LJMD_INLINE int pack(RawVector<std::int32_t, 8> v, unsigned bits, std::int32_t* to) {
     _mm256_storeu_si256(reinterpret<__m256i*>(to),
                         _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), reinterpret<__m256i>(v)));
     return __builtin_popcount(bits);
 }
-#endif
-
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
 LJMD_INLINE RawVector<double, 8> multiply_add(RawVector<double, 8> a, RawVector<double, 8> b, RawVector<double, 8> c) {
     return _mm512_fmadd_pd(a, b, c);
 }
