@@ -168,6 +168,10 @@ int ClusterGrid::boxes_away(int cell, std::size_t axis) const {
     return floor_of(static_cast<double>(cell) / cells_[axis]);
 }
 
+int ClusterGrid::cells_from_tile(int cell, int first, std::size_t axis) const {
+    return std::min(0, cell - first) + std::max(0, cell - first - columns_per_tile_[axis] + 1);
+}
+
 ClusterGrid::Run ClusterGrid::columns(std::size_t tile) const {
     const auto first = static_cast<std::int32_t>(tile) * columns_per_tile();
     return {first, first + columns_per_tile()};
@@ -304,16 +308,15 @@ ClusterGrid::Neighborhood ClusterGrid::neighborhood(std::size_t tile) const {
             for (cell[0] = corner[0]; cell[0] < corner[0] + cells[0]; ++cell[0]) {
                 Cell wrapped{};
                 Vec3 shift;
-                int side = 0;  // where the column's tile lies, seen from this one: -1, 0 (same tile) or 1
+                int side = 0;  // where the column's tile lies, seen from this one: below 0, 0 (same tile) or above
                 double left2 = range_ * range_;
                 for (std::size_t a = 0; a < 3; ++a) {
                     const int boxes = boxes_away(cell[a], a);
                     wrapped[a] = cell[a] - boxes * cells_[a];
                     shift[static_cast<Index>(a)] = boxes * edges_[static_cast<Index>(a)];
-                    const int before = std::min(0, cell[a] - first[a]);
-                    const int behind = std::max(0, cell[a] - first[a] - columns_per_tile_[a] + 1);
-                    side = before < 0 ? -1 : behind > 0 ? 1 : side;
-                    left2 -= gap2(before + behind, a);
+                    const int from_tile = cells_from_tile(cell[a], first[a], a);
+                    side = from_tile != 0 ? from_tile : side;
+                    left2 -= gap2(from_tile, a);
                 }
                 Column column;
                 column.column = column_at(wrapped);

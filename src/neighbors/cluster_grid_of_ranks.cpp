@@ -64,44 +64,45 @@ int ClusterGrid::rank_of(std::int32_t column) const {
     return static_cast<int>(after - first_columns_.begin()) - 1;
 }
 
-void ClusterGrid::find_halo(double halo) {
+/// What a tile sees of the columns of all ranks: those on the side where its ghost clusters lie, see neighborhood().
+void ClusterGrid::add_halo_of_tile(std::int32_t tile, double halo, std::vector<Heights>& near) const {
+    Cell first = tile_cells_[static_cast<std::size_t>(tile)];
     Cell reach{};
     for (std::size_t a = 0; a < 3; ++a) {
+        first[a] *= columns_per_tile_[a];
         reach[a] = static_cast<int>(std::ceil(halo * inverse_width_[static_cast<Index>(a)]));
     }
-    const auto all = static_cast<std::size_t>(first_columns_.back());
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<Heights> near(all, Heights{infinity, -infinity});
     Cell cell{};
-    for (std::int32_t tile = own_columns_.first / columns_per_tile(); tile < own_columns_.last / columns_per_tile();
-         ++tile) {
-        Cell first = tile_cells_[static_cast<std::size_t>(tile)];
-        Cell last{};
-        for (std::size_t a = 0; a < 3; ++a) {
-            first[a] = first[a] * columns_per_tile_[a] - reach[a];
-            last[a] = first[a] + columns_per_tile_[a] + 2 * reach[a];
-            if (last[a] - first[a] > cells_[a]) {  // all of them, once
-                first[a] = 0;
-                last[a] = cells_[a];
-            }
-        }
-        const double floor = tile_cells_[static_cast<std::size_t>(tile)][2] * height_;
-        for (cell[2] = first[2]; cell[2] < last[2]; ++cell[2]) {
-            // Where all layers are near, they stand here in another order than around the tile.
-            const double above = floor - cell[2] * height_;  // of the tile's floor over that of the column
-            const bool whole = last[2] - first[2] == cells_[2];
-            const Heights heights{whole ? 0.0 : above - halo, whole ? height_ : above + height_ + halo};
-            for (cell[1] = first[1]; cell[1] < last[1]; ++cell[1]) {
-                for (cell[0] = first[0]; cell[0] < last[0]; ++cell[0]) {
-                    Cell wrapped{};
-                    for (std::size_t a = 0; a < 3; ++a) {
-                        wrapped[a] = cell[a] - boxes_away(cell[a], a) * cells_[a];
-                    }
+    for (cell[2] = first[2]; cell[2] <= first[2] + reach[2]; ++cell[2]) {
+        const double above = (first[2] - cell[2]) * height_;  // of the tile's floor over that of the column
+        for (cell[1] = first[1] - reach[1]; cell[1] < first[1] + columns_per_tile_[1] + reach[1]; ++cell[1]) {
+            for (cell[0] = first[0] - reach[0]; cell[0] < first[0] + columns_per_tile_[0] + reach[0]; ++cell[0]) {
+                Cell wrapped{};
+                int side = 0;
+                double gap2_aside = 0.0;
+                for (std::size_t a = 0; a < 3; ++a) {
+                    wrapped[a] = cell[a] - boxes_away(cell[a], a) * cells_[a];
+                    const int from_tile = cells_from_tile(cell[a], first[a], a);
+                    side = from_tile != 0 ? from_tile : side;
+                    gap2_aside += a == 2 ? 0.0 : gap2(from_tile, a);
+                }
+                if (side >= 0 && gap2_aside <= halo * halo) {
                     Heights& of_column = near[static_cast<std::size_t>(column_of_all(place_of(wrapped)))];
-                    of_column = {std::min(of_column.low, heights.low), std::max(of_column.high, heights.high)};
+                    of_column.low = std::min(of_column.low, above - halo);
+                    of_column.high = std::max(of_column.high, above + height_ + halo);
                 }
             }
         }
+    }
+}
+
+void ClusterGrid::find_halo(double halo) {
+    const auto all = static_cast<std::size_t>(first_columns_.back());
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<Heights> near(all, Heights{infinity, -infinity});
+    for (std::int32_t tile = own_columns_.first / columns_per_tile(); tile < own_columns_.last / columns_per_tile();
+         ++tile) {
+        add_halo_of_tile(tile, halo, near);
     }
     numbers_here_.assign(all, -1);
     std::int32_t number = own_column_count();

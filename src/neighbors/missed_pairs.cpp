@@ -36,7 +36,7 @@ struct Move {
 
 /// Displacements of atoms since they were sorted.
 struct Moves {
-    std::vector<Move> fast;          ///< atoms that are not slow, in their order, NaN included
+    std::vector<Move> fast;          ///< atoms that are not slow, in their order, NaN and atoms of the halo included
     std::vector<double> of_column;   ///< longest of each column [sigma]
     std::vector<double> of_cluster;  ///< longest of each cluster [sigma]
 };
@@ -50,7 +50,6 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const State& sta
     const auto fast_in_columns = [&](Index first, Index last) {
         std::vector<Move> fast;
         for (Index column = first; column < last; ++column) {
-            const bool own = column < grid.own_column_count();
             const ClusterGrid::Run clusters = grid.clusters_of_column(static_cast<std::int32_t>(column));
             double longest2_of_column = 0.0;
             for (Index cluster = clusters.first; cluster < clusters.last; ++cluster) {
@@ -59,7 +58,7 @@ Moves find_moves(const ClusterGrid& grid, const double* before, const State& sta
                 for (Index i = atoms.first; i < atoms.last; ++i) {
                     const double length2 = squared_displacement(now, before, i);
                     longest2 = std::max(longest2, length2);
-                    if (own && !(length2 <= slow * slow)) {
+                    if (!(length2 <= slow * slow)) {
                         fast.push_back({i, std::sqrt(length2)});
                     }
                 }
@@ -86,9 +85,10 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
     const Moves moves = find_moves(grid, before, state, 0.5 * harmless);
 
     Ranks& ranks = state.execution().ranks();
-    std::int64_t fast_atoms = static_cast<std::int64_t>(moves.fast.size());
+    std::int64_t fast_atoms = 0;  // of this rank alone
     double longest = 0.0;
     for (const Move& move : moves.fast) {
+        fast_atoms += move.atom < state.count() ? 1 : 0;
         longest = std::isnan(move.length) ? std::numeric_limits<double>::infinity() : std::max(longest, move.length);
     }
     ranks.sum({&fast_atoms, 1});
@@ -97,6 +97,8 @@ bool any_pair_missed(const ClusterGrid& grid, const double* before, const State&
         return true;
     }
 
+    // Of two atoms of different ranks only one rank has both, so the surroundings of fast atoms of the halo are
+    // searched, too.
     const auto missed_around = [&](ColumnsAround& around, const Move& move) {
         const double* here = now + vector_stride * move.atom;
         const double* there = before + vector_stride * move.atom;

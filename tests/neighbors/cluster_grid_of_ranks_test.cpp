@@ -57,46 +57,31 @@ TEST_CASE("of several ranks each has the atoms of its tiles, in the order of one
     CHECK(joined == alone.ids());
 }
 
-TEST_CASE("the halo of a rank has every atom of others that is near one of its own") {
+TEST_CASE("of two atoms near each other at different ranks, one rank has the other's in its halo") {
     const Index atoms = 900;
-    const Box box({8.0, 9.0, 16.0});
-    const std::vector<Vec3> positions = random_positions(atoms, box, 6);
+    const Box box = GENERATE(Box({8.0, 9.0, 16.0}), Box({4.2, 5.0, 50.0}), Box({40.0, 5.5, 5.0}));
+    std::vector<Vec3> positions = random_positions(atoms, box, 6);
+    std::transform(positions.begin(), positions.end(), positions.begin(), [&](const Vec3& r) { return box.snap(r); });
     const int size = GENERATE(2, 5);
     std::mutex mutex;
-    bool complete = true;
+    std::vector<int> rank_of(positions.size());
+    std::vector<std::vector<bool>> knows(static_cast<std::size_t>(size));  // by rank and id: own atoms and ghosts
     bool own_alone = true;
     double volume = 0.0;
-    Index ghosts = 0;
     RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
         const Ranks& here = *ranks;
+        const int rank = here.rank();
         State state = test::share_of(positions, box, std::move(ranks));
         ClusterGrid grid;
         grid.configure(box, range, atoms, tile, halo, here);
         grid.sort(state);
         const auto known = std::as_const(state).positions_and_ghosts();
-        const auto is_known = [&](const Vec3& r, Index first) {
-            for (Index i = first; i < known.cols(); ++i) {
-                if (known.col(i) == r) {
-                    return true;
-                }
-            }
-            return false;
-        };
-        bool all_near = true;
-        bool none_twice = true;
-        for (Index id = 0; id < atoms; ++id) {
-            const Vec3 r = box.snap(positions[static_cast<std::size_t>(id)]);
-            const bool is_here = std::find(state.ids().begin(), state.ids().end(), id) != state.ids().end();
-            if (is_here) {
-                none_twice = none_twice && !is_known(r, state.count());
-                continue;
-            }
-            bool near = false;
-            for (Index i = 0; i < state.count() && !near; ++i) {
-                const Vec3 d = known.col(i) - r;
-                near = (d - box.crossings(d + 0.5 * box.edges()).cwiseProduct(box.edges())).norm() < halo;
-            }
-            all_near = all_near && (!near || is_known(r, state.count()));
+        std::vector<bool> of_id(positions.size());
+        Index twice = 0;
+        for (Index i = 0; i < known.cols(); ++i) {
+            const auto found = std::find(positions.begin(), positions.end(), Vec3(known.col(i))) - positions.begin();
+            twice += of_id.at(static_cast<std::size_t>(found)) ? 1 : 0;
+            of_id[static_cast<std::size_t>(found)] = true;
         }
         double halo_volume = 0.0;
         Index halo_columns = 0;
@@ -110,15 +95,49 @@ TEST_CASE("the halo of a rank has every atom of others that is near one of its o
         CHECK(static_cast<double>(state.ghost_count()) > 0.8 * expected);
         CHECK(static_cast<double>(state.ghost_count()) < 1.2 * expected + 6.0 * static_cast<double>(halo_columns));
         CHECK(halo_columns == grid.column_count() - grid.own_column_count());
+        for (const Index id : state.ids()) {
+            rank_of[static_cast<std::size_t>(id)] = rank;
+        }
         volume += grid.own_volume();
-        complete = complete && all_near;
-        own_alone = own_alone && none_twice;
-        ghosts += state.ghost_count();
+        own_alone = own_alone && twice == 0;
+        knows[static_cast<std::size_t>(rank)] = of_id;
     });
     CHECK(volume == Approx(box.volume()));
-    CHECK(complete);
     CHECK(own_alone);
-    CHECK(ghosts > 0);
+    Index pairs = 0;
+    Index unseen = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const Vec3 d = positions[i] - positions[j];
+            const Vec3 nearest = d - box.crossings(d + 0.5 * box.edges()).cwiseProduct(box.edges());
+            if (rank_of[i] != rank_of[j] && nearest.norm() < halo) {
+                ++pairs;
+                unseen +=
+                    knows[static_cast<std::size_t>(rank_of[i])][j] || knows[static_cast<std::size_t>(rank_of[j])][i]
+                        ? 0
+                        : 1;
+            }
+        }
+    }
+    CHECK(pairs > 300);
+    CHECK(unseen == 0);
+}
+
+TEST_CASE("the halos of two ranks hold the atoms on one side of each tile alone") {
+    // Two halves, each of 2 x 2 x 4 tiles and seen from both of its ends: each end belongs to one halo alone.
+    const Box box({20.0, 20.0, 80.0});
+    const Index atoms = 16000;
+    std::mutex mutex;
+    double volume = 0.0;
+    RankTeam(2).run([&](std::shared_ptr<Ranks> ranks) {
+        ClusterGrid grid;
+        grid.configure(box, range, atoms, 1000, halo, *ranks);
+        const std::lock_guard lock(mutex);
+        for (const ClusterGrid::HaloPart& part : grid.halo_parts()) {
+            volume += part.volume;
+        }
+    });
+    CHECK(volume == Approx(2.0 * 20.0 * 20.0 * halo));
 }
 
 TEST_CASE("ranks share the work, not the tiles, where it is known") {

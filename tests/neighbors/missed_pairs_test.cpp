@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <vector>
 
 #include "ljmd/core/random.hpp"
+#include "model/shared_state.hpp"
 #include "neighbors/sample_states.hpp"
 
 using namespace ljmd;
@@ -172,4 +174,46 @@ TEST_CASE("nobody looks around too many fast atoms, one that went the whole skin
         sorted.state.write_positions()(1, 0) = std::numeric_limits<double>::quiet_NaN();
         CHECK(sorted.missed());
     }
+}
+
+TEST_CASE("ranks miss a pair where one process does, whichever of them has the fast atom") {
+    const Box box = GENERATE(Box({8.0, 8.0, 30.0}), Box({30.0, 6.0, 8.0}));
+    const int size = GENERATE(2, 3);
+    const Index atoms = 800;
+    constexpr Index tile = 100;
+    int missed = 0;
+    int wrong = 0;
+    constexpr int rounds = 60;
+    for (std::uint64_t round = 0; round < rounds; ++round) {
+        const std::vector<Vec3> positions = random_positions(atoms, box, round);
+        const auto missed_by = [&](std::shared_ptr<Ranks> ranks) {
+            State state = test::share_of(positions, box, std::move(ranks));
+            ClusterGrid grid;
+            grid.configure(box, cutoff + skin, atoms, tile, cutoff + 2.0 * skin, state.execution().ranks());
+            grid.sort(state);
+            const auto known = std::as_const(state).positions_and_ghosts();
+            const std::vector<double> before(known.data(), known.data() + vector_stride * known.cols());
+            const Random random(round, RandomStream::positions);
+            auto r = state.write_positions();
+            for (Index i = 0; i < state.count(); ++i) {
+                const Index id = state.ids()[static_cast<std::size_t>(i)];
+                const double length = id % 70 == 0 ? 0.95 * skin : 0.49 * skin;
+                r.col(i) =
+                    state.snapped(r.col(i) + length * (random.uniform(1, id) - Vec3::Constant(0.5)).normalized());
+            }
+            grid.halo().refresh(state);
+            return any_pair_missed(grid, before.data(), state, cutoff, skin);
+        };
+        const bool expected = missed_by(nullptr);
+        missed += expected ? 1 : 0;
+        std::mutex mutex;
+        test::RankTeam(size).run([&](std::shared_ptr<Ranks> ranks) {
+            const bool found = missed_by(std::move(ranks));
+            const std::lock_guard lock(mutex);
+            wrong += found == expected ? 0 : 1;
+        });
+    }
+    CHECK(wrong == 0);
+    CHECK(missed > rounds / 8);
+    CHECK(missed < rounds * 7 / 8);
 }

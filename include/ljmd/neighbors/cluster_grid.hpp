@@ -44,7 +44,8 @@ class ClusterGrid {
     /// @param atoms  of all ranks
     /// @param tile   atoms of a tile, at most about; none: as many as fit into the caches next to a core, and few
     /// enough for two tiles, if these have some hundred atoms each
-    /// @param halo   how far from its own columns a rank sees the atoms of others [sigma], >= range
+    /// @param halo   how far from its own tiles a rank sees the atoms of others, on the side of their ghost clusters
+    /// [sigma], >= range
     void configure(const Box& box, double range, Index atoms, std::optional<Index> tile = std::nullopt,
                    double halo = 0.0, const Ranks& ranks = no_other_ranks());
 
@@ -210,12 +211,21 @@ class ClusterGrid {
     [[nodiscard]] int rank_of(std::int32_t column) const;
     void share_tiles(const Ranks& ranks, double halo);
     void find_halo(double halo);
+    /// The part of a column that is wanted, over its lowest z [sigma].
+    struct Heights {
+        double low;
+        double high;
+    };
+    void add_halo_of_tile(std::int32_t tile, double halo, std::vector<Heights>& near) const;
     void send_to_owners(State& state, State* companion) const;
     void fetch_halo(State& state);
     [[nodiscard]] Cell cell_of(std::int32_t column) const;
     [[nodiscard]] Cell cell_at(const Vec3& position) const;
     /// How many whole boxes a column lies away from the box along an axis.
     [[nodiscard]] int boxes_away(int cell, std::size_t axis) const;
+    /// How many columns a column lies away from a tile along an axis: 0 if it is one of its own, negative if it lies
+    /// before them. @param first  the tile's first column
+    [[nodiscard]] int cells_from_tile(int cell, int first, std::size_t axis) const;
     /// Number of the slice at a height: 0 below the column, slice_count_ + 1 above it. @param above  height over the
     /// lowest z of the column [sigma]
     [[nodiscard]] Index slice(double above) const {
@@ -255,13 +265,8 @@ class ClusterGrid {
     Run own_columns_{0, 0};  ///< among those of all ranks
     Index first_tile_ = 0;
     std::vector<std::int64_t> work_;
-    std::vector<std::int32_t> first_columns_;  ///< of each rank among those of all; then the number of all
-    std::vector<std::int32_t> halo_columns_;   ///< numbers among those of all, from the lowest up
-    /// The part of a column that is wanted, over its lowest z [sigma].
-    struct Heights {
-        double low;
-        double high;
-    };
+    std::vector<std::int32_t> first_columns_;        ///< of each rank among those of all; then the number of all
+    std::vector<std::int32_t> halo_columns_;         ///< numbers among those of all, from the lowest up
     std::vector<Heights> halo_heights_;              ///< of those columns
     std::vector<std::int32_t> clusters_below_halo_;  ///< of those columns: clusters that were not wanted
     struct WantedColumn {
