@@ -1,9 +1,13 @@
 #include "ljmd/core/aligned_vector.hpp"
 
 #include <new>
+#include <utility>
 
 #if defined(__linux__)
 #include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdint>
 #endif
 
 namespace ljmd {
@@ -11,29 +15,77 @@ namespace ljmd {
 namespace {
 
 constexpr std::align_val_t cache_line{64};
-/// Large pages of x86-64, and of most other processors.
-constexpr std::align_val_t large_page{std::size_t{1} << 21};
+
+#if defined(__linux__)
+
+/// Blocks of this size on are mapped by themselves. What is given back then belongs to the system again; among small
+/// blocks it would stay with the process, and the next larger block would not fit into it.
+constexpr std::size_t mapped_block = std::size_t{1} << 20;
 /// From this size on large pages waste little.
 constexpr std::size_t large_block = std::size_t{1} << 22;
+/// Large pages of x86-64, and of most other processors.
+constexpr std::size_t large_page = std::size_t{1} << 21;
 
-std::align_val_t alignment_of(std::size_t bytes) {
-    return bytes < large_block ? cache_line : large_page;
+std::byte* map(std::size_t bytes) {
+    void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) {
+        throw std::bad_alloc();
+    }
+    return static_cast<std::byte*>(memory);
 }
+
+void unmap(std::byte* memory, std::size_t bytes) {
+    if (bytes > 0) {
+        munmap(memory, bytes);
+    }
+}
+
+/// A block that begins at a large page.
+std::byte* map_large(std::size_t bytes) {
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t whole = (bytes + page - 1) / page * page;
+    std::byte* memory = map(whole + large_page);
+    const std::size_t before = (large_page - reinterpret_cast<std::uintptr_t>(memory) % large_page) % large_page;
+    unmap(memory, before);
+    unmap(memory + before + whole, large_page - before);
+    static_cast<void>(madvise(memory + before, whole, MADV_HUGEPAGE));  // a wish: small pages do, too
+    return memory + before;
+}
+
+#endif
+
+thread_local const FirstTouch::Function* first_touch = nullptr;
 
 }  // namespace
 
+FirstTouch::FirstTouch(Function function)
+    : function_(std::move(function)), before_(std::exchange(first_touch, &function_)) {}
+
+FirstTouch::~FirstTouch() {
+    first_touch = before_;
+}
+
 void* allocate_aligned(std::size_t bytes) {
-    void* memory = ::operator new(bytes, alignment_of(bytes));
 #if defined(__linux__)
-    if (bytes >= large_block) {
-        static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));  // a wish: small pages do, too
+    if (bytes >= mapped_block) {
+        std::byte* memory = bytes < large_block ? map(bytes) : map_large(bytes);
+        if (first_touch != nullptr) {
+            (*first_touch)(memory, bytes);
+        }
+        return memory;
     }
 #endif
-    return memory;
+    return ::operator new(bytes, cache_line);
 }
 
 void free_aligned(void* memory, std::size_t bytes) noexcept {
-    ::operator delete(memory, alignment_of(bytes));
+#if defined(__linux__)
+    if (bytes >= mapped_block) {
+        unmap(static_cast<std::byte*>(memory), bytes);
+        return;
+    }
+#endif
+    ::operator delete(memory, cache_line);
 }
 
 }  // namespace ljmd

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ljmd/core/errors.hpp"
+#include "ljmd/execution/first_touch.hpp"
 #include "ljmd/execution/ranks.hpp"
 #include "ljmd/integrators/relaxation.hpp"
 #include "ljmd/model/velocities.hpp"
@@ -62,6 +63,7 @@ std::vector<std::unique_ptr<Analysis>> make_analyses(const FluidSpec& spec, cons
 }
 
 FluidSystem empty_fluid(const FluidSpec& spec, Index atoms, const Box& box, const Execution& execution) {
+    const FirstTouch first_touch(touched_by_threads(execution));
     FluidSystem fluid{
         State(atoms, box, execution), make_force_field(spec, execution), spec.interaction().tail, std::nullopt, {}};
     fluid.analyses = make_analyses(spec, fluid.state);

@@ -7,6 +7,7 @@
 
 #include "ljmd/core/errors.hpp"
 #include "ljmd/core/stopwatch.hpp"
+#include "ljmd/execution/first_touch.hpp"
 #include "ljmd/integrators/barostat.hpp"
 #include "ljmd/integrators/integrator.hpp"
 #include "ljmd/integrators/thermostat.hpp"
@@ -251,6 +252,7 @@ class TimeLoop {
 LoopPosition run_stages(const std::vector<Stage>& stages, State& state, ForceField& force_field, StepObserver& observer,
                         const std::optional<LoopPosition>& from, const std::optional<Interaction>& interaction,
                         std::optional<Index> until) {
+    const FirstTouch first_touch(touched_by_threads(state.execution()));
     std::optional<TimeLoop> loop;
     try {
         if (!from) {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <numeric>
+#include <thread>
 
 using namespace ljmd;
 
@@ -28,4 +29,41 @@ TEST_CASE("aligned vectors begin at a cache line, large ones at a large page, an
     }
     const AlignedVector<char> bytes(1);
     CHECK(is_aligned(bytes, 64));
+}
+
+TEST_CASE("whoever shall touch the pages of large blocks first gets them untouched, from this thread alone") {
+    constexpr std::size_t small = 1000;
+    constexpr std::size_t large = std::size_t{1} << 23;
+    std::size_t outer = 0;
+    std::size_t inner = 0;
+    bool untouched = true;
+    const auto adding_to = [&untouched](std::size_t& sum) {
+        return [&sum, &untouched](std::byte* memory, std::size_t bytes) {
+            sum += bytes;
+            untouched = untouched && memory[0] == std::byte{0} && memory[bytes - 1] == std::byte{0};
+            memory[0] = std::byte{1};
+        };
+    };
+    const auto use = [] {
+        const AlignedVector<char> block(large, 'a');
+        const AlignedVector<char> other(small, 'a');
+        return block[0] == 'a' && block[large - 1] == 'a';
+    };
+    {
+        const FirstTouch first(adding_to(outer));
+        CHECK(use());
+        CHECK(outer == large);
+        {
+            const FirstTouch second(adding_to(inner));
+            CHECK(use());
+        }
+        std::thread(use).join();
+        CHECK(outer == large);
+        CHECK(inner == large);
+        CHECK(use());
+    }
+    CHECK(use());
+    CHECK(outer == 2 * large);
+    CHECK(inner == large);
+    CHECK(untouched);
 }

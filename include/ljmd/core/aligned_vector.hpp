@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace ljmd {
@@ -12,6 +13,22 @@ namespace ljmd {
 [[nodiscard]] void* allocate_aligned(std::size_t bytes);
 /// @param bytes  as many as were allocated
 void free_aligned(void* memory, std::size_t bytes) noexcept;
+
+/// While it lives, large blocks that this thread allocates are passed to a function before anybody writes to them.
+/// Where processors have memory of their own, a page lies with the processor that touches it first. Of several the last
+/// one made counts.
+class FirstTouch {
+  public:
+    using Function = std::function<void(std::byte* memory, std::size_t bytes)>;
+    explicit FirstTouch(Function function);
+    ~FirstTouch();
+    FirstTouch(const FirstTouch&) = delete;
+    FirstTouch& operator=(const FirstTouch&) = delete;
+
+  private:
+    Function function_;
+    const Function* before_;
+};
 
 template <class T>
 struct AlignedAllocator {

@@ -30,7 +30,7 @@ struct AtomPiece {
 };
 
 /// Number of atoms of a piece where nobody asks for another: below a megabyte.
-inline constexpr Index default_piece = 1 << 13;
+inline constexpr Index default_piece = 1 << 12;
 
 /// Pass on all atoms of a state in the order of ids, piece by piece, so that whoever writes them needs no room for all.
 /// Where the state is shared among ranks, rank 0 alone calls this, in look_by_id(): the others send.

@@ -1,0 +1,30 @@
+#include "ljmd/execution/first_touch.hpp"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "execution/test_execution.hpp"
+
+using namespace ljmd;
+
+TEST_CASE("threads touch every page of a block, and no other") {
+    constexpr std::size_t page = 4096;
+    const int threads = GENERATE(1, 2, 3);
+    const std::size_t pages = GENERATE(1U, 2U, 7U, 400U);
+    const std::size_t bytes = pages * page - GENERATE(0U, 1U, 4095U);
+    constexpr std::size_t around = 100;
+    const std::size_t all = (pages + 2 * around) * page;
+    void* memory = mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    REQUIRE(memory != MAP_FAILED);
+    REQUIRE(madvise(memory, all, MADV_NOHUGEPAGE) == 0);
+    touched_by_threads(test::with_threads(threads))(static_cast<std::byte*>(memory) + around * page, bytes);
+    std::vector<unsigned char> resident(pages + 2 * around);
+    REQUIRE(mincore(memory, all, resident.data()) == 0);
+    munmap(memory, all);
+    std::vector<unsigned char> expected(resident.size(), 0);
+    std::fill_n(expected.begin() + around, pages, 1);
+    CHECK(resident == expected);
+}
