@@ -14,7 +14,8 @@ class Alone : public Ranks {
     void sum(std::span<std::int64_t> /*numbers*/) override {}
     void largest(std::span<double> /*numbers*/) override {}
     [[nodiscard]] std::vector<Bytes> exchange(std::vector<Bytes> messages) override { return messages; }
-    void exchange(std::span<const Outgoing> /*outgoing*/, std::span<const Incoming> /*incoming*/) override {}
+    void begin_exchange(std::span<const Outgoing> /*outgoing*/, std::span<const Incoming> /*incoming*/) override {}
+    void finish_exchange() override {}
     [[noreturn]] void abandon(int exit_code) override { std::exit(exit_code); }
 };
 

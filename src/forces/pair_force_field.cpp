@@ -68,7 +68,11 @@ Evaluation PairForceField::compute(State& state, Request request) {
         throw ContractViolation(
             fmt::format("cutoff {} exceeds half the shortest edge {} of the box", cutoff, state.box().shortest_edge()));
     }
-    std::visit([&](auto& search) { search.prepare(state, cutoff); }, search_);
+    if (VerletList* list = list_for_kernel(request)) {
+        list->begin_preparing(state, cutoff);
+    } else {
+        std::visit([&](auto& search) { search.prepare(state, cutoff); }, search_);
+    }
     Stopwatch watch;
     Evaluation evaluation = sum(state, request);
     if (external_) {
@@ -78,10 +82,13 @@ Evaluation PairForceField::compute(State& state, Request request) {
     return evaluation;
 }
 
+VerletList* PairForceField::list_for_kernel(Request request) {
+    return request.order_independent || potential_.is_custom() ? nullptr : std::get_if<VerletList>(&search_);
+}
+
 Evaluation PairForceField::sum(State& state, Request request) {
     const double cutoff = potential_.cutoff().radius;
-    auto* list = std::get_if<VerletList>(&search_);
-    if (list != nullptr && !request.order_independent && !potential_.is_custom()) {
+    if (VerletList* list = list_for_kernel(request)) {
         return sum_by_kernel(*list, state, request.energy);
     }
     return std::visit(
@@ -146,15 +153,23 @@ Evaluation PairForceField::sum_by_kernel(VerletList& list, State& state, bool en
             ghost_forces_[t].data()};
         kernel(pair, task, energy ? &sums[t] : nullptr);
     };
-    const auto count = static_cast<Index>(tiles.size());
     workspaces_.resize(static_cast<std::size_t>(state.execution().threads()));
     ghost_forces_.resize(tiles.size());
-    const auto sum_in_workspace = [&](Index tile, Index) {
-        const FlushSubnormals flush_subnormals;
-        sum_tile(static_cast<std::size_t>(tile), workspaces_[static_cast<std::size_t>(number_in_team())]);
+    const auto sum_tiles = [&](const TileOrder::Part& part) {
+        const auto sum_in_workspace = [&](Index k, Index) {
+            const FlushSubnormals flush_subnormals;
+            sum_tile(static_cast<std::size_t>(part.tiles[static_cast<std::size_t>(k)]),
+                     workspaces_[static_cast<std::size_t>(number_in_team())]);
+        };
+        for_each_block(state.execution(), static_cast<Index>(part.tiles.size()), 1, sum_in_workspace, part.work_before);
     };
-    for_each_block(state.execution(), count, 1, sum_in_workspace, list.work_before());
-    list.routes().exchange(state.execution().ranks(), ghost_forces_);
+    Ranks& ranks = state.execution().ranks();
+    sum_tiles(list.order().while_positions_arrive());
+    list.wait_for_halo(state);
+    sum_tiles(list.order().with_halo());
+    list.routes().begin_exchange(ranks, ghost_forces_);
+    sum_tiles(list.order().while_forces_return());
+    ranks.finish_exchange();
     add_ghost_forces(list, state);
     if (!energy) {
         return {};
@@ -163,7 +178,7 @@ Evaluation PairForceField::sum_by_kernel(VerletList& list, State& state, bool en
     for (const PairKernelSums& tile : sums) {
         total.add(tile.energy, tile.virial);
     }
-    return total.value(state.execution().ranks());
+    return total.value(ranks);
 }
 
 /// Add the forces on a tile's clusters where these are ghosts of other tiles, in the order of those tiles.

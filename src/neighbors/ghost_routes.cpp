@@ -105,7 +105,7 @@ void GhostRoutes::find(const ClusterGrid& grid, std::span<const std::span<const 
     starts_.pop_back();
 }
 
-void GhostRoutes::exchange(Ranks& ranks, std::span<const AlignedVector<double>> ghost_forces) {
+void GhostRoutes::begin_exchange(Ranks& ranks, std::span<const AlignedVector<double>> ghost_forces) {
     if (ranks.alone()) {
         return;
     }
@@ -122,7 +122,7 @@ void GhostRoutes::exchange(Ranks& ranks, std::span<const AlignedVector<double>> 
     for (const FromRank& from : from_) {
         incoming.push_back({from.rank, {received_.data() + from.first, from.count}});
     }
-    ranks.exchange(outgoing, incoming);
+    ranks.begin_exchange(outgoing, incoming);
 }
 
 }  // namespace ljmd

@@ -28,7 +28,7 @@ void Halo::clear() {
     received_.clear();
 }
 
-void Halo::refresh(State& state) {
+void Halo::begin_refresh(State& state) {
     const double* r = std::as_const(state).positions().data();
     std::vector<Ranks::Outgoing> outgoing;
     for (Sent& sent : sent_) {
@@ -45,7 +45,15 @@ void Halo::refresh(State& state) {
                             {ghosts + vector_stride * received.ghosts.first,
                              static_cast<std::size_t>(vector_stride * received.ghosts.count())}});
     }
-    state.execution().ranks().exchange(outgoing, incoming);
+    state.execution().ranks().begin_exchange(outgoing, incoming);
+    under_way_ = true;
+}
+
+void Halo::finish_refresh(Ranks& ranks) {
+    if (under_way_) {
+        ranks.finish_exchange();
+        under_way_ = false;
+    }
 }
 
 std::vector<std::vector<Halo::OnAtom>> Halo::return_forces(Ranks& ranks, const std::vector<OnAtom>& on_ghosts) const {

@@ -125,15 +125,25 @@ void VerletList::prepare_for(SimdLevel level, RowShape shape) {
 }
 
 void VerletList::prepare(State& state, double cutoff) {
+    begin_preparing(state, cutoff);
+    wait_for_halo(state);
+}
+
+void VerletList::wait_for_halo(const State& state) {
+    grid_.halo().finish_refresh(state.execution().ranks());
+}
+
+void VerletList::begin_preparing(State& state, double cutoff) {
     ++statistics_.preparations;
     Stopwatch watch;
     const bool shared = !state.execution().ranks().alone();
     if (shared && is_of(state, cutoff)) {
-        grid_.halo().refresh(state);
+        grid_.halo().begin_refresh(state);
     }
     if (still_valid(state, cutoff)) {
         ++age_;
     } else {
+        wait_for_halo(state);
         // any_pair_missed() would not do: a pair that came within the cutoff in between may have left it again.
         if (is_of(state, cutoff) && every_ && !nothing_moved_too_far(state)) {
             ++statistics_.late_rebuilds;
@@ -147,8 +157,8 @@ void VerletList::prepare(State& state, double cutoff) {
 }
 
 void VerletList::sort(State& state, double cutoff, State* companion) {
-    // A search for missed pairs looks as far as this, see any_pair_missed().
-    const double halo = (cutoff + 2.0 * skin_) * (1.0 + 0x1p-20);
+    // A search for missed pairs looks a skin farther than the list, see any_pair_missed().
+    const double halo = (cutoff + (every_ ? 1.0 : 2.0) * skin_) * (1.0 + 0x1p-20);  // rounding loses no column
     grid_.configure(state.box(), cutoff + skin_, state.total(), tile_, halo, state.execution().ranks());
     grid_.sort(state, companion);
 }
@@ -158,10 +168,18 @@ bool VerletList::is_of(const State& state, double cutoff) const {
            state.order_version() == built_for_order_ && shape_ == built_for_shape_;
 }
 
-bool VerletList::still_valid(const State& state, double cutoff) const {
-    return is_of(state, cutoff) &&
-           (every_ ? age_ < *every_
-                   : nothing_moved_too_far(state) || !any_pair_missed(grid_, reference_.data(), state, cutoff, skin_));
+bool VerletList::still_valid(const State& state, double cutoff) {
+    if (!is_of(state, cutoff)) {
+        return false;
+    }
+    if (every_) {
+        return age_ < *every_;
+    }
+    if (nothing_moved_too_far(state)) {
+        return true;
+    }
+    wait_for_halo(state);
+    return !any_pair_missed(grid_, reference_.data(), state, cutoff, skin_);
 }
 
 bool VerletList::nothing_moved_too_far(const State& state) const {
@@ -244,7 +262,7 @@ void VerletList::build(const State& state, double cutoff) {
         ghosts.emplace_back(tile.ghosts);
     }
     routes_.find(grid_, ghosts, state.execution().ranks());
-    measure_work(state.execution().ranks());
+    measure_work(state.execution());
 
     const Index all = state.count() + state.ghost_count();
     resize_tightly(reference_, static_cast<std::size_t>(vector_stride * all));
@@ -258,23 +276,27 @@ void VerletList::build(const State& state, double cutoff) {
     ++statistics_.rebuilds;
 }
 
-void VerletList::measure_work(Ranks& ranks) {
+void VerletList::measure_work(const Execution& execution) {
     work_before_.assign(1, 0);
+    std::vector<std::int64_t> work;
+    std::vector<bool> needs_halo;
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
         // An atom makes work by itself, about that of ten entries.
         const AtomRange atoms = grid_.atoms_of_tile(static_cast<Index>(t));
-        const std::int64_t work = 1 + static_cast<std::int64_t>(tiles_[t].starts.back()) + 10 * atoms.count();
-        work_before_.push_back(work_before_.back() + work);
+        work.push_back(1 + static_cast<std::int64_t>(tiles_[t].starts.back()) + 10 * atoms.count());
+        work_before_.push_back(work_before_.back() + work.back());
+        needs_halo.push_back(
+            std::any_of(tiles_[t].ghosts.begin(), tiles_[t].ghosts.end(),
+                        [this](const ClusterGrid::GhostClusters& ghosts) { return grid_.is_abroad(ghosts.of.first); }));
     }
-    if (ranks.alone()) {
+    order_.arrange(needs_halo, work, execution.threads());
+    if (execution.ranks().alone()) {
         return;
     }
-    std::vector<std::int64_t> work(static_cast<std::size_t>(grid_.tiles_of_all()), 0);
-    for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        work[static_cast<std::size_t>(grid_.first_tile()) + t] = work_before_[t + 1] - work_before_[t];
-    }
-    ranks.sum(work);
-    grid_.set_work(std::move(work));
+    std::vector<std::int64_t> of_all(static_cast<std::size_t>(grid_.tiles_of_all()), 0);
+    std::copy(work.begin(), work.end(), of_all.begin() + grid_.first_tile());
+    execution.ranks().sum(of_all);
+    grid_.set_work(std::move(of_all));
 }
 
 Index VerletList::fill(std::size_t number, const State& state, double range) {

@@ -26,7 +26,8 @@ class LoneRank : public Ranks {
     void sum(std::span<std::int64_t>) override { refuse(); }
     void largest(std::span<double>) override { refuse(); }
     std::vector<Bytes> exchange(std::vector<Bytes>) override { refuse(); }
-    void exchange(std::span<const Outgoing>, std::span<const Incoming>) override { refuse(); }
+    void begin_exchange(std::span<const Outgoing>, std::span<const Incoming>) override { refuse(); }
+    void finish_exchange() override { refuse(); }
     void abandon(int) override { refuse(); }
 
   private:

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -97,6 +98,9 @@ class RankTeam {
         }
 
         [[nodiscard]] std::vector<Bytes> exchange(std::vector<Bytes> messages) override {
+            if (under_way_) {
+                throw ContractViolation("messages of unknown length while others are under way");
+            }
             team_.bytes_[number()] = &messages;
             team_.wait_for_all();
             std::vector<Bytes> received(messages.size());
@@ -112,11 +116,24 @@ class RankTeam {
             return received;
         }
 
-        void exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) override {
-            team_.outgoing_[number()] = outgoing;
+        void begin_exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) override {
+            if (under_way_) {
+                throw ContractViolation("an exchange begins before the last one has ended");
+            }
+            under_way_ = true;
+            outgoing_.assign(outgoing.begin(), outgoing.end());
+            incoming_.assign(incoming.begin(), incoming.end());
+            // Whoever reads what has not arrived shall notice.
+            for (const Incoming& each : incoming) {
+                std::fill(each.numbers.begin(), each.numbers.end(), std::numeric_limits<double>::quiet_NaN());
+            }
+        }
+
+        void finish_exchange() override {
+            team_.outgoing_[number()] = outgoing_;
             team_.wait_for_all();
-            for (const std::size_t k : shuffled(incoming.size())) {
-                const auto& [from, numbers] = incoming[k];
+            for (const std::size_t k : shuffled(incoming_.size())) {
+                const auto& [from, numbers] = incoming_[k];
                 const auto& theirs = team_.outgoing_[static_cast<std::size_t>(from)];
                 const auto found = std::find_if(theirs.begin(), theirs.end(),
                                                 [this](const Outgoing& each) { return each.to == rank(); });
@@ -126,9 +143,10 @@ class RankTeam {
                 std::copy(found->numbers.begin(), found->numbers.end(), numbers.begin());
             }
             team_.wait_for_all();
-            for (const Outgoing& each : outgoing) {
+            for (const Outgoing& each : outgoing_) {
                 note(1, static_cast<Index>(each.numbers.size_bytes()), 0);
             }
+            under_way_ = false;
         }
 
         [[noreturn]] void abandon(int /*exit_code*/) override { throw RankLost("a rank has abandoned the others"); }
@@ -150,6 +168,9 @@ class RankTeam {
 
         RankTeam& team_;
         std::mt19937 random_;
+        bool under_way_ = false;  ///< an exchange of messages whose length is known
+        std::vector<Outgoing> outgoing_;
+        std::vector<Incoming> incoming_;
     };
 
     /// @throws RankLost once a rank has failed

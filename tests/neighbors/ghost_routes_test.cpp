@@ -35,7 +35,8 @@ std::vector<double> copies(int size, const std::vector<Vec3>& positions, const B
         const std::vector<std::span<const ClusterGrid::GhostClusters>> spans(ghosts.begin(), ghosts.end());
         GhostRoutes routes;
         routes.find(grid, spans, here);
-        routes.exchange(here, forces);
+        routes.begin_exchange(here, forces);
+        here.finish_exchange();
         const std::lock_guard lock(mutex);
         for (Index t = 0; t < static_cast<Index>(grid.tiles().size()); ++t) {
             for (const GhostRoutes::Export& each : routes.of_tile(t)) {

@@ -53,8 +53,16 @@ class Ranks {
         int from;
         std::span<double> numbers;
     };
-    /// Exchange messages with some ranks, at most one in each direction, none with itself.
-    virtual void exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) = 0;
+    /// Begin to exchange messages with some ranks, at most one in each direction, none with itself. Until
+    /// finish_exchange() the numbers belong to the exchange, and only sum() and largest() may be called in between.
+    virtual void begin_exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) = 0;
+    /// Wait until the messages have arrived.
+    virtual void finish_exchange() = 0;
+    /// Both at once.
+    void exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) {
+        begin_exchange(outgoing, incoming);
+        finish_exchange();
+    }
 
     /// End all ranks at once, because this one cannot go on. Not collective.
     [[noreturn]] virtual void abandon(int exit_code) = 0;

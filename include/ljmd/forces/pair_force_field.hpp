@@ -47,6 +47,8 @@ class PairForceField : public ForceField {
   private:
     Evaluation compute(State& state, Request request) override;
 
+    /// The list, if a kernel computes what is requested; else null.
+    [[nodiscard]] VerletList* list_for_kernel(Request request);
     [[nodiscard]] Evaluation sum(State& state, Request request);
     [[nodiscard]] Evaluation sum_by_kernel(VerletList& list, State& state, bool energy);
     void add_ghost_forces(const VerletList& list, State& state) const;

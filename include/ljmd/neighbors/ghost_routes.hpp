@@ -32,9 +32,10 @@ class GhostRoutes {
         return std::span(exports_).subspan(starts_[t], starts_[t + 1] - starts_[t]);
     }
 
-    /// Exchange the forces with other ranks. Collective. @param ghost_forces  of each tile, 12 numbers a ghost cluster
-    void exchange(Ranks& ranks, std::span<const AlignedVector<double>> ghost_forces);
-    /// The forces that other ranks have found.
+    /// Send the forces on ghosts to the ranks that have the atoms, see Ranks::begin_exchange(). Collective.
+    /// @param ghost_forces  of each tile, 12 numbers a ghost cluster; only tiles with ghosts of other ranks are read
+    void begin_exchange(Ranks& ranks, std::span<const AlignedVector<double>> ghost_forces);
+    /// The forces that other ranks have found. @pre Ranks::finish_exchange() has been called
     [[nodiscard]] const double* received() const { return received_.data(); }
 
   private:

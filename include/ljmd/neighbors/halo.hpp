@@ -20,7 +20,14 @@ class Halo {
     void clear();
 
     /// Bring the positions of the ghosts up to date. Collective. @pre state has as many ghosts as are received
-    void refresh(State& state);
+    void refresh(State& state) {
+        begin_refresh(state);
+        finish_refresh(state.execution().ranks());
+    }
+    /// Send and ask for positions, see Ranks::begin_exchange().
+    void begin_refresh(State& state);
+    /// Wait for what begin_refresh() has asked for, if anything is under way.
+    void finish_refresh(Ranks& ranks);
 
     /// Pass on what was found for ghosts to the ranks that have the atoms. Collective.
     struct OnAtom {
@@ -48,6 +55,7 @@ class Halo {
   private:
     std::vector<Sent> sent_;
     std::vector<Received> received_;
+    bool under_way_ = false;
 };
 
 }  // namespace ljmd

@@ -17,6 +17,7 @@
 #include "ljmd/neighbors/pair_visit.hpp"
 #include "ljmd/neighbors/row_shape.hpp"
 #include "ljmd/neighbors/search_statistics.hpp"
+#include "ljmd/neighbors/tile_order.hpp"
 
 namespace ljmd {
 
@@ -51,6 +52,11 @@ class VerletList {
     void prepare_for(SimdLevel level, RowShape shape);
 
     void prepare(State& state, double cutoff);
+    /// The same, but positions of other ranks' atoms may be under way until wait_for_halo(). Only the tiles of
+    /// order().with_halo() need them. Nothing else may be exchanged meanwhile, see Ranks::begin_exchange().
+    void begin_preparing(State& state, double cutoff);
+    void wait_for_halo(const State& state);
+    [[nodiscard]] const TileOrder& order() const { return order_; }
 
     [[nodiscard]] Index part_count(const State& /*state*/) const { return static_cast<Index>(tiles_.size()); }
     [[nodiscard]] AtomRange atoms_of(const State& /*state*/, Index part) const { return grid_.atoms_of_tile(part); }
@@ -97,13 +103,13 @@ class VerletList {
     /// True if the list was built for this cutoff and box, this order of atoms, and the present shape of rows.
     [[nodiscard]] bool is_of(const State& state, double cutoff) const;
     /// True if, besides, no pair within the cutoff is missing; with a fixed schedule: if the list is young enough.
-    [[nodiscard]] bool still_valid(const State& state, double cutoff) const;
+    [[nodiscard]] bool still_valid(const State& state, double cutoff);
     /// True if no atom has moved by more than skin/2.
     [[nodiscard]] bool nothing_moved_too_far(const State& state) const;
     void sort(State& state, double cutoff, State* companion = nullptr);
     void build(const State& state, double cutoff);
     /// Measure the work of the tiles, by which threads share them, and ranks at the next sort().
-    void measure_work(Ranks& ranks);
+    void measure_work(const Execution& execution);
     /// Build the lists of a tile. @return number of distance tests
     [[nodiscard]] Index fill(std::size_t tile, const State& state, double range);
 
@@ -122,6 +128,7 @@ class VerletList {
     AlignedVector<double> reference_;  ///< positions at the rebuild, ghosts included, 4 numbers per atom
     std::vector<Tile> tiles_;
     std::vector<std::int64_t> work_before_;
+    TileOrder order_;
     GhostRoutes routes_;
     SearchStatistics statistics_;
 };

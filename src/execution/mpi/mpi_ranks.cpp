@@ -58,16 +58,17 @@ class MpiRanks : public Ranks {
         return received;
     }
 
-    void exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) override {
-        Requests requests;
+    void begin_exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) override {
         for (const Incoming& each : incoming) {
-            requests.receive(reinterpret_cast<std::byte*>(each.numbers.data()), each.numbers.size_bytes(), each.from);
+            under_way_.receive(reinterpret_cast<std::byte*>(each.numbers.data()), each.numbers.size_bytes(), each.from);
         }
         for (const Outgoing& each : outgoing) {
-            requests.send(reinterpret_cast<const std::byte*>(each.numbers.data()), each.numbers.size_bytes(), each.to);
+            under_way_.send(reinterpret_cast<const std::byte*>(each.numbers.data()), each.numbers.size_bytes(),
+                            each.to);
         }
-        requests.wait();
     }
+
+    void finish_exchange() override { under_way_.wait(); }
 
     [[noreturn]] void abandon(int exit_code) override {
         MPI_Abort(MPI_COMM_WORLD, exit_code);
@@ -88,7 +89,10 @@ class MpiRanks : public Ranks {
                 MPI_Irecv(bytes + done, piece(size - done), MPI_BYTE, from, of_positions, MPI_COMM_WORLD, next());
             }
         }
-        void wait() { MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
+        void wait() {
+            MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+            requests_.clear();
+        }
 
       private:
         static int piece(std::size_t bytes) { return static_cast<int>(std::min(bytes, largest_piece)); }
@@ -96,6 +100,8 @@ class MpiRanks : public Ranks {
 
         std::vector<MPI_Request> requests_;
     };
+
+    Requests under_way_;  ///< of begin_exchange()
 };
 
 }  // namespace
