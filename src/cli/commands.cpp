@@ -239,7 +239,7 @@ void run_as_member(DeckOptions options, const std::shared_ptr<Ranks>& ranks) {
     ignore_stop_signals();
     std::optional<ReadDeck> read;
     prepare_together(ranks, [&] { read = read_deck(options, "", ranks); });
-    require_shareable(ranks, read->deck);
+    require_shareable(ranks, read->deck, read->run);
     Silent silent;
     AnySystem system = make_system(read->deck, std::move(read->run.start), read->run.execution, [](const auto&) {});
     run_deck(read->deck, system, silent);
@@ -260,7 +260,7 @@ void run_command(const DeckOptions& options, const std::string& out, const std::
         check_directory(read->deck, options.force);
     });
     auto& [deck, run] = *read;
-    require_shareable(ranks, deck);
+    require_shareable(ranks, deck, run);
     Progress progress(run.atoms(), total_steps(deck.stages), options.quiet);
     AnySystem system = make_system(deck, std::move(run.start), run.execution,
                                    [&](const std::string& text) { progress.warning(text); });
@@ -282,7 +282,7 @@ void resume_as_member(const ResumeOptions& options, const std::shared_ptr<Ranks>
         run.emplace(
             options.directory, options.more_steps, options.threads, [](const std::string&) {}, GivenAgain{}, ranks);
     });
-    require_shareable(ranks, run->deck());
+    require_shareable(ranks, *run);
     const CheckpointHead from = run->checkpoint();
     AnySystem system = empty_system(run->deck(), from.atoms, from.edges, run->execution());
     Silent silent;
@@ -305,7 +305,7 @@ void resume_command(const ResumeOptions& options) {
     });
     prepare_together(ranks, [] {});  // the others have read the checkpoint
     HeldRun& run = *held;
-    require_shareable(ranks, run.deck());
+    require_shareable(ranks, run);
     const CheckpointHead from = run.checkpoint();
     const Index steps = total_steps(run.deck().stages);
     AnySystem system = empty_system(run.deck(), from.atoms, from.edges, run.execution());
