@@ -139,10 +139,7 @@ void sweep_command(const SweepOptions& options) {
     if (array) {
         array->require_none();
     }
-    if (options.force && holds_another_sweep(plan, path)) {
-        wait_for_runs(path / "points", until_signal(), print_message);
-    }
-    prepare_sweep(plan, directory, options.force);
+    prepare_sweep(plan, directory, options.force, wait_for_writing_runs);
     std::vector<PointRun> runs = point_runs(plan, path);
     if (options.mode.prepare) {
         print_prepared(sweep_words(), path, runs.size(), options.json);

@@ -238,11 +238,13 @@ def replaced_beside_workers(t):
     before = t.read("out/sweep.json")
     other = ("sweep", "deck.toml", "--grid", "system.density=0.7|0.8", "--out", "out", "--prepare")
     t.expect(2, t.run(*other))
-    replacing = start(t, *other, "--force")
-    replacing.stderr.readline()  # waits for the point
+    refused = t.expect(9, t.run(*other, "--force"))
+    t.equal((worker.poll(), refused.out), (None, ""), "the worker, for which nobody waits, and stdout")
+    t.check("waiting" not in refused.err, f"it waits:\n{refused.err}")
+    t.equal(t.read("out/sweep.json"), before, "sweep.json")
     worker.send_signal(signal.SIGUSR1)
     t.equal(end(worker)[0], 138, "exit code of the worker")
-    t.check(end(replacing)[0] in (0, 9), "exit code of the other sweep")
+    t.run_well(*other, "--force")
     t.check(t.read("out/sweep.json") != before, "the sweep was not replaced")
 
 

@@ -74,6 +74,10 @@ void work_on(const StudyWords& words, const StudyMode& mode, const std::vector<R
 }
 
 Gathered gathered(const std::vector<RunLine*>& lines) {
+void wait_for_writing_runs(const std::filesystem::path& folder) {
+    wait_for_runs(folder, until_signal(), print_message);
+}
+
     Gathered found;
     for (RunLine* line : lines) {
         const bool finished = !line->begin();
