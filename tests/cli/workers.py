@@ -161,6 +161,7 @@ def a_point_that_fails(t):
     status = json.loads(t.run_well("sweep", "--status", "out", "--json").out)
     t.equal({name: count for name, count in status["states"].items() if count}, {"finished": 2, "failed": 1}, "states")
     t.contains(status["runs"][1]["words"], "exit code 5: error: ")
+    t.equal([run["total_steps"] for run in status["runs"]], [60] * 3, "steps")
     t.contains(t.run_well("sweep", "--status", "out").out, "  time_step=0.4    failed")
 
 
