@@ -23,6 +23,7 @@
 #include "ljmd/execution/execution.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/io/tables/json_text.hpp"
 #include "ljmd/report/written_report.hpp"
 #include "ljmd/run/held_run.hpp"
@@ -170,9 +171,8 @@ void compare_fluid(const Deck& deck, CheckedRun fluid, const DeckOptions& option
     if (!out.empty()) {
         write_crosscheck(found, deck, compared, out);
     }
-    const std::string files = out.empty() ? "" : fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", out);
     print_result(options.json ? crosscheck_json(found, deck, compared) + "\n"
-                              : crosscheck_table(found, deck, compared) + files);
+                              : crosscheck_table(found, deck, compared) + (out.empty() ? "" : told_files(out)));
     if (!found.passed()) {
         throw PhysicsError(fmt::format("ljmd and {} differ: {} of {} checks failed", found.peer, found.failures(),
                                        found.checks.size()));
@@ -320,7 +320,7 @@ void resume_command(const ResumeOptions& options) {
             run.is_at_its_end()
                 ? fmt::format("the run was finished after step {}, its results are written anew; to make it longer: "
                               "ljmd resume {} --steps +N\n",
-                              from.step, options.directory)
+                              from.step, shell_word(options.directory))
                 : fmt::format("resuming after step {} of {}{}\n", from.step,
                               run.deck().stages.back().until.empty() ? "" : "at most ", steps));
     }

@@ -94,7 +94,7 @@ std::vector<std::string> print_table(const SweepPlan& plan, const std::vector<Po
     directory.require_at_its_path();
     write_file_atomically(directory / "sweep.csv", sweep_csv(swept));
     Document report = sweep_report(swept, result_columns());
-    report.text += fmt::format("\nfiles: {0}\nto draw them: ljmd plot {0}\n", directory.path().string());
+    report.text += told_files(directory.path());
     print_document(report, as_json);
     return failures;
 }

@@ -18,6 +18,7 @@
 #include "ljmd/io/files/process.hpp"
 #include "ljmd/io/files/replacement_file.hpp"
 #include "ljmd/io/files/scratch_directory.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/study/job_pool.hpp"
 
 namespace ljmd {
@@ -67,14 +68,6 @@ std::string said(const std::string& text) {
         words.push_back(printable(trimmed(line), longest));
     }
     return fmt::format("{}", fmt::join(words, "\n  "));
-}
-
-std::string quoted_for_shell(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) {
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return quoted + "'";
 }
 
 /// A path in which sbatch replaces nothing.
@@ -199,7 +192,7 @@ void SlurmArray::require_none() const {
             throw InUseError(
                 fmt::format("array {} of {} is queued or running. Nothing was submitted.\n  how far it is: ljmd {} "
                             "--status {}",
-                            job, directory_.string(), command_, directory_.string()));
+                            job, directory_.string(), command_, shell_word(directory_)));
         }
     }
 }
@@ -209,7 +202,7 @@ std::string SlurmArray::script(std::size_t tasks, std::size_t jobs) const {
         "#!/bin/sh\n"
         "# A task of an array: the worker of that number.\n"
         "exec {} {} --work \"$SLURM_ARRAY_TASK_ID/{}\" {} --jobs {}\n",
-        quoted_for_shell(this_program().string()), command_, tasks, quoted_for_shell(directory_.string()), jobs);
+        shell_word(this_program()), command_, tasks, shell_word(directory_), jobs);
 }
 
 std::string SlurmArray::submit(const std::vector<bool>& finished, std::size_t jobs) const {

@@ -14,6 +14,7 @@
 #include "ljmd/io/files/directory_lock.hpp"
 #include "ljmd/io/files/file_system.hpp"
 #include "ljmd/io/files/input_file.hpp"
+#include "ljmd/io/files/shell_word.hpp"
 #include "ljmd/run/continuation.hpp"
 #include "ljmd/run/recorded_run.hpp"
 #include "ljmd/study/child_run.hpp"
@@ -67,8 +68,8 @@ RunState state_of(const std::string& name, const ChildRun& run, Index steps_adde
     if (!files::exists(directory / "run.json")) {
         found.state = running ? "running" : words.empty() ? "not begun" : "failed";
         found.words = words;
-        return found;
         found.total_steps = steps_asked_for(run) + steps_added;
+        return found;
     }
     try {
         const RecordedRun recorded = recorded_run(directory);
@@ -177,7 +178,7 @@ std::string text_of(const Study& study, const fs::path& directory, std::optional
     }
     text += table_of(study.runs, screen);
     const bool whole = study.count("finished") == std::ssize(study.runs);
-    const std::string how = study.kind == StudyKind::replicas ? fmt::format("ljmd resume {}", directory.string())
+    const std::string how = study.kind == StudyKind::replicas ? fmt::format("ljmd resume {}", shell_word(directory))
                                                               : "the command that began it";
     return text + (whole || study.running ? "" : fmt::format("to go on: {}\n", how));
 }
