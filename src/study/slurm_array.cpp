@@ -105,6 +105,13 @@ fs::path without_last_slash(const fs::path& path) {
     return path.has_filename() ? path : path.parent_path();
 }
 
+/// Whether a word is an option in one of its forms: "-a1-3", "--array=1-3", or shortened as sbatch takes it, "--arr".
+/// @param least  of `name`, by which sbatch knows the option
+bool is_option(const std::string& word, const std::string& letter, const std::string& least, const std::string& name) {
+    const std::string given = word.substr(0, word.find('='));
+    return word.starts_with(letter) || (given.starts_with(least) && name.starts_with(given));
+}
+
 }  // namespace
 
 std::vector<std::string> shell_words(const std::string& text) {
@@ -135,6 +142,22 @@ std::vector<std::string> shell_words(const std::string& text) {
     }
     if (in_word) {
         words.push_back(word);
+    }
+    return words;
+}
+
+std::vector<std::string> sbatch_options(const std::string& text) {
+    std::vector<std::string> words = shell_words(text);
+    for (const std::string& word : words) {
+        if (is_option(word, "-a", "--ar", "--array") || is_option(word, "-J", "--j", "--job-name")) {
+            throw InputError(
+                fmt::format("--slurm: {} cannot be given: ljmd sets --array, whose tasks are shares of the runs, and "
+                            "--job-name, by "
+                            "which it finds the array in the queue. Nothing was run.\n  to limit the tasks at a time: "
+                            "scontrol update "
+                            "ArrayTaskThrottle=50 JobId=... when the array is submitted",
+                            in_quotes(word)));
+        }
     }
     return words;
 }
@@ -172,7 +195,7 @@ std::vector<std::size_t> unfinished_tasks(const std::vector<bool>& finished, std
 SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std::string& options)
     : command_(std::move(command)),
       directory_(without_last_slash(files::absolute(directory).lexically_normal())),
-      options_(shell_words(options)),
+      options_(sbatch_options(options)),
       sbatch_(program_of_slurm("sbatch")),
       squeue_(program_of_slurm("squeue")),
       name_(array_name(directory_)) {}

@@ -335,3 +335,6 @@ def cases():
                                                    prepare=REQUEST)),
         Case("prepared with other settings", refused(*REQUEST, "out", "--set", "system.seed=3", "--prepare", prepare=REQUEST)),
         Case("prepared with a mistake", refused(*REQUEST[:3], "system.density=-0.7|0.8", "--out", "out", "--prepare"))]
+        Case("the tasks of Slurm given", refused(*REQUEST, "out", "--slurm", "-p all --array=1-3")),
+        Case("the name for Slurm given", refused(*REQUEST, "out", "--slurm", "-J mine")),
+        Case("the tasks of Slurm given for a table", refused(*ROWS, "out", "--slurm", "-a1-3")),
