@@ -101,10 +101,6 @@ std::optional<std::string> job_number(const std::string& text) {
     return std::nullopt;
 }
 
-fs::path without_last_slash(const fs::path& path) {
-    return path.has_filename() ? path : path.parent_path();
-}
-
 /// Whether a word is an option in one of its forms: "-a1-3", "--array=1-3", or shortened as sbatch takes it, "--arr".
 /// @param least  of `name`, by which sbatch knows the option
 bool is_option(const std::string& word, const std::string& letter, const std::string& least, const std::string& name) {
@@ -194,7 +190,7 @@ std::vector<std::size_t> unfinished_tasks(const std::vector<bool>& finished, std
 
 SlurmArray::SlurmArray(std::string command, const fs::path& directory, const std::string& options)
     : command_(std::move(command)),
-      directory_(without_last_slash(files::absolute(directory).lexically_normal())),
+      directory_(files::canonical(directory)),
       options_(sbatch_options(options)),
       sbatch_(program_of_slurm("sbatch")),
       squeue_(program_of_slurm("squeue")),

@@ -32,7 +32,7 @@ inline constexpr std::size_t max_array_tasks = 1000;
 class SlurmArray {
   public:
     /// @param command    "sweep" or "reproduce"
-    /// @param directory  of the study; the name of the array is made from its absolute path
+    /// @param directory  of the study; the name of the array is made from its canonical path
     /// @param options    of sbatch, in one text, as sbatch_options() takes them
     /// @throws InputError  as sbatch_options(), or sbatch or squeue is not on this computer
     SlurmArray(std::string command, const std::filesystem::path& directory, const std::string& options);
@@ -51,7 +51,7 @@ class SlurmArray {
     [[nodiscard]] std::string script(std::size_t tasks, std::size_t jobs) const;
 
     std::string command_;
-    std::filesystem::path directory_;  ///< absolute
+    std::filesystem::path directory_;  ///< canonical
     std::vector<std::string> options_;
     std::filesystem::path sbatch_;
     std::filesystem::path squeue_;
